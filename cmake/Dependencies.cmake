@@ -1,0 +1,54 @@
+# Every library of the project: what, which version, where from. scripts/setup installs exactly these.
+#
+# | library              | version    | from                                      |
+# | -------------------- | ---------- | ----------------------------------------- |
+# | MuJoCo               | 4.0.1      | PyPI mujoco-core, by hash (FindMuJoCo)    |
+# | Dear ImGui (docking) | 1.93.0     | PyPI imgui-bundle, by hash (ImGui.cmake)  |
+# | ImPlot               | 1.1        | PyPI imgui-bundle, by hash (ImGui.cmake)  |
+# | GLM                  | >= 0.9.9.8 | Debian libglm-dev                         |
+# | fmt                  | >= 9       | Debian libfmt-dev                         |
+# | spdlog               | >= 1.10    | Debian libspdlog-dev                      |
+# | CLI11                | >= 2.1     | Debian libcli11-dev                       |
+# | oneTBB               | >= 2021    | Debian libtbb-dev                         |
+# | mbed TLS (SHA-256)   | >= 2.28    | Debian libmbedtls-dev                     |
+# | OpenMesh             | 9          | Debian libopenmesh-dev                    |
+# | tinygltf             | 2.7        | Debian libtinygltf-dev                    |
+# | nlohmann-json        | >= 3.11    | Debian nlohmann-json3-dev                 |
+# | stb                  |            | Debian libstb-dev                         |
+# | libzip               | >= 1.7     | Debian libzip-dev                         |
+# | GLFW                 | >= 3.3     | Debian libglfw3-dev                       |
+# | epoxy, EGL, Mesa     |            | Debian libepoxy-dev libegl-dev ...        |
+# | GoogleTest           | >= 1.12    | Debian libgtest-dev                       |
+# | RapidCheck           |            | Debian librapidcheck-dev                  |
+# | Google Benchmark     |            | Debian libbenchmark-dev                   |
+
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+set(TAXEL_CACHE "$ENV{TAXEL_CACHE}" CACHE PATH "Where scripts/setup unpacks MuJoCo and ImGui")
+if(NOT TAXEL_CACHE)
+  if(DEFINED ENV{XDG_CACHE_HOME})
+    set(TAXEL_CACHE "$ENV{XDG_CACHE_HOME}/taxelstudio" CACHE PATH "" FORCE)
+  else()
+    set(TAXEL_CACHE "$ENV{HOME}/.cache/taxelstudio" CACHE PATH "" FORCE)
+  endif()
+endif()
+
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+pkg_check_modules(OpenMesh REQUIRED IMPORTED_TARGET openmesh)
+pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
+find_library(MBEDCRYPTO_LIBRARY NAMES libmbedcrypto.a mbedcrypto REQUIRED)
+find_package(MuJoCo REQUIRED)
+if(TAXEL_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()

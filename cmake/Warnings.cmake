@@ -1,0 +1,10 @@
+# Warnings are errors in our own code; headers of libraries are SYSTEM.
+add_library(taxel_options INTERFACE)
+target_compile_features(taxel_options INTERFACE cxx_std_20)
+target_compile_options(taxel_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Werror
+  -ffp-contract=off)  # same bits on every machine and at every optimisation level
+if(TAXEL_SANITIZE)
+  target_compile_options(taxel_options INTERFACE -fsanitize=${TAXEL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(taxel_options INTERFACE -fsanitize=${TAXEL_SANITIZE})
+endif()

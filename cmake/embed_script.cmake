@@ -1,0 +1,17 @@
+# Run by embed_files at build time.
+set(text "#include <string_view>\n\nnamespace ${NAMESPACE} {\nnamespace {\n")
+set(table "")
+set(index 0)
+foreach(file IN LISTS FILES)
+  file(READ ${file} hex HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" bytes "${hex}")
+  # short literals: g++ takes long ones, editors do not
+  string(REGEX REPLACE "(................................................................)" "\\1\"\n  \"" bytes "${bytes}")
+  file(RELATIVE_PATH name ${ROOT} ${file})
+  file(SIZE ${file} size)
+  string(APPEND text "constexpr char file_${index}[] =\n  \"${bytes}\";\n")
+  string(APPEND table "  if (name == \"${name}\") return {file_${index}, ${size}};\n")
+  math(EXPR index "${index} + 1")
+endforeach()
+string(APPEND text "}  // namespace\n\nstd::string_view embedded_file(std::string_view name) {\n${table}  return {};\n}\n\n}  // namespace ${NAMESPACE}\n")
+file(WRITE ${OUT} "${text}")

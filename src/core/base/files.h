@@ -1,0 +1,20 @@
+// Whole files in and out. Writing is atomic: the bytes go beside the target and are renamed over it, so a reader sees
+// the old file or the new one, never half of one.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace taxel {
+
+/// All bytes of a file. Throws Error that names the file when it is missing, a folder or unreadable.
+std::string read_file(const std::filesystem::path& path);
+
+/// Writes beside and renames. Throws Error that names the file; then the target is untouched and nothing is left over.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Makes a folder and its parents. Throws Error that names it when that fails or a file is in the way.
+void make_folder(const std::filesystem::path& path);
+
+}  // namespace taxel

@@ -1,0 +1,26 @@
+// What a body is made of, as the hydroelastic model needs it.
+#pragma once
+
+namespace taxel {
+
+/// How the pressure field inside a compliant body is made.
+enum class FieldKind {
+  pad,          ///< p = E min(depth, H)/H over a rigid core (default of meshes)
+  medial_axis,  ///< p = E depth/H, H the depth of the medial axis (default of primitives)
+  star,         ///< tets from the volume centroid, p = E there (the paper's released code)
+  tets          ///< a tetrahedral mesh from a file
+};
+
+/// Plain values, SI units. modulus 0 means rigid.
+struct Material {
+  FieldKind field = FieldKind::pad;
+  double modulus = 0.0;      ///< E, hydroelastic modulus [Pa]
+  double thickness = 0.0;    ///< H of a pad or of a half-space [m]; 0: chosen from the size
+  double dissipation = 0.0;  ///< Hunt-Crossley d [s/m]
+  double friction = 0.5;     ///< Coulomb coefficient [-]
+
+  [[nodiscard]] bool compliant() const { return modulus > 0.0; }
+  bool operator==(const Material&) const = default;
+};
+
+}  // namespace taxel

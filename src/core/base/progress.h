@@ -1,0 +1,28 @@
+// How far a long computation is, and a way to stop it. Shared by one worker and one watcher.
+#pragma once
+
+#include <atomic>
+
+namespace taxel {
+
+/// Thrown out of a computation whose Progress was cancelled.
+struct Cancelled {};
+
+class Progress {
+ public:
+  void set(double fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
+  [[nodiscard]] double fraction() const { return fraction_.load(std::memory_order_relaxed); }
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  /// For workers: note the fraction, throw Cancelled if the watcher asked to stop.
+  void check(double fraction) {
+    set(fraction);
+    if (cancelled()) throw Cancelled{};
+  }
+
+ private:
+  std::atomic<double> fraction_{0.0};
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace taxel

@@ -1,0 +1,42 @@
+// One body as the contact kernel sees it: geometry in its own frame, with a material. Immutable.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "core/base/material.h"
+#include "core/hydro/pressure_field.h"
+#include "core/mesh/closest_point.h"
+
+namespace taxel {
+
+struct SoftBody { PressureFieldPtr field; };
+struct SoftHalfSpace { double stiffness = 0; double thickness = 0; };  ///< z <= 0; p = stiffness * depth [Pa/m], E/H
+struct RigidMesh { std::shared_ptr<const MeshIndex> index; };          ///< closed, outward
+struct RigidHalfSpace {};                                              ///< z <= 0
+
+struct HydroBody {
+  std::variant<SoftBody, SoftHalfSpace, RigidMesh, RigidHalfSpace> geometry;
+  Material material;
+  std::string name;  ///< for messages
+  [[nodiscard]] bool soft() const { return geometry.index() < 2; }
+  [[nodiscard]] bool half_space() const { return geometry.index() == 1 || geometry.index() == 3; }
+};
+using HydroBodyPtr = std::shared_ptr<const HydroBody>;
+
+/// MuJoCo's geom types and sizes.
+enum class ShapeType { plane, sphere, capsule, ellipsoid, cylinder, box, mesh, tets };
+
+struct Shape {
+  ShapeType type = ShapeType::sphere;
+  dvec3 size{0};           ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
+  TriMeshPtr mesh;         ///< for type mesh
+  double resolution = 0;   ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
+};
+
+/// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated.
+/// Throws Error that names what is not supported or out of range (size <= 0, pad on an open mesh, ...).
+HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name);
+
+}  // namespace taxel

@@ -1,0 +1,73 @@
+// A compliant body's pressure field: linear on tetrahedra, zero on the skin, growing inward (Elandt et al. 2019).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/material.h"
+#include "core/mesh/bvh.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+/// One tetrahedron as the kernel wants it, frame of the body.
+struct Tet {
+  ivec4 vertices{0};               ///< positively oriented
+  std::array<dvec3, 4> normal;     ///< inward unit normal of the face opposite to vertex i
+  std::array<double, 4> offset{};  ///< inside: dot(normal, x) + offset >= 0
+  ivec4 neighbour{-1};             ///< tet across the face opposite to vertex i, -1 at the boundary
+  dvec3 gradient{0};               ///< g [Pa/m]
+  double constant = 0;             ///< c [Pa]: p(x) = dot(g, x) + c
+};
+
+/// What a field is worth: shown to the user, tested.
+struct FieldReport {
+  int tets = 0;
+  int inverted = 0;                ///< tets of negative volume before orientation, or of a fold
+  int zero_gradient = 0;
+  double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
+  double stiffness_cv = 0;         ///< variation of |g| over the skin, area weighted
+  std::vector<std::string> notes;
+};
+
+class PressureField {
+ public:
+  /// Faces shared by two tets get one plane, negated exactly for the second, so that no point between them is lost or
+  /// counted twice.
+  PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tets, std::vector<double> vertex_pressure, FieldReport report);
+
+  [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
+  [[nodiscard]] const std::vector<double>& vertex_pressure() const { return vertex_pressure_; }
+  [[nodiscard]] const std::vector<Tet>& tets() const { return tets_; }
+  [[nodiscard]] const Bvh& bvh() const { return bvh_; }  ///< over the tets
+  [[nodiscard]] const Aabb& bounds() const { return bounds_; }
+  [[nodiscard]] double max_pressure() const { return max_pressure_; }
+  [[nodiscard]] double size() const { return size_; }    ///< diagonal of the bounds: the scale of tolerances [m]
+  [[nodiscard]] const FieldReport& report() const { return report_; }
+
+ private:
+  std::vector<dvec3> vertices_;
+  std::vector<double> vertex_pressure_;
+  std::vector<Tet> tets_;
+  Bvh bvh_;
+  Aabb bounds_;
+  double max_pressure_ = 0, size_ = 0;
+  FieldReport report_;
+};
+
+using PressureFieldPtr = std::shared_ptr<const PressureField>;
+
+/// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
+/// prism. H is limited by the local thickness. Throws Error for an open mesh, H <= 0 or E <= 0.
+PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness);
+
+/// Tets from the volume centroid to every face, p = E there: what the paper's code does. Inverted tets are reported.
+PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
+
+/// Sphere with its medial-axis field p = E (1 - r/R) (A1 of contact.md), from an icosphere whose edges are at most
+/// edge_length, scaled to the true volume.
+PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_length);
+
+}  // namespace taxel

@@ -1,0 +1,41 @@
+// From surface to wrench: pressure with Hunt-Crossley damping, and regularised Coulomb friction.
+#pragma once
+
+#include <array>
+
+#include "core/hydro/contact_surface.h"
+#include "core/hydro/hydro_body.h"
+
+namespace taxel {
+
+struct Twist { dvec3 linear{0}, angular{0}; };   ///< [m/s], [rad/s]
+struct Wrench { dvec3 force{0}, torque{0}; };    ///< [N], [N m]
+using Matrix6 = std::array<std::array<double, 6>, 6>;
+
+/// Regularisation speed of friction: |t| = (2/pi) mu p atan(v/vs). [m/s]
+inline constexpr double kSlipSpeed = 1.0e-4;
+
+struct PairProperties {
+  double dissipation = 0;  ///< d* [s/m]
+  double friction = 0;     ///< mu
+};
+/// d* = (Eb da + Ea db)/(Ea + Eb); against a rigid body the soft one's. mu = 2 mu1 mu2/(mu1 + mu2), 0 if both are 0.
+PairProperties combine(const Material& a, const Material& b);
+
+/// The wrench on A about A's origin, frame A, for A moving with `V_BA` relative to B (frame A, at A's origin):
+/// integral of p n + t with p = p0 (1 - d vn)+, t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|. Exact for linear p0 and d = 0.
+/// `secant`, when asked for, is the symmetric positive semi-definite S with wrench = elastic(p0 where still pushing) - S V:
+/// damping and friction written as a secant, for implicit steps.
+struct Traction {
+  Wrench wrench;
+  Wrench elastic;  ///< part of `wrench` that does not depend on the velocity, given the set of points in contact
+  Matrix6 secant{};
+};
+Traction traction(const ContactSurface& surface, const PairProperties& pair, const Twist& V_BA);
+
+/// Pressure alone (no velocity): wrench of p0 n, and the point where the force acts.
+Wrench pressure_wrench(const ContactSurface& surface);
+/// Centroid of the pressure, integral of p x dA / integral of p dA; the area's centroid where the pressure is zero.
+dvec3 pressure_centroid(const ContactSurface& surface);
+
+}  // namespace taxel

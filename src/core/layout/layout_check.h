@@ -1,0 +1,20 @@
+// Every rule a layout can break, as a list of problems with JSON pointers; the mesh is optional.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/layout/layout.h"
+#include "core/mesh/closest_point.h"
+
+namespace taxel {
+
+/// Rules of values alone: positive radii, non-zero finite normals, density, words, duplicate ids and places, ...
+Problems check_layout_values(const Layout& layout, const std::string& file);
+
+/// Rules that need the mesh: centre far from the surface (how far), normal against the surface's, taxel without
+/// samples nearby, radius larger than the body, hash differs. `sha256` is that of the mesh file read.
+Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256, const std::string& file);
+
+/// Throws Error with the first problem of severity error.
+void throw_first_error(const Problems& problems);
+
+}  // namespace taxel

@@ -1,0 +1,26 @@
+// Constrained Poisson-disk samples on a mesh (Corsini, Cignoni, Scopigno 2012), exact count, deterministic by seed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+struct SurfaceSample {
+  dvec3 position{0};
+  dvec3 normal{0, 0, 1};  ///< geometric normal of the face, unit
+  int face = -1;
+  double area = 0.0;      ///< area this sample stands for [m^2]; all sum to the sampled area
+};
+
+/// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count and seed: same bytes, on any number of
+/// threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`.
+std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::uint64_t seed, Progress* progress = nullptr);
+
+/// round(density * area), checked against the limit.
+int sample_count(double density, double area);
+
+}  // namespace taxel

@@ -1,0 +1,47 @@
+// The nearest point of a triangle mesh, by BVH; and ray hits on it.
+#pragma once
+
+#include <optional>
+
+#include "core/mesh/bvh.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+struct SurfacePoint {
+  dvec3 position{0};
+  int face = -1;
+  dvec3 barycentric{0};  ///< weights of the face's corners, sum 1
+  double distance = 0;   ///< from the query point, unsigned [m]
+};
+
+struct MeshHit {
+  double t = 0;  ///< distance along the ray [m]
+  int face = -1;
+  dvec3 barycentric{0};
+};
+
+/// A mesh with its BVH. Immutable; safe to share between threads.
+class MeshIndex {
+ public:
+  explicit MeshIndex(TriMeshPtr mesh);
+  [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const TriMeshPtr& mesh_ptr() const { return mesh_; }
+  [[nodiscard]] const Bvh& bvh() const { return bvh_; }
+
+  /// Nearest point; ties go to the lowest face number. O(log n).
+  [[nodiscard]] SurfacePoint closest_point(const dvec3& p) const;
+  /// First hit from either side (Moeller-Trumbore 1997, no absolute epsilon); ties go to the lowest face number.
+  [[nodiscard]] std::optional<MeshHit> cast(const Ray& ray) const;
+  /// Like cast, leaving out one face (rays that start on it).
+  [[nodiscard]] std::optional<MeshHit> cast_except(const Ray& ray, int face) const;
+  /// Inside test by the sign of the angle-weighted pseudonormal at the nearest point (Baerentzen, Aanaes 2005);
+  /// meaningful for closed meshes.
+  [[nodiscard]] double signed_distance(const dvec3& p) const;  ///< negative inside [m]
+
+ private:
+  TriMeshPtr mesh_;
+  Bvh bvh_;
+};
+
+}  // namespace taxel

@@ -1,0 +1,49 @@
+// A layout compiled for reading: samples, receptive fields, rays, pressure field. Immutable, shared by simulation,
+// plugin, command line and viewer. All in the frame M of the mesh file.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/hydro/hydro_body.h"
+#include "core/layout/layout.h"
+#include "core/layout/layout_check.h"
+#include "core/layout/receptive_field.h"
+#include "core/mesh/closest_point.h"
+
+namespace taxel {
+
+/// The ray of one used sample: from the skin inward.
+struct SensorRay {
+  int sample = 0;         ///< in SensorModel::samples
+  dvec3 origin{0};
+  dvec3 direction{0};     ///< unit, opposite to the surface normal (or to the taxel's)
+  double max_depth = 0;   ///< allowed depth: readout.max_depth, cut half way to the opposite skin [m]
+};
+
+struct SensorModel {
+  Layout layout;
+  TriMeshPtr mesh;                             ///< as read from the file, all shells
+  std::shared_ptr<const MeshIndex> skin;       ///< outer shells only: what is sampled and felt
+  std::vector<int> skin_face_of;               ///< skin face -> face of `mesh`
+  HydroBodyPtr body;                           ///< soft (layout.material), frame M
+  std::vector<SurfaceSample> samples;          ///< on the skin
+  ReceptiveFields fields;                      ///< entries name samples
+  std::vector<SensorRay> rays;                 ///< one per used sample (and per taxel with ray = taxel_normal)
+  std::vector<int> ray_of_entry;               ///< parallel to fields.entries
+  std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused
+  Problems problems;                           ///< warnings and notes, with taxel pointers
+  int taxel_count() const { return static_cast<int>(layout.taxels.size()); }
+};
+using SensorModelPtr = std::shared_ptr<const SensorModel>;
+
+/// Compiles a layout on a mesh. Throws Error for the first problem of severity error; lists the rest.
+SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
+                                  const std::string& file, Progress* progress = nullptr);
+
+/// Reads layout and mesh files and compiles them.
+SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, Progress* progress = nullptr);
+
+}  // namespace taxel

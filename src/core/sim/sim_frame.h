@@ -1,0 +1,68 @@
+// What a viewer needs of one simulation step, free of MuJoCo: everything drawn in one frame comes from one SimFrame.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/hydro/contact_surface.h"
+#include "core/mesh/tri_mesh.h"
+#include "core/sensor/cast_rays.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel {
+
+/// A geom as drawn, frame G. Meshes and primitives alike come as triangles; planes as a large square with `plane` set.
+struct SceneGeom {
+  std::string name;
+  std::string body;
+  TriMeshPtr mesh;
+  std::array<float, 4> rgba{0.6f, 0.6f, 0.6f, 1.0f};
+  bool plane = false;
+  int sensor = -1;  ///< index of the sensor whose skin this is (drawn from its SensorModel instead), or -1
+};
+
+/// A taxel's values of the past, one entry per recorded row (every 0.1 mm in a sweep, every step otherwise).
+struct TraceRow {
+  double time = 0, travel = 0;
+  std::vector<double> readings;  ///< all sensors, one after the other
+};
+
+/// The parts of a scene that do not change while it runs.
+struct SimScene {
+  std::string title;
+  std::vector<SceneGeom> geoms;
+  std::vector<SensorModelPtr> sensors;
+  std::vector<std::string> sensor_geoms;  ///< geom name of each sensor
+  std::vector<dvec3> path_W;              ///< where the finger's lowest point is led: drawn as a red line; may be empty
+  double duration = 0;                    ///< scenario length [s]; 0: endless
+  double timestep = 0;                    ///< [s]
+};
+
+/// One sensor in one step.
+struct SensorFrameState {
+  Pose X_WM;                              ///< mesh-file frame in the world
+  std::vector<double> readings;           ///< exactly what stands in sensordata
+  dvec3 force_W{0};                       ///< contact force on the sensor [N]
+  std::vector<ContactSurface> surfaces;   ///< frame M
+  std::vector<RayHit> hits;               ///< parallel to model->rays
+};
+
+struct SimFrame {
+  std::shared_ptr<const SimScene> scene;
+  std::uint64_t step = 0;
+  double time = 0;                        ///< of the state that was evaluated [s]
+  double travel = 0;                      ///< of the mocap body [m]
+  bool playing = false;
+  bool finished = false;                  ///< the scenario is over
+  double speed = 1.0;                     ///< wanted, in multiples of real time
+  double measured_speed = 0;              ///< reached lately
+  std::vector<Pose> geom_poses;           ///< X_WG parallel to scene->geoms
+  std::vector<SensorFrameState> sensors;
+  std::shared_ptr<const std::vector<TraceRow>> trace;  ///< all rows so far (copied when a row is added, at most 30 times a second)
+  std::string error;                      ///< why the simulation stopped; empty: fine
+};
+using SimFramePtr = std::shared_ptr<const SimFrame>;
+
+}  // namespace taxel

@@ -1,0 +1,28 @@
+// The simulation in its own thread: commands go in, the newest frame comes out, nobody waits for anybody.
+#pragma once
+
+#include <memory>
+
+#include "core/sim/sim_command.h"
+#include "core/sim/sim_frame.h"
+
+namespace taxel {
+
+class SimThread {
+ public:
+  SimThread();
+  ~SimThread();  ///< stops and joins
+  SimThread(const SimThread&) = delete;
+  SimThread& operator=(const SimThread&) = delete;
+
+  void send(SimCommand command);       ///< never blocks
+  SimFramePtr newest_frame();          ///< newest since the last call, or null
+  /// For headless pictures and tests: steps exactly when told (StepCommand), never by the clock.
+  void set_clock_driven(bool on);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace taxel

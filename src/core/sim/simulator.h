@@ -1,0 +1,55 @@
+// A MuJoCo model with its tactile sensors, stepped deterministically. No threads, no clock: the command line runs it in
+// a loop, sim_thread runs the same in a thread.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/project/scenario.h"
+#include "core/sim/sim_frame.h"
+
+namespace taxel {
+
+/// A row of results, evaluated at `time` (the state before the step's integration).
+struct SimRow {
+  double time = 0, travel = 0;
+  std::vector<dvec3> force_W;             ///< per sensor: contact force on it
+  std::vector<double> area;               ///< per sensor [m^2]
+  std::vector<int> polygons;              ///< per sensor
+  std::vector<std::vector<double>> readings;  ///< per sensor: its part of sensordata
+  std::vector<Pose> sensor_poses;         ///< X_WM per sensor
+};
+
+class Simulator {
+ public:
+  /// The sweep around any compiled layout. The scene uses `others = {"box"}`.
+  static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const SweepScenario& scenario);
+  /// Any MJCF with the sensors it declares; `layout` with `geom` attaches one more (both empty: none).
+  /// Throws Error that names the file and MuJoCo's reason.
+  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene, const std::string& layout = "", const std::string& geom = "");
+  ~Simulator();
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
+
+  void step();   ///< one mj_step; then row() and frame() tell of the state that was evaluated
+  void reset();  ///< back to the start, bit for bit
+  [[nodiscard]] bool finished() const;   ///< the scenario's path has been run
+  [[nodiscard]] bool row_due() const;    ///< the step just made belongs to a recorded row
+  [[nodiscard]] SimRow row() const;
+  void fill_frame(SimFrame& frame) const;
+  [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
+
+  /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
+  void export_scene(const std::filesystem::path& folder) const;
+  [[nodiscard]] dvec3 mocap_pos() const;
+  [[nodiscard]] dquat mocap_quat() const;
+
+ private:
+  Simulator();
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace taxel

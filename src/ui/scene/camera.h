@@ -1,0 +1,34 @@
+// An orbit camera, z up: looks from around a target. Pure values and maths, tested without GL.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "core/base/math.h"
+#include "core/mesh/bvh.h"
+
+namespace taxel::ui {
+
+struct Camera {
+  dvec3 target{0, 0, 0};       ///< [m], world
+  double azimuth_deg = 135;    ///< direction from target to eye, about +z from +x
+  double elevation_deg = 25;   ///< above the horizon, (-90, 90)
+  double distance = 0.15;      ///< eye to target [m]
+  double fov_deg = 40;         ///< vertical
+
+  [[nodiscard]] dvec3 eye() const;
+  [[nodiscard]] glm::dmat4 view() const;
+  [[nodiscard]] glm::dmat4 projection(double aspect) const;  ///< near and far follow the distance
+  /// Pixel (from the top left corner of a w x h view) of a world point; z is the depth in front of the eye, <= 0 behind it.
+  [[nodiscard]] dvec3 project(const dvec3& p_W, int width, int height) const;
+  /// The world ray through a pixel.
+  [[nodiscard]] Ray pixel_ray(double x, double y, int width, int height) const;
+
+  void orbit(double dx_pixels, double dy_pixels);
+  void pan(double dx_pixels, double dy_pixels, int height, bool horizontal = false);
+  void zoom(double wheel_notches);
+  void frame(const Aabb& box_W);
+
+  bool operator==(const Camera&) const = default;
+};
+
+}  // namespace taxel::ui

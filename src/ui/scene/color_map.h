@@ -1,0 +1,15 @@
+// Colours of data: viridis for pressure, a colour-blind-safe palette for taxels. sRGB, 0..1.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace taxel::ui {
+
+/// viridis (van der Walt, Smith 2015; CC0) at t in [0, 1], clamped: 256 entries, linear between them.
+glm::vec3 viridis(double t);
+/// 256 RGB8 entries for a lookup texture.
+const unsigned char* viridis_table();
+/// Colour of the taxel at layout index i: Okabe-Ito, then the safe extension, repeating after 24.
+glm::vec3 taxel_color(int index);
+
+}  // namespace taxel::ui

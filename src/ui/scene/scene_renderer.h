@@ -1,0 +1,65 @@
+// The 3-D view: draws one SimFrame into an offscreen texture. Knows no ImGui, no MuJoCo, no files.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/sim/sim_frame.h"
+#include "ui/scene/camera.h"
+
+namespace taxel::ui {
+
+/// One colour map and one range, shared by surface, bars, rays, legend and plots. [Pa]
+struct PressureRange {
+  double lo = 0, hi = 1;
+  bool automatic = true;
+};
+
+/// What is shown; keys in brackets as in the keymap.
+struct Overlays {
+  bool sensor_transparent = true;  // [T]
+  bool wireframe = false;          // [W]
+  bool rays = true;                // [Y]
+  bool contact_surface = true;     // [C]
+  bool contact_edges = false;
+  bool samples = true;             // [P]
+  bool sample_normals = false;     // [N]
+  bool taxels = true;              // centre and normal arrow
+  bool taxel_labels = true;
+  bool receptive_fields = true;    // ring on the surface
+  bool path = true;                // red line
+  bool grid = true;
+  bool all_rays = false;           // else only those of the selected taxel (of all responding ones when none is)
+};
+
+struct SceneInput {
+  SimFramePtr frame;               ///< null: only grid and background
+  SensorModelPtr document_model;   ///< when there is no simulation: the layout alone at the origin; may be null
+  Overlays overlays;
+  PressureRange range;
+  int selected_sensor = 0;
+  int selected_taxel = -1;         ///< index in layout order, -1: none
+  bool dark = true;
+};
+
+class SceneRenderer {
+ public:
+  /// Needs a current OpenGL 4.5 core context (epoxy). `shader_dir`: reads GLSL from there instead of the embedded files.
+  explicit SceneRenderer(const std::string& shader_dir = "");
+  ~SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+  /// Draws into an internal framebuffer of width x height pixels (sRGB values in RGBA8, top row last as GL has it).
+  /// Multisampled only on hardware renderers. Throws Error when a shader does not compile (file, line).
+  void render(const SceneInput& input, const Camera& camera, int width, int height);
+  [[nodiscard]] unsigned texture() const;  ///< GL name of the colour texture of the last render
+  [[nodiscard]] bool software() const;     ///< llvmpipe or the like
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace taxel::ui
