@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""The rules of the house (docs/architecture.md), checked by reading includes and counting lines."""
+import pathlib
+import re
+import sys
+
+LAYERS = ["base", "mesh", "layout", "hydro", "sensor", "project", "sim"]
+
+# header prefix -> the only places (path prefixes or globs below src/) that may include it
+LIBRARIES = {
+    "OpenMesh/": ["core/mesh/*"],
+    "tiny_gltf.h": ["core/mesh/gltf_io.cpp"],
+    "nlohmann/": ["**/*_json.cpp"],
+    "zip.h": ["core/project/*", "core/project/**/*"],
+    "mujoco/": ["core/sim/*", "core/sim/**/*", "app/**/*"],
+    "epoxy/": ["ui/**/*", "app/studio/**/*", "app/studio/*"],
+    "GL/": ["ui/**/*"],
+    "EGL/": ["ui/**/*"],
+    "GLFW/": ["app/studio/*", "app/studio/**/*"],
+    "imgui": ["ui/**/*", "ui/*", "app/studio/*", "app/studio/**/*"],
+    "implot": ["ui/**/*", "ui/*", "app/studio/*", "app/studio/**/*"],
+    "CLI/": ["app/**/*"],
+    "iostream": [],
+}
+UI_MAY_USE_OF_SIM = {"core/sim/sim_frame.h", "core/sim/sim_command.h"}
+UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h", "core/layout/layout_json.h")
+MAX_FILE_LINES = 400
+MAX_PANEL_LINES = 250
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def includes(path):
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1)
+
+
+def layer_of(name):
+    """'core/mesh/bvh.h' -> 1; -1 for what is not core."""
+    parts = name.split("/")
+    return LAYERS.index(parts[1]) if len(parts) > 2 and parts[0] == "core" and parts[1] in LAYERS else -1
+
+
+def matches(relative, patterns):
+    # pathlib's ** needs at least one folder in Python 3.11, so both forms stand in the table
+    return any(pathlib.PurePosixPath(relative).match(pattern) for pattern in patterns)
+
+
+def check_include(relative, header):
+    """The complaint about one include, or None."""
+    own, other = layer_of(relative), layer_of(header)
+    if own >= 0 and other > own:
+        return f"core/{LAYERS[own]} must not use {header}: it lies to its right"
+    if relative.startswith("core/") and header.split("/")[0] in ("ui", "app"):
+        return f"core must not use {header}"
+    if relative.startswith("ui/"):
+        if header.startswith("core/sim/") and header not in UI_MAY_USE_OF_SIM:
+            return f"the window may use only {sorted(UI_MAY_USE_OF_SIM)} of sim, not {header}"
+        if header.startswith("app/") or header in UI_NEVER:
+            return f"the window must not use {header}"
+    if relative.startswith("app/cli/") and header.startswith("ui/"):
+        return f"the command line must not use {header}"
+    if relative.startswith("app/plugin/") and header.startswith(("ui/", "app/cli", "app/studio")):
+        return f"the plugin must not use {header}"
+    for prefix, allowed in LIBRARIES.items():
+        if header.startswith(prefix) and not matches(relative, allowed):
+            return f"{header} belongs in {allowed or 'no file'}"
+    return None
+
+
+def complaints(root):
+    source = pathlib.Path(root) / "src"
+    for path in sorted(source.rglob("*")):
+        if path.suffix not in (".h", ".cpp"):
+            continue
+        relative = path.relative_to(source).as_posix()
+        for number, header in includes(path):
+            complaint = check_include(relative, header)
+            if complaint:
+                yield f"src/{relative}:{number}: {complaint}"
+        lines = len(path.read_text().splitlines())
+        limit = MAX_PANEL_LINES if relative.startswith("ui/panels/") else MAX_FILE_LINES
+        if lines > limit:
+            yield f"src/{relative}: {lines} lines, at most {limit}: one noun a file"
+
+
+def main(root):
+    found = list(complaints(root))
+    for line in found:
+        print(line)
+    print(f"{len(found)} broken rules")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+"""Shows that check_house.py sees each kind of broken rule."""
+import pathlib
+import tempfile
+
+import check_house
+
+BROKEN = {
+    "core/mesh/a.cpp": '#include "core/hydro/clip.h"\n',
+    "core/base/b.cpp": '#include "ui/theme.h"\n',
+    "core/layout/c.cpp": "#include <nlohmann/json.hpp>\n",
+    "core/hydro/d.cpp": "#include <mujoco/mujoco.h>\n",
+    "core/sensor/e.cpp": "#include <iostream>\n",
+    "core/layout/f.cpp": "#include <OpenMesh/Core/IO/MeshIO.hh>\n",
+    "ui/g.cpp": '#include "core/sim/simulator.h"\n',
+    "ui/panels/h.cpp": "#include <fstream>\n",
+    "app/cli/i.cpp": "#include <imgui.h>\n",
+    "core/mesh/long.cpp": "// line\n" * 401,
+    "ui/panels/long_panel.cpp": "// line\n" * 251,
+}
+FINE = {
+    "core/mesh/mesh_io.cpp": '#include <OpenMesh/Core/IO/MeshIO.hh>\n#include "core/base/error.h"\n',
+    "core/layout/layout_json.cpp": "#include <nlohmann/json.hpp>\n",
+    "core/sim/simulator.cpp": '#include <mujoco/mujoco.h>\n#include "core/hydro/traction.h"\n',
+    "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/sim/sim_frame.h"\n',
+    "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
+}
+
+
+def broken_files(files):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in files.items():
+            path = pathlib.Path(folder) / "src" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return sorted({line.split(":")[0].removeprefix("src/") for line in check_house.complaints(folder)})
+
+
+found = broken_files(BROKEN)
+assert found == sorted(BROKEN), f"not seen: {sorted(set(BROKEN) - set(found))}"
+found = broken_files(FINE)
+assert not found, f"wrongly blamed: {found}"
+print("every broken rule is seen")
