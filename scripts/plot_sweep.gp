@@ -18,6 +18,7 @@ array palette[8] = ['#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#0072B2', '#D55
 set grid lc rgb '#dddddd'
 set border 3 lc rgb '#555555'
 set tics nomirror
+set lmargin 9
 set key top left Left reverse samplen 2
 set xlabel 'travel of the finger [mm]'
 
