@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,9 @@ class Bvh {
     [[nodiscard]] bool leaf() const { return count > 0; }
   };
 
+  /// No path from the root is longer, whatever the boxes: traversals need no growing stack.
+  static constexpr int kMaxDepth = 96;
+
   Bvh() = default;
   /// Builds over primitives given by their boxes. Deterministic; no primitive is lost, whatever its box.
   explicit Bvh(std::span<const Aabb> boxes, int max_leaf = 4) { build(boxes, max_leaf); }
@@ -39,12 +43,16 @@ class Bvh {
   template <class BoxTest, class Test>
   void visit(const BoxTest& box_test, const Test& test) const;
 
-  /// Front-to-back walk. test(primitive, t_max) returns the new t_max (unchanged where it missed).
+  /// Front-to-back walk. test(primitive, t_max) returns the new t_max (unchanged where it missed). Boxes whose entry
+  /// equals t_max are still visited, so that ties can go to the lowest number. Returns the last t_max.
   template <class Test>
   double cast(const Ray& ray, const Test& test) const;
 
  private:
-  struct BuildItem;
+  struct Split;
+  [[nodiscard]] Split best_split(std::span<const Aabb> boxes, const Node& node) const;
+  std::int32_t partition(std::span<const Aabb> boxes, const Node& node, const Split& split);
+
   std::vector<Node> nodes_;
   std::vector<std::int32_t> items_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/mesh/bvh.h"
 #include "core/mesh/tri_mesh.h"
@@ -42,6 +43,7 @@ class MeshIndex {
  private:
   TriMeshPtr mesh_;
   Bvh bvh_;
+  std::vector<dvec3> edge_normals_;  ///< pseudonormal of the edge from corner c to c + 1 at 3 face + c
 };
 
 }  // namespace taxel

@@ -19,7 +19,9 @@ class TriMesh {
   [[nodiscard]] const std::vector<ivec3>& faces() const { return faces_; }
   [[nodiscard]] int vertex_count() const { return static_cast<int>(vertices_.size()); }
   [[nodiscard]] int face_count() const { return static_cast<int>(faces_.size()); }
-  [[nodiscard]] const dvec3& vertex(int face, int corner) const { return vertices_[static_cast<std::size_t>(faces_[static_cast<std::size_t>(face)][corner])]; }
+  [[nodiscard]] const dvec3& vertex(int face, int corner) const {
+    return vertices_[static_cast<std::size_t>(faces_[static_cast<std::size_t>(face)][corner])];
+  }
 
   [[nodiscard]] const std::vector<dvec3>& face_normals() const { return face_normals_; }    ///< unit
   [[nodiscard]] const std::vector<double>& face_areas() const { return face_areas_; }       ///< m^2
@@ -31,11 +33,15 @@ class TriMesh {
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] double area() const { return area_; }      ///< of all faces [m^2]
   [[nodiscard]] double volume() const { return volume_; }  ///< signed, by the divergence theorem [m^3]
-  [[nodiscard]] const dvec3& centroid() const { return centroid_; }  ///< of the volume (of the area where volume is 0)
+  [[nodiscard]] const dvec3& centroid() const { return centroid_; }  ///< of the volume; of the area where open or flat [m]
   /// Every edge belongs to exactly two faces of opposite direction.
   [[nodiscard]] bool closed() const { return closed_; }
 
  private:
+  void compute_normals();
+  void compute_integrals();
+  [[nodiscard]] dvec3 area_centroid() const;
+
   std::vector<dvec3> vertices_;
   std::vector<ivec3> faces_;
   std::vector<dvec3> face_normals_, vertex_normals_;

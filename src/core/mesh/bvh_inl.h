@@ -1,0 +1,83 @@
+// Traversals of Bvh. Included by bvh.h.
+#pragma once
+
+#include <array>
+#include <utility>
+
+namespace taxel {
+
+/// Slab test of one ray against many boxes (Kay, Kajiya 1986). Zero direction components give infinite reciprocals;
+/// an origin on a slab's plane then gives 0 * inf = NaN, and every comparison below ignores NaN: no constraint.
+class SlabTest {
+ public:
+  explicit SlabTest(const Ray& ray) : origin_(ray.origin), inverse_(1.0 / ray.direction) {}
+
+  /// The distance at which the ray enters the box, or infinity beyond `t_max` or when it misses. Touching counts.
+  [[nodiscard]] double entry(const Aabb& box, double t_max) const {
+    double enter = 0.0, leave = t_max;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool backward = inverse_[axis] < 0;
+      const double near_plane = ((backward ? box.hi[axis] : box.lo[axis]) - origin_[axis]) * inverse_[axis];
+      const double far_plane = ((backward ? box.lo[axis] : box.hi[axis]) - origin_[axis]) * inverse_[axis] * kRoundUp;
+      if (near_plane > enter) enter = near_plane;
+      if (far_plane < leave) leave = far_plane;
+    }
+    return enter <= leave * kRoundUp ? enter : kMiss;
+  }
+  /// Whether an entry found earlier now lies beyond `t_max`.
+  [[nodiscard]] static bool beyond(double entry, double t_max) { return entry > t_max * kRoundUp; }
+  static constexpr double kMiss = std::numeric_limits<double>::infinity();
+
+ private:
+  /// A few roundings upward, so that no box is missed whose edge the ray just touches (Ize 2013).
+  static constexpr double kRoundUp = 1.0 + 8.0 * std::numeric_limits<double>::epsilon();
+  dvec3 origin_, inverse_;
+};
+
+template <class BoxTest, class Test>
+void Bvh::visit(const BoxTest& box_test, const Test& test) const {
+  if (nodes_.empty()) return;
+  std::array<std::int32_t, kMaxDepth> stack;  // NOLINT: filled as it is used
+  int size = 0;
+  stack[static_cast<std::size_t>(size++)] = 0;
+  while (size > 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack[static_cast<std::size_t>(--size)])];
+    if (!box_test(node.box)) continue;
+    if (node.leaf()) {
+      for (std::int32_t i = 0; i < node.count; ++i) test(items_[static_cast<std::size_t>(node.first + i)]);
+    } else {
+      stack[static_cast<std::size_t>(size++)] = node.first + 1;
+      stack[static_cast<std::size_t>(size++)] = node.first;
+    }
+  }
+}
+
+template <class Test>
+double Bvh::cast(const Ray& ray, const Test& test) const {
+  double t_max = ray.t_max;
+  if (nodes_.empty()) return t_max;
+  const SlabTest slabs(ray);
+  std::array<std::pair<std::int32_t, double>, kMaxDepth> stack;  // node, entry; NOLINT: filled as it is used
+  int size = 0;
+  const double root_entry = slabs.entry(nodes_[0].box, t_max);
+  if (root_entry < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = {0, root_entry};
+  while (size > 0) {
+    const auto [index, entry] = stack[static_cast<std::size_t>(--size)];
+    if (SlabTest::beyond(entry, t_max)) continue;  // equal is visited: a tie may go to a lower number
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    if (node.leaf()) {
+      for (std::int32_t i = 0; i < node.count; ++i)
+        t_max = test(items_[static_cast<std::size_t>(node.first + i)], t_max);
+      continue;
+    }
+    std::pair<std::int32_t, double> nearer{node.first, 0}, farther{node.first + 1, 0};
+    nearer.second = slabs.entry(nodes_[static_cast<std::size_t>(nearer.first)].box, t_max);
+    farther.second = slabs.entry(nodes_[static_cast<std::size_t>(farther.first)].box, t_max);
+    if (farther.second < nearer.second) std::swap(nearer, farther);
+    if (farther.second < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = farther;
+    if (nearer.second < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = nearer;
+  }
+  return t_max;
+}
+
+}  // namespace taxel

@@ -1,0 +1,126 @@
+#include "core/mesh/closest_point.h"
+
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "core/mesh/point_triangle.h"
+#include "core/mesh/ray_triangle.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double squared_distance(const Aabb& box, const dvec3& p) {
+  const dvec3 d = glm::max(glm::max(box.lo - p, p - box.hi), dvec3(0));
+  return glm::dot(d, d);
+}
+
+/// Sum of the normals of the faces at each face's three edges: the pseudonormal of an edge (both weigh pi), unnormalised.
+/// Entry 3 f + c belongs to the edge from corner c to corner c + 1.
+std::vector<dvec3> edge_pseudonormals(const TriMesh& mesh) {
+  struct Side {
+    int low, high, face_corner;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * at(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const ivec3& ids = mesh.faces()[at(f)];
+    for (int c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax(ids[c], ids[(c + 1) % 3]);
+      sides.push_back({low, high, 3 * f + c});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.face_corner) < std::tie(b.low, b.high, b.face_corner);
+  });
+  std::vector<dvec3> normals(sides.size());
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    dvec3 sum{0};
+    for (; end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high; ++end)
+      sum += mesh.face_normals()[at(sides[end].face_corner / 3)];
+    for (std::size_t i = begin; i < end; ++i) normals[at(sides[i].face_corner)] = sum;
+  }
+  return normals;
+}
+
+}  // namespace
+
+MeshIndex::MeshIndex(TriMeshPtr mesh) : mesh_(std::move(mesh)), edge_normals_(edge_pseudonormals(*mesh_)) {
+  std::vector<Aabb> boxes(at(mesh_->face_count()));
+  for (int f = 0; f < mesh_->face_count(); ++f) {
+    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh_->vertex(f, c));
+  }
+  bvh_.build(boxes);
+}
+
+SurfacePoint MeshIndex::closest_point(const dvec3& p) const {
+  SurfacePoint best;
+  best.distance = std::numeric_limits<double>::infinity();
+  if (bvh_.empty()) return best;
+  // Distances carry roundings of the coordinates' size; boxes that are farther by less than that are still opened, so
+  // that the face found does not depend on the shape of the tree.
+  const dvec3 reach = glm::max(glm::max(glm::abs(mesh_->bounds().lo), glm::abs(mesh_->bounds().hi)), glm::abs(p));
+  const double slack = 16 * std::numeric_limits<double>::epsilon() * glm::length(reach);
+  double best_squared = best.distance, limit = best.distance;
+  std::array<std::pair<std::int32_t, double>, Bvh::kMaxDepth> stack;  // node, squared distance
+  int size = 0;
+  stack[at(size++)] = {0, squared_distance(bvh_.nodes()[0].box, p)};
+  while (size > 0) {
+    const auto [index, d2] = stack[at(--size)];
+    if (d2 > limit) continue;
+    const Bvh::Node& node = bvh_.nodes()[at(index)];
+    if (node.leaf()) {
+      for (int i = node.first; i < node.first + node.count; ++i) {
+        const int face = bvh_.items()[at(i)];
+        const TrianglePoint q =
+            nearest_on_triangle(p, mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2));
+        if (q.squared_distance > best_squared || (q.squared_distance == best_squared && face > best.face)) continue;
+        best_squared = q.squared_distance;
+        best = {q.position, face, q.barycentric, std::sqrt(best_squared)};
+        limit = (best.distance + slack) * (best.distance + slack);
+      }
+      continue;
+    }
+    std::pair<std::int32_t, double> nearer{node.first, squared_distance(bvh_.nodes()[at(node.first)].box, p)};
+    std::pair<std::int32_t, double> farther{node.first + 1, squared_distance(bvh_.nodes()[at(node.first + 1)].box, p)};
+    if (farther.second < nearer.second) std::swap(nearer, farther);
+    stack[at(size++)] = farther;
+    stack[at(size++)] = nearer;
+  }
+  return best;
+}
+
+std::optional<MeshHit> MeshIndex::cast(const Ray& ray) const { return cast_except(ray, -1); }
+
+std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const {
+  MeshHit best;
+  bvh_.cast(ray, [&](int face, double t_max) {
+    if (face == except) return t_max;
+    const Ray limited{ray.origin, ray.direction, t_max};
+    const auto hit = intersect_triangle(limited, mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2));
+    if (!hit || (best.face >= 0 && hit->t == best.t && face > best.face)) return t_max;
+    best = {hit->t, face, hit->barycentric};
+    return hit->t;
+  });
+  return best.face >= 0 ? std::optional(best) : std::nullopt;
+}
+
+double MeshIndex::signed_distance(const dvec3& p) const {
+  const SurfacePoint q = closest_point(p);
+  if (q.face < 0) return q.distance;
+  // Pseudonormal of the feature that holds the point: exact zeros among the weights tell which (Baerentzen, Aanaes 2005).
+  dvec3 normal = mesh_->face_normals()[at(q.face)];
+  for (int c = 0; c < 3; ++c) {
+    const int next = (c + 1) % 3, opposite = (c + 2) % 3;
+    if (q.barycentric[next] == 0 && q.barycentric[opposite] == 0) {
+      normal = mesh_->vertex_normals()[at(mesh_->faces()[at(q.face)][c])];
+      break;
+    }
+    if (q.barycentric[opposite] == 0 && q.barycentric[c] != 0) normal = edge_normals_[at(3 * q.face + c)];
+  }
+  return glm::dot(p - q.position, normal) < 0 ? -q.distance : q.distance;
+}
+
+}  // namespace taxel

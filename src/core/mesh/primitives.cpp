@@ -1,0 +1,166 @@
+#include "core/mesh/primitives.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/mesh/ring_surface.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void require_positive(double value, const char* what) {
+  if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
+}
+
+/// How many pieces of at most `piece` a length needs.
+int pieces(double length, double piece) {
+  require_positive(piece, "edge length");
+  const double count = std::ceil(length / piece);
+  constexpr double kMost = 4000;  // a few times 10^7 triangles; more is a slip of the unit
+  if (count > kMost) throw Error(fmt::format("edge length {} is too small for a size of {}", piece, length));
+  return std::max(1, static_cast<int>(count));
+}
+
+struct Polyhedron {
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> faces;
+};
+
+Polyhedron icosahedron() {
+  const double g = 0.5 * (1.0 + std::sqrt(5.0));  // golden ratio
+  return {{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
+           {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
+          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+}
+
+/// Cuts every triangle into four at the middles of its edges, and lifts these to the unit sphere.
+void subdivide_on_unit_sphere(Polyhedron& p) {
+  std::map<std::pair<int, int>, int> middles;
+  const auto middle = [&](int a, int b) {
+    const auto [entry, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<int>(p.vertices.size()));
+    if (fresh) p.vertices.push_back(glm::normalize(p.vertices[at(a)] + p.vertices[at(b)]));
+    return entry->second;
+  };
+  std::vector<ivec3> faces;
+  faces.reserve(4 * p.faces.size());
+  for (const ivec3& f : p.faces) {
+    const int a = middle(f.x, f.y), b = middle(f.y, f.z), c = middle(f.z, f.x);
+    faces.insert(faces.end(), {ivec3(f.x, a, c), ivec3(f.y, b, a), ivec3(f.z, c, b), ivec3(a, b, c)});
+  }
+  p.faces = std::move(faces);
+}
+
+Polyhedron unit_icosphere(int subdivisions) {
+  constexpr int kMost = 9;  // 5 million triangles
+  if (subdivisions < 0 || subdivisions > kMost)
+    throw Error(fmt::format("a sphere of {} subdivisions is out of range (0 to {})", subdivisions, kMost));
+  Polyhedron p = icosahedron();
+  for (dvec3& v : p.vertices) v = glm::normalize(v);
+  for (int i = 0; i < subdivisions; ++i) subdivide_on_unit_sphere(p);
+  return p;
+}
+
+double longest_edge(const Polyhedron& p, const dvec3& scale) {
+  double longest = 0;
+  for (const ivec3& f : p.faces) {
+    for (int c = 0; c < 3; ++c)
+      longest = std::max(longest, glm::length(scale * (p.vertices[at(f[c])] - p.vertices[at(f[(c + 1) % 3])])));
+  }
+  return longest;
+}
+
+/// Angles of one ring of `count` points, turned by half a step where `shifted`.
+std::vector<dvec3> circle(double radius, double z, int count, bool shifted) {
+  std::vector<dvec3> ring;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * kPi * (i + (shifted ? 0.5 : 0.0)) / count;
+    ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+  return ring;
+}
+
+}  // namespace
+
+TriMesh make_box(const dvec3& half_size) {
+  for (int i = 0; i < 3; ++i) require_positive(half_size[i], "half size of a box");
+  std::vector<dvec3> vertices;
+  for (int i = 0; i < 8; ++i)
+    vertices.push_back(half_size * dvec3((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1));
+  return {std::move(vertices),
+          {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+           {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}}};
+}
+
+TriMesh make_icosphere(double radius, int subdivisions) {
+  require_positive(radius, "radius of a sphere");
+  Polyhedron p = unit_icosphere(subdivisions);
+  for (dvec3& v : p.vertices) v *= radius;
+  return {std::move(p.vertices), std::move(p.faces)};
+}
+
+TriMesh make_sphere(double radius, double edge_length) {
+  require_positive(radius, "radius of a sphere");
+  return make_ellipsoid(dvec3(radius), edge_length);
+}
+
+TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length) {
+  for (int i = 0; i < 3; ++i) require_positive(semi_axes[i], "semi-axis of an ellipsoid");
+  require_positive(edge_length, "edge length");
+  int subdivisions = 0;
+  Polyhedron p = unit_icosphere(subdivisions);
+  while (longest_edge(p, semi_axes) > edge_length) p = unit_icosphere(++subdivisions);
+  for (dvec3& v : p.vertices) v *= semi_axes;
+  return {std::move(p.vertices), std::move(p.faces)};
+}
+
+TriMesh make_cylinder(double radius, double half_length, double edge_length) {
+  require_positive(radius, "radius of a cylinder");
+  require_positive(half_length, "half length of a cylinder");
+  const int around = 6 * pieces(2.0 * kPi * radius, 6.0 * edge_length);
+  const int discs = around / 6, rows = pieces(2.0 * half_length, edge_length);
+  RingSurface surface;
+  for (int k = 0; k <= discs; ++k) surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k), false));
+  for (int k = 1; k <= rows; ++k)
+    surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), around, k % 2 == 1));
+  for (int k = discs - 1; k >= 0; --k)
+    surface.add_ring(circle(radius * k / discs, half_length, std::max(1, 6 * k), rows % 2 == 1));
+  return surface.mesh();
+}
+
+TriMesh make_capsule(double radius, double half_length, double edge_length) {
+  require_positive(radius, "radius of a capsule");
+  require_positive(half_length, "half length of a capsule");
+  // Rings of 5 k points k steps from the pole: even triangles at the pole and at the rim.
+  const int steps = pieces(0.5 * kPi * radius, 0.8 * edge_length), rows = pieces(2.0 * half_length, 0.8 * edge_length);
+  RingSurface surface;
+  for (int k = 0; k <= steps; ++k) {
+    const double angle = 0.5 * kPi * k / steps;
+    const double r = radius * std::sin(angle), z = -half_length - radius * std::cos(angle);
+    surface.add_ring(circle(k == 0 ? 0 : r, k == steps ? -half_length : z, std::max(1, 5 * k), false));
+  }
+  for (int k = 1; k <= rows; ++k)
+    surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), 5 * steps, k % 2 == 1));
+  for (int k = steps - 1; k >= 0; --k) {
+    const double angle = 0.5 * kPi * k / steps;
+    const double r = radius * std::sin(angle), z = half_length + radius * std::cos(angle);
+    surface.add_ring(circle(k == 0 ? 0 : r, z, std::max(1, 5 * k), rows % 2 == 1));
+  }
+  return surface.mesh();
+}
+
+TriMesh scaled_to_volume(const TriMesh& mesh, double volume) {
+  require_positive(volume / mesh.volume(), "ratio of the wanted to the present volume");
+  const double factor = std::cbrt(volume / mesh.volume());
+  std::vector<dvec3> vertices = mesh.vertices();
+  for (dvec3& v : vertices) v = mesh.centroid() + factor * (v - mesh.centroid());
+  return {std::move(vertices), mesh.faces()};
+}
+
+}  // namespace taxel

@@ -1,0 +1,228 @@
+#include "core/mesh/tri_mesh.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Throws for the first face that the class cannot carry.
+void check_input(const std::vector<dvec3>& vertices, const std::vector<ivec3>& faces) {
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (!is_finite(vertices[v])) throw Error(fmt::format("vertex {}: coordinate is not finite", v));
+  }
+  const int n = static_cast<int>(vertices.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const ivec3& face = faces[f];
+    for (int c = 0; c < 3; ++c) {
+      if (face[c] < 0 || face[c] >= n) throw Error(fmt::format("face {}: no vertex {} (there are {})", f, face[c], n));
+    }
+    if (face.x == face.y || face.y == face.z || face.z == face.x)
+      throw Error(fmt::format("face {}: two of its corners are the same vertex", f));
+  }
+}
+
+/// Root of the tree that holds i; flattens the path on the way.
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
+  return i;
+}
+
+/// Connected shells over shared vertices, numbered by their first face. Returns how many there are.
+int find_shells(int vertex_count, const std::vector<ivec3>& faces, std::vector<int>& shell_of_face) {
+  std::vector<int> parent(at(vertex_count));
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const ivec3& f : faces) {
+    const int a = find_root(parent, f.x);
+    parent[at(find_root(parent, f.y))] = a;
+    parent[at(find_root(parent, f.z))] = a;
+  }
+  std::vector<int> number(at(vertex_count), -1);
+  shell_of_face.resize(faces.size());
+  int count = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    int& shell = number[at(find_root(parent, faces[f].x))];
+    if (shell < 0) shell = count++;
+    shell_of_face[f] = shell;
+  }
+  return count;
+}
+
+/// Every directed edge occurs once and so does its opposite.
+bool is_closed(const std::vector<ivec3>& faces) {
+  std::vector<std::pair<int, int>> edges;
+  edges.reserve(3 * faces.size());
+  for (const ivec3& f : faces) {
+    for (int c = 0; c < 3; ++c) edges.emplace_back(f[c], f[(c + 1) % 3]);
+  }
+  std::sort(edges.begin(), edges.end());
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
+  return std::all_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& e) {
+    return std::binary_search(edges.begin(), edges.end(), std::pair(e.second, e.first));
+  });
+}
+
+double angle_between(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Solid angle of the triangle (a, b, c) seen from the origin, signed (van Oosterom, Strackee 1983).
+double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
+  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+  const double numerator = glm::dot(a, glm::cross(b, c));
+  const double denominator = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2.0 * std::atan2(numerator, denominator);
+}
+
+Aabb shell_bounds(const TriMesh& mesh, int shell) {
+  Aabb box;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.shell_of_face()[at(f)] != shell) continue;
+    for (int c = 0; c < 3; ++c) box.include(mesh.vertex(f, c));
+  }
+  return box;
+}
+
+bool contains(const Aabb& outer, const Aabb& inner) {
+  return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi));
+}
+
+/// How often `shell` winds around p: 1 or -1 inside of a closed shell, 0 outside.
+double winding_number(const TriMesh& mesh, int shell, const dvec3& p) {
+  double sum = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.shell_of_face()[at(f)] != shell) continue;
+    sum += solid_angle(mesh.vertex(f, 0) - p, mesh.vertex(f, 1) - p, mesh.vertex(f, 2) - p);
+  }
+  return sum / (4.0 * kPi);
+}
+
+/// Centres of some faces of a shell, spread over its face list.
+std::vector<dvec3> probe_points(const TriMesh& mesh, int shell) {
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.shell_of_face()[at(f)] == shell) faces.push_back(f);
+  }
+  constexpr std::size_t kProbes = 8;
+  std::vector<dvec3> points;
+  for (std::size_t i = 0; i < std::min(kProbes, faces.size()); ++i) {
+    const int f = faces[i * faces.size() / std::min(kProbes, faces.size())];
+    points.push_back((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0);
+  }
+  return points;
+}
+
+}  // namespace
+
+TriMesh::TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces)
+    : vertices_(std::move(vertices)), faces_(std::move(faces)) {
+  check_input(vertices_, faces_);
+  for (const dvec3& v : vertices_) bounds_.include(v);
+  compute_normals();
+  compute_integrals();
+  shell_count_ = find_shells(vertex_count(), faces_, shell_of_face_);
+  closed_ = !faces_.empty() && is_closed(faces_);
+  if (!closed_ || std::abs(volume_) <= std::numeric_limits<double>::epsilon() * area_ * bounds_.diagonal())
+    centroid_ = area_centroid();
+}
+
+void TriMesh::compute_normals() {
+  face_normals_.resize(faces_.size());
+  face_areas_.resize(faces_.size());
+  vertex_normals_.assign(vertices_.size(), dvec3(0));
+  for (int f = 0; f < face_count(); ++f) {
+    const dvec3 &a = vertex(f, 0), &b = vertex(f, 1), &c = vertex(f, 2);
+    const dvec3 n = glm::cross(b - a, c - a);
+    const double length = glm::length(n);
+    if (!(length > 0)) throw Error(fmt::format("face {}: has no area", f));
+    face_areas_[at(f)] = 0.5 * length;
+    face_normals_[at(f)] = n / length;
+    area_ += 0.5 * length;
+    // Angle weights (Thuermer, Wuethrich 1998): the normal does not depend on how the faces around are cut.
+    const ivec3& ids = faces_[at(f)];
+    vertex_normals_[at(ids.x)] += angle_between(b - a, c - a) * face_normals_[at(f)];
+    vertex_normals_[at(ids.y)] += angle_between(c - b, a - b) * face_normals_[at(f)];
+    vertex_normals_[at(ids.z)] += angle_between(a - c, b - c) * face_normals_[at(f)];
+  }
+  for (dvec3& n : vertex_normals_) {
+    const double length = glm::length(n);
+    n = length > 0 ? n / length : dvec3(0, 0, 1);  // of a vertex without faces, or whose faces cancel out
+  }
+}
+
+void TriMesh::compute_integrals() {
+  // Divergence theorem: tetrahedra from one apex to every face; the apex in the middle keeps the rounding small.
+  const dvec3 apex = bounds_.empty() ? dvec3(0) : bounds_.center();
+  dvec3 moment{0};
+  for (int f = 0; f < face_count(); ++f) {
+    const dvec3 a = vertex(f, 0) - apex, b = vertex(f, 1) - apex, c = vertex(f, 2) - apex;
+    const double tet = glm::dot(a, glm::cross(b, c)) / 6.0;
+    volume_ += tet;
+    moment += tet * 0.25 * (a + b + c);
+  }
+  centroid_ = volume_ != 0 ? apex + moment / volume_ : apex;
+}
+
+dvec3 TriMesh::area_centroid() const {
+  dvec3 sum{0};
+  for (int f = 0; f < face_count(); ++f)
+    sum += face_areas_[at(f)] * (vertex(f, 0) + vertex(f, 1) + vertex(f, 2)) / 3.0;
+  return area_ > 0 ? sum / area_ : dvec3(0);
+}
+
+TriMesh extract_shells(const TriMesh& mesh, const std::vector<int>& shells, std::vector<int>* face_of) {
+  std::vector<char> wanted(at(mesh.shell_count()), 0);
+  for (const int s : shells) {
+    if (s < 0 || s >= mesh.shell_count()) throw Error(fmt::format("no shell {} (there are {})", s, mesh.shell_count()));
+    wanted[at(s)] = 1;
+  }
+  std::vector<int> new_index(mesh.vertices().size(), -1);
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> faces;
+  if (face_of != nullptr) face_of->clear();
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (!wanted[at(mesh.shell_of_face()[at(f)])]) continue;
+    ivec3 face{0};
+    for (int c = 0; c < 3; ++c) {
+      int& index = new_index[at(mesh.faces()[at(f)][c])];
+      if (index < 0) {
+        index = static_cast<int>(vertices.size());
+        vertices.push_back(mesh.vertex(f, c));
+      }
+      face[c] = index;
+    }
+    faces.push_back(face);
+    if (face_of != nullptr) face_of->push_back(f);
+  }
+  return {std::move(vertices), std::move(faces)};
+}
+
+bool shell_is_enclosed(const TriMesh& mesh, int shell) {
+  const Aabb box = shell_bounds(mesh, shell);
+  const std::vector<dvec3> probes = probe_points(mesh, shell);
+  for (int other = 0; other < mesh.shell_count(); ++other) {
+    if (other == shell || !contains(shell_bounds(mesh, other), box)) continue;
+    double mean = 0;
+    for (const dvec3& p : probes) mean += std::abs(winding_number(mesh, other, p)) / static_cast<double>(probes.size());
+    if (mean > 0.5) return true;
+  }
+  return false;
+}
+
+std::vector<int> outer_shells(const TriMesh& mesh) {
+  std::vector<int> outer;
+  for (int s = 0; s < mesh.shell_count(); ++s) {
+    if (!shell_is_enclosed(mesh, s)) outer.push_back(s);
+  }
+  return outer;
+}
+
+}  // namespace taxel
