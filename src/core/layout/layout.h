@@ -27,17 +27,17 @@ struct Subtaxel {
 struct Taxel {
   int id = 0;
   std::string name;
-  dvec3 center{0};            ///< [m], frame M
-  dvec3 normal{0, 0, 1};      ///< outward; as stored, not normalised
-  double radius = 0.006;      ///< of the receptive field [m]
+  dvec3 center{0};        ///< [m], frame M
+  dvec3 normal{0, 0, 1};  ///< outward; as stored, not normalised
+  double radius = 0.006;  ///< of the receptive field [m]
   std::vector<Subtaxel> subtaxels;
   bool operator==(const Taxel&) const = default;
 };
 
 struct MeshRef {
-  std::string file;           ///< relative to the layout file, or absolute
+  std::string file;  ///< relative to the layout file, or absolute
   dvec3 scale{1.0};
-  std::string sha256;         ///< of the mesh file's bytes; empty: unchecked
+  std::string sha256;  ///< of the mesh file's bytes; empty: unchecked
   bool operator==(const MeshRef&) const = default;
 };
 
@@ -48,7 +48,7 @@ struct SensorFrame {
 };
 
 struct Sampling {
-  double density = 1.0e7;     ///< samples per m^2
+  double density = 1.0e7;  ///< samples per m^2
   std::uint64_t seed = 42;
   SampleWeights weights = SampleWeights::equal;
   bool operator==(const Sampling&) const = default;
@@ -64,7 +64,7 @@ struct Readout {
   Aggregate aggregate = Aggregate::weighted_mean;
   Misses misses = Misses::zero;
   RayDirection ray = RayDirection::surface_normal;
-  double max_depth = 0.0;     ///< [m]; 0: twice the thickness for a pad, the largest radius for a star
+  double max_depth = 0.0;  ///< [m]; 0: twice the thickness for a pad, the largest radius for a star
   bool operator==(const Readout&) const = default;
 };
 

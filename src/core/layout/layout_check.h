@@ -12,7 +12,8 @@ Problems check_layout_values(const Layout& layout, const std::string& file);
 
 /// Rules that need the mesh: centre far from the surface (how far), normal against the surface's, taxel without
 /// samples nearby, radius larger than the body, hash differs. `sha256` is that of the mesh file read.
-Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256, const std::string& file);
+Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
+                              const std::string& file);
 
 /// Throws Error with the first problem of severity error.
 void throw_first_error(const Problems& problems);

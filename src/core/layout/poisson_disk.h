@@ -13,14 +13,18 @@ struct SurfaceSample {
   dvec3 position{0};
   dvec3 normal{0, 0, 1};  ///< geometric normal of the face, unit
   int face = -1;
-  double area = 0.0;      ///< area this sample stands for [m^2]; all sum to the sampled area
+  double area = 0.0;  ///< area this sample stands for [m^2]; all sum to the sampled area
 };
 
 /// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count and seed: same bytes, on any number of
 /// threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`.
-std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::uint64_t seed, Progress* progress = nullptr);
+std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::uint64_t seed,
+                                          Progress* progress = nullptr);
 
-/// round(density * area), checked against the limit.
+/// The most samples one surface may have.
+inline constexpr int kMaxSamples = 10'000'000;
+
+/// round(density * area). Throws Error when that is negative, not a number or above kMaxSamples.
 int sample_count(double density, double area);
 
 }  // namespace taxel

@@ -1,0 +1,176 @@
+#include "core/layout/layout_check.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <numeric>
+
+#include "core/layout/words.h"
+
+namespace taxel {
+namespace {
+
+/// Collects problems of one file.
+class Check {
+ public:
+  explicit Check(std::string file) : file_(std::move(file)) {}
+  void error(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
+    problems.push_back({file_, pointer, Severity::error, code, message, fix});
+  }
+  void warning(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
+    problems.push_back({file_, pointer, Severity::warning, code, message, fix});
+  }
+  bool positive(const std::string& pointer, double v, const char* code, const std::string& fix = "") {
+    if (v > 0.0 && std::isfinite(v)) return true;
+    error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "greater than 0" : "finite", v), fix);
+    return false;
+  }
+  bool not_negative(const std::string& pointer, double v, const char* code) {
+    if (v >= 0.0 && std::isfinite(v)) return true;
+    error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "0 or more" : "finite", v));
+    return false;
+  }
+  bool finite(const std::string& pointer, const dvec3& v) {
+    if (is_finite(v)) return true;
+    error(pointer, "not_finite", fmt::format("must be finite, is [{}, {}, {}]", v.x, v.y, v.z));
+    return false;
+  }
+  bool direction(const std::string& pointer, const dvec3& v) {
+    if (!finite(pointer, v)) return false;
+    const double length = glm::length(v);
+    if (length > 0.0 && std::isfinite(length)) return true;
+    error(pointer, "zero_normal", fmt::format("must be a direction, is [{}, {}, {}]", v.x, v.y, v.z));
+    return false;
+  }
+  Problems problems;
+
+ private:
+  std::string file_;
+};
+
+double angle_deg(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
+}
+
+void check_settings(const Layout& layout, Check& check) {
+  if (layout.mesh.file.empty()) check.error("/mesh/file", "mesh_file_empty", "must name a mesh file, is \"\"");
+  for (int axis = 0; axis < 3; ++axis) {
+    const double s = layout.mesh.scale[axis];
+    if (s == 0.0 || !std::isfinite(s))
+      check.error(fmt::format("/mesh/scale/{}", axis), "scale_zero", fmt::format("must be finite and not 0, is {}", s),
+                  "1 for a mesh in metres, 0.001 for millimetres");
+  }
+  const bool distal = check.direction("/frame/distal", layout.frame.distal);
+  const bool pad = check.direction("/frame/pad", layout.frame.pad);
+  if (distal && pad) {
+    const double angle = angle_deg(layout.frame.distal, layout.frame.pad);
+    const double parallel = 1.0, skew = 5.0;  // degrees
+    if (angle < parallel || angle > 180.0 - parallel)
+      check.error("/frame/pad", "frame_parallel", "must not be parallel to distal");
+    else if (std::abs(angle - 90.0) > skew)
+      check.warning("/frame/pad", "frame_skew",
+                    fmt::format("should be at right angles to distal, is at {:.1f} degrees", angle));
+  }
+  check.positive("/sampling/density", layout.sampling.density, "density_not_positive",
+                 "1e7 per square metre is a good start");
+
+  if (layout.receptive_field.metric == Metric::geodesic)
+    check.error("/receptive_field/metric", "not_available", "\"geodesic\" is not available yet", "use \"euclidean\"");
+  const double angle = layout.receptive_field.max_angle_deg;
+  if (!(angle > 0.0 && angle <= 180.0))
+    check.error("/receptive_field/max_angle_deg", "angle_out_of_range",
+                fmt::format("must be greater than 0 and at most 180 degrees, is {}", angle), "the paper uses 45");
+  check.not_negative("/readout/max_depth", layout.readout.max_depth, "depth_negative");
+  if (layout.readout.aggregate == Aggregate::force)
+    check.error("/readout/aggregate", "not_available", "\"force\" is not available yet", "use \"weighted_mean\"");
+}
+
+void check_material(const Material& material, Check& check) {
+  check.not_negative("/material/modulus", material.modulus, "modulus_negative");
+  check.not_negative("/material/thickness", material.thickness, "thickness_negative");
+  check.not_negative("/material/dissipation", material.dissipation, "dissipation_negative");
+  check.not_negative("/material/friction", material.friction, "friction_negative");
+  if (material.field != FieldKind::pad && material.field != FieldKind::star)
+    check.error("/material/field", "not_available",
+                fmt::format("\"{}\" is not available for a layout's mesh", to_word(material.field)),
+                "use \"pad\" or \"star\"");
+}
+
+/// Values that taxels and subtaxels have in common. Returns whether the disc can be placed on a mesh.
+template <class T>
+bool check_disc(const std::string& pointer, const T& disc, Check& check) {
+  const bool center = check.finite(pointer + "/center", disc.center);
+  const bool normal = check.direction(pointer + "/normal", disc.normal);
+  const bool radius =
+      check.positive(pointer + "/radius", disc.radius, "radius_not_positive", "in metres: 6 mm is 0.006");
+  return center && normal && radius;
+}
+
+void check_taxel(const Taxel& taxel, std::size_t index, Check& check) {
+  const std::string pointer = fmt::format("/taxels/{}", index);
+  if (taxel.id < 0) check.error(pointer + "/id", "id_negative", fmt::format("must be 0 or more, is {}", taxel.id));
+  const bool valid = check_disc(pointer, taxel, check);
+  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
+    const std::string sub = fmt::format("{}/subtaxels/{}", pointer, i);
+    const double radius = taxel.subtaxels[i].radius;
+    if (check_disc(sub, taxel.subtaxels[i], check) && valid && radius > taxel.radius)
+      check.warning(sub + "/radius", "subtaxel_larger",
+                    fmt::format("should be at most the taxel's radius {}, is {}", taxel.radius, radius));
+  }
+}
+
+void check_ids(const std::vector<Taxel>& taxels, Check& check) {
+  std::map<int, std::size_t> first_with;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const auto [found, fresh] = first_with.emplace(taxels[i].id, i);
+    if (!fresh)
+      check.error(fmt::format("/taxels/{}/id", i), "duplicate_id",
+                  fmt::format("{} is also the id of /taxels/{}", taxels[i].id, found->second),
+                  "give every taxel its own id");
+  }
+}
+
+/// Two centres nearer than a millionth of the radius: the same place written twice. Sorted by x, so that only
+/// neighbours in x are compared.
+void check_places(const std::vector<Taxel>& taxels, Check& check) {
+  const double same = 1e-6;
+  std::vector<std::size_t> order(taxels.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::erase_if(order, [&](std::size_t i) { return !is_finite(taxels[i].center) || !(taxels[i].radius > 0.0); });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(taxels[a].center.x, a) < std::pair(taxels[b].center.x, b);
+  });
+  std::map<std::size_t, std::size_t> twin_of;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Taxel& a = taxels[order[i]];
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const Taxel& b = taxels[order[j]];
+      if (b.center.x - a.center.x > same * a.radius) break;
+      if (glm::distance(a.center, b.center) > same * a.radius) continue;
+      twin_of.emplace(std::max(order[i], order[j]), std::min(order[i], order[j]));
+    }
+  }
+  for (const auto& [later, earlier] : twin_of)
+    check.warning(fmt::format("/taxels/{}/center", later), "duplicate_place",
+                  fmt::format("is the same place as /taxels/{}", earlier), "move or delete one of the two");
+}
+
+}  // namespace
+
+Problems check_layout_values(const Layout& layout, const std::string& file) {
+  Check check(file);
+  check_settings(layout, check);
+  check_material(layout.material, check);
+  if (layout.taxels.empty()) check.warning("/taxels", "no_taxels", "holds no taxel: nothing is read");
+  for (std::size_t i = 0; i < layout.taxels.size(); ++i) check_taxel(layout.taxels[i], i, check);
+  check_ids(layout.taxels, check);
+  check_places(layout.taxels, check);
+  return std::move(check.problems);
+}
+
+void throw_first_error(const Problems& problems) {
+  for (const Problem& p : problems)
+    if (p.severity == Severity::error) throw Error(p.file, p.pointer, p.message);
+}
+
+}  // namespace taxel

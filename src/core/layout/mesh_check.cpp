@@ -1,0 +1,133 @@
+// Rules of a layout that need its mesh.
+#include <fmt/format.h>
+
+#include "core/layout/layout_check.h"
+#include "core/layout/poisson_disk.h"
+#include "core/mesh/point_triangle.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kMillimetres = 1000.0;
+
+Problem problem(const std::string& pointer, Severity severity, const char* code, std::string message, std::string fix) {
+  return {"", pointer, severity, code, std::move(message), std::move(fix)};
+}
+
+void check_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
+                Problems& out) {
+  if (!layout.mesh.sha256.empty() && !sha256.empty() && layout.mesh.sha256 != sha256)
+    out.push_back(problem("/mesh/sha256", Severity::warning, "mesh_changed",
+                          fmt::format("is {}, but the file's is {}", layout.mesh.sha256, sha256),
+                          "look whether the taxels still lie on the surface, then save the layout again"));
+  if (!mesh.closed() && layout.material.compliant())
+    out.push_back(problem("/mesh/file", Severity::error, "mesh_open",
+                          "must be a closed mesh to be soft: an edge does not belong to exactly two faces",
+                          "close the holes, or set /material/modulus to 0"));
+  const int inner = mesh.face_count() - skin.face_count();
+  if (inner > 0)
+    out.push_back(problem(
+        "/mesh/file", Severity::note, "mesh_has_cavity",
+        fmt::format("has enclosed shells ({} of {} faces): no sample lies on them", inner, mesh.face_count()), ""));
+  const double area = skin.area(), wanted = layout.sampling.density * area;
+  if (!(wanted <= kMaxSamples))
+    out.push_back(problem("/sampling/density", Severity::error, "density_too_high",
+                          fmt::format("{} per square metre gives {:.4g} samples, the limit is {}",
+                                      layout.sampling.density, wanted, kMaxSamples),
+                          fmt::format("at most {:.3g}", kMaxSamples / area)));
+  else if (wanted < 0.5)
+    out.push_back(problem("/sampling/density", Severity::warning, "density_too_low",
+                          fmt::format("{} per square metre gives no sample at all", layout.sampling.density),
+                          fmt::format("at least {:.3g}", 1.0 / area)));
+}
+
+double angle_deg(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
+}
+
+/// Whether any face has a point within the disc and a normal within its angle.
+template <class T>
+bool reaches_surface(const T& disc, double max_angle_deg, const MeshIndex& skin) {
+  const TriMesh& mesh = skin.mesh();
+  const dvec3 n = glm::normalize(disc.normal);
+  const double min_cosine = std::cos(max_angle_deg * kPi / 180.0);
+  bool found = false;
+  skin.bvh().visit(
+      [&](const Aabb& box) {
+        return !found && glm::distance(glm::clamp(disc.center, box.lo, box.hi), disc.center) <= disc.radius;
+      },
+      [&](int face) {
+        if (found || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], n) > min_cosine)) return;
+        const TrianglePoint nearest =
+            nearest_on_triangle(disc.center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
+        found = nearest.squared_distance < disc.radius * disc.radius;
+      });
+  return found;
+}
+
+/// Distance and direction of one disc against the nearest surface.
+template <class T>
+void check_disc(const std::string& pointer, const T& disc, double max_angle_deg, const MeshIndex& skin, Problems& out) {
+  const double far = 0.25;                    // of the radius
+  const double skewed = 60.0, inward = 90.0;  // degrees
+  const SurfacePoint nearest = skin.closest_point(disc.center);
+  const dvec3 n = skin.mesh().face_normals()[static_cast<std::size_t>(nearest.face)];
+  if (nearest.distance > far * disc.radius)
+    out.push_back(problem(pointer + "/center", nearest.distance > disc.radius ? Severity::error : Severity::warning,
+                          "center_off_surface",
+                          fmt::format("is {:.3g} mm from the surface, the radius is {:.3g} mm",
+                                      nearest.distance * kMillimetres, disc.radius * kMillimetres),
+                          fmt::format("nearest point of the surface: [{:.7g}, {:.7g}, {:.7g}]", nearest.position.x,
+                                      nearest.position.y, nearest.position.z)));
+  const double angle = angle_deg(disc.normal, n);
+  const std::string use = fmt::format("normal of the surface there: [{:.6g}, {:.6g}, {:.6g}]", n.x, n.y, n.z);
+  if (angle > inward)
+    out.push_back(problem(pointer + "/normal", Severity::warning, "normal_points_inward",
+                          fmt::format("points inward: {:.0f} degrees from the surface's normal", angle), use));
+  else if (angle > skewed)
+    out.push_back(problem(pointer + "/normal", Severity::warning, "normal_off_surface",
+                          fmt::format("is {:.0f} degrees from the surface's normal", angle), use));
+  if (disc.radius > skin.mesh().bounds().diagonal())
+    out.push_back(problem(
+        pointer + "/radius", Severity::warning, "radius_exceeds_body",
+        fmt::format("{} m is larger than the whole mesh, {:.3g} m", disc.radius, skin.mesh().bounds().diagonal()),
+        "in metres: 6 mm is 0.006"));
+  if (!reaches_surface(disc, max_angle_deg, skin))
+    out.push_back(problem(
+        pointer, Severity::warning, "field_empty",
+        fmt::format("no surface within {:.3g} mm has a normal within {:.4g} degrees of the taxel's: it will read 0",
+                    disc.radius * kMillimetres, max_angle_deg),
+        "move the centre to the surface and turn the normal outward"));
+}
+
+template <class T>
+bool placeable(const T& disc) {
+  return is_finite(disc.center) && is_finite(disc.normal) && glm::length(disc.normal) > 0.0 && disc.radius > 0.0;
+}
+
+}  // namespace
+
+Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
+                              const std::string& file) {
+  Problems out;
+  const std::vector<int> outer = outer_shells(index.mesh());
+  const bool all_outside = static_cast<int>(outer.size()) == index.mesh().shell_count();
+  std::optional<MeshIndex> outside;
+  if (!all_outside) outside.emplace(std::make_shared<TriMesh>(extract_shells(index.mesh(), outer)));
+  const MeshIndex& skin = all_outside ? index : *outside;
+
+  check_mesh(layout, index.mesh(), skin.mesh(), sha256, out);
+  const double max_angle_deg = layout.receptive_field.max_angle_deg;
+  for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
+    const Taxel& taxel = layout.taxels[k];
+    const std::string pointer = fmt::format("/taxels/{}", k);
+    if (taxel.subtaxels.empty() && placeable(taxel)) check_disc(pointer, taxel, max_angle_deg, skin, out);
+    for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i)
+      if (placeable(taxel.subtaxels[i]))
+        check_disc(fmt::format("{}/subtaxels/{}", pointer, i), taxel.subtaxels[i], max_angle_deg, skin, out);
+  }
+  for (Problem& p : out) p.file = file;
+  return out;
+}
+
+}  // namespace taxel
