@@ -5,30 +5,45 @@
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
+#include "core/mesh/bvh.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
 
 struct RayHit {
-  int surface = -1;       ///< -1: miss
+  int surface = -1;  ///< -1: miss
   int polygon = -1;
-  double depth = 0;       ///< along the ray [m]
-  double pressure = 0;    ///< p0 there, by barycentric interpolation [Pa]; 0 for a miss
+  double depth = 0;     ///< along the ray [m]
+  double pressure = 0;  ///< p0 there, by barycentric interpolation [Pa]; 0 for a miss
+  [[nodiscard]] bool hit() const { return surface >= 0; }
 };
+
+/// Hit of a ray on one polygon, fanned from its first vertex, from either side, rim included; `best` otherwise. The
+/// polygon replaces `best` when it is nearer, or as near and of a lower number. Both casters and tests use it.
+RayHit nearer_hit(const Ray& ray, const ContactSurface& surface, int surface_number, int polygon, const RayHit& best);
 
 /// Acceleration structures, kept between steps.
 class SurfaceCaster {
  public:
-  /// Surfaces in frame M. They must outlive the casts.
+  /// Surfaces in frame M; null or empty ones hold nothing. They must outlive the casts. Keeps the memory of the last
+  /// build, so that no step allocates once the largest surface was seen.
   void build(std::span<const ContactSurface* const> surfaces);
+
+  /// First hit with depth in [0, max_depth]; ties go to the lower surface, then the lower polygon.
   [[nodiscard]] RayHit cast(const dvec3& origin, const dvec3& direction, double max_depth) const;
 
+  /// Box of all surfaces; empty when there is nothing to hit.
+  [[nodiscard]] const Aabb& bounds() const { return bounds_; }
+
  private:
-  struct Blas;
+  void build_blas(std::size_t number);
+
   std::vector<const ContactSurface*> surfaces_;
-  std::vector<Bvh> blas_;
-  Bvh tlas_;
-  std::vector<Aabb> boxes_;
+  std::vector<Bvh> blas_;     // of surface i; more than surfaces_ where earlier steps had more
+  Bvh tlas_;                  // over those surfaces that are not empty
+  std::vector<int> numbers_;  // TLAS primitive -> surface
+  std::vector<Aabb> boxes_, polygon_boxes_;
+  Aabb bounds_;
 };
 
 /// hits[i] belongs to model.rays[i]. Ties go to the lower surface, then the lower polygon.

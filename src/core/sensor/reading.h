@@ -14,8 +14,8 @@ void aggregate(const SensorModel& model, const std::vector<RayHit>& hits, Aggreg
 /// Everything one evaluation needs and produces, reused from step to step.
 struct SensorReading {
   SurfaceCaster caster;
-  std::vector<RayHit> hits;        ///< parallel to model.rays
-  std::vector<double> values;      ///< layout.readout.aggregate
+  std::vector<RayHit> hits;    ///< parallel to model.rays
+  std::vector<double> values;  ///< layout.readout.aggregate
 };
 void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out);
 

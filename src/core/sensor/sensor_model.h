@@ -17,29 +17,32 @@ namespace taxel {
 
 /// The ray of one used sample: from the skin inward.
 struct SensorRay {
-  int sample = 0;         ///< in SensorModel::samples
-  dvec3 origin{0};
-  dvec3 direction{0};     ///< unit, opposite to the surface normal (or to the taxel's)
-  double max_depth = 0;   ///< allowed depth: readout.max_depth, cut half way to the opposite skin [m]
+  int sample = 0;        ///< in SensorModel::samples
+  dvec3 origin{0};       ///< the sample; on a rigid sensor a millionth of the mesh's size outside of it
+  dvec3 direction{0};    ///< unit, opposite to the surface normal (or to the taxel's)
+  double max_depth = 0;  ///< allowed depth: readout.max_depth, cut half way to the opposite skin [m]
 };
 
 struct SensorModel {
   Layout layout;
-  TriMeshPtr mesh;                             ///< as read from the file, all shells
-  std::shared_ptr<const MeshIndex> skin;       ///< outer shells only: what is sampled and felt
-  std::vector<int> skin_face_of;               ///< skin face -> face of `mesh`
-  HydroBodyPtr body;                           ///< soft (layout.material), frame M
-  std::vector<SurfaceSample> samples;          ///< on the skin
-  ReceptiveFields fields;                      ///< entries name samples
-  std::vector<SensorRay> rays;                 ///< one per used sample (and per taxel with ray = taxel_normal)
-  std::vector<int> ray_of_entry;               ///< parallel to fields.entries
+  TriMeshPtr mesh;                                 ///< as read from the file, all shells
+  std::shared_ptr<const MeshIndex> skin;           ///< outer shells only: what is sampled and felt
+  std::vector<int> skin_face_of;                   ///< skin face -> face of `mesh`
+  HydroBodyPtr body;                               ///< soft (layout.material), frame M
+  std::vector<SurfaceSample> samples;              ///< on the skin
+  ReceptiveFields fields;                          ///< entries name samples
+  std::vector<SensorRay> rays;                     ///< one per used sample (and per taxel with ray = taxel_normal)
+  std::vector<int> ray_of_entry;                   ///< parallel to fields.entries
   std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused
-  Problems problems;                           ///< warnings and notes, with taxel pointers
-  int taxel_count() const { return static_cast<int>(layout.taxels.size()); }
+  Problems problems;                               ///< warnings and notes, with taxel pointers
+  [[nodiscard]] int taxel_count() const { return static_cast<int>(layout.taxels.size()); }
+  /// What one sample counts in an unweighted mean: 1, or its Voronoi area over the mean area where weights are voronoi.
+  [[nodiscard]] double sample_share(int sample) const;
 };
 using SensorModelPtr = std::shared_ptr<const SensorModel>;
 
-/// Compiles a layout on a mesh. Throws Error for the first problem of severity error; lists the rest.
+/// Compiles a layout on a mesh. Throws Error for the first problem of severity error; lists the rest. `mesh_sha256` may
+/// be empty (unchecked); `file` names the layout in messages. Throws Cancelled through `progress`.
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
                                   const std::string& file, Progress* progress = nullptr);
 

@@ -1,0 +1,167 @@
+#include "core/sensor/sensor_model.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/layout/layout_json.h"
+#include "core/mesh/mesh_io.h"
+
+namespace taxel {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void add_skin(SensorModel& model, const std::shared_ptr<const MeshIndex>& whole) {
+  const std::vector<int> outer = outer_shells(*model.mesh);
+  if (static_cast<int>(outer.size()) == model.mesh->shell_count()) {
+    model.skin = whole;
+    model.skin_face_of.resize(index(model.mesh->face_count()));
+    for (int f = 0; f < model.mesh->face_count(); ++f) model.skin_face_of[index(f)] = f;
+    return;
+  }
+  auto skin = std::make_shared<TriMesh>(extract_shells(*model.mesh, outer, &model.skin_face_of));
+  model.skin = std::make_shared<MeshIndex>(std::move(skin));
+}
+
+void add_body(SensorModel& model, const std::string& file) {
+  Shape shape;
+  shape.type = ShapeType::mesh;
+  shape.mesh = model.mesh;
+  try {
+    model.body = make_body(shape, model.layout.material, model.layout.name);
+  } catch (const Error& e) {
+    throw Error(file, e.where().empty() ? "/material" : e.where(), e.message());
+  }
+}
+
+/// readout.max_depth, or its default: twice the thickness of a pad; the largest radius for a star, whose field reaches
+/// to the centre, and where no thickness is known.
+double allowed_depth(const SensorModel& model) {
+  const double asked = model.layout.readout.max_depth;
+  if (asked > 0.0) return asked;
+  const Material& material = model.body->material;
+  if (material.field == FieldKind::pad && material.thickness > 0.0) return 2.0 * material.thickness;
+  double largest = 0.0;
+  for (const Taxel& taxel : model.layout.taxels) largest = std::max(largest, taxel.radius);
+  return largest;
+}
+
+/// Distance from a sample along `direction` to the skin of the other side: the first face that is met from inside.
+double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& direction, int face) {
+  const int limit = 16;  // faces met from outside on the way: folds that graze the start
+  double travelled = 0.0;
+  for (int i = 0; i < limit; ++i) {
+    const auto hit = skin.cast_except(Ray{origin + travelled * direction, direction}, face);
+    if (!hit) break;
+    travelled += hit->t;
+    face = hit->face;
+    if (glm::dot(direction, skin.mesh().face_normals()[index(face)]) > 0.0) return travelled;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// One ray per used sample, shared by its taxels; with the taxel's normal as direction one ray per entry.
+void add_rays(SensorModel& model) {
+  const bool shared = model.layout.readout.ray == RayDirection::surface_normal;
+  std::vector<int> ray_of_sample(model.samples.size(), -1);
+  model.ray_of_entry.resize(model.fields.entries.size());
+  for (int k = 0; k < model.taxel_count(); ++k) {
+    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
+      const int sample = model.fields.entries[index(e)].sample;
+      int& ray = shared ? ray_of_sample[index(sample)] : model.ray_of_entry[index(e)];
+      if (!shared || ray < 0) {
+        ray = static_cast<int>(model.rays.size());
+        const dvec3 outward =
+            shared ? model.samples[index(sample)].normal : glm::normalize(model.layout.taxels[index(k)].normal);
+        model.rays.push_back({sample, model.samples[index(sample)].position, -outward, 0.0});
+      }
+      model.ray_of_entry[index(e)] = ray;
+    }
+  }
+
+  const double allowed = allowed_depth(model);
+  // The contact surface of a rigid sensor lies in its skin, to within rounding: those rays start just outside.
+  const double lead = model.body->soft() ? 0.0 : 1e-6 * model.skin->mesh().bounds().diagonal();
+  parallel_chunks(static_cast<int>(model.rays.size()), 256, [&](int begin, int end) {
+    for (int r = begin; r < end; ++r) {
+      SensorRay& ray = model.rays[index(r)];
+      const int face = model.samples[index(ray.sample)].face;
+      ray.max_depth = std::min(allowed, 0.5 * opposite_skin(*model.skin, ray.origin, ray.direction, face)) + lead;
+      ray.origin -= lead * ray.direction;
+    }
+  });
+}
+
+void add_taxels_of_samples(SensorModel& model) {
+  std::vector<std::vector<std::pair<double, int>>> users(model.samples.size());
+  for (int k = 0; k < model.taxel_count(); ++k)
+    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e)
+      users[index(model.fields.entries[index(e)].sample)].emplace_back(model.fields.entries[index(e)].distance, k);
+  model.taxels_of_sample.resize(users.size());
+  for (std::size_t s = 0; s < users.size(); ++s) {
+    std::sort(users[s].begin(), users[s].end());
+    for (const auto& [distance, taxel] : users[s]) model.taxels_of_sample[s].push_back(taxel);
+  }
+}
+
+void note_empty_fields(SensorModel& model, const std::string& file) {
+  for (int k = 0; k < model.taxel_count(); ++k) {
+    if (model.fields.first[index(k)] != model.fields.first[index(k) + 1]) continue;
+    const std::string pointer = fmt::format("/taxels/{}", k);
+    const bool known = std::any_of(model.problems.begin(), model.problems.end(), [&](const Problem& p) {
+      return p.code == "field_empty" && (p.pointer == pointer || p.pointer.starts_with(pointer + "/"));
+    });
+    if (!known)
+      model.problems.push_back({file, pointer, Severity::warning, "field_without_samples",
+                                "no sample lies in the receptive field: it will read 0", "raise /sampling/density"});
+  }
+}
+
+}  // namespace
+
+double SensorModel::sample_share(int sample) const {
+  if (layout.sampling.weights == SampleWeights::equal) return 1.0;
+  return samples[index(sample)].area * static_cast<double>(samples.size()) / skin->mesh().area();
+}
+
+SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
+                                  const std::string& file, Progress* progress) {
+  auto model = std::make_shared<SensorModel>();
+  model->layout = layout;
+  model->mesh = mesh;
+  model->problems = check_layout_values(layout, file);
+  throw_first_error(model->problems);
+  const auto whole = std::make_shared<const MeshIndex>(mesh);
+  const Problems on_mesh = check_layout_on_mesh(layout, *whole, mesh_sha256, file);
+  model->problems.insert(model->problems.end(), on_mesh.begin(), on_mesh.end());
+  throw_first_error(on_mesh);
+
+  add_skin(*model, whole);
+  add_body(*model, file);
+  const TriMesh& skin = model->skin->mesh();
+  model->samples =
+      sample_surface(skin, sample_count(layout.sampling.density, skin.area()), layout.sampling.seed, progress);
+  model->fields = make_receptive_fields(layout, model->samples);
+  add_rays(*model);
+  add_taxels_of_samples(*model);
+  note_empty_fields(*model, file);
+  if (progress) progress->check(1.0);
+  return model;
+}
+
+SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, Progress* progress) {
+  const Layout layout = read_layout(layout_file);
+  throw_first_error(check_layout_values(layout, layout_file.string()));
+  const LoadedMesh loaded = load_mesh(mesh_path(layout, layout_file), layout.mesh.scale);
+  const SensorModelPtr built = build_sensor_model(layout, loaded.mesh, loaded.sha256, layout_file.string(), progress);
+  if (loaded.notes.empty()) return built;
+  auto model = std::make_shared<SensorModel>(*built);
+  for (const std::string& note : loaded.notes)
+    model->problems.push_back({layout_file.string(), "/mesh/file", Severity::note, "mesh_repaired", note, ""});
+  return model;
+}
+
+}  // namespace taxel
