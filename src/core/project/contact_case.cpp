@@ -1,0 +1,60 @@
+#include "core/project/contact_case.h"
+
+#include <fmt/format.h>
+
+#include "core/mesh/mesh_io.h"
+
+namespace taxel {
+namespace fs = std::filesystem;
+
+fs::path beside_case(const ContactCase& contact_case, const std::string& file) {
+  const fs::path path(file);
+  return path.is_absolute() ? path : fs::path(contact_case.file).parent_path() / path;
+}
+
+MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, const std::string& name) {
+  MadeBody made;
+  if (!body.layout.empty()) {
+    made.model = load_sensor_model(beside_case(contact_case, body.layout));
+    made.body = made.model->body;
+    for (const Problem& problem : made.model->problems) {
+      if (problem.severity != Severity::note) made.warnings.push_back(problem.pointer + ": " + problem.message);
+    }
+    return made;
+  }
+  if (!body.shape) throw Error(contact_case.file, "/" + name, "needs a shape or a layout");
+  Shape shape;
+  shape.type = body.shape->type;
+  shape.size = body.shape->size;
+  shape.resolution = body.shape->resolution;
+  if (shape.type == ShapeType::mesh) {
+    LoadedMesh loaded = load_mesh(beside_case(contact_case, body.shape->file), body.shape->scale);
+    shape.mesh = loaded.mesh;
+    for (const std::string& note : loaded.notes) made.warnings.push_back(fmt::format("/{}/shape/file: {}", name, note));
+  }
+  try {
+    made.body = make_body(shape, body.material, name);
+  } catch (const Error& e) {
+    throw Error(contact_case.file, "/" + name, e.message());
+  }
+  return made;
+}
+
+Twist relative_twist(const CaseBody& a, const CaseBody& b) {
+  // velocity of the point of B that is at A's origin now: v_B + omega_B x (p_A - p_B)
+  const dvec3 of_B = b.V_WB.linear + glm::cross(b.V_WB.angular, a.X_WB.p - b.X_WB.p);
+  const dmat3 R_AW = glm::transpose(a.X_WB.rotation());
+  return {R_AW * (a.V_WB.linear - of_B), R_AW * (a.V_WB.angular - b.V_WB.angular)};
+}
+
+void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const HydroBody& b, ContactResult& out,
+                      IntersectWorkspace& workspace) {
+  const Pose& X_WA = contact_case.a.X_WB;
+  intersect(a, b, X_WA, contact_case.b.X_WB, out.surface, workspace);
+  const Traction sum =
+      traction(out.surface, combine(a.material, b.material), relative_twist(contact_case.a, contact_case.b));
+  out.wrench_W = {X_WA.rotate(sum.wrench.force), X_WA.rotate(sum.wrench.torque)};
+  out.centroid_W = out.surface.empty() ? X_WA.p : X_WA * pressure_centroid(out.surface);
+}
+
+}  // namespace taxel

@@ -1,0 +1,17 @@
+// A recording as text: `time,travel,force_x,force_y,force_z,area,polygons,taxel_<id>...`, SI units.
+#pragma once
+
+#include <string>
+
+#include "core/project/recording/recording.h"
+
+namespace taxel {
+
+/// One header line, one line a row, every number in the shortest form that reads back exactly. With several sensors all
+/// but time and travel are headed `<geom>/...`, sensor after sensor.
+std::string recording_to_csv(const Recording& recording);
+
+/// A field as CSV wants it (RFC 4180): quoted where it holds a comma, a quote or a line break.
+std::string csv_field(const std::string& text);
+
+}  // namespace taxel
