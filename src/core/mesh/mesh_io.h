@@ -1,4 +1,4 @@
-// Mesh files: OBJ, STL, PLY, OFF (read by OpenMesh's readers), glTF and GLB (gltf_io.h).
+// Mesh files: OBJ, STL, PLY, OFF (formats/, in double precision, errors by line), glTF and GLB (gltf_io.h).
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,21 @@ namespace taxel {
 /// A mesh as read, and what was done to it on the way.
 struct LoadedMesh {
   TriMeshPtr mesh;
-  std::string sha256;              ///< of the file's bytes
+  std::string sha256;              ///< of the file's bytes (of a .gltf without its separate buffers)
   std::vector<std::string> notes;  ///< "welded 12 duplicate vertices", "dropped 3 faces of zero area (first: 17)", ...
 };
 
 /// Reads a mesh by its extension (.obj .stl .ply .off .gltf .glb, any case) and multiplies by `scale`; a negative
 /// product of the scale flips the winding. Vertices at the same place are welded (STL, texture seams), faces without
-/// area and repeated faces dropped, polygons fanned; each is noted.
+/// area and repeated faces dropped, polygons fanned; each is noted. Safe to call from several threads.
 /// Throws Error naming the file: missing, unknown extension, broken, NaN vertex, no triangles.
 LoadedMesh load_mesh(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0));
 
 /// True for the extensions that load_mesh reads.
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// Writes OBJ or STL (binary) or OFF by extension, atomically; OBJ and OFF in shortest round-trip numbers.
+/// Writes OBJ, OFF, STL (binary) or GLB by extension, atomically; OBJ and OFF in shortest round-trip numbers, STL and
+/// GLB in float. Throws Error naming the file.
 void save_mesh(const std::filesystem::path& path, const TriMesh& mesh);
 
 }  // namespace taxel

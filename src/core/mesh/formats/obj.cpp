@@ -1,0 +1,44 @@
+// Wavefront OBJ: v and f lines. Texture coordinates, normals, groups and materials are passed over.
+#include <fmt/format.h>
+
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/text_cursor.h"
+
+namespace taxel {
+namespace {
+
+/// "7", "7/1", "7//3", "7/1/3", or counted from the end: "-1".
+int corner_of(const TextCursor& cursor, std::string_view word, int vertex_count, int total) {
+  const long long index = cursor.integer(word.substr(0, word.find('/')));
+  if (index > 0 && index <= total) return static_cast<int>(index - 1);
+  if (index < 0 && -index <= vertex_count) return static_cast<int>(vertex_count + index);
+  cursor.fail(fmt::format("no vertex {} (there are {})", index, total));
+}
+
+int count_vertices(std::string_view bytes, const std::string& file) {
+  int count = 0;
+  for (TextCursor cursor(bytes, file, '#'); cursor.next_line();) count += cursor.word() == "v" ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+PolygonSoup read_obj(std::string_view bytes, const std::string& file) {
+  const int total = count_vertices(bytes, file);
+  PolygonSoup soup;
+  std::vector<int> corners;
+  for (TextCursor cursor(bytes, file, '#'); cursor.next_line();) {
+    const std::string_view key = cursor.word();
+    if (key == "v") {
+      soup.vertices.push_back(cursor.finite_point());
+    } else if (key == "f") {
+      corners.clear();
+      for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word())
+        corners.push_back(corner_of(cursor, word, static_cast<int>(soup.vertices.size()), total));
+      soup.add_polygon(corners);
+    }
+  }
+  return soup;
+}
+
+}  // namespace taxel

@@ -1,0 +1,54 @@
+// Object File Format, text form: OFF, COFF, NOFF, STOFF and their mixtures (a vertex begins with its coordinates).
+#include <fmt/format.h>
+
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/text_cursor.h"
+
+namespace taxel {
+namespace {
+
+constexpr long long kMost = 1LL << 30;
+
+int count_from(const TextCursor& cursor, std::string_view word, const char* what) {
+  const long long count = cursor.integer(word);
+  if (count < 0 || count > kMost) cursor.fail(fmt::format("{} {} cannot be", count, what));
+  return static_cast<int>(count);
+}
+
+}  // namespace
+
+PolygonSoup read_off(std::string_view bytes, const std::string& file) {
+  TextCursor cursor(bytes, file, '#');
+  std::string_view word = cursor.word_anywhere();
+  if (word.ends_with("OFF")) {
+    if (word.find('4') != std::string_view::npos || word.find('n') != std::string_view::npos)
+      cursor.fail("only meshes in three dimensions are read");
+    word = cursor.word_anywhere();
+    if (word == "BINARY") cursor.fail("binary OFF is not read");
+  } else {
+    cursor.fail("is not an OFF file: it does not begin with 'OFF'");
+  }
+  const int vertex_count = count_from(cursor, word, "vertices");
+  const int face_count = count_from(cursor, cursor.word_anywhere(), "faces");
+  PolygonSoup soup;
+  for (int v = 0; v < vertex_count; ++v) {
+    if (!cursor.next_line()) cursor.fail(fmt::format("is cut off: {} of {} vertices", v, vertex_count));
+    soup.vertices.push_back(cursor.finite_point());
+  }
+  std::vector<int> corners;
+  for (int f = 0; f < face_count; ++f) {
+    if (!cursor.next_line()) cursor.fail(fmt::format("is cut off: {} of {} faces", f, face_count));
+    const int corner_count = count_from(cursor, cursor.word(), "corners");
+    corners.clear();
+    for (int c = 0; c < corner_count; ++c) {
+      const long long index = cursor.integer(cursor.word());
+      if (index < 0 || index >= vertex_count)
+        cursor.fail(fmt::format("no vertex {} (there are {}, counted from 0)", index, vertex_count));
+      corners.push_back(static_cast<int>(index));
+    }
+    soup.add_polygon(corners);
+  }
+  return soup;
+}
+
+}  // namespace taxel

@@ -1,0 +1,228 @@
+// PLY (Stanford): ascii, binary little endian, binary big endian; any element and property order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/text_cursor.h"
+
+namespace taxel {
+namespace {
+
+enum class Number { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Property {
+  std::string name;
+  Number value = Number::none;
+  Number count = Number::none;  ///< of lists
+};
+
+struct Element {
+  std::string name;
+  long long count = 0;
+  std::vector<Property> properties;
+};
+
+enum class Encoding { ascii, little, big };
+
+struct Header {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements;
+  std::size_t size = 0;  ///< bytes
+  int lines = 0;
+};
+
+Number number_type(const TextCursor& cursor, std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, Number>, 16> kNames{{{"char", Number::int8},
+                                                                        {"int8", Number::int8},
+                                                                        {"uchar", Number::uint8},
+                                                                        {"uint8", Number::uint8},
+                                                                        {"short", Number::int16},
+                                                                        {"int16", Number::int16},
+                                                                        {"ushort", Number::uint16},
+                                                                        {"uint16", Number::uint16},
+                                                                        {"int", Number::int32},
+                                                                        {"int32", Number::int32},
+                                                                        {"uint", Number::uint32},
+                                                                        {"uint32", Number::uint32},
+                                                                        {"float", Number::float32},
+                                                                        {"float32", Number::float32},
+                                                                        {"double", Number::float64},
+                                                                        {"float64", Number::float64}}};
+  for (const auto& [name, type] : kNames) {
+    if (name == word) return type;
+  }
+  cursor.fail(fmt::format("unknown number type '{}'", word));
+}
+
+Encoding encoding_of(const TextCursor& cursor, std::string_view word) {
+  if (word == "ascii") return Encoding::ascii;
+  if (word == "binary_little_endian") return Encoding::little;
+  if (word == "binary_big_endian") return Encoding::big;
+  cursor.fail(fmt::format("unknown format '{}'", word));
+}
+
+Property read_property(TextCursor& cursor) {
+  Property property;
+  std::string_view word = cursor.word();
+  if (word == "list") {
+    property.count = number_type(cursor, cursor.word());
+    word = cursor.word();
+  }
+  property.value = number_type(cursor, word);
+  property.name = cursor.word();
+  return property;
+}
+
+Header read_header(TextCursor& cursor) {
+  Header header;
+  if (!cursor.next_line() || cursor.word() != "ply") cursor.fail("is not a PLY file: it does not begin with 'ply'");
+  while (cursor.next_line()) {
+    const std::string_view key = cursor.word();
+    if (key == "format") {
+      header.encoding = encoding_of(cursor, cursor.word());
+    } else if (key == "element") {
+      Element element;
+      element.name = cursor.word();
+      element.count = cursor.integer(cursor.word());
+      if (element.count < 0 || element.count > std::numeric_limits<int>::max())
+        cursor.fail(fmt::format("{} elements '{}' cannot be", element.count, element.name));
+      header.elements.push_back(std::move(element));
+    } else if (key == "property") {
+      if (header.elements.empty()) cursor.fail("a property before the first element");
+      header.elements.back().properties.push_back(read_property(cursor));
+    } else if (key == "end_header") {
+      header.size = cursor.offset();
+      return header;
+    }
+  }
+  cursor.fail("is cut off: no 'end_header'");
+}
+
+/// The numbers after the header, one after another, whatever their encoding.
+class Body {
+ public:
+  Body(std::string_view bytes, std::string file, const Header& header, TextCursor& text)
+      : bytes_(bytes), file_(std::move(file)), at_(header.size), encoding_(header.encoding), text_(text) {}
+
+  double next(Number type) {
+    switch (type) {
+      case Number::int8: return read<std::int8_t>();
+      case Number::uint8: return read<std::uint8_t>();
+      case Number::int16: return read<std::int16_t>();
+      case Number::uint16: return read<std::uint16_t>();
+      case Number::int32: return read<std::int32_t>();
+      case Number::uint32: return read<std::uint32_t>();
+      case Number::float32: return read<float>();
+      case Number::float64: return read<double>();
+      case Number::none: break;
+    }
+    return 0;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    if (encoding_ == Encoding::ascii) text_.fail(message);
+    throw Error(file_, fmt::format("byte {}", at_), message);
+  }
+
+ private:
+  template <class T>
+  double read() {
+    if (encoding_ == Encoding::ascii) {
+      const std::string_view word = text_.word_anywhere();
+      if (word.empty()) fail("is cut off");
+      return text_.number(word);
+    }
+    std::array<char, sizeof(T)> raw;
+    if (bytes_.size() - at_ < raw.size()) fail("is cut off");
+    std::memcpy(raw.data(), bytes_.data() + at_, raw.size());
+    at_ += raw.size();
+    if (encoding_ == Encoding::big) std::reverse(raw.begin(), raw.end());
+    T value;
+    std::memcpy(&value, raw.data(), raw.size());
+    return static_cast<double>(value);
+  }
+
+  std::string_view bytes_;
+  std::string file_;
+  std::size_t at_;
+  Encoding encoding_;
+  TextCursor& text_;
+};
+
+int index_from(const Body& body, double value, double end, const char* what) {
+  if (!(value >= 0 && value < end) || value != std::floor(value)) body.fail(fmt::format("{} {} cannot be", what, value));
+  return static_cast<int>(value);
+}
+
+/// Reads one element's row; `scalar(name, value)` gets its numbers, `list(name, values)` its lists.
+template <class Scalar, class List>
+void read_row(Body& body, const Element& element, std::vector<double>& values, const Scalar& scalar, const List& list) {
+  for (const Property& property : element.properties) {
+    if (property.count == Number::none) {
+      scalar(property.name, body.next(property.value));
+      continue;
+    }
+    const int count = index_from(body, body.next(property.count), std::numeric_limits<int>::max(), "list length");
+    values.clear();
+    for (int i = 0; i < count; ++i) values.push_back(body.next(property.value));
+    list(property.name, values);
+  }
+}
+
+void read_vertex(Body& body, const Element& element, std::vector<double>& values, PolygonSoup& soup) {
+  dvec3 p(std::numeric_limits<double>::quiet_NaN());
+  const auto scalar = [&](const std::string& name, double value) {
+    if (name == "x") p.x = value;
+    if (name == "y") p.y = value;
+    if (name == "z") p.z = value;
+  };
+  read_row(body, element, values, scalar, [](const std::string&, const std::vector<double>&) {});
+  if (!is_finite(p)) body.fail(fmt::format("vertex {}: coordinate is not finite or missing", soup.vertices.size()));
+  soup.vertices.push_back(p);
+}
+
+void read_face(Body& body, const Element& element, double vertex_count, std::vector<double>& values, PolygonSoup& soup) {
+  std::vector<int> corners;
+  const auto list = [&](const std::string& name, const std::vector<double>& numbers) {
+    if (name != "vertex_indices" && name != "vertex_index") return;
+    for (const double value : numbers) corners.push_back(index_from(body, value, vertex_count, "vertex number"));
+  };
+  read_row(body, element, values, [](const std::string&, double) {}, list);
+  soup.add_polygon(corners);
+}
+
+}  // namespace
+
+PolygonSoup read_ply(std::string_view bytes, const std::string& file) {
+  TextCursor text(bytes, file, '\0');
+  const Header header = read_header(text);
+  Body body(bytes, file, header, text);
+  double vertex_count = 0;
+  for (const Element& element : header.elements) {
+    if (element.name == "vertex") vertex_count = static_cast<double>(element.count);
+  }
+  PolygonSoup soup;
+  std::vector<double> values;
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;
+    for (long long i = 0; i < element.count; ++i) {
+      if (element.name == "vertex") {
+        read_vertex(body, element, values, soup);
+      } else if (element.name == "face") {
+        read_face(body, element, vertex_count, values, soup);
+      } else {
+        const auto ignore = [](const std::string&, const auto&) {};
+        read_row(body, element, values, ignore, ignore);
+      }
+    }
+  }
+  return soup;
+}
+
+}  // namespace taxel

@@ -1,0 +1,34 @@
+// What a mesh file says, before anything is repaired.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace taxel {
+
+/// Vertices as listed in the file and triangles over them (polygons are fanned). Indices are in range, coordinates
+/// finite: the readers throw Error that names file and line (or byte) otherwise.
+struct PolygonSoup {
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> triangles;
+  int fanned = 0;   ///< polygons of more than three corners
+  int skipped = 0;  ///< polygons of fewer than three corners
+
+  void add_polygon(std::span<const int> corners) {
+    if (corners.size() < 3) ++skipped;
+    if (corners.size() > 3) ++fanned;
+    for (std::size_t i = 2; i < corners.size(); ++i) triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
+  }
+};
+
+/// Readers of whole files in memory; `file` is for messages.
+PolygonSoup read_obj(std::string_view bytes, const std::string& file);
+PolygonSoup read_stl(std::string_view bytes, const std::string& file);
+PolygonSoup read_ply(std::string_view bytes, const std::string& file);
+PolygonSoup read_off(std::string_view bytes, const std::string& file);
+
+}  // namespace taxel

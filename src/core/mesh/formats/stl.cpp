@@ -1,0 +1,81 @@
+// STL, binary and ascii. Normals and attributes are passed over: the winding says all.
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/text_cursor.h"
+
+namespace taxel {
+namespace {
+
+constexpr std::size_t kHeader = 84;    // 80 bytes of comment, the number of triangles
+constexpr std::size_t kTriangle = 50;  // normal, three corners (12 floats), two bytes of attributes
+
+std::uint32_t triangle_count(std::string_view bytes) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return count;
+}
+
+/// Many binary files begin with "solid" too: the size decides; a text has no zero bytes.
+bool is_ascii(std::string_view bytes) {
+  if (bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * std::size_t{triangle_count(bytes)}) return false;
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && bytes.substr(begin).starts_with("solid") &&
+         bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+}
+
+PolygonSoup read_binary(std::string_view bytes, const std::string& file) {
+  if (bytes.size() < kHeader)
+    throw Error(file, fmt::format("is not an STL file: {} bytes, the header alone has {}", bytes.size(), kHeader));
+  const std::size_t count = triangle_count(bytes);
+  if (bytes.size() < kHeader + kTriangle * count) {
+    throw Error(file, fmt::format("is cut off or not an STL file: {} triangles need {} bytes, there are {}", count,
+                                  kHeader + kTriangle * count, bytes.size()));
+  }
+  PolygonSoup soup;
+  soup.vertices.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    float numbers[12];
+    std::memcpy(numbers, bytes.data() + kHeader + kTriangle * i, sizeof numbers);
+    const int first = static_cast<int>(soup.vertices.size());
+    for (int c = 1; c <= 3; ++c) {
+      const dvec3 p(numbers[3 * c], numbers[3 * c + 1], numbers[3 * c + 2]);
+      if (!is_finite(p)) throw Error(file, fmt::format("triangle {}", i), "coordinate is not finite");
+      soup.vertices.push_back(p);
+    }
+    soup.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  return soup;
+}
+
+PolygonSoup read_ascii(std::string_view bytes, const std::string& file) {
+  PolygonSoup soup;
+  std::vector<int> corners;
+  bool ended = false;
+  for (TextCursor cursor(bytes, file, '\0'); cursor.next_line();) {
+    const std::string_view key = cursor.word();
+    if (key == "vertex") {
+      corners.push_back(static_cast<int>(soup.vertices.size()));
+      soup.vertices.push_back(cursor.finite_point());
+    } else if (key == "endloop") {
+      if (corners.size() < 3) cursor.fail(fmt::format("a facet of {} corners", corners.size()));
+      soup.add_polygon(corners);
+      corners.clear();
+    }
+    ended = key == "endsolid";
+  }
+  if (!ended) throw Error(file, "is cut off: it does not end with 'endsolid'");
+  return soup;
+}
+
+}  // namespace
+
+PolygonSoup read_stl(std::string_view bytes, const std::string& file) {
+  return is_ascii(bytes) ? read_ascii(bytes, file) : read_binary(bytes, file);
+}
+
+}  // namespace taxel
