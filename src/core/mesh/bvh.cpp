@@ -11,10 +11,14 @@ constexpr double kVisitCost = 1.0;
 /// Below this depth nodes are halved by count, which bounds the depth at kSahDepth + 31 < Bvh::kMaxDepth - 1.
 constexpr int kSahDepth = 56;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// Twice the centre along one axis. NaN (an empty or infinite box) and infinities are no place to sort by.
-double key_of(const Aabb& box, int axis) { return box.lo[axis] + box.hi[axis]; }
+double key_of(const Aabb& box, int axis) {
+  return box.lo[axis] + box.hi[axis];
+}
 
 int bin_of(double key, double lo, double scale) {
   const double bin = (key - lo) * scale;
@@ -66,8 +70,7 @@ Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const 
       left.include(box[at(i - 1)]);
       left_count += count[at(i - 1)];
       if (left_count == 0 || left_count == node.count) continue;
-      const double cost =
-          kVisitCost + (left.surface_area() * left_count + right_cost[at(i)]) / node.box.surface_area();
+      const double cost = kVisitCost + (left.surface_area() * left_count + right_cost[at(i)]) / node.box.surface_area();
       if (cost < best.cost) best = {axis, i, lo, scale, cost};
     }
   }

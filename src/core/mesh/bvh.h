@@ -36,7 +36,7 @@ class Bvh {
   void build(std::span<const Aabb> boxes, int max_leaf = 4);
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }      ///< nodes()[0] is the root
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }          ///< nodes()[0] is the root
   [[nodiscard]] const std::vector<std::int32_t>& items() const { return items_; }  ///< primitive numbers, in leaf order
 
   /// Calls test(primitive) for every primitive whose leaf box satisfies box_test(box) along with all boxes above.

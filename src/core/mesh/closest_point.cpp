@@ -10,15 +10,17 @@
 namespace taxel {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 double squared_distance(const Aabb& box, const dvec3& p) {
   const dvec3 d = glm::max(glm::max(box.lo - p, p - box.hi), dvec3(0));
   return glm::dot(d, d);
 }
 
-/// Sum of the normals of the faces at each face's three edges: the pseudonormal of an edge (both weigh pi), unnormalised.
-/// Entry 3 f + c belongs to the edge from corner c to corner c + 1.
+/// Sum of the normals of the faces at each face's three edges: the pseudonormal of an edge (both weigh pi),
+/// unnormalised. Entry 3 f + c belongs to the edge from corner c to corner c + 1.
 std::vector<dvec3> edge_pseudonormals(const TriMesh& mesh) {
   struct Side {
     int low, high, face_corner;
@@ -92,14 +94,17 @@ SurfacePoint MeshIndex::closest_point(const dvec3& p) const {
   return best;
 }
 
-std::optional<MeshHit> MeshIndex::cast(const Ray& ray) const { return cast_except(ray, -1); }
+std::optional<MeshHit> MeshIndex::cast(const Ray& ray) const {
+  return cast_except(ray, -1);
+}
 
 std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const {
   MeshHit best;
   bvh_.cast(ray, [&](int face, double t_max) {
     if (face == except) return t_max;
     const Ray limited{ray.origin, ray.direction, t_max};
-    const auto hit = intersect_triangle(limited, mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2));
+    const auto hit =
+        intersect_triangle(limited, mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2));
     if (!hit || (best.face >= 0 && hit->t == best.t && face > best.face)) return t_max;
     best = {hit->t, face, hit->barycentric};
     return hit->t;
@@ -110,7 +115,8 @@ std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const 
 double MeshIndex::signed_distance(const dvec3& p) const {
   const SurfacePoint q = closest_point(p);
   if (q.face < 0) return q.distance;
-  // Pseudonormal of the feature that holds the point: exact zeros among the weights tell which (Baerentzen, Aanaes 2005).
+  // Pseudonormal of the feature that holds the point: exact zeros among the weights tell which (Baerentzen, Aanaes
+  // 2005).
   dvec3 normal = mesh_->face_normals()[at(q.face)];
   for (int c = 0; c < 3; ++c) {
     const int next = (c + 1) % 3, opposite = (c + 2) % 3;

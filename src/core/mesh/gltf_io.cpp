@@ -12,7 +12,9 @@
 namespace taxel {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// Nodes deeper than this are a loop.
 constexpr int kMaxNodeDepth = 256;
@@ -31,8 +33,8 @@ tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& path)
   if (bytes.size() > std::numeric_limits<unsigned int>::max()) throw Error(path.string(), "is larger than 4 GiB");
   const bool binary = bytes.starts_with("glTF");
   const bool read =
-      binary ? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                           size, folder)
+      binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                           reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
              : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
   if (!read) {
     while (!error.empty() && error.back() == '\n') error.pop_back();
@@ -67,8 +69,8 @@ class AccessorReader {
     normalized_ = accessor.normalized;
     const std::size_t begin = view.byteOffset + accessor.byteOffset;
     const std::size_t element = component_size_ * at(components);
-    if (begin > data.size() || (count_ > 0 && (data.size() - begin < element ||
-                                               (count_ - 1) > (data.size() - begin - element) / stride_)))
+    if (begin > data.size() ||
+        (count_ > 0 && (data.size() - begin < element || (count_ - 1) > (data.size() - begin - element) / stride_)))
       fail("reaches beyond its buffer");
     data_ = data.data() + begin;
   }
@@ -78,14 +80,22 @@ class AccessorReader {
   [[nodiscard]] double number(std::size_t element, int component) const {
     const unsigned char* p = data_ + stride_ * element + component_size_ * at(component);
     switch (component_type_) {
-      case TINYGLTF_COMPONENT_TYPE_BYTE: return read<std::int8_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return read<std::uint8_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_SHORT: return read<std::int16_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return read<std::uint16_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_INT: return read<std::int32_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return read<std::uint32_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_DOUBLE: return read<double>(p);
-      default: return read<float>(p);
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return read<std::int8_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return read<std::uint8_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return read<std::int16_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return read<std::uint16_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_INT:
+        return read<std::int32_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return read<std::uint32_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+        return read<double>(p);
+      default:
+        return read<float>(p);
     }
   }
 
@@ -149,7 +159,8 @@ class SceneReader {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) return;
     const AccessorReader points(model_, position->second, file_);
-    if (points.components() != 3) throw Error(file_, fmt::format("accessor {}", position->second), "is no list of points");
+    if (points.components() != 3)
+      throw Error(file_, fmt::format("accessor {}", position->second), "is no list of points");
     const int first = static_cast<int>(soup_.vertices.size());
     for (std::size_t i = 0; i < points.count(); ++i) {
       const dvec3 p(transform * glm::dvec4(points.number(i, 0), points.number(i, 1), points.number(i, 2), 1.0));

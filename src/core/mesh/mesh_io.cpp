@@ -19,7 +19,9 @@ namespace {
 
 using Reader = PolygonSoup (*)(std::string_view, const std::string&);
 
-PolygonSoup read_gltf_file(std::string_view bytes, const std::string& file) { return read_gltf(bytes, file); }
+PolygonSoup read_gltf_file(std::string_view bytes, const std::string& file) {
+  return read_gltf(bytes, file);
+}
 
 constexpr std::array<std::pair<std::string_view, Reader>, 6> kReaders{{{".obj", read_obj},
                                                                        {".stl", read_stl},
@@ -91,7 +93,9 @@ LoadedMesh load_mesh(const fs::path& path, const dvec3& scale) {
   return loaded;
 }
 
-bool is_mesh_file(const fs::path& path) { return reader_for(path) != nullptr; }
+bool is_mesh_file(const fs::path& path) {
+  return reader_for(path) != nullptr;
+}
 
 void save_mesh(const fs::path& path, const TriMesh& mesh) {
   const std::string extension = lower_extension(path);

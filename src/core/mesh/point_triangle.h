@@ -9,12 +9,12 @@ namespace taxel {
 
 struct TrianglePoint {
   dvec3 position{0};
-  dvec3 barycentric{0};        ///< weights of a, b, c; exactly 0 off an edge's or a vertex's own corners
-  double squared_distance = 0; ///< [m^2]
+  dvec3 barycentric{0};         ///< weights of a, b, c; exactly 0 off an edge's or a vertex's own corners
+  double squared_distance = 0;  ///< [m^2]
 };
 
-/// Nearest point of segment a b. Does not depend on the order of the ends, bit by bit, so that two triangles agree about
-/// their shared edge.
+/// Nearest point of segment a b. Does not depend on the order of the ends, bit by bit, so that two triangles agree
+/// about their shared edge.
 inline double nearest_on_segment(const dvec3& p, const dvec3& a, const dvec3& b, dvec3& nearest) {
   const bool swapped = std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z);
   const dvec3& from = swapped ? b : a;

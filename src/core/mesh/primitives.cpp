@@ -11,7 +11,9 @@
 namespace taxel {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 void require_positive(double value, const char* what) {
   if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
@@ -33,11 +35,21 @@ struct Polyhedron {
 
 Polyhedron icosahedron() {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));  // golden ratio
-  return {{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-           {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
-          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-           {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-           {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  return {{{-1, g, 0},
+           {1, g, 0},
+           {-1, -g, 0},
+           {1, -g, 0},
+           {0, -1, g},
+           {0, 1, g},
+           {0, -1, -g},
+           {0, 1, -g},
+           {g, 0, -1},
+           {g, 0, 1},
+           {-g, 0, -1},
+           {-g, 0, 1}},
+          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
 /// Cuts every triangle into four at the middles of its edges, and lifts these to the unit sphere.
@@ -94,8 +106,18 @@ TriMesh make_box(const dvec3& half_size) {
   for (int i = 0; i < 8; ++i)
     vertices.push_back(half_size * dvec3((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1));
   return {std::move(vertices),
-          {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-           {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}}};
+          {{0, 2, 3},
+           {0, 3, 1},
+           {4, 5, 7},
+           {4, 7, 6},
+           {0, 1, 5},
+           {0, 5, 4},
+           {2, 6, 7},
+           {2, 7, 3},
+           {0, 4, 6},
+           {0, 6, 2},
+           {1, 3, 7},
+           {1, 7, 5}}};
 }
 
 TriMesh make_icosphere(double radius, int subdivisions) {
@@ -126,7 +148,8 @@ TriMesh make_cylinder(double radius, double half_length, double edge_length) {
   const int around = 6 * pieces(2.0 * kPi * radius, 6.0 * edge_length);
   const int discs = around / 6, rows = pieces(2.0 * half_length, edge_length);
   RingSurface surface;
-  for (int k = 0; k <= discs; ++k) surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k), false));
+  for (int k = 0; k <= discs; ++k)
+    surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k), false));
   for (int k = 1; k <= rows; ++k)
     surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), around, k % 2 == 1));
   for (int k = discs - 1; k >= 0; --k)

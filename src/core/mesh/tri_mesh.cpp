@@ -12,7 +12,9 @@
 namespace taxel {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// Throws for the first face that the class cannot carry.
 void check_input(const std::vector<dvec3>& vertices, const std::vector<ivec3>& faces) {
@@ -173,8 +175,7 @@ void TriMesh::compute_integrals() {
 
 dvec3 TriMesh::area_centroid() const {
   dvec3 sum{0};
-  for (int f = 0; f < face_count(); ++f)
-    sum += face_areas_[at(f)] * (vertex(f, 0) + vertex(f, 1) + vertex(f, 2)) / 3.0;
+  for (int f = 0; f < face_count(); ++f) sum += face_areas_[at(f)] * (vertex(f, 0) + vertex(f, 1) + vertex(f, 2)) / 3.0;
   return area_ > 0 ? sum / area_ : dvec3(0);
 }
 

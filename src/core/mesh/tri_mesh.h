@@ -23,8 +23,8 @@ class TriMesh {
     return vertices_[static_cast<std::size_t>(faces_[static_cast<std::size_t>(face)][corner])];
   }
 
-  [[nodiscard]] const std::vector<dvec3>& face_normals() const { return face_normals_; }    ///< unit
-  [[nodiscard]] const std::vector<double>& face_areas() const { return face_areas_; }       ///< m^2
+  [[nodiscard]] const std::vector<dvec3>& face_normals() const { return face_normals_; }      ///< unit
+  [[nodiscard]] const std::vector<double>& face_areas() const { return face_areas_; }         ///< m^2
   [[nodiscard]] const std::vector<dvec3>& vertex_normals() const { return vertex_normals_; }  ///< unit, angle weighted
   /// Connected shell of each face (faces that share a vertex); shells are numbered by their first face.
   [[nodiscard]] const std::vector<int>& shell_of_face() const { return shell_of_face_; }
@@ -33,7 +33,9 @@ class TriMesh {
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] double area() const { return area_; }      ///< of all faces [m^2]
   [[nodiscard]] double volume() const { return volume_; }  ///< signed, by the divergence theorem [m^3]
-  [[nodiscard]] const dvec3& centroid() const { return centroid_; }  ///< of the volume; of the area where open or flat [m]
+  [[nodiscard]] const dvec3& centroid() const {
+    return centroid_;
+  }  ///< of the volume; of the area where open or flat [m]
   /// Every edge belongs to exactly two faces of opposite direction.
   [[nodiscard]] bool closed() const { return closed_; }
 

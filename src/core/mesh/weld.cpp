@@ -12,7 +12,9 @@
 namespace taxel {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 void check_soup(const PolygonSoup& soup, const dvec3& scale) {
   if (!is_finite(scale) || scale.x * scale.y * scale.z == 0)
@@ -31,9 +33,7 @@ std::vector<int> first_at_same_place(const std::vector<dvec3>& points) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](int i) { return std::tie(points[at(i)].x, points[at(i)].y, points[at(i)].z); };
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return key(a) != key(b) ? key(a) < key(b) : a < b;
-  });
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   std::vector<int> first(points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     first[at(order[i])] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[at(order[i - 1])] : order[i];

@@ -112,15 +112,24 @@ class Body {
 
   double next(Number type) {
     switch (type) {
-      case Number::int8: return read<std::int8_t>();
-      case Number::uint8: return read<std::uint8_t>();
-      case Number::int16: return read<std::int16_t>();
-      case Number::uint16: return read<std::uint16_t>();
-      case Number::int32: return read<std::int32_t>();
-      case Number::uint32: return read<std::uint32_t>();
-      case Number::float32: return read<float>();
-      case Number::float64: return read<double>();
-      case Number::none: break;
+      case Number::int8:
+        return read<std::int8_t>();
+      case Number::uint8:
+        return read<std::uint8_t>();
+      case Number::int16:
+        return read<std::int16_t>();
+      case Number::uint16:
+        return read<std::uint16_t>();
+      case Number::int32:
+        return read<std::int32_t>();
+      case Number::uint32:
+        return read<std::uint32_t>();
+      case Number::float32:
+        return read<float>();
+      case Number::float64:
+        return read<double>();
+      case Number::none:
+        break;
     }
     return 0;
   }
@@ -156,7 +165,8 @@ class Body {
 };
 
 int index_from(const Body& body, double value, double end, const char* what) {
-  if (!(value >= 0 && value < end) || value != std::floor(value)) body.fail(fmt::format("{} {} cannot be", what, value));
+  if (!(value >= 0 && value < end) || value != std::floor(value))
+    body.fail(fmt::format("{} {} cannot be", what, value));
   return static_cast<int>(value);
 }
 
@@ -187,13 +197,15 @@ void read_vertex(Body& body, const Element& element, std::vector<double>& values
   soup.vertices.push_back(p);
 }
 
-void read_face(Body& body, const Element& element, double vertex_count, std::vector<double>& values, PolygonSoup& soup) {
+void read_face(Body& body, const Element& element, double vertex_count, std::vector<double>& values,
+               PolygonSoup& soup) {
   std::vector<int> corners;
   const auto list = [&](const std::string& name, const std::vector<double>& numbers) {
     if (name != "vertex_indices" && name != "vertex_index") return;
     for (const double value : numbers) corners.push_back(index_from(body, value, vertex_count, "vertex number"));
   };
-  read_row(body, element, values, [](const std::string&, double) {}, list);
+  read_row(
+      body, element, values, [](const std::string&, double) {}, list);
   soup.add_polygon(corners);
 }
 

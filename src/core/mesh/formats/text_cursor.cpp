@@ -9,7 +9,9 @@
 namespace taxel {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 /// A word for a message: short, and printable even when the file is binary.
 std::string quoted(std::string_view word) {

@@ -12,7 +12,8 @@ namespace taxel {
 class TextCursor {
  public:
   /// `comment` starts a comment that reaches to the end of its line; 0: none.
-  TextCursor(std::string_view text, std::string file, char comment) : text_(text), file_(std::move(file)), comment_(comment) {}
+  TextCursor(std::string_view text, std::string file, char comment)
+      : text_(text), file_(std::move(file)), comment_(comment) {}
 
   /// Goes to the next line that has a word; false at the end. A backslash at the end of a line continues it.
   bool next_line();
@@ -35,9 +36,9 @@ class TextCursor {
   std::string_view text_;
   std::string file_;
   char comment_;
-  std::string_view rest_;   ///< of the current line
-  std::size_t next_ = 0;    ///< begin of the next line
-  int line_number_ = 0;     ///< of the current line, from 1
+  std::string_view rest_;  ///< of the current line
+  std::size_t next_ = 0;   ///< begin of the next line
+  int line_number_ = 0;    ///< of the current line, from 1
 };
 
 }  // namespace taxel
