@@ -11,10 +11,17 @@
 
 namespace taxel {
 
-struct SoftBody { PressureFieldPtr field; };
-struct SoftHalfSpace { double stiffness = 0; double thickness = 0; };  ///< z <= 0; p = stiffness * depth [Pa/m], E/H
-struct RigidMesh { std::shared_ptr<const MeshIndex> index; };          ///< closed, outward
-struct RigidHalfSpace {};                                              ///< z <= 0
+struct SoftBody {
+  PressureFieldPtr field;
+};
+struct SoftHalfSpace {
+  double stiffness = 0;
+  double thickness = 0;
+};  ///< z <= 0; p = stiffness * depth [Pa/m], E/H
+struct RigidMesh {
+  std::shared_ptr<const MeshIndex> index;
+};                         ///< closed, outward
+struct RigidHalfSpace {};  ///< z <= 0
 
 struct HydroBody {
   std::variant<SoftBody, SoftHalfSpace, RigidMesh, RigidHalfSpace> geometry;
@@ -30,9 +37,9 @@ enum class ShapeType { plane, sphere, capsule, ellipsoid, cylinder, box, mesh, t
 
 struct Shape {
   ShapeType type = ShapeType::sphere;
-  dvec3 size{0};           ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
-  TriMeshPtr mesh;         ///< for type mesh
-  double resolution = 0;   ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
+  dvec3 size{0};          ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
+  TriMeshPtr mesh;        ///< for type mesh
+  double resolution = 0;  ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
 };
 
 /// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated.

@@ -20,23 +20,27 @@ struct Tet {
   ivec4 neighbour{-1};             ///< tet across the face opposite to vertex i, -1 at the boundary
   dvec3 gradient{0};               ///< g [Pa/m]
   double constant = 0;             ///< c [Pa]: p(x) = dot(g, x) + c
+  double size = 0;                 ///< longest edge: the scale of tolerances [m]
 };
 
 /// What a field is worth: shown to the user, tested.
 struct FieldReport {
   int tets = 0;
-  int inverted = 0;                ///< tets of negative volume before orientation, or of a fold
+  int inverted = 0;  ///< tets of negative volume before orientation, or of a fold
   int zero_gradient = 0;
   double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
-  double stiffness_cv = 0;         ///< variation of |g| over the skin, area weighted
+  double stiffness_cv = 0;                ///< variation of |g| over the skin, area weighted
   std::vector<std::string> notes;
 };
 
 class PressureField {
  public:
   /// Faces shared by two tets get one plane, negated exactly for the second, so that no point between them is lost or
-  /// counted twice.
-  PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tets, std::vector<double> vertex_pressure, FieldReport report);
+  /// counted twice. Tets of negative volume are turned round and counted in the report, whose `inverted` and `notes`
+  /// the maker may have begun; the rest of the report is measured here. Throws Error naming the tet or vertex: no
+  /// volume, index out of range, pressure negative or not finite, a face of three tets.
+  PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tets, std::vector<double> vertex_pressure,
+                FieldReport report);
 
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<double>& vertex_pressure() const { return vertex_pressure_; }
@@ -44,10 +48,15 @@ class PressureField {
   [[nodiscard]] const Bvh& bvh() const { return bvh_; }  ///< over the tets
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] double max_pressure() const { return max_pressure_; }
-  [[nodiscard]] double size() const { return size_; }    ///< diagonal of the bounds: the scale of tolerances [m]
+  [[nodiscard]] double size() const { return size_; }  ///< diagonal of the bounds: the scale of tolerances [m]
   [[nodiscard]] const FieldReport& report() const { return report_; }
+  /// Whether the face opposite to this corner lies on the skin: at the boundary, with no pressure at its vertices. The
+  /// boundary's other faces are those of a pad's rigid core.
+  [[nodiscard]] bool is_skin(const Tet& tet, int corner) const;
 
  private:
+  [[nodiscard]] double skin_stiffness_cv() const;
+
   std::vector<dvec3> vertices_;
   std::vector<double> vertex_pressure_;
   std::vector<Tet> tets_;

@@ -8,8 +8,12 @@
 
 namespace taxel {
 
-struct Twist { dvec3 linear{0}, angular{0}; };   ///< [m/s], [rad/s]
-struct Wrench { dvec3 force{0}, torque{0}; };    ///< [N], [N m]
+struct Twist {
+  dvec3 linear{0}, angular{0};
+};  ///< [m/s], [rad/s]
+struct Wrench {
+  dvec3 force{0}, torque{0};
+};  ///< [N], [N m]
 using Matrix6 = std::array<std::array<double, 6>, 6>;
 
 /// Regularisation speed of friction: |t| = (2/pi) mu p atan(v/vs). [m/s]
@@ -24,8 +28,8 @@ PairProperties combine(const Material& a, const Material& b);
 
 /// The wrench on A about A's origin, frame A, for A moving with `V_BA` relative to B (frame A, at A's origin):
 /// integral of p n + t with p = p0 (1 - d vn)+, t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|. Exact for linear p0 and d = 0.
-/// `secant`, when asked for, is the symmetric positive semi-definite S with wrench = elastic(p0 where still pushing) - S V:
-/// damping and friction written as a secant, for implicit steps.
+/// `secant`, when asked for, is the symmetric positive semi-definite S with wrench = elastic(p0 where still pushing) -
+/// S V: damping and friction written as a secant, for implicit steps.
 struct Traction {
   Wrench wrench;
   Wrench elastic;  ///< part of `wrench` that does not depend on the velocity, given the set of points in contact

@@ -1,0 +1,158 @@
+#include "core/hydro/hydro_body.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/mesh/primitives.h"
+
+namespace taxel {
+namespace {
+
+const char* to_string(ShapeType type) {
+  switch (type) {
+    case ShapeType::plane:
+      return "plane";
+    case ShapeType::sphere:
+      return "sphere";
+    case ShapeType::capsule:
+      return "capsule";
+    case ShapeType::ellipsoid:
+      return "ellipsoid";
+    case ShapeType::cylinder:
+      return "cylinder";
+    case ShapeType::box:
+      return "box";
+    case ShapeType::mesh:
+      return "mesh";
+    case ShapeType::tets:
+      return "tets";
+  }
+  return "shape";
+}
+
+int size_count(ShapeType type) {
+  switch (type) {
+    case ShapeType::sphere:
+      return 1;
+    case ShapeType::capsule:
+    case ShapeType::cylinder:
+      return 2;
+    case ShapeType::ellipsoid:
+    case ShapeType::box:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+void check_shape(const Shape& shape, const Material& material) {
+  for (int i = 0; i < size_count(shape.type); ++i) {
+    if (!(shape.size[i] > 0) || !std::isfinite(shape.size[i]))
+      throw Error(fmt::format("size {} of a {} must be positive, not {}", i, to_string(shape.type), shape.size[i]));
+  }
+  if (!(shape.resolution >= 0) || !std::isfinite(shape.resolution))
+    throw Error(fmt::format("resolution must be 0 or more, not {}", shape.resolution));
+  const auto check_not_negative = [](double value, const char* what) {
+    if (!(value >= 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be 0 or more, not {}", what, value));
+  };
+  check_not_negative(material.modulus, "modulus");
+  check_not_negative(material.thickness, "thickness");
+  check_not_negative(material.dissipation, "dissipation");
+  check_not_negative(material.friction, "friction");
+  if (shape.type == ShapeType::tets) throw Error("bodies from tetrahedral mesh files are not supported");
+  if (shape.type == ShapeType::mesh && (shape.mesh == nullptr || shape.mesh->face_count() == 0))
+    throw Error("a mesh body needs a mesh with triangles");
+}
+
+/// Target edge length: as asked for, or a tenth of the smallest extent.
+double edge_length(const Shape& shape) {
+  if (shape.resolution > 0) return shape.resolution;
+  double extent = 2.0 * shape.size[0];
+  if (shape.type == ShapeType::cylinder) extent = 2.0 * std::min(shape.size[0], shape.size[1]);
+  if (shape.type == ShapeType::ellipsoid) extent = 2.0 * std::min({shape.size.x, shape.size.y, shape.size.z});
+  return 0.1 * extent;
+}
+
+/// The surface of any bounded shape; round ones tessellated and scaled to their true volume, so that forces have no
+/// first-order error of the facets.
+TriMeshPtr surface_mesh(const Shape& shape) {
+  const double r = shape.size[0], half = shape.size[1], edge = edge_length(shape);
+  const auto scaled = [](const TriMesh& mesh, double volume) {
+    return std::make_shared<const TriMesh>(scaled_to_volume(mesh, volume));
+  };
+  switch (shape.type) {
+    case ShapeType::sphere:
+      return scaled(make_sphere(r, edge), 4.0 / 3.0 * kPi * r * r * r);
+    case ShapeType::capsule:
+      return scaled(make_capsule(r, half, edge), kPi * r * r * (2.0 * half + 4.0 / 3.0 * r));
+    case ShapeType::ellipsoid:
+      return scaled(make_ellipsoid(shape.size, edge), 4.0 / 3.0 * kPi * shape.size.x * shape.size.y * shape.size.z);
+    case ShapeType::cylinder:
+      return scaled(make_cylinder(r, half, edge), 2.0 * kPi * r * r * half);
+    case ShapeType::box:
+      return std::make_shared<const TriMesh>(make_box(shape.size));
+    default:
+      return shape.mesh;
+  }
+}
+
+/// A pad's thickness where none is given: an eighth of the smallest extent.
+double pad_thickness(const TriMesh& mesh, const Material& material) {
+  if (material.thickness > 0) return material.thickness;
+  const dvec3 e = mesh.bounds().extent();
+  return 0.125 * std::min({e.x, e.y, e.z});
+}
+
+/// Only the outer shells can be touched: cavities inside get no field.
+TriMeshPtr skin_of(const TriMeshPtr& mesh) {
+  const std::vector<int> outer = outer_shells(*mesh);
+  if (static_cast<int>(outer.size()) == mesh->shell_count()) return mesh;
+  return std::make_shared<const TriMesh>(extract_shells(*mesh, outer));
+}
+
+PressureFieldPtr make_field(const Shape& shape, const Material& material) {
+  const bool is_mesh = shape.type == ShapeType::mesh;
+  if (material.field == FieldKind::star) return make_star_field(skin_of(surface_mesh(shape)), material.modulus);
+  if (material.field == FieldKind::pad && (is_mesh || material.thickness > 0)) {
+    const TriMeshPtr skin = skin_of(surface_mesh(shape));
+    return make_pad_field(skin, material.modulus, pad_thickness(*skin, material));
+  }
+  if (material.field != FieldKind::tets && shape.type == ShapeType::sphere)
+    return make_sphere_field(shape.size[0], material.modulus, edge_length(shape));
+  throw Error(fmt::format("a soft {} with this kind of pressure field is not supported", to_string(shape.type)));
+}
+
+HydroBody make(const Shape& shape, const Material& material) {
+  check_shape(shape, material);
+  HydroBody body;
+  body.material = material;
+  if (shape.type == ShapeType::plane) {
+    if (!material.compliant()) {
+      body.geometry = RigidHalfSpace{};
+    } else {
+      if (!(material.thickness > 0)) throw Error("a soft plane needs a thickness > 0");
+      body.geometry = SoftHalfSpace{material.modulus / material.thickness, material.thickness};
+    }
+  } else if (material.compliant()) {
+    body.geometry = SoftBody{make_field(shape, material)};
+  } else {
+    const TriMeshPtr mesh = surface_mesh(shape);
+    if (mesh->closed() && !(mesh->volume() > 0)) throw Error("the mesh is inside out: its triangles face inward");
+    body.geometry = RigidMesh{std::make_shared<const MeshIndex>(mesh)};
+  }
+  return body;
+}
+
+}  // namespace
+
+HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name) {
+  try {
+    HydroBody body = make(shape, material);
+    body.name = name;
+    return std::make_shared<const HydroBody>(std::move(body));
+  } catch (const Error& error) {
+    throw Error(error.file(), name, error.message());
+  }
+}
+
+}  // namespace taxel

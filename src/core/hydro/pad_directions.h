@@ -1,0 +1,20 @@
+// Directions into a body, one per vertex of its skin.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+struct PadDirection {
+  dvec3 direction{0};  ///< unit, inward
+  double least_cosine =
+      0;  ///< to the inward normals of the faces around; not positive where no direction sees them all
+};
+
+/// Minus the angle-weighted normal, where it makes angles below 60 degrees with the normals of all faces around; else
+/// the direction that makes the largest of these angles smallest.
+std::vector<PadDirection> pad_directions(const TriMesh& mesh);
+
+}  // namespace taxel

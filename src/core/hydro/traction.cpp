@@ -1,0 +1,203 @@
+#include "core/hydro/traction.h"
+
+#include <span>
+
+#include "core/hydro/quadrature.h"
+
+namespace taxel {
+namespace {
+
+std::span<const dvec3> corners_of(const ContactSurface& surface, const ContactPolygon& polygon) {
+  return std::span(surface.vertices)
+      .subspan(static_cast<std::size_t>(polygon.first), static_cast<std::size_t>(polygon.count));
+}
+
+/// Integral over the polygon of (x - c) dot(g, x - c) dA, c its centroid: fan about c, of each triangle
+/// A/12 (sum of v dot(g, v) over the corners + s dot(g, s)), s their sum, one corner at the origin.
+dvec3 gradient_moment(const ContactPolygon& polygon, std::span<const dvec3> corners) {
+  dvec3 moment{0};
+  dvec3 a = corners.back() - polygon.centroid;
+  for (const dvec3& corner : corners) {
+    const dvec3 b = corner - polygon.centroid;
+    const double area = 0.5 * glm::dot(glm::cross(a, b), polygon.normal);
+    const double ga = glm::dot(polygon.gradient, a), gb = glm::dot(polygon.gradient, b);
+    moment += area / 12.0 * (ga * a + gb * b + (ga + gb) * (a + b));
+    a = b;
+  }
+  return moment;
+}
+
+/// Integral of p0 x dA: exact for linear p0.
+dvec3 pressure_moment(const ContactPolygon& polygon, std::span<const dvec3> corners) {
+  return polygon.area * polygon.pressure * polygon.centroid + gradient_moment(polygon, corners);
+}
+
+void add_elastic(const ContactPolygon& polygon, std::span<const dvec3> corners, Wrench& wrench) {
+  wrench.force += polygon.area * polygon.pressure * polygon.normal;
+  wrench.torque += glm::cross(pressure_moment(polygon, corners), polygon.normal);
+}
+
+/// (2/pi) atan(s/vs)/s, with its limit 2/(pi vs) at rest. [s/m]
+double slip_factor(double speed) {
+  const double x = speed / kSlipSpeed;
+  if (x < 1e-8) return 2.0 / (kPi * kSlipSpeed);  // atan(x)/x = 1 to the last bit
+  return 2.0 / kPi * std::atan(x) / speed;
+}
+
+/// Weights 1, x and x x^T summed over points.
+struct Moments {
+  double sum = 0;
+  dvec3 first{0};
+  dmat3 second{0};
+  void add(double weight, const dvec3& x) {
+    const dvec3 wx = weight * x;
+    sum += weight;
+    first += wx;
+    second += glm::outerProduct(wx, x);
+  }
+};
+
+/// Sums of one polygon: at a point x the traction answers the velocity v of A there by -K v dA,
+/// K = beta I + delta n n^T, beta = mu p phi(|vt|), beta + delta = p0 d.
+struct PolygonSecant {
+  Moments beta, delta;
+};
+
+dmat3 cross_matrix(const dvec3& a) {
+  return {dvec3(0, a.z, -a.y), dvec3(-a.z, 0, a.x), dvec3(a.y, -a.x, 0)};
+}
+
+/// Adds J^T K J, J = [I, -[x]]: K on the velocity of the point x of a body with velocity (v, w) at the origin.
+void add_secant(const PolygonSecant& s, const dvec3& n, Matrix6& S) {
+  const dmat3 N = cross_matrix(n);
+  const dmat3 linear = s.beta.sum * dmat3(1) + s.delta.sum * glm::outerProduct(n, n);
+  const dmat3 coupling = glm::outerProduct(n, glm::cross(s.delta.first, n)) - cross_matrix(s.beta.first);
+  const double trace = s.beta.second[0][0] + s.beta.second[1][1] + s.beta.second[2][2];
+  const dmat3 angular = trace * dmat3(1) - s.beta.second + N * s.delta.second * glm::transpose(N);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const int r = static_cast<int>(i), c = static_cast<int>(j);
+      S[i][j] += linear[c][r];
+      S[i][j + 3] += coupling[c][r];
+      S[j + 3][i] += coupling[c][r];
+      S[i + 3][j + 3] += 0.5 * (angular[c][r] + angular[r][c]);
+    }
+  }
+}
+
+class Integrator {
+ public:
+  Integrator(const PairProperties& pair, const Twist& V_BA) : pair_(pair), V_(V_BA) {}
+
+  /// Adds the polygon's elastic wrench and secant.
+  void add(const ContactPolygon& polygon, std::span<const dvec3> corners, Wrench& elastic, Matrix6& secant) const {
+    const bool pushing = pushes_everywhere(polygon, corners);
+    if (pushing) add_elastic(polygon, corners, elastic);
+    PolygonSecant sums;
+    // Fan about the first corner; merging may have moved the corners a little, the area is the polygon's.
+    double fan_area = 0;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) fan_area += triangle_area(polygon, corners, i);
+    if (!(fan_area > 0)) return;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      const double area = triangle_area(polygon, corners, i) * (polygon.area / fan_area);
+      for (const QuadraturePoint& q : kTriangleDegree4) {
+        const dvec3 x = q.u * corners[0] + q.v * corners[i] + (1 - q.u - q.v) * corners[i + 1];
+        add_point(polygon, x, q.weight * area, sums, pushing ? nullptr : &elastic);
+      }
+    }
+    add_secant(sums, polygon.normal, secant);
+  }
+
+ private:
+  static double triangle_area(const ContactPolygon& polygon, std::span<const dvec3> corners, std::size_t i) {
+    return 0.5 * glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), polygon.normal);
+  }
+  [[nodiscard]] dvec3 velocity(const dvec3& x) const { return V_.linear + glm::cross(V_.angular, x); }
+  /// (1 - d vn) of Hunt and Crossley (1975); p = p0 times this where it is positive, else 0.
+  [[nodiscard]] double damping_factor(const ContactPolygon& polygon, const dvec3& v) const {
+    return 1.0 - pair_.dissipation * glm::dot(v, polygon.normal);
+  }
+  [[nodiscard]] bool pushes_everywhere(const ContactPolygon& polygon, std::span<const dvec3> corners) const {
+    return pair_.dissipation == 0 || std::all_of(corners.begin(), corners.end(), [&](const dvec3& x) {
+             return damping_factor(polygon, velocity(x)) > 0;
+           });
+  }
+
+  void add_point(const ContactPolygon& polygon, const dvec3& x, double dA, PolygonSecant& sums, Wrench* elastic) const {
+    const dvec3 v = velocity(x), &n = polygon.normal;
+    const double p0 = std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid));
+    const double factor = damping_factor(polygon, v);
+    if (!(factor > 0)) return;
+    const double slip = glm::length(v - glm::dot(v, n) * n);
+    const double beta = pair_.friction * p0 * factor * slip_factor(slip) * dA;
+    sums.beta.add(beta, x);
+    sums.delta.add(p0 * pair_.dissipation * dA - beta, x);
+    if (elastic != nullptr) {
+      elastic->force += p0 * dA * n;
+      elastic->torque += p0 * dA * glm::cross(x, n);
+    }
+  }
+
+  const PairProperties& pair_;
+  const Twist& V_;
+};
+
+/// elastic - S V.
+Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V) {
+  const std::array<double, 6> velocity{V.linear.x, V.linear.y, V.linear.z, V.angular.x, V.angular.y, V.angular.z};
+  std::array<double, 6> answer{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) answer[i] += S[i][j] * velocity[j];
+  }
+  return {elastic.force - dvec3(answer[0], answer[1], answer[2]),
+          elastic.torque - dvec3(answer[3], answer[4], answer[5])};
+}
+
+}  // namespace
+
+PairProperties combine(const Material& a, const Material& b) {
+  PairProperties pair;
+  if (a.compliant() && b.compliant()) {
+    pair.dissipation = (b.modulus * a.dissipation + a.modulus * b.dissipation) / (a.modulus + b.modulus);
+  } else if (a.compliant() || b.compliant()) {
+    pair.dissipation = a.compliant() ? a.dissipation : b.dissipation;
+  }
+  const double sum = a.friction + b.friction;
+  pair.friction = sum > 0 ? 2.0 * a.friction * b.friction / sum : 0.0;
+  return pair;
+}
+
+Traction traction(const ContactSurface& surface, const PairProperties& pair, const Twist& V_BA) {
+  Traction result;
+  if (pair.dissipation == 0 && pair.friction == 0) {
+    result.elastic = pressure_wrench(surface);
+    result.wrench = result.elastic;
+    return result;
+  }
+  const Integrator integrator(pair, V_BA);
+  for (const ContactPolygon& polygon : surface.polygons)
+    integrator.add(polygon, corners_of(surface, polygon), result.elastic, result.secant);
+  result.wrench = secant_wrench(result.elastic, result.secant, V_BA);
+  return result;
+}
+
+Wrench pressure_wrench(const ContactSurface& surface) {
+  Wrench wrench;
+  for (const ContactPolygon& polygon : surface.polygons) add_elastic(polygon, corners_of(surface, polygon), wrench);
+  return wrench;
+}
+
+dvec3 pressure_centroid(const ContactSurface& surface) {
+  dvec3 moment{0}, area_moment{0};
+  double sum = 0, area = 0;
+  for (const ContactPolygon& polygon : surface.polygons) {
+    moment += pressure_moment(polygon, corners_of(surface, polygon));
+    sum += polygon.area * polygon.pressure;
+    area_moment += polygon.area * polygon.centroid;
+    area += polygon.area;
+  }
+  if (sum > 0) return moment / sum;
+  return area > 0 ? area_moment / area : dvec3(0);
+}
+
+}  // namespace taxel
