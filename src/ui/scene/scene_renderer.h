@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/sim/sim_frame.h"
+#include "ui/gl/rgb_image.h"
+#include "ui/gl/shader_source.h"
 #include "ui/scene/camera.h"
 
 namespace taxel::ui {
@@ -14,6 +16,7 @@ namespace taxel::ui {
 struct PressureRange {
   double lo = 0, hi = 1;
   bool automatic = true;
+  bool operator==(const PressureRange&) const = default;
 };
 
 /// What is shown; keys in brackets as in the keymap.
@@ -31,6 +34,7 @@ struct Overlays {
   bool path = true;                // red line
   bool grid = true;
   bool all_rays = false;           // else only those of the selected taxel (of all responding ones when none is)
+  bool operator==(const Overlays&) const = default;
 };
 
 struct SceneInput {
@@ -41,20 +45,24 @@ struct SceneInput {
   int selected_sensor = 0;
   int selected_taxel = -1;         ///< index in layout order, -1: none
   bool dark = true;
+  bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };
 
 class SceneRenderer {
  public:
-  /// Needs a current OpenGL 4.5 core context (epoxy). `shader_dir`: reads GLSL from there instead of the embedded files.
-  explicit SceneRenderer(const std::string& shader_dir = "");
+  /// Needs a current OpenGL 4.5 core context (epoxy). `shaders` gives GLSL by file name: those built into the program,
+  /// or the caller's own from a folder. Throws Error (file, line) when one does not compile.
+  explicit SceneRenderer(const gl::ShaderReader& shaders = gl::read_embedded_shader);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
   /// Draws into an internal framebuffer of width x height pixels (sRGB values in RGBA8, top row last as GL has it).
-  /// Multisampled only on hardware renderers. Throws Error when a shader does not compile (file, line).
+  /// Multisampled only on hardware renderers. Does nothing when input, camera and size are those of the last call.
+  /// Leaves the framebuffer that was bound, bound; other GL state as it happens to be.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
   [[nodiscard]] unsigned texture() const;  ///< GL name of the colour texture of the last render
+  [[nodiscard]] gl::RgbImage picture() const;  ///< pixels of the last render, top row first
   [[nodiscard]] bool software() const;     ///< llvmpipe or the like
 
  private:

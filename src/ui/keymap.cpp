@@ -1,0 +1,143 @@
+#include "ui/keymap.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr int kCtrl = ImGuiMod_Ctrl;
+constexpr auto kEverywhere = Context::everywhere;
+constexpr auto kSimulate = Context::simulate;
+
+// Columns: action, context, chord, repeats, label, menu, separated. Order within a menu is the order here.
+constexpr std::array kBindings = {
+    Binding{Action::open_file, kEverywhere, kCtrl | ImGuiKey_O, false, "Open...", "File", false},
+    Binding{Action::open_sweep, kEverywhere, 0, false, "Open fingertip sweep", "File", false},
+    Binding{Action::reload_file, kEverywhere, kCtrl | ImGuiKey_L, false, "Reload", "File", false},
+    Binding{Action::close_document, kEverywhere, 0, false, "Close", "File", false},
+    Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
+    Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
+
+    Binding{Action::mode_layout, kEverywhere, kCtrl | ImGuiKey_1, false, "Layout mode", "Mode", false},
+    Binding{Action::mode_simulate, kEverywhere, kCtrl | ImGuiKey_2, false, "Simulate mode", "Mode", false},
+
+    Binding{Action::play_pause, kEverywhere, ImGuiKey_Space, false, "Run / Pause", "Simulation", false},
+    Binding{Action::step_forward, kEverywhere, ImGuiKey_RightArrow, true, "Step forward", "Simulation", false},
+    Binding{Action::reset_simulation, kSimulate, ImGuiKey_Backspace, false, "Reset", "Simulation", false},
+    Binding{Action::slower, kEverywhere, ImGuiKey_Minus, false, "Slower", "Simulation", true},
+    Binding{Action::faster, kEverywhere, ImGuiKey_Equal, false, "Faster", "Simulation", false},
+
+    Binding{Action::frame_all, kEverywhere, ImGuiKey_Home, false, "Frame all", "View", false},
+    Binding{Action::frame_selection, kEverywhere, ImGuiKey_Period, false, "Frame selection", "View", false},
+    Binding{Action::toggle_transparent, kEverywhere, ImGuiKey_T, false, "Transparent sensor", "View", true},
+    Binding{Action::toggle_wireframe, kEverywhere, ImGuiKey_W, false, "Wireframe", "View", false},
+    Binding{Action::toggle_rays, kEverywhere, ImGuiKey_Y, false, "Rays", "View", false},
+    Binding{Action::toggle_all_rays, kEverywhere, 0, false, "Rays of all taxels", "View", false},
+    Binding{Action::toggle_contact, kEverywhere, ImGuiKey_C, false, "Contact surface", "View", false},
+    Binding{Action::toggle_contact_edges, kEverywhere, 0, false, "Contact edges", "View", false},
+    Binding{Action::toggle_samples, kEverywhere, ImGuiKey_P, false, "Samples", "View", false},
+    Binding{Action::toggle_normals, kEverywhere, ImGuiKey_N, false, "Sample normals", "View", false},
+    Binding{Action::toggle_taxels, kEverywhere, 0, false, "Taxels", "View", false},
+    Binding{Action::toggle_labels, kEverywhere, 0, false, "Taxel labels", "View", false},
+    Binding{Action::toggle_fields, kEverywhere, 0, false, "Receptive fields", "View", false},
+    Binding{Action::toggle_path, kEverywhere, 0, false, "Path", "View", false},
+    Binding{Action::toggle_grid, kEverywhere, 0, false, "Ground grid", "View", false},
+    Binding{Action::lock_range, kEverywhere, 0, false, "Lock pressure range", "View", true},
+
+    Binding{Action::toggle_outliner, kEverywhere, 0, false, "Outliner panel", "Panels", false},
+    Binding{Action::toggle_taxel_table, kEverywhere, 0, false, "Taxels panel", "Panels", false},
+    Binding{Action::toggle_inspector, kEverywhere, 0, false, "Inspector panel", "Panels", false},
+    Binding{Action::toggle_bars, kEverywhere, 0, false, "Pressure bars panel", "Panels", false},
+    Binding{Action::toggle_plots, kEverywhere, ImGuiKey_F4, false, "Plot panel", "Panels", false},
+    Binding{Action::toggle_section, kEverywhere, 0, false, "Section panel", "Panels", false},
+    Binding{Action::toggle_messages, kEverywhere, 0, false, "Messages panel", "Panels", false},
+    Binding{Action::reset_arrangement, kEverywhere, 0, false, "Reset arrangement", "Panels", true},
+    Binding{Action::toggle_theme, kEverywhere, 0, false, "Light theme", "Panels", true},
+    Binding{Action::scale_up, kEverywhere, kCtrl | ImGuiKey_Equal, false, "Larger interface", "Panels", false},
+    Binding{Action::scale_down, kEverywhere, kCtrl | ImGuiKey_Minus, false, "Smaller interface", "Panels", false},
+    Binding{Action::scale_reset, kEverywhere, kCtrl | ImGuiKey_0, false, "Normal size", "Panels", false},
+
+    Binding{Action::help, kEverywhere, ImGuiKey_F1, false, "Keys and mouse", "Help", false},
+    Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false, "Cancel, then clear the selection", nullptr, false},
+};
+
+constexpr std::array kGestures = {
+    Gesture{kEverywhere, "Left-drag", "Orbit"},
+    Gesture{kEverywhere, "Right-drag", "Pan (Shift: keep the height)"},
+    Gesture{kEverywhere, "Wheel, middle-drag", "Zoom"},
+    Gesture{kEverywhere, "Right double-click", "Centre on the point"},
+    Gesture{kEverywhere, "Click", "Select a taxel in view, bars, plot legend or table"},
+    Gesture{kEverywhere, "Drop a file", "Open a layout, a mesh or a MuJoCo scene"},
+};
+
+const char* key_name(int key) {
+  switch (key) {
+    case ImGuiKey_Equal:
+      return "=";
+    case ImGuiKey_Minus:
+      return "-";
+    case ImGuiKey_Period:
+      return ".";
+    case ImGuiKey_RightArrow:
+      return "Right";
+    case ImGuiKey_LeftArrow:
+      return "Left";
+    case ImGuiKey_Escape:
+      return "Esc";
+    default:
+      return ImGui::GetKeyName(static_cast<ImGuiKey>(key));
+  }
+}
+
+}  // namespace
+
+std::span<const Binding> bindings() {
+  return kBindings;
+}
+
+const Binding& binding_of(Action action) {
+  return *std::find_if(kBindings.begin(), kBindings.end(), [&](const Binding& b) { return b.action == action; });
+}
+
+std::span<const Gesture> gestures() {
+  return kGestures;
+}
+
+std::string chord_name(int chord) {
+  if (chord == 0) return {};
+  std::string text;
+  if ((chord & ImGuiMod_Ctrl) != 0) text += "Ctrl+";
+  if ((chord & ImGuiMod_Alt) != 0) text += "Alt+";
+  if ((chord & ImGuiMod_Shift) != 0) text += "Shift+";
+  return text + key_name(chord & ~ImGuiMod_Mask_);
+}
+
+const char* to_string(Context context) {
+  switch (context) {
+    case Context::everywhere:
+      return "everywhere";
+    case Context::layout:
+      return "LAYOUT";
+    case Context::simulate:
+      return "SIMULATE";
+  }
+  return "";
+}
+
+std::string bindings_as_text() {
+  std::string text = fmt::format("{:<20} {:<12} {}\n", "KEY", "WHERE", "WHAT");
+  for (const Binding& b : kBindings) {
+    if (b.chord != 0) text += fmt::format("{:<20} {:<12} {}\n", chord_name(b.chord), to_string(b.context), b.label);
+  }
+  for (const Gesture& g : kGestures) {
+    text += fmt::format("{:<20} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
+  }
+  return text;
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,85 @@
+// One table of what can be done: it drives menus, key handlers, F1 help and --list-bindings.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace taxel::ui {
+
+/// Where a key counts. A focused text field or dialog always comes first.
+enum class Context { everywhere, layout, simulate };
+
+enum class Action {
+  open_file,
+  open_sweep,
+  reload_file,
+  close_document,
+  screenshot,
+  quit,
+  play_pause,
+  step_forward,
+  reset_simulation,
+  slower,
+  faster,
+  mode_layout,
+  mode_simulate,
+  frame_all,
+  frame_selection,
+  escape,
+  toggle_transparent,
+  toggle_wireframe,
+  toggle_rays,
+  toggle_all_rays,
+  toggle_contact,
+  toggle_contact_edges,
+  toggle_samples,
+  toggle_normals,
+  toggle_taxels,
+  toggle_labels,
+  toggle_fields,
+  toggle_path,
+  toggle_grid,
+  lock_range,
+  toggle_outliner,
+  toggle_taxel_table,
+  toggle_inspector,
+  toggle_bars,
+  toggle_plots,
+  toggle_section,
+  toggle_messages,
+  reset_arrangement,
+  toggle_theme,
+  scale_up,
+  scale_down,
+  scale_reset,
+  help,
+};
+
+struct Binding {
+  Action action;
+  Context context;
+  int chord;     ///< ImGuiKeyChord; 0: menu only
+  bool repeats;  ///< while the key is held
+  const char* label;
+  const char* menu;  ///< the menu it stands in; null: none
+  bool separated;    ///< a line stands above it in the menu
+};
+std::span<const Binding> bindings();
+const Binding& binding_of(Action action);
+
+/// What the mouse does in the 3-D view, for the help.
+struct Gesture {
+  Context context;
+  const char* gesture;
+  const char* label;
+};
+std::span<const Gesture> gestures();
+
+/// "Ctrl+Shift+S"; empty for 0. Needs no ImGui context.
+std::string chord_name(int chord);
+const char* to_string(Context context);
+
+/// The whole table as aligned text: what --list-bindings prints.
+std::string bindings_as_text();
+
+}  // namespace taxel::ui

@@ -1,0 +1,34 @@
+#include "ui/panels/bars_panel.h"
+
+#include <imgui.h>
+
+#include "ui/panels/dock_layout.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/pressure_bars.h"
+
+namespace taxel::ui {
+
+void draw_bars_panel(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kBarsTitle, &ui.saved.panels.bars)) {
+    const SensorFrameState* sensor = input.sensor(ui);
+    if (sensor == nullptr || sensor->readings.empty()) {
+      ui.bars.clear();
+      ImGui::TextDisabled("No sensor is simulated.");
+    } else {
+      const Layout& layout = input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+      std::vector<BarValue> values;
+      for (std::size_t i = 0; i < sensor->readings.size() && i < layout.taxels.size(); ++i) {
+        values.push_back({layout.taxels[i].id, sensor->readings[i], i < input.peaks.size() ? input.peaks[i] : 0.0});
+      }
+      caption("kPa by taxel, the line is the peak");
+      const int clicked = draw_pressure_bars(ui, values, ImGui::GetContentRegionAvail(), ui.selection.taxel);
+      if (clicked >= 0) select_taxel(ui, clicked);
+    }
+  } else {
+    ui.bars.clear();
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

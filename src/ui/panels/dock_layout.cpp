@@ -1,0 +1,47 @@
+#include "ui/panels/dock_layout.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace taxel::ui {
+
+namespace {
+
+/// Parts of the width and height at 1280 x 800 and at larger sizes alike.
+constexpr float kBottom = 0.33f, kLeft = 0.19f, kRight = 0.245f, kOutliner = 0.36f, kBars = 0.36f, kPlot = 0.56f;
+
+void arrange(ImGuiID space, ImVec2 size) {
+  ImGui::DockBuilderRemoveNode(space);
+  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
+  ImGui::DockBuilderSetNodeSize(space, size);
+  ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0, outliner = 0, taxels = 0, bars = 0, plot = 0,
+          section = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kBottom, &bottom, &rest);
+  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kLeft, &left, &center);
+  ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kRight / (1 - kLeft), &right, &center);
+  ImGui::DockBuilderSplitNode(left, ImGuiDir_Up, kOutliner, &outliner, &taxels);
+  ImGui::DockBuilderSplitNode(bottom, ImGuiDir_Left, kBars, &bars, &plot);
+  ImGui::DockBuilderSplitNode(plot, ImGuiDir_Left, kPlot, &plot, &section);
+  ImGui::DockBuilderDockWindow(kViewTitle, center);
+  ImGui::DockBuilderDockWindow(kOutlinerTitle, outliner);
+  ImGui::DockBuilderDockWindow(kTaxelsTitle, taxels);
+  ImGui::DockBuilderDockWindow(kInspectorTitle, right);
+  ImGui::DockBuilderDockWindow(kBarsTitle, bars);
+  ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
+  ImGui::DockBuilderDockWindow(kPlotTitle, plot);
+  ImGui::DockBuilderDockWindow(kSectionTitle, section);
+  ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+  ImGui::DockBuilderFinish(space);
+}
+
+}  // namespace
+
+void draw_dock_space(UiState& ui) {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const ImGuiID space = ImGui::GetID("Taxel Studio");
+  if (ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr) arrange(space, viewport->WorkSize);
+  ui.reset_arrangement = false;
+  ImGui::DockSpaceOverViewport(space, viewport);
+}
+
+}  // namespace taxel::ui

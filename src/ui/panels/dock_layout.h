@@ -1,0 +1,20 @@
+// Where panels stand at first: left outliner and taxels, centre the view, right the inspector, below bars and plots.
+#pragma once
+
+#include "ui/ui_state.h"
+
+namespace taxel::ui {
+
+inline constexpr const char* kViewTitle = "View";
+inline constexpr const char* kOutlinerTitle = "Outliner";
+inline constexpr const char* kTaxelsTitle = "Taxels";
+inline constexpr const char* kInspectorTitle = "Inspector";
+inline constexpr const char* kBarsTitle = "Pressure bars";
+inline constexpr const char* kPlotTitle = "Taxels over travel";
+inline constexpr const char* kSectionTitle = "Section";
+inline constexpr const char* kMessagesTitle = "Messages";
+
+/// Covers what menu, toolbar and status line leave free. Arranges anew at first or when ui.reset_arrangement is set.
+void draw_dock_space(UiState& ui);
+
+}  // namespace taxel::ui

@@ -1,0 +1,152 @@
+#include "ui/panels/file_dialog.h"
+
+#include <imgui.h>
+#include <misc/cpp/imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr const char* kTitle = "Open a layout, a mesh or a scene";
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool passes(const FileDialog& dialog, const FolderEntry& entry) {
+  return dialog.filter.empty() || lower(entry.name).find(lower(dialog.filter)) != std::string::npos;
+}
+
+std::string joined(const std::string& folder, const std::string& name) {
+  return folder.empty() || folder.back() == '/' ? folder + name : folder + "/" + name;
+}
+
+std::string parent(const std::string& folder) {
+  const std::size_t slash = folder.find_last_of('/', folder.size() > 1 ? folder.size() - 2 : 0);
+  if (slash == std::string::npos) return folder;
+  return slash == 0 ? "/" : folder.substr(0, slash);
+}
+
+void go_to(UiState& ui, const std::string& folder) {
+  ui.dialog.selected = -1;
+  ui.dialog.path.clear();
+  ui.dialog.filter.clear();
+  ui.ask(ListFolder{folder});
+}
+
+void close(UiState& ui) {
+  ui.dialog.open = false;
+  ImGui::CloseCurrentPopup();
+}
+
+/// Opens what stands in the path field: relative paths count from the folder shown.
+void accept(UiState& ui) {
+  FileDialog& dialog = ui.dialog;
+  if (dialog.path.empty()) return;
+  const std::string path = dialog.path.front() == '/' ? dialog.path : joined(dialog.folder, dialog.path);
+  const bool folder = std::any_of(dialog.entries.begin(), dialog.entries.end(),
+                                  [&](const FolderEntry& e) { return e.folder && e.name == dialog.path; });
+  if (folder) {
+    go_to(ui, path);
+  } else {
+    ui.ask(OpenFile{path});
+    close(ui);
+  }
+}
+
+/// Up and Down walk through the entries that pass the filter, also while a field has the keyboard.
+void walk(FileDialog& dialog) {
+  const int step = (ImGui::IsKeyPressed(ImGuiKey_DownArrow) ? 1 : 0) - (ImGui::IsKeyPressed(ImGuiKey_UpArrow) ? 1 : 0);
+  if (step == 0) return;
+  const int count = static_cast<int>(dialog.entries.size());
+  for (int i = dialog.selected + step; i >= 0 && i < count; i += step) {
+    const FolderEntry& entry = dialog.entries[static_cast<std::size_t>(i)];
+    if (!passes(dialog, entry)) continue;
+    dialog.selected = i;
+    dialog.path = entry.name;
+    return;
+  }
+}
+
+void draw_entries(UiState& ui) {
+  FileDialog& dialog = ui.dialog;
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+  if (ImGui::BeginChild("entries", ImVec2(0, -below), ImGuiChildFlags_FrameStyle)) {
+    if (selectable(ui, "..", false)) go_to(ui, parent(dialog.folder));
+    for (int i = 0; i < static_cast<int>(dialog.entries.size()); ++i) {
+      const FolderEntry entry = dialog.entries[static_cast<std::size_t>(i)];
+      if (!passes(dialog, entry)) continue;
+      const bool chosen = dialog.selected == i;
+      const std::string label = entry.folder ? entry.name + "/" : entry.name;
+      if (selectable(ui, label.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
+        dialog.selected = i;
+        dialog.path = entry.name;
+        if (entry.folder) {
+          go_to(ui, joined(dialog.folder, entry.name));
+        } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+          accept(ui);
+        }
+      }
+      if (chosen && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ImGui::SetScrollHereY();
+    }
+    if (!dialog.error.empty()) {
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextColored(palette(ui.saved.dark).error, "%s", dialog.error.c_str());
+      ImGui::PopTextWrapPos();
+    }
+  }
+  ImGui::EndChild();
+}
+
+void draw_path_and_buttons(UiState& ui) {
+  FileDialog& dialog = ui.dialog;
+  ImGui::SetNextItemWidth(-1);
+  if (dialog.wants_focus) ImGui::SetKeyboardFocusHere();
+  dialog.wants_focus = false;
+  const bool entered =
+      ImGui::InputTextWithHint("##path", "Path or name", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.widgets.note_item("Path");
+  ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
+  ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
+  ui.widgets.note_item("Filter");
+  const float width = 6 * ImGui::GetFontSize();
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * width -
+                  ImGui::GetStyle().ItemSpacing.x);
+  const bool cancelled = button(ui, "Cancel", ImVec2(width, 0)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+  ImGui::SameLine();
+  const bool opened = button(ui, "Open", ImVec2(width, 0));
+  if (cancelled) {
+    close(ui);
+  } else if (entered || opened) {
+    accept(ui);
+  }
+}
+
+}  // namespace
+
+void draw_file_dialog(UiState& ui) {
+  FileDialog& dialog = ui.dialog;
+  if (dialog.open && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const ImVec2 size(std::min(46 * ImGui::GetFontSize(), 0.9f * viewport->Size.x),
+                    std::min(30 * ImGui::GetFontSize(), 0.9f * viewport->Size.y));
+  ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+  ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
+  ImGui::TextDisabled("%s", dialog.folder.c_str());
+  ui.widgets.note_item("Folder");
+  walk(dialog);
+  draw_entries(ui);
+  draw_path_and_buttons(ui);
+  ImGui::EndPopup();
+}
+
+}  // namespace taxel::ui

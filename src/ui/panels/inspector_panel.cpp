@@ -1,0 +1,168 @@
+#include "ui/panels/inspector_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "ui/panels/dock_layout.h"
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+const char* name_of(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::pad:
+      return "pad over a rigid core";
+    case FieldKind::medial_axis:
+      return "medial axis";
+    case FieldKind::star:
+      return "star from the centroid";
+    case FieldKind::tets:
+      return "tetrahedra from a file";
+  }
+  return "";
+}
+
+const char* name_of(Aggregate aggregate) {
+  switch (aggregate) {
+    case Aggregate::weighted_mean:
+      return "weighted mean";
+    case Aggregate::weighted_sum:
+      return "weighted sum";
+    case Aggregate::mean:
+      return "mean";
+    case Aggregate::nearest:
+      return "nearest";
+    case Aggregate::max:
+      return "largest";
+    case Aggregate::force:
+      return "force";
+  }
+  return "";
+}
+
+std::string direction(const dvec3& v) {
+  return fmt::format("{:.2f}, {:.2f}, {:.2f}", v.x, v.y, v.z);
+}
+
+/// Distances and angles beyond these stand out.
+constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
+
+void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
+  const int index = ui.selection.taxel;
+  if (!header(ui, "Selected taxel")) return;
+  if (index < 0 || index >= model.taxel_count()) {
+    ImGui::TextDisabled("None. Click one in the view.");
+    return;
+  }
+  const auto i = static_cast<std::size_t>(index);
+  const Taxel& taxel = model.layout.taxels[i];
+  const Palette& colors = palette(ui.saved.dark);
+  if (!begin_properties("taxel")) return;
+  property("Id, name", taxel.name.empty() ? std::to_string(taxel.id) : fmt::format("{}, {}", taxel.id, taxel.name));
+  property("Centre (mm)",
+           fmt::format("{:.2f}, {:.2f}, {:.2f}", 1e3 * taxel.center.x, 1e3 * taxel.center.y, 1e3 * taxel.center.z));
+  property("Normal", direction(taxel.normal));
+  property("Radius", in_mm(taxel.radius));
+  if (i < ui.summary.samples_of_taxel.size()) {
+    const double distance = ui.summary.distance_to_skin[i], angle = ui.summary.angle_to_skin_deg[i];
+    property("Samples", grouped(ui.summary.samples_of_taxel[i]),
+             ui.summary.samples_of_taxel[i] > 0 ? colors.text : colors.error);
+    property("Off the skin", in_mm(distance), distance < kFarFromSkin ? colors.text : colors.warning);
+    property("Off its normal", fmt::format("{:.1f}\u00b0", angle),
+             angle < kWideAngleDeg ? colors.text : colors.warning);
+  }
+  const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  if (sensor != nullptr && i < sensor->readings.size()) {
+    property("Reading", in_kpa(sensor->readings[i]));
+    if (i < input.peaks.size()) property("Peak", in_kpa(input.peaks[i]));
+  }
+  end_properties();
+}
+
+void draw_sampling(UiState& ui, const SensorModel& model) {
+  if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
+  const ModelSummary& s = ui.summary;
+  const Layout& layout = model.layout;
+  const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
+  property("Density", fmt::format("{:.3g} / m\u00b2", layout.sampling.density));
+  property("Seed", std::to_string(layout.sampling.seed));
+  property("Samples", grouped(static_cast<long long>(model.samples.size())));
+  property("Used", fmt::format("{} ({:.1f} %)", grouped(s.used_samples), 100.0 * s.used_samples / total));
+  property("Shared", fmt::format("{} ({:.1f} %)", grouped(s.shared_samples), 100.0 * s.shared_samples / total));
+  property("Uncovered skin", fmt::format("{:.0f} mm\u00b2", 1e6 * (s.skin_area - s.used_area)));
+  property("Largest angle", fmt::format("{:g}\u00b0", layout.receptive_field.max_angle_deg));
+  property("Reading is", name_of(layout.readout.aggregate));
+  end_properties();
+}
+
+void draw_material(UiState& ui, const Layout& layout) {
+  if (!header(ui, "Material") || !begin_properties("material")) return;
+  const Material& m = layout.material;
+  property("Field", name_of(m.field));
+  property("Modulus", fmt::format("{:.4g} kPa", 1e-3 * m.modulus));
+  property("Thickness", m.thickness > 0 ? in_mm(m.thickness) : "from the size");
+  property("Dissipation", fmt::format("{:g} s/m", m.dissipation));
+  property("Friction", fmt::format("{:g}", m.friction));
+  end_properties();
+}
+
+void draw_scene(UiState& ui, const UiInput& input) {
+  if (!input.frame || !input.frame->scene || !header(ui, "Scene") || !begin_properties("scene")) return;
+  const SimScene& scene = *input.frame->scene;
+  if (!scene.title.empty()) property("Scene", scene.title);
+  property("Geoms", std::to_string(scene.geoms.size()));
+  property("Time step", fmt::format("{:g} ms", 1e3 * scene.timestep));
+  if (scene.duration > 0) property("Duration", fmt::format("{:.2f} s", scene.duration));
+  if (const SensorFrameState* sensor = input.sensor(ui)) {
+    property("Force (N)",
+             fmt::format("{:.3f}, {:.3f}, {:.3f}", sensor->force_W.x, sensor->force_W.y, sensor->force_W.z));
+    double area = 0, largest = 0;
+    for (const ContactSurface& surface : sensor->surfaces) {
+      area += surface.area();
+      largest = std::max(largest, surface.max_pressure());
+    }
+    property("Contact area", fmt::format("{:.2f} mm\u00b2", 1e6 * area));
+    property("Largest pressure", in_kpa(largest));
+  }
+  end_properties();
+}
+
+void draw_sweep(UiState& ui, const UiInput& input) {
+  if (!input.sweep || !header(ui, "Sweep") || !begin_properties("sweep")) return;
+  SweepScenario& s = ui.edited_sweep;
+  property_field(ui, "Depth", &s.depth, 1e3, "%.2f mm", 0.0001, 0.005);
+  property_field(ui, "Path speed", &s.speed, 1e3, "%.1f mm/s", 0.001, 0.1);
+  property_field(ui, "Before the edge", &s.before, 1e3, "%.1f mm", 0.0, 0.05);
+  property_field(ui, "Past the edge", &s.past, 1e3, "%.1f mm", 0.001, 0.05);
+  property_field(ui, "Tilt", &s.tilt_deg, 1, "%.0f\u00b0", 0, 90);
+  end_properties();
+  ImGui::BeginDisabled(s == input.scenario || !input.simulates_document);
+  if (button(ui, "Run with these", ImVec2(-1, 0))) ui.ask(RunSweep{s});
+  ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void draw_inspector(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kInspectorTitle, &ui.saved.panels.inspector)) {
+    const SensorModelPtr model = input.shown_model(ui);
+    if (model) {
+      draw_taxel(ui, input, *model);
+      draw_sampling(ui, *model);
+      draw_material(ui, model->layout);
+    }
+    if (ui.mode == Mode::simulate) {
+      draw_scene(ui, input);
+      draw_sweep(ui, input);
+    }
+    if (!model && !input.frame) ImGui::TextDisabled("Nothing is open.");
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,49 @@
+#include "ui/panels/menu_bar.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <string_view>
+
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+void draw_recent_files(UiState& ui) {
+  if (ui.saved.recent.empty() || !begin_menu(ui, "Open recent")) return;
+  for (const std::string& file : ui.saved.recent) {
+    if (menu_item(ui, file.c_str(), "", false)) ui.ask(OpenFile{file});
+  }
+  ImGui::EndMenu();
+}
+
+void draw_menu(UiState& ui, const UiInput& input, const char* menu) {
+  if (!begin_menu(ui, menu)) return;
+  for (const Binding& b : bindings()) {
+    if (b.menu == nullptr || std::string_view(b.menu) != menu) continue;
+    if (b.separated) ImGui::Separator();
+    const bool chosen =
+        menu_item(ui, b.label, chord_name(b.chord), is_checked(b.action, ui), is_enabled(b.action, ui, input));
+    if (chosen) perform(b.action, ui, input);
+    if (b.action == Action::open_file) draw_recent_files(ui);
+  }
+  ImGui::EndMenu();
+}
+
+}  // namespace
+
+void draw_menu_bar(UiState& ui, const UiInput& input) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  for (const char* menu : std::array{"File", "Mode", "Simulation", "View", "Panels", "Help"})
+    draw_menu(ui, input, menu);
+  const std::string version = "Taxel Studio " + input.version;
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(version.c_str()).x - ImGui::GetStyle().WindowPadding.x);
+  ImGui::TextDisabled("%s", version.c_str());
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,143 @@
+#include "ui/panels/plot_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <implot.h>
+
+#include <algorithm>
+
+#include "ui/panels/dock_layout.h"
+#include "ui/scene/color_map.h"
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// A taxel responds when its peak is above this part of the largest.
+constexpr double kResponding = 0.05;
+/// Longer traces are thinned for drawing.
+constexpr std::size_t kMostPoints = 4000;
+
+/// x of the plot: travel in a sweep, time elsewhere.
+double plot_x(const TraceRow& row, bool sweep) {
+  return sweep ? 1e3 * row.travel : row.time;
+}
+
+void rebuild_curves(PlotCurves& curves, const std::vector<TraceRow>& trace, bool sweep) {
+  curves.trace = &trace;
+  curves.rows = trace.size();
+  curves.travel_mm.clear();
+  curves.readings.assign(trace.empty() ? 0 : trace.front().readings.size(), {});
+  curves.largest = 0;
+  const std::size_t stride = 1 + trace.size() / kMostPoints;
+  for (std::size_t r = 0; r < trace.size(); r += stride) {
+    curves.travel_mm.push_back(plot_x(trace[r], sweep));
+    for (std::size_t k = 0; k < curves.readings.size() && k < trace[r].readings.size(); ++k) {
+      curves.readings[k].push_back(trace[r].readings[k]);
+      curves.largest = std::max(curves.largest, trace[r].readings[k]);
+    }
+  }
+}
+
+/// Where the selected sensor's readings begin in a trace row.
+std::size_t first_reading(const UiState& ui, const UiInput& input) {
+  std::size_t first = 0;
+  for (int s = 0; s < ui.selection.sensor; ++s)
+    first += input.frame->sensors[static_cast<std::size_t>(s)].readings.size();
+  return first;
+}
+
+void draw_options(UiState& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+  if (small_choice(ui, "Relative", ui.saved.plot.relative)) ui.saved.plot.relative = true;
+  tooltip("Divided by the largest reading of the run");
+  ImGui::SameLine(0, 2);
+  if (small_choice(ui, "kPa", !ui.saved.plot.relative)) ui.saved.plot.relative = false;
+  tooltip("Readings in kilopascals");
+  ImGui::SameLine(0, 14);
+  checkbox(ui, "Responding only", &ui.saved.plot.responding_only);
+  tooltip("Only taxels whose peak is above 5 % of the largest");
+  ImGui::PopStyleVar();
+}
+
+void setup_axes(const UiState& ui, const UiInput& input, double largest) {
+  const SimScene& scene = *input.frame->scene;
+  const double end = input.sweep ? 1e3 * (input.scenario.before + input.scenario.past)
+                                 : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
+  ImPlot::SetupAxes(
+      input.sweep ? "travel (mm)" : "time (s)", ui.saved.plot.relative ? "reading / largest" : "reading (kPa)",
+      ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight, ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
+  ImPlot::SetupAxisLimits(ImAxis_X1, 0, end, ImPlotCond_Always);
+  const double top = ui.saved.plot.relative ? 1.08 : 1.08 * (largest > 0 ? 1e-3 * largest : 1.0);
+  ImPlot::SetupAxisLimits(ImAxis_Y1, 0, top, ImPlotCond_Always);
+  ImPlot::SetupLegend(ImPlotLocation_East, ImPlotLegendFlags_Outside | ImPlotLegendFlags_NoMenus);
+  ImPlot::SetupFinish();
+}
+
+void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, int taxel, int id, bool selected) {
+  PlotCurves& curves = ui.curves;
+  curves.drawn.clear();
+  for (const double reading : readings) curves.drawn.push_back(scale * reading);
+  const glm::vec3 c = taxel_color(taxel);
+  ImPlotSpec spec;
+  spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
+  spec.LineWeight = selected ? 3.2f : 1.8f;
+  const std::string label = fmt::format("{}##{}", id, taxel);
+  ImPlot::PlotLine(label.c_str(), curves.travel_mm.data(), curves.drawn.data(), static_cast<int>(curves.drawn.size()),
+                   spec);
+  if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+    select_taxel(ui, taxel);
+}
+
+void draw_cursor(const UiState& ui, const UiInput& input) {
+  const double x = input.sweep ? 1e3 * input.frame->travel : input.frame->time;
+  ImPlotSpec spec;
+  spec.LineColor = palette(ui.saved.dark).path;
+  spec.LineWeight = 1.2f;
+  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlot::PlotInfLines("##now", &x, 1, spec);
+}
+
+void draw_plot(UiState& ui, const UiInput& input) {
+  PlotCurves& curves = ui.curves;
+  const Layout& layout = input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+  constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  if (ImPlot::BeginPlot("##taxels", ImGui::GetContentRegionAvail(), kFlags)) {
+    setup_axes(ui, input, curves.largest);
+    const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 0.0) : 1e-3;
+    const std::size_t first = first_reading(ui, input);
+    for (std::size_t k = 0; k < layout.taxels.size() && first + k < curves.readings.size(); ++k) {
+      const std::vector<double>& readings = curves.readings[first + k];
+      const double peak = readings.empty() ? 0.0 : *std::max_element(readings.begin(), readings.end());
+      if (ui.saved.plot.responding_only && !(peak > kResponding * curves.largest)) continue;
+      draw_curve(ui, readings, scale, static_cast<int>(k), layout.taxels[k].id,
+                 ui.selection.taxel == static_cast<int>(k));
+    }
+    draw_cursor(ui, input);
+    ImPlot::EndPlot();
+    ui.widgets.note_item("Plot");
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void draw_plot_panel(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kPlotTitle, &ui.saved.panels.plot)) {
+    if (input.sensor(ui) == nullptr || !input.frame->trace) {
+      ImGui::TextDisabled("No sensor is simulated.");
+    } else {
+      const std::vector<TraceRow>& trace = *input.frame->trace;
+      if (ui.curves.trace != &trace || ui.curves.rows != trace.size()) rebuild_curves(ui.curves, trace, input.sweep);
+      draw_options(ui);
+      draw_plot(ui, input);
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

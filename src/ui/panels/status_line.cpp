@@ -1,0 +1,88 @@
+#include "ui/panels/status_line.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+void item(const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(0, 5);
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::SameLine(0, 1.3f * ImGui::GetFontSize());
+}
+
+void draw_rates(const UiInput& input) {
+  const Performance& p = input.performance;
+  if (!p.by_clock) {
+    item("offscreen", "frame by frame");
+  } else {
+    item("fps", fmt::format("{:.0f}", p.fps));
+    item("speed", fmt::format("{:.2f} x real time", p.simulation_speed));
+  }
+  if (p.by_clock && p.step_seconds > 0) item("step", fmt::format("{:.2f} ms", 1e3 * p.step_seconds));
+}
+
+void draw_contact(const UiState& ui, const UiInput& input) {
+  if (!input.frame) return;
+  item("time", fmt::format("{:.3f} s", input.frame->time));
+  if (input.sweep) item("travel", in_mm(input.frame->travel, 1));
+  const SensorFrameState* sensor = input.sensor(ui);
+  if (sensor == nullptr) return;
+  std::size_t polygons = 0;
+  for (const ContactSurface& surface : sensor->surfaces) polygons += surface.polygons.size();
+  item("force", fmt::format("{:.3f} N", glm::length(sensor->force_W)));
+  item("polygons", grouped(static_cast<long long>(polygons)));
+}
+
+/// Counters at the right end; a click opens the list.
+void draw_message_counter(UiState& ui, const UiInput& input) {
+  const auto count = [&](Severity severity) {
+    return std::count_if(ui.messages.begin(), ui.messages.end(),
+                         [&](const Message& m) { return m.severity == severity; });
+  };
+  const std::string text = fmt::format("{} errors   {} warnings   {} notes", count(Severity::error),
+                                       count(Severity::warning), count(Severity::note));
+  const Palette& colors = palette(ui.saved.dark);
+  const ImVec4& color = count(Severity::error) > 0     ? colors.error
+                        : count(Severity::warning) > 0 ? colors.warning
+                                                       : colors.dim;
+  const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  if (ImGui::SmallButton(text.c_str())) perform(Action::toggle_messages, ui, input);
+  ImGui::PopStyleColor(2);
+  ui.widgets.note_item("Message counter");
+  tooltip("Show all messages");
+}
+
+}  // namespace
+
+void draw_status_line(UiState& ui, const UiInput& input) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 3));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).background);
+  const float height = ImGui::GetTextLineHeight() + 9;
+  constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
+  if (ImGui::BeginViewportSideBar("Status", ImGui::GetMainViewport(), ImGuiDir_Down, height, kFlags)) {
+    draw_rates(input);
+    draw_contact(ui, input);
+    draw_message_counter(ui, input);
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,100 @@
+#include "ui/panels/taxel_table_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "ui/panels/dock_layout.h"
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+
+namespace {
+
+void text_right(const std::string& text, bool dim) {
+  const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  if (slack > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + slack);
+  if (dim) {
+    ImGui::TextDisabled("%s", text.c_str());
+  } else {
+    ImGui::TextUnformatted(text.c_str());
+  }
+}
+
+void draw_swatch(int index) {
+  const float size = ImGui::GetFontSize() * 0.72f;
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
+  ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(index), 3);
+  ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
+}
+
+void draw_row(UiState& ui, const SensorModel& model, const SensorFrameState* sensor, int index) {
+  const auto i = static_cast<std::size_t>(index);
+  const Taxel& taxel = model.layout.taxels[i];
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  draw_swatch(index);
+  ImGui::SameLine(0, 6);
+  const std::string label = fmt::format("{}##taxel{}", taxel.id, index);
+  if (ImGui::Selectable(label.c_str(), ui.selection.taxel == index, ImGuiSelectableFlags_SpanAllColumns)) {
+    select_taxel(ui, index);
+  }
+  ui.widgets.note_item(fmt::format("Taxel {}", taxel.id));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(taxel.name.c_str());
+  if (!taxel.name.empty()) tooltip(taxel.name);
+  ImGui::TableNextColumn();
+  text_right(std::to_string(model.fields.first[i + 1] - model.fields.first[i]), true);
+  ImGui::TableNextColumn();
+  if (sensor != nullptr && i < sensor->readings.size()) {
+    const double reading = sensor->readings[i];
+    text_right(fmt::format("{:.2f}", 1e-3 * reading), reading <= 0);
+  }
+}
+
+void draw_table(UiState& ui, const UiInput& input, const SensorModel& model) {
+  constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("taxels", 4, kFlags)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Id", ImGuiTableColumnFlags_WidthStretch, 0.21f);
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch, 0.34f);
+  ImGui::TableSetupColumn("Samples", ImGuiTableColumnFlags_WidthStretch, 0.25f);
+  ImGui::TableSetupColumn("kPa", ImGuiTableColumnFlags_WidthStretch, 0.2f);
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (int column = 0; column < 4; ++column) {
+    ImGui::TableSetColumnIndex(column);
+    const char* name = ImGui::TableGetColumnName(column);
+    if (column >= 2) {
+      text_right(name, true);
+    } else {
+      ImGui::TextDisabled("%s", name);
+    }
+  }
+  const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  ImGuiListClipper clipper;
+  clipper.Begin(model.taxel_count());
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(ui, model, sensor, i);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_taxel_table(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kTaxelsTitle, &ui.saved.panels.taxels)) {
+    const SensorModelPtr model = input.shown_model(ui);
+    if (model && model->taxel_count() > 0) {
+      draw_table(ui, input, *model);
+    } else {
+      ImGui::TextDisabled(model ? "This layout has no taxels." : "Nothing is open.");
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,127 @@
+#include "ui/panels/view_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/dialogs.h"
+#include "ui/panels/dock_layout.h"
+#include "ui/theme.h"
+#include "ui/tools/camera_tool.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+
+namespace {
+
+SceneInput scene_input(const UiState& ui, const UiInput& input) {
+  SceneInput scene;
+  if (ui.mode == Mode::simulate) scene.frame = input.frame;
+  scene.document_model = input.model;
+  scene.overlays = ui.saved.overlays;
+  scene.range = ui.range;
+  scene.selected_sensor = ui.selection.sensor;
+  scene.selected_taxel = ui.selection.taxel;
+  scene.dark = ui.saved.dark;
+  return scene;
+}
+
+/// Draws into the renderer's texture only when something that is seen has changed.
+void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& renderer, int width, int height) {
+  ViewShown& view = ui.view;
+  SceneInput scene = scene_input(ui, input);
+  const bool same =
+      view.drawn && view.width == width && view.height == height && view.camera == ui.camera() && view.input == scene;
+  if (same) return;
+  renderer.render(scene, ui.camera(), width, height);
+  view.input = std::move(scene);
+  view.camera = ui.camera();
+  view.width = width;
+  view.height = height;
+  view.drawn = true;
+  ++view.draws;
+}
+
+/// Mode and name in the upper left corner.
+void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
+  const Palette& colors = palette(ui.saved.dark);
+  const bool layout = ui.mode == Mode::layout;
+  const ImVec4& mode_color = layout ? colors.layout_mode : colors.simulate_mode;
+  const float line = ImGui::GetFontSize();
+  const ImVec2 at(ui.view.rect.x0 + 0.8f * line, ui.view.rect.y0 + 0.7f * line);
+  const char* mode = layout ? "LAYOUT" : "SIMULATE";
+  const float width = ImGui::CalcTextSize(mode).x + line;
+  list.AddRectFilled(at, {at.x + width, at.y + 1.5f * line}, to_u32(mode_color), 3);
+  list.AddText({at.x + 0.5f * line, std::round(at.y + 0.22f * line)}, IM_COL32_WHITE, mode);
+  std::string text = input.name;
+  if (!layout && input.frame && input.frame->scene && !input.frame->scene->title.empty())
+    text = input.frame->scene->title;
+  if (!layout && input.frame && input.frame->finished) text += "   (finished)";
+  list.AddText({at.x + width + 0.6f * line, std::round(at.y + 0.22f * line)}, to_u32(colors.text), text.c_str());
+}
+
+void draw_border(const UiState& ui, ImDrawList& list) {
+  const Palette& colors = palette(ui.saved.dark);
+  const ImVec4& color = ui.mode == Mode::layout ? colors.layout_mode : colors.simulate_mode;
+  list.AddRect({ui.view.rect.x0, ui.view.rect.y0}, {ui.view.rect.x1, ui.view.rect.y1}, to_u32(color), 0, 2);
+}
+
+void draw_taxel_tooltip(const UiState& ui, const UiInput& input) {
+  const SensorModelPtr model = input.shown_model(ui);
+  const int index = ui.hovered_taxel;
+  if (!model || index < 0 || index >= model->taxel_count()) return;
+  const auto i = static_cast<std::size_t>(index);
+  const Taxel& taxel = model->layout.taxels[i];
+  std::string text = fmt::format("Taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : ", ", taxel.name);
+  text +=
+      fmt::format("\n{} samples, radius {}", model->fields.first[i + 1] - model->fields.first[i], in_mm(taxel.radius));
+  const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  if (sensor != nullptr && i < sensor->readings.size()) text += fmt::format("\n{}", in_kpa(sensor->readings[i]));
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
+void draw_over_scene(UiState& ui, const UiInput& input) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_heading(ui, input, list);
+  if (ui.mode == Mode::simulate && input.sensor(ui) != nullptr) {
+    const float line = ImGui::GetFontSize();
+    draw_pressure_legend(ui, {ui.view.rect.x1 - 0.8f * line, ui.view.rect.y0 + 0.7f * line},
+                         std::min(17 * line, 0.6f * ui.view.rect.height()));
+  }
+  draw_border(ui, list);
+  draw_taxel_tooltip(ui, input);
+}
+
+}  // namespace
+
+void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  const bool visible =
+      begin_panel(ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
+  if (visible && width > 0 && height > 0) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ui.view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width), corner.y + static_cast<float>(height)};
+    constexpr auto kButtons =
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+    ImGui::SetNextItemAllowOverlap();
+    ImGui::InvisibleButton("##view", size, kButtons);
+    ui.widgets.note_item("View");
+    handle_view_mouse(ui, input);
+    render_if_changed(ui, input, renderer, width, height);
+    const ImTextureRef texture(static_cast<ImTextureID>(renderer.texture()));
+    const Rect& r = ui.view.rect;  // rows of GL textures run upward
+    ImGui::GetWindowDrawList()->AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
+    draw_over_scene(ui, input);
+  }
+  ImGui::End();
+  if (!input.model && !input.frame) draw_start_card(ui);
+}
+
+}  // namespace taxel::ui

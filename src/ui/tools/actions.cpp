@@ -1,0 +1,226 @@
+#include "ui/tools/actions.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/tools/camera_tool.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// The switch that an action turns, or null.
+bool* switch_of(Action action, SavedState& saved) {
+  switch (action) {
+    case Action::toggle_transparent:
+      return &saved.overlays.sensor_transparent;
+    case Action::toggle_wireframe:
+      return &saved.overlays.wireframe;
+    case Action::toggle_rays:
+      return &saved.overlays.rays;
+    case Action::toggle_all_rays:
+      return &saved.overlays.all_rays;
+    case Action::toggle_contact:
+      return &saved.overlays.contact_surface;
+    case Action::toggle_contact_edges:
+      return &saved.overlays.contact_edges;
+    case Action::toggle_samples:
+      return &saved.overlays.samples;
+    case Action::toggle_normals:
+      return &saved.overlays.sample_normals;
+    case Action::toggle_taxels:
+      return &saved.overlays.taxels;
+    case Action::toggle_labels:
+      return &saved.overlays.taxel_labels;
+    case Action::toggle_fields:
+      return &saved.overlays.receptive_fields;
+    case Action::toggle_path:
+      return &saved.overlays.path;
+    case Action::toggle_grid:
+      return &saved.overlays.grid;
+    case Action::toggle_outliner:
+      return &saved.panels.outliner;
+    case Action::toggle_taxel_table:
+      return &saved.panels.taxels;
+    case Action::toggle_inspector:
+      return &saved.panels.inspector;
+    case Action::toggle_bars:
+      return &saved.panels.bars;
+    case Action::toggle_plots:
+      return &saved.panels.plot;
+    case Action::toggle_section:
+      return &saved.panels.section;
+    case Action::toggle_messages:
+      return &saved.panels.messages;
+    case Action::help:
+      return &saved.panels.help;
+    default:
+      return nullptr;
+  }
+}
+
+void escape(UiState& ui) {
+  if (ui.saved.panels.help) {
+    ui.saved.panels.help = false;
+  } else {
+    select_taxel(ui, -1);
+  }
+}
+
+constexpr float kScaleStep = 1.1f, kLeastScale = 0.6f, kLargestScale = 2.5f;
+
+bool perform_on_interface(Action action, UiState& ui) {
+  switch (action) {
+    case Action::escape:
+      escape(ui);
+      return true;
+    case Action::lock_range:
+      ui.range.automatic = !ui.range.automatic;
+      return true;
+    case Action::toggle_theme:
+      ui.saved.dark = !ui.saved.dark;
+      return true;
+    case Action::scale_up:
+      ui.saved.scale = std::min(kLargestScale, ui.saved.scale * kScaleStep);
+      return true;
+    case Action::scale_down:
+      ui.saved.scale = std::max(kLeastScale, ui.saved.scale / kScaleStep);
+      return true;
+    case Action::scale_reset:
+      ui.saved.scale = 1.0f;
+      return true;
+    case Action::reset_arrangement:
+      ui.saved.panels = PanelsShown{};
+      ui.reset_arrangement = true;
+      return true;
+    default:
+      break;
+  }
+  bool* value = switch_of(action, ui.saved);
+  if (value != nullptr) *value = !*value;
+  return value != nullptr;
+}
+
+}  // namespace
+
+double next_speed(double speed, bool faster) {
+  const double notch = std::round(std::log2(speed)) + (faster ? 1 : -1);
+  return std::exp2(std::clamp(notch, -4.0, 4.0));
+}
+
+void select_taxel(UiState& ui, int taxel) {
+  ui.selection.taxel = taxel;
+}
+
+void add_message(UiState& ui, Severity severity, std::string text, double now) {
+  Message message;
+  message.severity = severity;
+  message.text = std::move(text);
+  message.number = ui.messages.empty() ? 1 : ui.messages.back().number + 1;
+  message.shown_at = now;
+  ui.messages.push_back(std::move(message));
+}
+
+void perform(Action action, UiState& ui, const UiInput& input) {
+  if (!is_enabled(action, ui, input) || perform_on_interface(action, ui)) return;
+  switch (action) {
+    case Action::open_file:
+      ui.dialog.open = ui.dialog.wants_focus = true;
+      ui.ask(ListFolder{ui.dialog.folder});
+      break;
+    case Action::open_sweep:
+      ui.ask(OpenFingertipSweep{});
+      break;
+    case Action::reload_file:
+      ui.ask(ReloadFile{});
+      break;
+    case Action::close_document:
+      ui.ask(CloseDocument{});
+      break;
+    case Action::screenshot:
+      ui.ask(TakeScreenshot{});
+      break;
+    case Action::quit:
+      ui.ask(Quit{});
+      break;
+    case Action::play_pause:
+      ui.ask(SetPlaying{!input.playing});
+      break;
+    case Action::step_forward:
+      ui.ask(StepOnce{});
+      break;
+    case Action::reset_simulation:
+      ui.ask(ResetSimulation{});
+      break;
+    case Action::slower:
+      ui.ask(SetSpeed{next_speed(input.speed, false)});
+      break;
+    case Action::faster:
+      ui.ask(SetSpeed{next_speed(input.speed, true)});
+      break;
+    case Action::mode_layout:
+      ui.ask(SetMode{Mode::layout});
+      break;
+    case Action::mode_simulate:
+      ui.ask(SetMode{Mode::simulate});
+      break;
+    case Action::frame_all:
+      ui.camera().frame(scene_box(ui, input));
+      break;
+    case Action::frame_selection:
+      ui.camera().frame(selection_box(ui, input));
+      break;
+    default:
+      break;
+  }
+}
+
+bool is_checked(Action action, const UiState& ui) {
+  if (action == Action::toggle_theme) return !ui.saved.dark;
+  if (action == Action::lock_range) return !ui.range.automatic;
+  if (action == Action::mode_layout) return ui.mode == Mode::layout;
+  if (action == Action::mode_simulate) return ui.mode == Mode::simulate;
+  SavedState saved = ui.saved;
+  const bool* value = switch_of(action, saved);
+  return value != nullptr && *value;
+}
+
+bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
+  switch (action) {
+    case Action::play_pause:
+    case Action::step_forward:
+    case Action::reset_simulation:
+      return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+    case Action::mode_layout:
+    case Action::close_document:
+      return input.model != nullptr || input.frame != nullptr;
+    case Action::mode_simulate:
+      return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+    case Action::reload_file:
+      return !input.file.empty();
+    case Action::frame_all:
+      return !scene_box(ui, input).empty();
+    case Action::frame_selection:
+      return !selection_box(ui, input).empty();
+    default:
+      return true;
+  }
+}
+
+void handle_keys(UiState& ui, const UiInput& input) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return;
+  for (const Binding& b : bindings()) {
+    if (b.chord == 0) continue;
+    if (b.context == Context::layout && ui.mode != Mode::layout) continue;
+    if (b.context == Context::simulate && ui.mode != Mode::simulate) continue;
+    const auto key = static_cast<ImGuiKey>(b.chord & ~ImGuiMod_Mask_);
+    const int mods = b.chord & ImGuiMod_Mask_;
+    if (io.KeyMods == mods && ImGui::IsKeyPressed(key, b.repeats)) perform(b.action, ui, input);
+  }
+}
+
+}  // namespace taxel::ui

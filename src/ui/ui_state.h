@@ -1,0 +1,216 @@
+// What the window knows beside the document: plain state that the program owns and every panel gets. What is kept from
+// one start to the next stands apart from what passes.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/sim/sim_command.h"
+#include "core/sim/sim_frame.h"
+#include "ui/keymap.h"
+#include "ui/scene/camera.h"
+#include "ui/scene/scene_renderer.h"
+#include "ui/tools/model_summary.h"
+#include "ui/widgets/widget_registry.h"
+
+namespace taxel::ui {
+
+enum class Mode { layout, simulate };
+
+struct Selection {
+  int sensor = 0;
+  int taxel = -1;  ///< index in layout order; -1: none
+  bool operator==(const Selection&) const = default;
+};
+
+/// Which panels are open; their names are the titles of their windows.
+struct PanelsShown {
+  bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true;
+  bool messages = false, help = false;
+};
+
+struct PlotOptions {
+  bool relative = true;         ///< divided by the largest reading of the run, as the paper's Figure 4; else kPa
+  bool responding_only = true;  ///< only taxels above 5 % of the largest
+};
+
+/// Kept in the settings file.
+struct SavedState {
+  bool dark = true;
+  float scale = 1.0f;  ///< of the interface, on top of the screen's own
+  Overlays overlays;
+  PanelsShown panels;
+  PlotOptions plot;
+  std::vector<std::string> recent;  ///< newest first
+};
+
+/// A line for the user. Errors and warnings stay until closed; notes leave the view after a while.
+struct Message {
+  Severity severity = Severity::note;
+  std::string text;
+  int number = 0;       ///< 1, 2, ... in order of arrival
+  double shown_at = 0;  ///< interface time [s]
+  bool toast = true;    ///< still floating over the view
+};
+
+/// One entry of a folder, listed by the program for the file dialog.
+struct FolderEntry {
+  std::string name;
+  bool folder = false;
+};
+
+struct FileDialog {
+  bool open = false;
+  bool wants_focus = false;  ///< the path field gets the keyboard in the next frame
+  std::string folder;        ///< absolute
+  std::vector<FolderEntry> entries;
+  std::string path;    ///< what stands in the field
+  std::string filter;  ///< part of a name, any case
+  int selected = -1;   ///< index in entries
+  std::string error;   ///< why the folder could not be listed
+};
+
+/// A load that runs in the worker.
+struct Loading {
+  bool active = false;
+  std::string what;
+  double fraction = 0;
+  double seconds = 0;  ///< since it began
+};
+
+/// A bar as it was drawn in the last frame: the picture as numbers.
+struct BarShown {
+  int taxel_id = 0;
+  double value = 0;        ///< [Pa]
+  double height = 0;       ///< [pixels]
+  Rect rect;               ///< the filled part
+  double top = 0;          ///< pressure at the top of the axis [Pa]
+  double axis_height = 0;  ///< of the whole axis [pixels]
+};
+
+/// Where the 3-D view stands and what it drew last; compared to know whether to draw again.
+struct ViewShown {
+  Rect rect;
+  int width = 0, height = 0;  ///< of the texture
+  SceneInput input;
+  Camera camera;
+  bool drawn = false;
+  int draws = 0;
+};
+
+/// Curves of the plot, rebuilt when the trace changes.
+struct PlotCurves {
+  const void* trace = nullptr;
+  std::size_t rows = 0;
+  std::vector<double> travel_mm;
+  std::vector<std::vector<double>> readings;  ///< per taxel of all sensors [Pa]
+  std::vector<double> drawn;                  ///< scratch
+  double largest = 0;                         ///< of all [Pa]
+};
+
+struct Clicks {
+  int left = 0, left_double = 0, right = 0, right_double = 0;
+};
+
+// What panels ask of the program; carried out after the frame, in order.
+struct OpenFile {
+  std::string path;
+};
+struct OpenFingertipSweep {};
+struct CloseDocument {};
+struct ListFolder {
+  std::string path;
+};
+struct CancelLoading {};
+struct SendCommand {
+  SimCommand command;
+};
+struct RunSweep {
+  SweepScenario scenario;
+};
+struct SetPlaying {
+  bool playing = false;
+};
+struct StepOnce {};
+struct ResetSimulation {};
+struct SetSpeed {
+  double factor = 1;
+};
+struct SetMode {
+  Mode mode = Mode::simulate;
+};
+struct ReloadFile {};
+struct TakeScreenshot {};
+struct Quit {};
+using Request =
+    std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, SendCommand, RunSweep,
+                 SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, TakeScreenshot, Quit>;
+
+struct UiState {
+  SavedState saved;
+
+  Mode mode = Mode::simulate;
+  std::array<Camera, 2> cameras;  ///< one per mode
+  PressureRange range;
+  Selection selection;
+  int hovered_taxel = -1;
+  SweepScenario edited_sweep;  ///< what the inspector's fields hold
+  std::vector<Message> messages;
+  FileDialog dialog;
+  PlotCurves curves;
+  ModelSummary summary;  ///< of the layout shown
+  std::vector<BarShown> bars;
+  ViewShown view;
+  Clicks clicks;
+  WidgetRegistry widgets;
+  std::vector<Request> requests;
+  bool reset_arrangement = false;
+
+  [[nodiscard]] Camera& camera() { return cameras[mode == Mode::layout ? 0 : 1]; }
+  [[nodiscard]] const Camera& camera() const { return cameras[mode == Mode::layout ? 0 : 1]; }
+  void ask(Request request) { requests.push_back(std::move(request)); }
+};
+
+/// How fast things go; shown in the status line.
+struct Performance {
+  double fps = 0;               ///< pictures per second while the picture changes
+  double simulation_speed = 0;  ///< multiples of real time
+  double step_seconds = 0;      ///< wall time of one simulation step; 0: unknown
+  bool by_clock = true;         ///< false: frames follow a script, and rates mean nothing
+};
+
+/// What there is to show: read only for panels.
+struct UiInput {
+  SimFramePtr frame;                ///< newest of the simulation; null: none runs
+  SensorModelPtr model;             ///< compiled layout of the document; null: nothing open
+  std::string name;                 ///< of the document
+  std::string file;                 ///< where it came from; empty: built in
+  bool simulates_document = false;  ///< the running scene was built around `model`
+  SweepScenario scenario;
+  bool sweep = false;  ///< the running scene is a sweep
+  bool playing = false;
+  double speed = 1;
+  std::vector<double> peaks;  ///< largest reading of each taxel of the selected sensor since the start [Pa]
+  Performance performance;
+  Loading loading;
+  std::string version;
+
+  /// State of the selected sensor in the newest frame, or null.
+  [[nodiscard]] const SensorFrameState* sensor(const UiState& ui) const {
+    if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))
+      return nullptr;
+    return &frame->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+  }
+  /// The layout that taxel numbers refer to: the selected sensor's in SIMULATE, the document's in LAYOUT. May be null.
+  [[nodiscard]] SensorModelPtr shown_model(const UiState& ui) const {
+    if (ui.mode == Mode::simulate && sensor(ui) != nullptr) {
+      return frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+    }
+    return model;
+  }
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,200 @@
+#include "ui/widgets/controls.h"
+
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// A button whose face is given by the caller; ImGui keeps hover, focus and activation.
+bool colored_button(const char* label, const ImVec2& size, const ImVec4& face, const ImVec4& text) {
+  const auto lifted = [&](float t) {
+    return ImVec4(face.x + (1 - face.x) * t, face.y + (1 - face.y) * t, face.z + (1 - face.z) * t, 1);
+  };
+  ImGui::PushStyleColor(ImGuiCol_Button, face);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lifted(0.12f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, lifted(0.24f));
+  ImGui::PushStyleColor(ImGuiCol_Text, text);
+  const bool pressed = ImGui::Button(label, size);
+  ImGui::PopStyleColor(4);
+  return pressed;
+}
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
+  switch (icon) {
+    case Icon::run:
+      list.AddTriangleFilled({c.x - 0.7f * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.7f * r, c.y + r}, color);
+      break;
+    case Icon::pause:
+      list.AddRectFilled({c.x - 0.8f * r, c.y - r}, {c.x - 0.2f * r, c.y + r}, color);
+      list.AddRectFilled({c.x + 0.2f * r, c.y - r}, {c.x + 0.8f * r, c.y + r}, color);
+      break;
+    case Icon::step:
+      list.AddTriangleFilled({c.x - 0.9f * r, c.y - r}, {c.x + 0.5f * r, c.y}, {c.x - 0.9f * r, c.y + r}, color);
+      list.AddRectFilled({c.x + 0.5f * r, c.y - r}, {c.x + 0.95f * r, c.y + r}, color);
+      break;
+    case Icon::reset:
+      list.AddTriangleFilled({c.x + 0.9f * r, c.y - r}, {c.x + 0.9f * r, c.y + r}, {c.x - 0.5f * r, c.y}, color);
+      list.AddRectFilled({c.x - 0.95f * r, c.y - r}, {c.x - 0.5f * r, c.y + r}, color);
+      break;
+  }
+}
+
+}  // namespace
+
+bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
+  // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was.
+  const bool visible =
+      ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+  ui.widgets.note_item(title);
+  return visible;
+}
+
+bool button(UiState& ui, const char* label, const ImVec2& size) {
+  const bool pressed = ImGui::Button(label, size);
+  ui.widgets.note_item(label);
+  return pressed;
+}
+
+bool checkbox(UiState& ui, const char* label, bool* value) {
+  const bool changed = ImGui::Checkbox(label, value);
+  ui.widgets.note_item(label);
+  return changed;
+}
+
+bool menu_item(UiState& ui, const char* label, const std::string& shortcut, bool checked, bool enabled) {
+  const bool chosen = ImGui::MenuItem(label, shortcut.empty() ? nullptr : shortcut.c_str(), checked, enabled);
+  ui.widgets.note_item(label);
+  return chosen;
+}
+
+bool begin_menu(UiState& ui, const char* label) {
+  const bool open = ImGui::BeginMenu(label);
+  if (!open) ui.widgets.note_item(label);  // while open, the last item is inside of the menu
+  return open;
+}
+
+bool selectable(UiState& ui, const char* label, bool selected, ImGuiSelectableFlags flags) {
+  const bool chosen = ImGui::Selectable(label, selected, flags);
+  ui.widgets.note_item(label);
+  return chosen;
+}
+
+bool header(UiState& ui, const char* label) {
+  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+  const bool open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopStyleColor();
+  ui.widgets.note_item(label);
+  return open;
+}
+
+bool small_choice(UiState& ui, const char* label, bool chosen) {
+  const Palette& colors = palette(ui.saved.dark);
+  const bool pressed =
+      chosen ? colored_button(label, ImVec2(0, 0), colors.accent, ImVec4(1, 1, 1, 1)) : ImGui::Button(label);
+  ui.widgets.note_item(label);
+  return pressed;
+}
+
+bool toggle(UiState& ui, const char* label, bool on, const char* tooltip_text) {
+  const Palette& colors = palette(ui.saved.dark);
+  const ImVec4 face = on ? ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive) : colors.panel;
+  ImGui::PushStyleColor(ImGuiCol_Button, face);
+  ImGui::PushStyleColor(ImGuiCol_Text, on ? colors.text : colors.dim);
+  const bool pressed = ImGui::Button(label);
+  ImGui::PopStyleColor(2);
+  ui.widgets.note_item(label);
+  tooltip(tooltip_text);
+  return pressed;
+}
+
+bool icon_button(UiState& ui, const char* label, Icon icon, const ImVec2& size, const ImVec4* fill,
+                 const char* tooltip_text) {
+  const Palette& colors = palette(ui.saved.dark);
+  const std::string name = label;
+  const std::string text = name.substr(0, name.find("##"));
+  const std::string id = "##" + name;
+  const ImVec4 ink =
+      fill != nullptr ? (icon == Icon::pause ? ImVec4(0.12f, 0.10f, 0.03f, 1) : ImVec4(1, 1, 1, 1)) : colors.text;
+  const bool pressed = fill != nullptr ? colored_button(id.c_str(), size, *fill, ink) : ImGui::Button(id.c_str(), size);
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  const bool with_text = fill != nullptr;
+  const float r = 0.34f * ImGui::GetFontSize();
+  const float text_width = with_text ? ImGui::CalcTextSize(text.c_str()).x + 0.6f * ImGui::GetFontSize() : 0.0f;
+  const ImVec2 center(0.5f * (lo.x + hi.x) - 0.5f * text_width, 0.5f * (lo.y + hi.y));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_icon(list, icon, center, r, ImGui::GetColorU32(ink));
+  if (with_text) {
+    const float y = std::round(0.5f * (lo.y + hi.y) - 0.5f * ImGui::GetFontSize());
+    list.AddText(ImVec2(std::round(center.x + r + 0.45f * ImGui::GetFontSize()), y), ImGui::GetColorU32(ink),
+                 text.c_str());
+  }
+  ui.widgets.note_item(text);
+  tooltip(tooltip_text);
+  return pressed;
+}
+
+bool begin_properties(const char* id) {
+  if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.46f);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.54f);
+  return true;
+}
+
+void end_properties() {
+  ImGui::EndTable();
+}
+
+void property(const char* name, const std::string& value) {
+  property(name, value, ImGui::GetStyleColorVec4(ImGuiCol_Text));
+}
+
+void property(const char* name, const std::string& value, const ImVec4& color) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", name);
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool fits = ImGui::CalcTextSize(value.c_str()).x <= room;
+  if (fits) {
+    ImGui::TextUnformatted(value.c_str());
+  } else {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(value.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::PopStyleColor();
+}
+
+bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
+                    double hi) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", name);
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  const std::string id = std::string("##") + name;
+  auto shown = static_cast<float>(*value * shown_per_si);
+  const auto shown_lo = static_cast<float>(lo * shown_per_si), shown_hi = static_cast<float>(hi * shown_per_si);
+  const bool changed = ImGui::DragFloat(id.c_str(), &shown, 0.005f * (shown_hi - shown_lo), shown_lo, shown_hi, format,
+                                        ImGuiSliderFlags_AlwaysClamp);
+  ui.widgets.note_item(name);
+  if (changed) *value = static_cast<double>(shown) / shown_per_si;
+  return changed;
+}
+
+void tooltip(const std::string& text) {
+  if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) ImGui::SetTooltip("%s", text.c_str());
+}
+
+void caption(const char* text) {
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  ImGui::TextDisabled("%s", text);
+  ImGui::PopFont();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,43 @@
+// ImGui's basic widgets, each noted in the registry under its label; and a few of our own look.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/ui_state.h"
+
+namespace taxel::ui {
+
+/// Opens the window of a panel and notes its tab. Then ImGui::End(), whatever it returns.
+bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags = 0);
+
+/// The "##id" part of a label is an id for ImGui only.
+bool button(UiState& ui, const char* label, const ImVec2& size = ImVec2(0, 0));
+bool checkbox(UiState& ui, const char* label, bool* value);
+bool menu_item(UiState& ui, const char* label, const std::string& shortcut, bool checked, bool enabled = true);
+bool begin_menu(UiState& ui, const char* label);  ///< then ImGui::EndMenu()
+bool selectable(UiState& ui, const char* label, bool selected, ImGuiSelectableFlags flags = 0);
+bool header(UiState& ui, const char* label);                                ///< collapsing, open at first
+bool small_choice(UiState& ui, const char* label, bool chosen);             ///< one of several exclusive buttons
+bool toggle(UiState& ui, const char* label, bool on, const char* tooltip);  ///< a button that stays down
+
+enum class Icon { run, pause, step, reset };
+/// A button with a drawn icon and, if not empty, text beside it. `fill`: its colour; null: a plain button.
+bool icon_button(UiState& ui, const char* label, Icon icon, const ImVec2& size, const ImVec4* fill,
+                 const char* tooltip);
+
+/// Two columns of names and values, as the inspector has them.
+bool begin_properties(const char* id);
+void end_properties();
+void property(const char* name, const std::string& value);
+void property(const char* name, const std::string& value, const ImVec4& color);
+/// A row whose value is a field; true when it was changed. Shown as value * shown_per_si, stored in SI.
+bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
+                    double hi);
+
+void tooltip(const std::string& text);  ///< for the last item, when hovered
+/// Small dim text.
+void caption(const char* text);
+
+}  // namespace taxel::ui

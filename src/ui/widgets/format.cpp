@@ -1,0 +1,45 @@
+#include "ui/widgets/format.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace taxel::ui {
+
+std::string in_mm(double metres, int digits) {
+  return fmt::format("{:.{}f} mm", 1e3 * metres, digits);
+}
+
+std::string in_mm(const dvec3& p, int digits) {
+  return fmt::format("{:.{}f}, {:.{}f}, {:.{}f} mm", 1e3 * p.x, digits, 1e3 * p.y, digits, 1e3 * p.z, digits);
+}
+
+std::string in_kpa(double pascals) {
+  return fmt::format("{:.2f} kPa", 1e-3 * pascals);
+}
+
+std::string kpa_number(double pascals) {
+  const double kpa = 1e-3 * pascals;
+  return fmt::format("{:.{}f}", kpa, std::abs(kpa) < 9.995 ? 2 : std::abs(kpa) < 99.95 ? 1 : 0);
+}
+
+std::string grouped(long long count) {
+  std::string digits = std::to_string(count);
+  for (auto i = static_cast<int>(digits.size()) - 3; i > (digits.front() == '-' ? 1 : 0); i -= 3) {
+    digits.insert(static_cast<std::size_t>(i), 1, ' ');
+  }
+  return digits;
+}
+
+double nice_ceiling(double value) {
+  if (!(value > 0)) return 0;
+  constexpr std::array kSteps{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : kSteps) {
+    if (step * decade >= value) return step * decade;
+  }
+  return 10.0 * decade;
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,17 @@
+// Numbers as people read them: millimetres, kilopascals, newtons.
+#pragma once
+
+#include <string>
+
+#include "core/base/math.h"
+
+namespace taxel::ui {
+
+std::string in_mm(double metres, int digits = 2);        ///< "6.00 mm"
+std::string in_mm(const dvec3& metres, int digits = 2);  ///< "1.00, 2.00, 3.00 mm"
+std::string in_kpa(double pascals);                      ///< "12.34 kPa"; four significant digits at most
+std::string kpa_number(double pascals);                  ///< "12.3": short, for bars
+std::string grouped(long long count);                    ///< "12 345"
+double nice_ceiling(double value);  ///< least of 1, 1.5, 2, 3, 4, 5, 6, 8 times 10^n that is >= value
+
+}  // namespace taxel::ui

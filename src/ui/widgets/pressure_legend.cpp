@@ -1,0 +1,74 @@
+#include "ui/widgets/pressure_legend.h"
+
+#include <fmt/format.h>
+
+#include "ui/scene/color_map.h"
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+void draw_color_bar(ImDrawList& list, ImVec2 lo, ImVec2 hi) {
+  constexpr int kBands = 64;
+  const auto color_at = [](double t) {
+    const glm::vec3 c = viridis(t);
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, 1));
+  };
+  for (int i = 0; i < kBands; ++i) {
+    const double t0 = static_cast<double>(i) / kBands, t1 = static_cast<double>(i + 1) / kBands;
+    const auto y = [&](double t) { return hi.y + (lo.y - hi.y) * static_cast<float>(t); };
+    const ImU32 top = color_at(t1), bottom = color_at(t0);
+    list.AddRectFilledMultiColor({lo.x, y(t1)}, {hi.x, y(t0)}, top, top, bottom, bottom);
+  }
+}
+
+}  // namespace
+
+ImU32 pressure_color(const PressureRange& range, double pressure, float alpha) {
+  const double span = range.hi - range.lo;
+  const glm::vec3 c = viridis(span > 0 ? (pressure - range.lo) / span : 0.0);
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
+}
+
+ImU32 taxel_color_u32(int index, float alpha) {
+  const glm::vec3 c = taxel_color(index);
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
+}
+
+void draw_pressure_legend(UiState& ui, ImVec2 corner, float height) {
+  const Palette& colors = palette(ui.saved.dark);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float line = ImGui::GetFontSize(), width = 5.6f * line, pad = 0.5f * line;
+  const ImVec2 lo(corner.x - width, corner.y), hi(corner.x, corner.y + height);
+  list.AddRectFilled(lo, hi, to_u32(colors.panel, 0.82f), ImGui::GetStyle().FrameRounding);
+  list.AddText({lo.x + pad, lo.y + 0.35f * line}, to_u32(colors.text), "Pressure");
+  list.AddText({lo.x + pad, lo.y + 1.4f * line}, to_u32(colors.dim), "kPa");
+  const ImVec2 bar_lo(lo.x + pad, lo.y + 2.9f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.4f * line);
+  draw_color_bar(list, bar_lo, bar_hi);
+  constexpr int kTicks = 4;
+  for (int i = 0; i <= kTicks; ++i) {
+    const double t = static_cast<double>(i) / kTicks;
+    const float y = bar_hi.y + (bar_lo.y - bar_hi.y) * static_cast<float>(t);
+    list.AddLineH(bar_hi.x, bar_hi.x + 0.3f * line, std::floor(y), to_u32(colors.dim));
+    const std::string text = fmt::format("{:.4g}", 1e-3 * (ui.range.lo + t * (ui.range.hi - ui.range.lo)));
+    list.AddText({bar_hi.x + 0.5f * line, std::round(y - 0.5f * line)}, to_u32(colors.text), text.c_str());
+  }
+  const char* state = ui.range.automatic ? "AUTO" : "LOCKED";
+  const ImVec2 button_lo(lo.x + 0.3f * line, hi.y - 1.65f * line), button_size(width - 0.6f * line, 1.4f * line);
+  ImGui::SetCursorScreenPos(button_lo);
+  if (ImGui::InvisibleButton("##range", button_size)) ui.range.automatic = !ui.range.automatic;
+  ui.widgets.note_item("Range");
+  const ImVec4& face = ImGui::IsItemHovered() ? colors.accent : colors.raised;
+  list.AddRectFilled(button_lo, {button_lo.x + button_size.x, button_lo.y + button_size.y}, to_u32(face),
+                     ImGui::GetStyle().FrameRounding);
+  const float text_width = ImGui::CalcTextSize(state).x;
+  list.AddText({std::round(button_lo.x + 0.5f * (button_size.x - text_width)), std::round(button_lo.y + 0.2f * line)},
+               to_u32(ui.range.automatic ? colors.text : colors.warning), state);
+  tooltip(ui.range.automatic ? "The range follows the largest pressure of the run. Click to lock it."
+                             : "The range is locked. Click to let it follow the largest pressure.");
+}
+
+}  // namespace taxel::ui
