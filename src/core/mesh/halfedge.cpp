@@ -1,0 +1,172 @@
+#include "core/mesh/halfedge.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <numeric>
+#include <tuple>
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+struct DoubleTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using OmMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+
+/// One face's side of an edge.
+struct Side {
+  int low, high;  // vertices
+  int face, corner;
+  bool forward;  // runs from low to high
+};
+
+/// All sides, those of one edge together, in the order of faces.
+std::vector<Side> sorted_sides(const TriMesh& mesh) {
+  std::vector<Side> sides;
+  sides.reserve(3 * at(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const ivec3& ids = mesh.faces()[at(f)];
+    for (int c = 0; c < 3; ++c) {
+      const int a = ids[c], b = ids[(c + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), f, c, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+  });
+  return sides;
+}
+
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
+  return i;
+}
+
+/// Corners of faces (3 face + corner) gathered into fans: one number per fan of faces around one vertex.
+class Fans {
+ public:
+  explicit Fans(std::size_t corner_count) : parent_(corner_count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  /// Two sides of one edge belong together: so do the corners at its ends.
+  void join(const Side& s, const Side& t) {
+    unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
+    unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
+  }
+  int of(int face, int corner) { return find_root(parent_, 3 * face + corner); }
+
+ private:
+  void unite(int a, int b) {
+    const auto [low, high] = std::minmax(find_root(parent_, a), find_root(parent_, b));
+    parent_[at(high)] = low;
+  }
+  std::vector<int> parent_;
+};
+
+/// The OpenMesh mesh: one vertex per fan, faces in order.
+struct Built {
+  OmMesh mesh;
+  std::vector<int> vertex_of;  // ours, for each of OpenMesh's
+};
+
+OpenMesh::VertexHandle add_vertex(Built& built, const TriMesh& mesh, int vertex) {
+  const dvec3& p = mesh.vertices()[at(vertex)];
+  built.vertex_of.push_back(vertex);
+  return built.mesh.add_vertex({p.x, p.y, p.z});
+}
+
+Built build(const TriMesh& mesh, Fans& fans) {
+  Built built;
+  std::vector<OpenMesh::VertexHandle> vertex_of_fan(3 * at(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    std::array<OpenMesh::VertexHandle, 3> corners;
+    for (int c = 0; c < 3; ++c) {
+      OpenMesh::VertexHandle& handle = vertex_of_fan[at(fans.of(f, c))];
+      if (!handle.is_valid()) handle = add_vertex(built, mesh, mesh.faces()[at(f)][c]);
+      corners[at(c)] = handle;
+    }
+    // A fan that closes on itself through a bad edge can still offer a taken side: such a face stands alone.
+    bool taken = false;
+    for (int c = 0; c < 3; ++c) {
+      const auto side = built.mesh.find_halfedge(corners[at(c)], corners[at((c + 1) % 3)]);
+      taken = taken || (side.is_valid() && !built.mesh.is_boundary(side));
+      taken = taken || !built.mesh.is_boundary(corners[at(c)]);
+    }
+    if (taken) {
+      for (int c = 0; c < 3; ++c) corners[at(c)] = add_vertex(built, mesh, mesh.faces()[at(f)][c]);
+    }
+    built.mesh.add_face(corners[0], corners[1], corners[2]);
+  }
+  return built;
+}
+
+/// Signed angle between the normals of the two faces at an edge: by the sine along the edge and the cosine.
+double dihedral(const TriMesh& mesh, const MeshEdge& edge) {
+  const dvec3 &left = mesh.face_normals()[at(edge.left)], &right = mesh.face_normals()[at(edge.right)];
+  const dvec3 along = glm::normalize(mesh.vertices()[at(edge.b)] - mesh.vertices()[at(edge.a)]);
+  return std::atan2(glm::dot(glm::cross(right, left), along), glm::dot(left, right));
+}
+
+std::vector<MeshEdge> all_edges(const Built& built, const TriMesh& mesh) {
+  std::vector<MeshEdge> edges;
+  for (const OpenMesh::SmartEdgeHandle e : built.mesh.edges()) {
+    const OpenMesh::SmartHalfedgeHandle h = e.h0().is_boundary() ? e.h1() : e.h0();
+    MeshEdge edge{built.vertex_of[at(h.from().idx())], built.vertex_of[at(h.to().idx())], h.face().idx(),
+                  h.opp().face().idx(), 0.0};
+    if (edge.right >= 0) edge.dihedral = dihedral(mesh, edge);
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+std::vector<ivec3> all_neighbours(const Built& built, const TriMesh& mesh) {
+  std::vector<ivec3> neighbours(mesh.faces().size(), ivec3(-1));
+  for (const OpenMesh::SmartFaceHandle f : built.mesh.faces()) {
+    const ivec3& ids = mesh.faces()[at(f.idx())];
+    for (const OpenMesh::SmartHalfedgeHandle h : f.halfedges()) {
+      const int from = built.vertex_of[at(h.from().idx())];
+      const int corner = ids.x == from ? 0 : ids.y == from ? 1 : 2;
+      neighbours[at(f.idx())][corner] = h.opp().face().idx();
+    }
+  }
+  return neighbours;
+}
+
+}  // namespace
+
+HalfEdges::HalfEdges(const TriMesh& mesh) {
+  const std::vector<Side> sides = sorted_sides(mesh);
+  Fans fans(sides.size());
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    const Side& first = sides[begin];
+    while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) ++end;
+    BadEdge bad{first.low, first.high, {}};
+    for (std::size_t i = begin; i < end; ++i) bad.faces.push_back(sides[i].face);
+    if (end - begin > 2) {
+      nonmanifold_.push_back(bad);
+    } else if (end - begin == 2 && first.forward == sides[begin + 1].forward) {
+      misoriented_.push_back(bad);
+    } else if (end - begin == 2) {
+      fans.join(first, sides[begin + 1]);
+    } else {
+      boundary_.emplace_back(first.forward ? first.low : first.high, first.forward ? first.high : first.low);
+    }
+  }
+  const Built built = build(mesh, fans);
+  edges_ = all_edges(built, mesh);
+  neighbours_ = all_neighbours(built, mesh);
+  rings_.resize(mesh.vertices().size());
+  std::vector<int> fan_count(mesh.vertices().size(), 0);
+  for (const OpenMesh::SmartVertexHandle v : built.mesh.vertices()) {
+    if (built.mesh.is_isolated(v)) continue;
+    const int vertex = built.vertex_of[at(v.idx())];
+    if (++fan_count[at(vertex)] == 2) split_vertices_.push_back(vertex);
+    for (const OpenMesh::SmartVertexHandle w : v.vertices_ccw())
+      rings_[at(vertex)].push_back(built.vertex_of[at(w.idx())]);
+  }
+  std::sort(split_vertices_.begin(), split_vertices_.end());
+}
+
+}  // namespace taxel

@@ -1,0 +1,100 @@
+#include "core/mesh/mesh_check.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/mesh/halfedge.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::string place(const TriMesh& mesh, int a, int b) {
+  const dvec3 p = 0.5 * (mesh.vertices()[at(a)] + mesh.vertices()[at(b)]);
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+}
+
+const char* plural(std::size_t count) {
+  return count == 1 ? "" : "s";
+}
+
+void check_edges(const TriMesh& mesh, const std::string& file, Problems& problems) {
+  const HalfEdges half_edges(mesh);
+  const auto& open = half_edges.boundary_edges();
+  if (!open.empty()) {
+    problems.push_back({file, "", Severity::warning, "mesh_open",
+                        fmt::format("{} open edge{}, the first at {}", open.size(), plural(open.size()),
+                                    place(mesh, open[0].first, open[0].second)),
+                        "close the mesh: without an inside it has no pressure field"});
+  }
+  const auto& bad = half_edges.nonmanifold_edges();
+  if (!bad.empty()) {
+    problems.push_back({file, "", Severity::error, "mesh_nonmanifold",
+                        fmt::format("{} edge{} with more than two faces, the first at {} ({} faces)", bad.size(),
+                                    plural(bad.size()), place(mesh, bad[0].a, bad[0].b), bad[0].faces.size()),
+                        "remove the inner faces there"});
+  }
+  const auto& turned = half_edges.misoriented_edges();
+  if (!turned.empty()) {
+    problems.push_back({file, "", Severity::error, "mesh_winding",
+                        fmt::format("{} edge{} between faces that wind differently, the first at {} (faces {} and {})",
+                                    turned.size(), plural(turned.size()), place(mesh, turned[0].a, turned[0].b),
+                                    turned[0].faces[0], turned[0].faces[1]),
+                        "orient the faces alike"});
+  }
+}
+
+void check_shells(const TriMesh& mesh, const std::string& file, Problems& problems) {
+  const std::vector<int> outer = outer_shells(mesh);
+  if (mesh.closed() && extract_shells(mesh, outer).volume() < 0) {
+    problems.push_back({file, "", Severity::warning, "mesh_inverted",
+                        fmt::format("the volume is negative ({:.6g} m^3): the normals point inward", mesh.volume()),
+                        "flip the faces, or give a negative scale on one axis to mirror it"});
+  }
+  std::vector<int> faces(at(mesh.shell_count()), 0);
+  for (const int s : mesh.shell_of_face()) ++faces[at(s)];
+  for (int s = 0; s < mesh.shell_count(); ++s) {
+    if (std::find(outer.begin(), outer.end(), s) != outer.end()) continue;
+    problems.push_back({file, "", Severity::note, "mesh_cavity",
+                        fmt::format("shell {} of {} ({} faces) is a closed cavity inside another shell", s,
+                                    mesh.shell_count(), faces[at(s)]),
+                        "nothing to do: no sample lies on it"});
+  }
+  if (outer.size() > 1) {
+    problems.push_back({file, "", Severity::note, "mesh_shells", fmt::format("{} separate shells", outer.size()), ""});
+  }
+}
+
+}  // namespace
+
+Problems check_mesh(const TriMesh& mesh, const std::string& file) {
+  Problems problems;
+  check_edges(mesh, file, problems);
+  check_shells(mesh, file, problems);
+  const UnitGuess guess = guess_unit(mesh);
+  if (guess.scale != 1) {
+    const dvec3 size = mesh.bounds().extent();
+    problems.push_back({file, "", Severity::warning, "mesh_units",
+                        fmt::format("the mesh is {:.6g} x {:.6g} x {:.6g} m large: its unit is probably {}", size.x,
+                                    size.y, size.z, guess.unit),
+                        fmt::format("set the scale to {}", guess.scale)});
+  }
+  return problems;
+}
+
+UnitGuess guess_unit(const TriMesh& mesh) {
+  const dvec3 size = mesh.bounds().extent();
+  return std::max({size.x, size.y, size.z}) > 1.0 ? UnitGuess{"mm", 0.001} : UnitGuess{"m", 1.0};
+}
+
+TriMesh flipped(const TriMesh& mesh) {
+  std::vector<ivec3> faces = mesh.faces();
+  for (ivec3& f : faces) std::swap(f.y, f.z);
+  return {mesh.vertices(), std::move(faces)};
+}
+
+}  // namespace taxel
