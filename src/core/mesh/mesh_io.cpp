@@ -44,13 +44,6 @@ Reader reader_for(const fs::path& path) {
   return nullptr;
 }
 
-std::string obj_text(const TriMesh& mesh) {
-  std::string text;
-  for (const dvec3& v : mesh.vertices()) text += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
-  for (const ivec3& f : mesh.faces()) text += fmt::format("f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
-  return text;
-}
-
 std::string off_text(const TriMesh& mesh) {
   std::string text = fmt::format("OFF\n{} {} 0\n", mesh.vertex_count(), mesh.face_count());
   for (const dvec3& v : mesh.vertices()) text += fmt::format("{} {} {}\n", v.x, v.y, v.z);
@@ -91,6 +84,13 @@ LoadedMesh load_mesh(const fs::path& path, const dvec3& scale) {
     throw Error(file, error.where(), error.message());
   }
   return loaded;
+}
+
+std::string obj_text(const TriMesh& mesh) {
+  std::string text;
+  for (const dvec3& v : mesh.vertices()) text += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
+  for (const ivec3& f : mesh.faces()) text += fmt::format("f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
+  return text;
 }
 
 bool is_mesh_file(const fs::path& path) {

@@ -25,6 +25,9 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const dvec3& scale = dve
 /// True for the extensions that load_mesh reads.
 bool is_mesh_file(const std::filesystem::path& path);
 
+/// A mesh as the text of an OBJ file, shortest round-trip numbers: what save_mesh writes to `.obj`.
+std::string obj_text(const TriMesh& mesh);
+
 /// Writes OBJ, OFF, STL (binary) or GLB by extension, atomically; OBJ and OFF in shortest round-trip numbers, STL and
 /// GLB in float. Throws Error naming the file.
 void save_mesh(const std::filesystem::path& path, const TriMesh& mesh);
