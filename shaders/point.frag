@@ -1,0 +1,15 @@
+#version 450 core
+flat in vec4 tint;
+flat in float radius;
+uniform float dim;
+uniform vec4 outline;         // sRGB, straight alpha
+uniform float outline_width;  // [pixel]
+out vec4 color;               // premultiplied
+
+void main() {
+  float r = length(gl_PointCoord - 0.5) * (2.0 * radius + 1.0);
+  float cover = clamp(radius + 0.5 - r, 0.0, 1.0);
+  float rim = outline_width > 0.0 ? clamp(r - (radius - outline_width) + 0.5, 0.0, 1.0) * outline.a : 0.0;
+  float alpha = tint.a * cover * dim;
+  color = vec4(mix(tint.rgb, outline.rgb, rim) * alpha, alpha);
+}

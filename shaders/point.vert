@@ -1,0 +1,25 @@
+#version 450 core
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;  // all zero: seen from everywhere; w: part of the size
+layout(location = 2) in vec4 rgba;    // sRGB, straight alpha
+uniform mat4 world_from_model;
+uniform float toward_eye;
+uniform float diameter;               // [pixel]
+uniform float facing;                 // +1: points that face the eye, -1: those that do not, 0: all
+flat out vec4 tint;
+flat out float radius;                // [pixel]
+
+void main() {
+  vec4 p = world_from_model * vec4(position, 1.0);
+  vec3 n = mat3(world_from_model) * normal.xyz;
+  float toward = dot(n, eye.xyz - p.xyz);
+  float d = diameter * normal.w;
+  tint = rgba;
+  radius = 0.5 * d;
+  gl_PointSize = d + 1.0;
+  vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
+  gl_Position = clip_from_view * vec4(v, 1.0);
+  if (facing * toward < 0.0) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+}

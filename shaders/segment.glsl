@@ -1,0 +1,30 @@
+// Straight pieces on the screen, pulled from a buffer: six vertices each, no vertex attributes.
+struct Segment {
+  vec3 a;
+  float width;  // [pixel]
+  vec3 b;
+  uint rgba;    // sRGB, straight alpha
+};
+layout(std430, binding = 1) readonly buffer Segments { Segment segments[]; };
+
+uniform mat4 world_from_model;
+uniform float toward_eye;  // part of the depth by which it is drawn nearer, without moving on the screen
+
+// Ends of a segment in clip coordinates, cut at the near plane; false when all of it lies behind.
+bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
+  vec3 a = (view_from_world * (world_from_model * vec4(s.a, 1.0))).xyz;
+  vec3 b = (view_from_world * (world_from_model * vec4(s.b, 1.0))).xyz;
+  float near = -ground_light.w;
+  if (a.z > near && b.z > near) return false;
+  if (a.z > near) a = mix(b, a, (near - b.z) / (a.z - b.z));
+  if (b.z > near) b = mix(a, b, (near - a.z) / (b.z - a.z));
+  a_clip = clip_from_view * vec4(a * (1.0 - toward_eye), 1.0);
+  b_clip = clip_from_view * vec4(b * (1.0 - toward_eye), 1.0);
+  return true;
+}
+
+// Corner 0..5 of a quad of two triangles: (end 0 or 1, side -1 or +1).
+vec2 quad_corner(int vertex) {
+  int k = vertex % 6;
+  return vec2(k == 1 || k == 2 || k == 4 ? 1.0 : 0.0, k == 2 || k == 4 || k == 5 ? 1.0 : -1.0);
+}

@@ -1,0 +1,14 @@
+#version 450 core
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in float pressure;  // [Pa]
+uniform mat4 world_from_model;
+uniform float toward_eye;
+out float p;
+
+void main() {
+  vec3 v = (view_from_world * (world_from_model * vec4(position, 1.0))).xyz * (1.0 - toward_eye);
+  gl_Position = clip_from_view * vec4(v, 1.0);
+  p = pressure;
+}

@@ -1,0 +1,68 @@
+#include "ui/gl/framebuffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace taxel::gl {
+namespace {
+
+void check_complete(GLuint framebuffer, int width, int height) {
+  const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE) return;
+  throw Error(fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
+}
+
+}  // namespace
+
+Framebuffer::Framebuffer(int width, int height, int samples)
+    : samples_(samples), color_(GL_RGBA8, width, height), depth_(GL_DEPTH_COMPONENT32F, width, height, samples) {
+  if (samples > 0) {
+    multisampled_.emplace(GL_RGBA8, width, height, samples);
+    resolved_.emplace();
+    glNamedFramebufferTexture(resolved_->id(), GL_COLOR_ATTACHMENT0, color_.id(), 0);
+    check_complete(resolved_->id(), width, height);
+  }
+  const GLuint drawn = multisampled_ ? multisampled_->id() : color_.id();
+  glNamedFramebufferTexture(target_.id(), GL_COLOR_ATTACHMENT0, drawn, 0);
+  glNamedFramebufferTexture(target_.id(), GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+  check_complete(target_.id(), width, height);
+}
+
+void Framebuffer::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
+  glViewport(0, 0, width(), height());
+}
+
+void Framebuffer::resolve() const {
+  if (!resolved_) return;
+  glBlitNamedFramebuffer(target_.id(), resolved_->id(), 0, 0, width(), height(), 0, 0, width(), height(),
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+RgbImage Framebuffer::read() const {
+  return read_pixels(resolved_ ? resolved_->id() : target_.id(), width(), height());
+}
+
+RgbImage read_pixels(GLuint framebuffer, int width, int height) {
+  RgbImage image{width, height, {}};
+  const auto row = static_cast<std::size_t>(width) * 3;
+  image.rgb.resize(row * static_cast<std::size_t>(height));
+  GLint bound = 0, alignment = 4;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+  for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {  // GL's first row is the lowest
+    const auto a = image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * top;
+    std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row), image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * bottom);
+  }
+  return image;
+}
+
+}  // namespace taxel::gl

@@ -1,0 +1,37 @@
+// An offscreen picture: RGBA8 colour with depth, read back as rows of RGB.
+#pragma once
+
+#include <optional>
+
+#include "ui/gl/rgb_image.h"
+#include "ui/gl/texture.h"
+
+namespace taxel::gl {
+
+class Framebuffer {
+ public:
+  /// `samples` > 0: drawn multisampled, resolved into texture() by resolve().
+  /// Throws Error when the driver cannot make it.
+  Framebuffer(int width, int height, int samples = 0);
+
+  void bind() const;     ///< for drawing, with its viewport
+  void resolve() const;  ///< after drawing; nothing to do without multisampling
+  [[nodiscard]] GLuint texture() const { return color_.id(); }
+  [[nodiscard]] int width() const { return color_.width(); }
+  [[nodiscard]] int height() const { return color_.height(); }
+  [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] RgbImage read() const;  ///< of the resolved colour
+
+ private:
+  int samples_;
+  Texture color_;
+  Texture depth_;
+  std::optional<Texture> multisampled_;
+  FramebufferHandle target_;                    ///< drawn into
+  std::optional<FramebufferHandle> resolved_;   ///< of color_, where target_ is multisampled
+};
+
+/// Reads the colour of a framebuffer of GL (0: the window's).
+RgbImage read_pixels(GLuint framebuffer, int width, int height);
+
+}  // namespace taxel::gl

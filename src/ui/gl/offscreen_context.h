@@ -1,0 +1,28 @@
+// An OpenGL 4.5 core context without a window or a display: Mesa's surfaceless platform, else an EGL device.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace taxel::gl {
+
+class OffscreenContext {
+ public:
+  /// Makes the context and makes it current on this thread. Throws Error that says what is missing.
+  OffscreenContext();
+  ~OffscreenContext();
+  OffscreenContext(const OffscreenContext&) = delete;
+  OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+  void make_current() const;
+  [[nodiscard]] std::string renderer() const;  ///< GL_RENDERER, for messages
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Whether the current context draws on the processor (llvmpipe, softpipe, SwiftShader).
+bool software_renderer();
+
+}  // namespace taxel::gl

@@ -1,0 +1,30 @@
+// GLSL text: where it comes from, and how `#include "file"` is put together so that messages keep file and line.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace taxel::gl {
+
+/// Returns the text of a shader by its name ("mesh.vert"). Throws Error when there is none.
+using ShaderReader = std::function<std::string(const std::string& name)>;
+
+/// Reads the shaders that are built into the program.
+std::string read_embedded_shader(const std::string& name);
+
+struct ShaderSource {
+  std::string text;
+  std::vector<std::string> files;  ///< by the source string number that #line gives
+};
+
+/// Puts included files in place, once each. Throws Error for a missing file.
+ShaderSource assemble_shader(const ShaderReader& read, const std::string& name);
+
+/// What a GLSL compiler says ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12"; empty when not found.
+struct ShaderMessage {
+  std::string file, where, text;
+};
+ShaderMessage parse_shader_log(const std::string& log, const ShaderSource& source);
+
+}  // namespace taxel::gl

@@ -1,0 +1,14 @@
+// The gizmo as flat marks on the screen.
+#pragma once
+
+#include "ui/scene/draw/look.h"
+#include "ui/scene/draw/points.h"
+#include "ui/scene/draw/segments.h"
+#include "ui/scene/gizmo.h"
+
+namespace taxel::ui {
+
+/// Draws over what is there. The frame must be pixel_frame(width, height).
+void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, int width, int height);
+
+}  // namespace taxel::ui

@@ -1,0 +1,51 @@
+#include "ui/scene/draw/gpu_mesh.h"
+
+#include "ui/scene/geometry/crease_normals.h"
+#include "ui/scene/geometry/depth_order.h"
+
+namespace taxel::ui {
+
+GpuMesh::GpuMesh(TriMeshPtr mesh) : mesh_(std::move(mesh)), edges_(mesh_edges(*mesh_)) {
+  RenderMesh render = make_render_mesh(*mesh_);
+  indices_ = std::move(render.indices);
+  vertex_buffer_.upload(std::span<const RenderMesh::Vertex>(render.vertices), GL_STATIC_DRAW);
+  index_buffer_.upload(std::span<const std::uint32_t>(indices_), GL_STATIC_DRAW);
+  for (gl::VertexArray* array : {&vertex_array_, &sorted_array_}) {
+    constexpr auto stride = sizeof(RenderMesh::Vertex);
+    array->attribute(0, vertex_buffer_, 3, GL_FLOAT, stride, offsetof(RenderMesh::Vertex, position));
+    array->attribute(1, vertex_buffer_, 3, GL_FLOAT, stride, offsetof(RenderMesh::Vertex, normal));
+  }
+  vertex_array_.elements(index_buffer_);
+  sorted_array_.elements(sorted_buffer_);
+  for (int f = 0; f < mesh_->face_count(); ++f) {
+    centroids_.emplace_back((mesh_->vertex(f, 0) + mesh_->vertex(f, 1) + mesh_->vertex(f, 2)) / 3.0);
+  }
+}
+
+void GpuMesh::draw() const {
+  vertex_array_.bind();
+  glDrawElements(GL_TRIANGLES, index_buffer_.count(), GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuMesh::draw_sorted(const glm::vec3& direction) {
+  order_back_to_front(centroids_, indices_, direction, sorted_);
+  sorted_buffer_.upload(std::span<const std::uint32_t>(sorted_), GL_STREAM_DRAW);
+  sorted_array_.bind();
+  glDrawElements(GL_TRIANGLES, sorted_buffer_.count(), GL_UNSIGNED_INT, nullptr);
+}
+
+GpuMesh& MeshCache::get(const TriMeshPtr& mesh) {
+  Entry& entry = entries_[mesh.get()];
+  if (!entry.mesh) entry.mesh = std::make_unique<GpuMesh>(mesh);
+  entry.used = true;
+  return *entry.mesh;
+}
+
+void MeshCache::end_frame() {
+  for (auto it = entries_.begin(); it != entries_.end();) {
+    it = it->second.used ? std::next(it) : entries_.erase(it);
+  }
+  for (auto& [mesh, entry] : entries_) entry.used = false;
+}
+
+}  // namespace taxel::ui

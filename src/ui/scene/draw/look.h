@@ -1,0 +1,37 @@
+// The look of the 3-D view: colours and light, for a dark and a light window. Colours of surfaces and light are
+// linear, those of lines and backgrounds sRGB.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace taxel::ui {
+
+struct Look {
+  // background and ground, sRGB
+  glm::vec3 background_top, background_bottom;
+  glm::vec4 plane_fill, grid_line;
+  glm::vec3 axis_x, axis_y, axis_z;
+  float shadow;
+  // light, linear
+  glm::vec3 key_direction;
+  float key, headlight;
+  glm::vec3 sky, ground;
+  // the sensor's skin
+  glm::vec3 skin_albedo;
+  glm::vec2 skin_front_alpha;  // seen straight, at the rim
+  float skin_back_alpha;
+  glm::vec4 skin_outline, solid_outline;
+  // marks
+  glm::vec4 mark_outline;  // around taxels and arrows
+  glm::vec4 unused_sample;
+  glm::vec4 ray_hit, ray_miss;
+  glm::vec4 path, force, selection;
+  glm::vec4 wire;
+};
+
+const Look& look(bool dark);
+
+/// sRGB 0..1 to linear (IEC 61966-2-1).
+glm::vec3 linear_from_srgb(const glm::vec3& srgb);
+
+}  // namespace taxel::ui

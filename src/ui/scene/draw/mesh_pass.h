@@ -1,0 +1,40 @@
+// The lit bodies of a scene: solid geoms, and the skin of the sensors, solid or transparent.
+#pragma once
+
+#include "ui/scene/draw/frame_uniforms.h"
+#include "ui/scene/draw/gpu_mesh.h"
+#include "ui/scene/draw/look.h"
+#include "ui/scene/draw/segments.h"
+#include "ui/scene/sensor_view.h"
+
+namespace taxel::ui {
+
+struct MeshItem {
+  GpuMesh* mesh = nullptr;
+  Pose X_WM;
+  glm::vec3 albedo{0.5f};  ///< linear
+};
+
+struct MeshList {
+  std::vector<MeshItem> solids, skins;  ///< skins only while they are transparent
+};
+
+/// All meshes of a picture; a sensor's geom is drawn from its model. Planes are the ground's.
+MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache);
+
+class MeshPass {
+ public:
+  explicit MeshPass(const gl::ShaderReader& read);
+  void draw_casters(const gl::Program& program, const MeshList& list) const;
+  void draw_solids(const MeshList& list) const;
+  void draw_skins(const MeshList& list, const Camera& camera, const Look& look) const;
+  /// Creases and silhouettes.
+  void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, const glm::vec4& color,
+                     SegmentPass& segments) const;
+  void draw_wires(const MeshList& list, const Look& look, SegmentPass& segments) const;
+
+ private:
+  gl::Program solid_, skin_;
+};
+
+}  // namespace taxel::ui

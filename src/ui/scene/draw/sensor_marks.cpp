@@ -1,0 +1,144 @@
+#include "ui/scene/draw/sensor_marks.h"
+
+#include "ui/scene/draw/frame_uniforms.h"
+#include "ui/scene/draw/ray_marks.h"
+
+namespace taxel::ui {
+namespace {
+
+// How far marks are drawn before the surface they lie on, in parts of their depth.
+constexpr float kOnSkin = 0.004f, kOnContact = 0.003f, kBeforeContact = 0.005f;
+constexpr float kHiddenDim = 0.28f;
+constexpr double kSamplePart = 0.5;  // of the distance between samples
+constexpr double kSmallestSample = 2.6, kLargestSample = 8.0;  // [pixel]
+constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 4.5f;
+constexpr float kForceWidth = 5, kPathWidth = 2.2f;
+constexpr double kForceScale = 0.02;    // [m/N]
+constexpr double kForceLongest = 1.0;   // of the mesh's diagonal
+
+dvec3 eye_in(const SensorView& view, const Camera& camera) { return view.X_WM.inverse() * camera.eye(); }
+
+}  // namespace
+
+const ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look) {
+  std::unique_ptr<ModelMarks>& marks = marks_[view.index];
+  if (!marks || !marks->is_for(view.model, view.selected_taxel, look)) {
+    marks = std::make_unique<ModelMarks>(view.model, view.selected_taxel, look);
+  }
+  return *marks;
+}
+
+void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look& look, int /*width*/, int height,
+                       SegmentPass& segments, PointPass& points) {
+  const double pixels = 0.5 * height / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
+  const Scene scene{input, camera, look, pixels, segments, points};
+  const std::vector<SensorView> views = sensor_views(input);
+  for (const SensorView& view : views) {
+    if (input.overlays.taxels) draw_taxels(scene, view, false);
+    draw_fields(scene, view);
+  }
+  for (const SensorView& view : views) {
+    if (view.state != nullptr) draw_contact(scene, view);
+  }
+  draw_path(scene);
+  for (const SensorView& view : views) {
+    if (view.state != nullptr && input.overlays.rays) draw_rays(scene, view);
+    if (input.overlays.taxels) draw_taxels(scene, view, true);
+    if (view.state != nullptr) draw_force(scene, view);
+  }
+}
+
+void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
+  const ModelMarks& marks = marks_of(view, scene.look);
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  const Overlays& show = scene.input.overlays;
+  Segments lines;
+  if (show.receptive_fields) {
+    marks.append_rings(eye_in(view, scene.camera), false, lines);
+    MarkState behind = state;
+    behind.dim = kHiddenDim;
+    scene.segments.draw_lines(lines, behind);
+  }
+  if (show.samples) {
+    const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
+    const double diameter = std::clamp(kSamplePart * spacing, kSmallestSample, kLargestSample);
+    scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter), .facing = Facing::eye}, state);
+  }
+  if (show.sample_normals) {
+    lines.clear();
+    append_sample_normals(*view.model, 0.8 * marks.sample_spacing(), pack(scene.look.wire), lines);
+    scene.segments.draw_lines(lines, state);
+  }
+  if (show.receptive_fields) {
+    lines.clear();
+    marks.append_rings(eye_in(view, scene.camera), true, lines);
+    scene.segments.draw_lines(lines, state);
+  }
+}
+
+void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
+  if (!scene.input.overlays.contact_surface) return;
+  std::vector<SurfaceVertex> triangles;
+  Segments edges;
+  for (const ContactSurface& surface : view.state->surfaces) {
+    append_triangles(surface, triangles);
+    if (scene.input.overlays.contact_edges) append_edges(surface, 1.0f, pack(glm::vec4(0, 0, 0, 0.55f)), edges);
+  }
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact, .depth_write = true};
+  surfaces_.draw(triangles, scene.input.range.lo, scene.input.range.hi, state);
+  state.toward_eye = kBeforeContact;
+  state.depth_write = false;
+  scene.segments.draw_lines(edges, state);
+}
+
+void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
+  const RayMarks rays = ray_marks(view, scene.input.overlays.all_rays, scene.input.range, scene.look);
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact};
+  MarkState behind = state;
+  behind.hidden = true;
+  behind.dim = kHiddenDim;
+  scene.segments.draw_lines(rays.hits, behind);
+  scene.segments.draw_lines(rays.misses, state);
+  scene.segments.draw_lines(rays.hits, state);
+  state.toward_eye = kBeforeContact;
+  scene.points.draw(rays.dots, {.diameter = kDotDiameter}, state);
+}
+
+void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {
+  const TaxelMarks marks = taxel_marks(view, eye_in(view, scene.camera), towards);
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  if (!towards) state.dim = kHiddenDim;
+  scene.segments.draw_arrows(marks.arrows, state, scene.look.mark_outline);
+  state.toward_eye = 2 * kOnSkin;
+  PointStyle style{.diameter = kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f};
+  scene.points.draw(marks.centers, style, state);
+  style = {.diameter = kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f};
+  scene.points.draw(marks.selected_center, style, state);
+}
+
+void SensorMarks::draw_force(const Scene& scene, const SensorView& view) {
+  dvec3 from(0);
+  const double force = glm::length(view.state->force_W);
+  if (!(force > 0) || !pressure_centroid(*view.state, from)) return;
+  const double length = std::min(kForceScale * force, kForceLongest * view.model->mesh->bounds().diagonal());
+  const dvec3 base_W = view.X_WM * from;
+  const std::array<Segment, 1> arrow{
+      segment(base_W, base_W + length / force * view.state->force_W, kForceWidth, pack(scene.look.force))};
+  MarkState state{.toward_eye = kBeforeContact};
+  scene.segments.draw_arrows(arrow, state, scene.look.mark_outline);
+}
+
+void SensorMarks::draw_path(const Scene& scene) {
+  if (!scene.input.overlays.path || !scene.input.frame || !scene.input.frame->scene) return;
+  const std::vector<dvec3>& path = scene.input.frame->scene->path_W;
+  Segments lines;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    lines.push_back(segment(path[i - 1], path[i], kPathWidth, pack(scene.look.path)));
+  }
+  MarkState state{.toward_eye = kOnSkin, .hidden = true, .dim = kHiddenDim};
+  scene.segments.draw_lines(lines, state);
+  state = {.toward_eye = kOnSkin};
+  scene.segments.draw_lines(lines, state);
+}
+
+}  // namespace taxel::ui

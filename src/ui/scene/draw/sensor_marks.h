@@ -1,0 +1,41 @@
+// Everything that a sensor shows beyond its skin: samples, receptive fields, contact surface, rays, taxels, force.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "ui/scene/draw/model_marks.h"
+#include "ui/scene/draw/surfaces.h"
+
+namespace taxel::ui {
+
+class SensorMarks {
+ public:
+  explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read) {}
+
+  /// Exact colours over the lit picture; the frame's perspective must be bound.
+  void draw(const SceneInput& input, const Camera& camera, const Look& look, int width, int height,
+            SegmentPass& segments, PointPass& points);
+
+ private:
+  struct Scene {  // of one picture
+    const SceneInput& input;
+    const Camera& camera;
+    const Look& look;
+    double pixels_per_metre;  // at the camera's target
+    SegmentPass& segments;
+    PointPass& points;
+  };
+  const ModelMarks& marks_of(const SensorView& view, const Look& look);
+  void draw_fields(const Scene& scene, const SensorView& view);
+  void draw_contact(const Scene& scene, const SensorView& view);
+  void draw_rays(const Scene& scene, const SensorView& view);
+  void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
+  void draw_force(const Scene& scene, const SensorView& view);
+  void draw_path(const Scene& scene);
+
+  SurfacePass surfaces_;
+  std::map<int, std::unique_ptr<ModelMarks>> marks_;  // by sensor
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,49 @@
+#include "ui/scene/draw/surfaces.h"
+
+#include "ui/scene/color_map.h"
+
+namespace taxel::ui {
+
+void append_triangles(const ContactSurface& surface, std::vector<SurfaceVertex>& out) {
+  const auto vertex = [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    return SurfaceVertex{glm::vec3(surface.vertices[k]), static_cast<float>(surface.pressure[k])};
+  };
+  for (const ContactPolygon& polygon : surface.polygons) {
+    for (int i = 2; i < polygon.count; ++i) {
+      out.push_back(vertex(polygon.first));
+      out.push_back(vertex(polygon.first + i - 1));
+      out.push_back(vertex(polygon.first + i));
+    }
+  }
+}
+
+void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba, Segments& out) {
+  const auto vertex = [&](int i) { return surface.vertices[static_cast<std::size_t>(i)]; };
+  for (const ContactPolygon& polygon : surface.polygons) {
+    for (int i = 0; i < polygon.count; ++i) {
+      const int next = i + 1 < polygon.count ? i + 1 : 0;
+      out.push_back(segment(vertex(polygon.first + i), vertex(polygon.first + next), width, rgba));
+    }
+  }
+}
+
+SurfacePass::SurfacePass(const gl::ShaderReader& read) : program_(read, "surface"), table_(GL_RGB8, 256, 1) {
+  table_.upload(GL_RGB, GL_UNSIGNED_BYTE, viridis_table());
+  array_.attribute(0, buffer_, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position));
+  array_.attribute(1, buffer_, 1, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, pressure));
+}
+
+void SurfacePass::draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state) {
+  if (triangles.empty()) return;
+  buffer_.upload(triangles, GL_STREAM_DRAW);
+  set_mark_state(program_, state);
+  const double scale = hi > lo ? 1.0 / (hi - lo) : 0.0;
+  program_.set("range", glm::vec2(lo, scale));
+  program_.use();
+  table_.bind(0);
+  array_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, buffer_.count());
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,131 @@
+#include "ui/scene/scene_renderer.h"
+
+#include <optional>
+
+#include "ui/gl/framebuffer.h"
+#include "ui/gl/offscreen_context.h"
+#include "ui/scene/draw/gizmo_marks.h"
+#include "ui/scene/draw/gpu_mesh.h"
+#include "ui/scene/draw/ground.h"
+#include "ui/scene/draw/mesh_pass.h"
+#include "ui/scene/draw/sensor_marks.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr int kHardwareSamples = 4;
+
+/// What decides how a picture looks.
+struct RenderKey {
+  SceneInput input;
+  Camera camera;
+  int width = 0, height = 0;
+  bool operator==(const RenderKey&) const = default;
+};
+
+/// Puts back the framebuffer and viewport that were bound.
+class KeepTarget {
+ public:
+  KeepTarget() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+    glGetIntegerv(GL_VIEWPORT, viewport_);
+  }
+  ~KeepTarget() {
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+    glBindVertexArray(0);
+    glUseProgram(0);
+  }
+  KeepTarget(const KeepTarget&) = delete;
+  KeepTarget& operator=(const KeepTarget&) = delete;
+
+ private:
+  GLint framebuffer_ = 0;
+  GLint viewport_[4] = {};
+};
+
+}  // namespace
+
+struct SceneRenderer::Impl {
+  explicit Impl(const gl::ShaderReader& shaders)
+      : software(gl::software_renderer()),
+        ground(shaders),
+        meshes(shaders),
+        segments(shaders),
+        points(shaders),
+        sensors(shaders) {}
+
+  bool software;
+  GroundPass ground;
+  MeshPass meshes;
+  SegmentPass segments;
+  PointPass points;
+  SensorMarks sensors;
+  MeshCache cache;
+  gl::Buffer frame_buffer, pixel_buffer;
+  std::optional<gl::Framebuffer> target;
+  std::optional<RenderKey> last;
+
+  void draw_scene(const SceneInput& input, const Camera& camera, const Look& look);
+  void draw_overlay(const Camera& camera, const Look& look);
+};
+
+void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look) {
+  const MeshList list = mesh_list(input, look, cache);
+  const SceneGround plane = scene_ground(input);
+  const Ground floor{plane.X_WP, plane.plane};
+  ground.make_shadow(floor, scene_bounds(input),
+                     [&](const gl::Program& program) { meshes.draw_casters(program, list); });
+
+  target->bind();
+  glClearColor(0, 0, 0, 1);
+  glClearDepth(1);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height()));
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  meshes.draw_solids(list);
+  ground.draw_background(look);
+  ground.draw(floor, camera, look, input.overlays.grid);
+  meshes.draw_outlines(list.solids, camera, look.solid_outline, segments);
+  meshes.draw_skins(list, camera, look);
+  meshes.draw_outlines(list.skins, camera, look.skin_outline, segments);
+  if (input.overlays.wireframe) meshes.draw_wires(list, look, segments);
+  sensors.draw(input, camera, look, target->width(), target->height(), segments, points);
+}
+
+void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look) {
+  const int width = target->width(), height = target->height();
+  bind_frame(pixel_buffer, pixel_frame(width, height));
+  draw_gizmo(segments, points, camera, look, width, height);
+}
+
+SceneRenderer::SceneRenderer(const gl::ShaderReader& shaders) : impl_(std::make_unique<Impl>(shaders)) {}
+SceneRenderer::~SceneRenderer() = default;
+
+void SceneRenderer::render(const SceneInput& input, const Camera& camera, int width, int height) {
+  RenderKey key{input, camera, std::max(width, 1), std::max(height, 1)};
+  if (impl_->last && *impl_->last == key) return;
+  const KeepTarget keep;
+  impl_->last.reset();  // a picture that is not finished is none
+  if (!impl_->target || impl_->target->width() != key.width || impl_->target->height() != key.height) {
+    impl_->target.reset();
+    impl_->target.emplace(key.width, key.height, impl_->software ? 0 : kHardwareSamples);
+  }
+  const Look& colors = look(input.dark);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  impl_->draw_scene(input, camera, colors);
+  impl_->draw_overlay(camera, colors);
+  impl_->target->resolve();
+  impl_->cache.end_frame();
+  impl_->last = std::move(key);
+}
+
+unsigned SceneRenderer::texture() const { return impl_->target ? impl_->target->texture() : 0; }
+gl::RgbImage SceneRenderer::picture() const { return impl_->target ? impl_->target->read() : gl::RgbImage{}; }
+bool SceneRenderer::software() const { return impl_->software; }
+
+}  // namespace taxel::ui

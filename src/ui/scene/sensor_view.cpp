@@ -1,0 +1,77 @@
+#include "ui/scene/sensor_view.h"
+
+namespace taxel::ui {
+namespace {
+
+Aabb posed_bounds(const TriMesh& mesh, const Pose& X_WG) {
+  Aabb box;
+  const RigidTransform X(X_WG);
+  const Aabb& b = mesh.bounds();
+  for (int i = 0; i < 8; ++i) {
+    box.include(X({(i & 1) != 0 ? b.hi.x : b.lo.x, (i & 2) != 0 ? b.hi.y : b.lo.y, (i & 4) != 0 ? b.hi.z : b.lo.z}));
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<SensorView> sensor_views(const SceneInput& input) {
+  std::vector<SensorView> out;
+  if (input.frame && input.frame->scene) {
+    const auto& models = input.frame->scene->sensors;
+    for (std::size_t i = 0; i < models.size() && i < input.frame->sensors.size(); ++i) {
+      const SensorFrameState& state = input.frame->sensors[i];
+      const int index = static_cast<int>(i);
+      if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1});
+    }
+  } else if (input.document_model) {
+    out.push_back({0, input.document_model, nullptr, Pose{}, -1});
+  }
+  for (SensorView& view : out) {
+    if (view.index == input.selected_sensor && input.selected_taxel < view.model->taxel_count()) {
+      view.selected_taxel = input.selected_taxel;
+    }
+  }
+  return out;
+}
+
+bool pressure_centroid(const SensorFrameState& state, dvec3& centroid) {
+  dvec3 moment(0);
+  double force = 0;
+  for (const ContactSurface& surface : state.surfaces) {
+    for (const ContactPolygon& polygon : surface.polygons) {
+      moment += polygon.pressure * polygon.area * polygon.centroid;
+      force += polygon.pressure * polygon.area;
+    }
+  }
+  if (!(force > 0)) return false;
+  centroid = moment / force;
+  return true;
+}
+
+Aabb scene_bounds(const SceneInput& input) {
+  Aabb box;
+  for (const SensorView& view : sensor_views(input)) box.include(posed_bounds(*view.model->mesh, view.X_WM));
+  if (!input.frame || !input.frame->scene) return box;
+  const SimScene& scene = *input.frame->scene;
+  for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
+    const SceneGeom& geom = scene.geoms[i];
+    if (geom.mesh && !geom.plane && geom.sensor < 0) box.include(posed_bounds(*geom.mesh, input.frame->geom_poses[i]));
+  }
+  return box;
+}
+
+SceneGround scene_ground(const SceneInput& input) {
+  SceneGround ground;
+  if (input.frame && input.frame->scene) {
+    const SimScene& scene = *input.frame->scene;
+    for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
+      if (scene.geoms[i].plane) return {input.frame->geom_poses[i], true};
+    }
+  }
+  const Aabb box = scene_bounds(input);
+  if (!box.empty()) ground.X_WP.p.z = std::min(0.0, box.lo.z);
+  return ground;
+}
+
+}  // namespace taxel::ui

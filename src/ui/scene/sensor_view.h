@@ -1,0 +1,34 @@
+// The sensors of a picture, wherever they come from: a running simulation, or a layout alone at the origin.
+#pragma once
+
+#include <vector>
+
+#include "ui/scene/scene_renderer.h"
+
+namespace taxel::ui {
+
+struct SensorView {
+  int index = 0;                             ///< of the sensor
+  SensorModelPtr model;                      ///< never null
+  const SensorFrameState* state = nullptr;   ///< null: a layout alone
+  Pose X_WM;
+  int selected_taxel = -1;                   ///< -1: none, or in another sensor
+};
+
+/// The pointers live as long as `input.frame`.
+std::vector<SensorView> sensor_views(const SceneInput& input);
+
+/// Where the contact pushes: centroid of the pressure over all polygons of a sensor, frame M. False without contact.
+bool pressure_centroid(const SensorFrameState& state, dvec3& centroid);
+
+/// Box around all that is drawn, planes left out. [m], world
+Aabb scene_bounds(const SceneInput& input);
+
+/// The ground of a scene: its first plane geom, else z = 0, or lower where the scene begins lower.
+struct SceneGround {
+  Pose X_WP;
+  bool plane = false;
+};
+SceneGround scene_ground(const SceneInput& input);
+
+}  // namespace taxel::ui
