@@ -1,9 +1,9 @@
 #include "core/mesh/closest_point.h"
 
 #include <array>
-#include <tuple>
 #include <utility>
 
+#include "core/mesh/edge_sides.h"
 #include "core/mesh/point_triangle.h"
 #include "core/mesh/ray_triangle.h"
 
@@ -22,28 +22,12 @@ double squared_distance(const Aabb& box, const dvec3& p) {
 /// Sum of the normals of the faces at each face's three edges: the pseudonormal of an edge (both weigh pi),
 /// unnormalised. Entry 3 f + c belongs to the edge from corner c to corner c + 1.
 std::vector<dvec3> edge_pseudonormals(const TriMesh& mesh) {
-  struct Side {
-    int low, high, face_corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * at(mesh.face_count()));
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const ivec3& ids = mesh.faces()[at(f)];
-    for (int c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax(ids[c], ids[(c + 1) % 3]);
-      sides.push_back({low, high, 3 * f + c});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face_corner) < std::tie(b.low, b.high, b.face_corner);
-  });
-  std::vector<dvec3> normals(sides.size());
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+  std::vector<dvec3> normals(3 * mesh.faces().size());
+  for_each_edge(edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
     dvec3 sum{0};
-    for (; end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high; ++end)
-      sum += mesh.face_normals()[at(sides[end].face_corner / 3)];
-    for (std::size_t i = begin; i < end; ++i) normals[at(sides[i].face_corner)] = sum;
-  }
+    for (const EdgeSide& side : sides) sum += mesh.face_normals()[at(side.face)];
+    for (const EdgeSide& side : sides) normals[at(3 * side.face + side.corner)] = sum;
+  });
   return normals;
 }
 

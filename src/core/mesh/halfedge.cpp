@@ -2,7 +2,8 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <numeric>
-#include <tuple>
+
+#include "core/mesh/edge_sides.h"
 
 namespace taxel {
 namespace {
@@ -17,30 +18,6 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using OmMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-/// One face's side of an edge.
-struct Side {
-  int low, high;  // vertices
-  int face, corner;
-  bool forward;  // runs from low to high
-};
-
-/// All sides, those of one edge together, in the order of faces.
-std::vector<Side> sorted_sides(const TriMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * at(mesh.face_count()));
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const ivec3& ids = mesh.faces()[at(f)];
-    for (int c = 0; c < 3; ++c) {
-      const int a = ids[c], b = ids[(c + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, c, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-  });
-  return sides;
-}
-
 int find_root(std::vector<int>& parent, int i) {
   while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
   return i;
@@ -51,7 +28,7 @@ class Fans {
  public:
   explicit Fans(std::size_t corner_count) : parent_(corner_count) { std::iota(parent_.begin(), parent_.end(), 0); }
   /// Two sides of one edge belong together: so do the corners at its ends.
-  void join(const Side& s, const Side& t) {
+  void join(const EdgeSide& s, const EdgeSide& t) {
     unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
     unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
   }
@@ -137,23 +114,22 @@ std::vector<ivec3> all_neighbours(const Built& built, const TriMesh& mesh) {
 }  // namespace
 
 HalfEdges::HalfEdges(const TriMesh& mesh) {
-  const std::vector<Side> sides = sorted_sides(mesh);
-  Fans fans(sides.size());
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-    const Side& first = sides[begin];
-    while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) ++end;
+  const std::vector<EdgeSide> all_sides = edge_sides(mesh);
+  Fans fans(all_sides.size());
+  for_each_edge(all_sides, [&](std::span<const EdgeSide> sides) {
+    const EdgeSide& first = sides[0];
     BadEdge bad{first.low, first.high, {}};
-    for (std::size_t i = begin; i < end; ++i) bad.faces.push_back(sides[i].face);
-    if (end - begin > 2) {
+    for (const EdgeSide& side : sides) bad.faces.push_back(side.face);
+    if (sides.size() > 2) {
       nonmanifold_.push_back(bad);
-    } else if (end - begin == 2 && first.forward == sides[begin + 1].forward) {
-      misoriented_.push_back(bad);
-    } else if (end - begin == 2) {
-      fans.join(first, sides[begin + 1]);
-    } else {
+    } else if (sides.size() == 1) {
       boundary_.emplace_back(first.forward ? first.low : first.high, first.forward ? first.high : first.low);
+    } else if (first.forward == sides[1].forward) {
+      misoriented_.push_back(bad);
+    } else {
+      fans.join(first, sides[1]);
     }
-  }
+  });
   const Built built = build(mesh, fans);
   edges_ = all_edges(built, mesh);
   neighbours_ = all_neighbours(built, mesh);

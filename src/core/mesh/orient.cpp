@@ -1,7 +1,6 @@
-#include <array>
-#include <tuple>
 #include <utility>
 
+#include "core/mesh/edge_sides.h"
 #include "core/mesh/mesh_check.h"
 
 namespace taxel {
@@ -11,11 +10,6 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-struct Side {
-  int low, high, face;
-  bool forward;  // the face runs from low to high
-};
-
 /// A face across an edge with exactly two faces, and whether both wind alike.
 struct Link {
   int face = -1;
@@ -23,26 +17,13 @@ struct Link {
 };
 
 std::vector<std::vector<Link>> links(const TriMesh& mesh) {
-  std::vector<Side> sides;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const ivec3& ids = mesh.faces()[at(f)];
-    for (int c = 0; c < 3; ++c) {
-      const int a = ids[c], b = ids[(c + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-  });
   std::vector<std::vector<Link>> result(at(mesh.face_count()));
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-    while (end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high) ++end;
-    if (end - begin != 2) continue;
-    const Side &s = sides[begin], &t = sides[begin + 1];
-    const bool alike = s.forward != t.forward;
-    result[at(s.face)].push_back({t.face, alike});
-    result[at(t.face)].push_back({s.face, alike});
-  }
+  for_each_edge(edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
+    if (sides.size() != 2) return;
+    const bool alike = sides[0].forward != sides[1].forward;
+    result[at(sides[0].face)].push_back({sides[1].face, alike});
+    result[at(sides[1].face)].push_back({sides[0].face, alike});
+  });
   return result;
 }
 
