@@ -1,0 +1,15 @@
+// How much of a surface each sample stands for.
+#pragma once
+
+#include <vector>
+
+#include "core/layout/poisson_disk.h"
+
+namespace taxel {
+
+/// Fills SurfaceSample::area with the area of the sample's Voronoi cell restricted to the surface: the part of the mesh
+/// that is nearer to it than to any other sample of the same wall (of any wall, where its own has none nearby). Faces
+/// are cut exactly along the bisecting planes, so the areas sum to that of the mesh. `samples` is not empty.
+void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& samples);
+
+}  // namespace taxel
