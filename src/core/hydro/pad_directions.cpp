@@ -36,28 +36,52 @@ dvec3 middle_direction(std::span<const dvec3> normals) {
   return length > 0 ? center / length : normals[0];
 }
 
+struct Around {
+  double area;
+  dvec3 normal;
+};
+
+/// The faces around one vertex: their normals, largest face first.
+std::vector<dvec3> by_area(std::vector<Around>& faces) {
+  std::stable_sort(faces.begin(), faces.end(), [](const Around& a, const Around& b) { return a.area > b.area; });
+  std::vector<dvec3> normals;
+  for (const Around& face : faces) normals.push_back(face.normal);
+  return normals;
+}
+
+PadDirection direction_of(const dvec3& angle_weighted, std::vector<Around>& faces) {
+  constexpr double kGoodCosine = 0.5, kPoorCosine = 0.2, kNegligibleArea = 0.05;
+  const std::vector<dvec3> normals = by_area(faces);
+  double least = least_cosine(angle_weighted, normals);
+  if (least >= kGoodCosine) return {-angle_weighted, least};
+  double area = 0, left_out = 0;
+  for (const Around& face : faces) area += face.area;
+  dvec3 best = angle_weighted;
+  for (std::size_t count = normals.size(); count > 0; --count) {
+    const std::span<const dvec3> kept(normals.data(), count);
+    const dvec3 middle = middle_direction(kept);
+    const double cosine = least_cosine(middle, kept);
+    if (cosine > least) {
+      best = middle;
+      least = cosine;
+    }
+    left_out += faces[count - 1].area;
+    if (least >= kPoorCosine || left_out > kNegligibleArea * area) break;
+  }
+  return {-best, least};
+}
+
 }  // namespace
 
 std::vector<PadDirection> pad_directions(const TriMesh& mesh) {
-  constexpr double kGoodCosine = 0.5;
-  std::vector<std::vector<dvec3>> around(mesh.vertices().size());
+  std::vector<std::vector<Around>> around(mesh.vertices().size());
   for (int f = 0; f < mesh.face_count(); ++f) {
-    for (int c = 0; c < 3; ++c) around[at(mesh.faces()[at(f)][c])].push_back(mesh.face_normals()[at(f)]);
+    for (int c = 0; c < 3; ++c)
+      around[at(mesh.faces()[at(f)][c])].push_back({mesh.face_areas()[at(f)], mesh.face_normals()[at(f)]});
   }
   std::vector<PadDirection> directions(mesh.vertices().size());
   for (std::size_t v = 0; v < directions.size(); ++v) {
-    if (around[v].empty()) continue;
-    dvec3 outward = mesh.vertex_normals()[v];
-    double least = least_cosine(outward, around[v]);
-    if (least < kGoodCosine) {
-      const dvec3 middle = middle_direction(around[v]);
-      const double better = least_cosine(middle, around[v]);
-      if (better > least) {
-        outward = middle;
-        least = better;
-      }
-    }
-    directions[v] = {-outward, least};
+    if (!around[v].empty()) directions[v] = direction_of(mesh.vertex_normals()[v], around[v]);
   }
   return directions;
 }

@@ -8,13 +8,13 @@
 namespace taxel {
 
 struct PadDirection {
-  dvec3 direction{0};  ///< unit, inward
-  double least_cosine =
-      0;  ///< to the inward normals of the faces around; not positive where no direction sees them all
+  dvec3 direction{0};       ///< unit, inward
+  double least_cosine = 0;  ///< to the inward normals of the faces around, but for those left out
 };
 
 /// Minus the angle-weighted normal, where it makes angles below 60 degrees with the normals of all faces around; else
-/// the direction that makes the largest of these angles smallest.
+/// the direction that makes the largest of these angles smallest. Where that leaves a face almost edge on, as on
+/// folded or torn tessellations, the smallest faces are left out while they make up little of the area around.
 std::vector<PadDirection> pad_directions(const TriMesh& mesh);
 
 }  // namespace taxel

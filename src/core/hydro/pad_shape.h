@@ -1,0 +1,53 @@
+// Where the inner vertices of a pad lie, and the tets between them and the skin.
+#pragma once
+
+#include <array>
+
+#include "core/hydro/pad_directions.h"
+#include "core/mesh/closest_point.h"
+
+namespace taxel {
+
+/// Every skin vertex has an inner one, offset along its direction by the pad's thickness or by what the body's own
+/// thickness allows. Vertices of the skin have their numbers in the mesh; inner ones follow: v + vertex_count().
+class PadShape {
+ public:
+  struct FaceTets {
+    std::array<ivec4, 3> tets;
+    int count = 0;  ///< 3; less where corners are pinched; 0 where the face has no pad
+  };
+
+  /// Cost: some closest-point queries per vertex.
+  PadShape(const MeshIndex& index, double thickness);
+
+  [[nodiscard]] dvec3 inner_position(int v) const { return moved(v, offset_[at(v)]); }
+  [[nodiscard]] double offset(int v) const { return offset_[at(v)]; }
+  [[nodiscard]] const PadDirection& direction(int v) const { return inward_[at(v)]; }
+  /// Whether the offset is shorter than the thickness asks for.
+  [[nodiscard]] bool limited(int v) const { return offset_[at(v)] < 0.999 * full_[at(v)]; }
+  /// Tets of positive volume, in skin and inner vertex numbers.
+  [[nodiscard]] FaceTets tets(int face) const;
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  [[nodiscard]] dvec3 moved(int v, double h) const { return mesh_.vertices()[at(v)] + h * inward_[at(v)].direction; }
+  [[nodiscard]] dvec3 position(int v) const;
+  [[nodiscard]] int inner(int v) const { return pinched_[at(v)] ? v : v + mesh_.vertex_count(); }
+  [[nodiscard]] double own_depth(int v, double h) const;
+  [[nodiscard]] bool can_be_filled(int face) const;
+  [[nodiscard]] FaceTets prism(int face) const;
+  [[nodiscard]] bool well_shaped(int face, double part) const;
+  void set_offset(int v);
+  void smooth();
+  int shrink_folded();
+  int pinch_folded();
+
+  const MeshIndex& index_;
+  const TriMesh& mesh_;
+  double thickness_;
+  std::vector<PadDirection> inward_;
+  std::vector<double> offset_, full_;  ///< per vertex: length of the offset, and what it would be without limits [m]
+  std::vector<char> pinched_;          ///< the inner vertex is the skin's own
+};
+
+}  // namespace taxel
