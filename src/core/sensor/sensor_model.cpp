@@ -33,7 +33,7 @@ void add_body(SensorModel& model, const std::string& file) {
   try {
     model.body = make_body(shape, model.layout.material, model.layout.name);
   } catch (const Error& e) {
-    throw Error(file, e.where().empty() ? "/material" : e.where(), e.message());
+    throw Error(file, "/material", e.message());
   }
 }
 

@@ -1,0 +1,18 @@
+// Layouts that the project brings along.
+#pragma once
+
+#include <string>
+
+#include "core/layout/layout.h"
+#include "core/mesh/closest_point.h"
+
+namespace taxel {
+
+/// The twelve taxels of the paper "Curved Tactile Sensor Simulation with Hydroelastic Contacts in MuJoCo" on our own
+/// fingertip (primitives.h): the paper's centres moved to the nearest point of `skin`, with the smooth surface normals
+/// there, six on the +x side and their mirror images; radius 6 mm, density 1e7 per square metre. Numbers rounded to 0.1
+/// micrometre and to 1e-6. mesh.file is
+/// "../meshes/fingertip.obj", `mesh_sha256` that of this file.
+Layout fingertip_layout(const MeshIndex& skin, const std::string& mesh_sha256 = "");
+
+}  // namespace taxel
