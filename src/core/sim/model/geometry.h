@@ -1,0 +1,37 @@
+// What a compiled MuJoCo model says about its geoms: names, poses, shapes.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+
+#include "core/base/math.h"
+#include "core/hydro/hydro_body.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+/// The geom's name, or "geom 7" for one without.
+std::string geom_name(const mjModel& m, int geom);
+std::string body_name(const mjModel& m, int body);
+
+/// X_WG in the state last evaluated, from the quaternions of body and geom. The contact is computed from exactly these
+/// numbers, so whoever records them can compute it again, bit for bit.
+Pose geom_pose(const mjModel& m, const mjData& d, int geom);
+
+/// X_GM: from the frame of the mesh file (after scaling) to that of the compiled geom. MuJoCo moves meshes to their
+/// centre and principal axes: R(mesh_quat) v + mesh_pos = scale * file, v being the compiled vertex. Identity for a geom
+/// without a mesh. `refpos` and `refquat` of an asset are not in the model and must be left at their defaults.
+Pose mesh_file_pose(const mjModel& m, int geom);
+
+/// The triangles of a mesh geom, frame G; vertices at one place welded, faces without area dropped.
+TriMesh compiled_mesh(const mjModel& m, int geom);
+
+/// The shape of a geom, frame G. Throws Error naming a geom whose type is not supported (height field, SDF).
+Shape geom_shape(const mjModel& m, int geom);
+
+/// MuJoCo's own rules of which geoms collide, but for `<exclude>` and `<pair>`: masks meet; not one body, not welded
+/// together, not parent and child (unless the parent is the world or the filter is off).
+bool would_collide(const mjModel& m, int a, int b);
+
+}  // namespace taxel

@@ -1,0 +1,15 @@
+// The geoms of a model as a viewer draws them.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <vector>
+
+#include "core/sim/sim_frame.h"
+
+namespace taxel {
+
+/// Every geom that is not fully transparent, in model order; `geoms` gets its number in the model.
+std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms);
+
+}  // namespace taxel

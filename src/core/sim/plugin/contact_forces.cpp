@@ -1,0 +1,159 @@
+#include "core/sim/plugin/contact_forces.h"
+
+#include <algorithm>
+
+namespace taxel {
+namespace {
+
+constexpr int kMaxRounds = 20;
+constexpr double kRoundTolerance = 1e-6;
+
+using Active = ContactForceWorkspace::Active;
+
+std::size_t size(int n) { return static_cast<std::size_t>(n); }
+
+std::array<double, 6> stack(const Wrench& w) {
+  return {w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
+}
+
+PairState& state_of(Active& a) { return a.instance->latest().pairs[a.pair]; }
+int sensor_body(const mjModel& m, const Active& a) { return m.geom_bodyid[a.instance->config().geom]; }
+int other_body(const mjModel& m, const Active& a) { return m.geom_bodyid[a.instance->touched()[a.pair].geom]; }
+
+bool asleep(const mjModel& m, const mjData& d, int body) {
+  return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
+}
+
+/// A tree falls asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. MuJoCo
+/// does not know of our contacts and would let a tree sleep while a moving body touches it.
+void keep_awake(const mjModel& m, mjData& d, int body) {
+  const int tree = m.body_treeid[body];
+  if (tree >= 0 && (m.opt.enableflags & mjENBL_SLEEP) != 0 && d.tree_asleep[tree] < 0)
+    d.tree_asleep[tree] = -(1 + mjMINAWAKE);
+}
+
+/// J of the relative twist, in frame M at M's origin; A = J M^-1 J^T (6 x 6).
+void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Active& a) {
+  const std::size_t nv = size(m.nv);
+  const Evaluation& e = a.instance->latest();
+  const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
+  work.jacobian.resize(12 * nv);
+  mjtNum* sensor = work.jacobian.data();
+  mjtNum* other = sensor + 6 * nv;
+  mj_jac(&m, &d, sensor, sensor + 3 * nv, origin, sensor_body(m, a));
+  mj_jac(&m, &d, other, other + 3 * nv, origin, other_body(m, a));
+  const dmat3 R_WM = e.X_WM.rotation();
+  a.J.resize(6 * nv);
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (std::size_t j = 0; j < nv; ++j) {
+      dvec3 column_W;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t at = (3 * half + i) * nv + j;
+        column_W[static_cast<int>(i)] = sensor[at] - other[at];
+      }
+      const dvec3 column = column_W * R_WM;  // R^T v
+      for (std::size_t i = 0; i < 3; ++i) a.J[(3 * half + i) * nv + j] = column[static_cast<int>(i)];
+    }
+  }
+  a.MinvJ.resize(6 * nv);
+  mj_solveM(&m, &d, a.MinvJ.data(), a.J.data(), 6);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      a.step.inverse_inertia[i][j] = mju_dot(a.J.data() + i * nv, a.MinvJ.data() + j * nv, m.nv);
+}
+
+/// M^-1 of all forces but those of the pairs: passive so far, applied, bias, and what comes later in the step.
+void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
+  work.force.resize(size(m.nv));
+  work.acceleration.resize(size(m.nv));
+  mjtNum* f = work.force.data();
+  mj_rne(&m, &d, 0, f);
+  for (int i = 0; i < m.nv; ++i)
+    f[i] = d.qfrc_passive[i] + d.qfrc_applied[i] + late_forces[size(i)] - f[i];
+  for (int b = 1; b < m.nbody; ++b) {
+    const mjtNum* x = d.xfrc_applied + 6 * b;
+    if (std::any_of(x, x + 6, [](mjtNum v) { return v != 0; })) mj_applyFT(&m, &d, x, x + 3, d.xipos + 3 * b, b, f);
+  }
+  mj_solveM(&m, &d, work.acceleration.data(), f, 1);
+}
+
+/// acceleration += sign * M^-1 J^T w
+void add_response(const mjModel& m, const Active& a, const Wrench& w, double sign, ContactForceWorkspace& work) {
+  const std::array<double, 6> wrench = stack(w);
+  for (std::size_t i = 0; i < 6; ++i)
+    mju_addToScl(work.acceleration.data(), a.MinvJ.data() + i * size(m.nv), sign * wrench[i], m.nv);
+}
+
+/// Solves one pair with all others held; returns the relative change of its wrench.
+double solve_pair(const mjModel& m, ContactForceWorkspace& work, Active& a) {
+  PairState& pair = state_of(a);
+  add_response(m, a, pair.wrench, -1, work);
+  std::array<double, 6> rate{};
+  mju_mulMatVec(rate.data(), a.J.data(), work.acceleration.data(), 6, m.nv);
+  const double h = m.opt.timestep;
+  a.step.timestep = h;
+  a.step.V_free = {pair.V.linear + h * dvec3(rate[0], rate[1], rate[2]),
+                   pair.V.angular + h * dvec3(rate[3], rate[4], rate[5])};
+  const PairProperties& properties = a.instance->touched()[a.pair].properties;
+  const ImplicitWrench solved =
+      solve_implicit_wrench(a.step, [&](const Twist& V) { return traction(pair.surface, properties, V); });
+  add_response(m, a, solved.wrench, 1, work);
+  const dvec3 change = solved.wrench.force - pair.wrench.force;
+  const dvec3 turn = (solved.wrench.torque - pair.wrench.torque) / a.step.length;
+  const double whole = glm::length(solved.wrench.force) + glm::length(solved.wrench.torque) / a.step.length;
+  pair.wrench = solved.wrench;
+  a.step.V_start = solved.V_end;
+  return whole > 0 ? (glm::length(change) + glm::length(turn)) / whole : 0.0;
+}
+
+void apply(const mjModel& m, mjData& d, Active& a) {
+  const Evaluation& e = a.instance->latest();
+  const PairState& pair = state_of(a);
+  const dvec3 force = e.X_WM.rotate(pair.wrench.force), torque = e.X_WM.rotate(pair.wrench.torque);
+  const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
+  const mjtNum f[3] = {force.x, force.y, force.z}, t[3] = {torque.x, torque.y, torque.z};
+  const mjtNum minus_f[3] = {-force.x, -force.y, -force.z}, minus_t[3] = {-torque.x, -torque.y, -torque.z};
+  if (!asleep(m, d, sensor_body(m, a))) mj_applyFT(&m, &d, f, t, origin, sensor_body(m, a), d.qfrc_passive);
+  if (!asleep(m, d, other_body(m, a)))
+    mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
+  keep_awake(m, d, sensor_body(m, a));
+  keep_awake(m, d, other_body(m, a));
+}
+
+/// All pairs that have a surface, with their dynamics and a first wrench: the elastic one.
+void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances, ContactForceWorkspace& work) {
+  work.active_count = 0;
+  for (HydroInstance* instance : instances) {
+    Evaluation& e = instance->evaluate(m, d);
+    for (std::size_t i = 0; i < e.pairs.size(); ++i) {
+      if (e.pairs[i].surface.empty()) continue;
+      if (work.active_count == work.active.size()) work.active.emplace_back();
+      Active& a = work.active[work.active_count++];
+      a.instance = instance;
+      a.pair = i;
+      a.step.length = 0.5 * instance->model()->skin->mesh().bounds().diagonal();
+      a.step.V_start = e.pairs[i].V;
+      e.pairs[i].wrench = pressure_wrench(e.pairs[i].surface);
+      fill_dynamics(m, d, work, a);
+    }
+  }
+}
+
+}  // namespace
+
+void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances,
+                          std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
+  collect(m, d, instances, work);
+  if (work.active_count == 0) return;
+  const std::span<Active> active(work.active.data(), work.active_count);
+  free_acceleration(m, d, late_forces, work);
+  for (const Active& a : active) add_response(m, a, a.instance->latest().pairs[a.pair].wrench, 1, work);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    double change = 0;
+    for (Active& a : active) change = std::max(change, solve_pair(m, work, a));
+    if (active.size() == 1 || change < kRoundTolerance) break;
+  }
+  for (Active& a : active) apply(m, d, a);
+}
+
+}  // namespace taxel

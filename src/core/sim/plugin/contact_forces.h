@@ -1,0 +1,39 @@
+// The forces of all hydroelastic pairs of one mjData, coupled through the bodies they share.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <span>
+#include <vector>
+
+#include "core/sim/plugin/hydro_instance.h"
+#include "core/sim/plugin/implicit_wrench.h"
+
+namespace taxel {
+
+/// Memory for apply_contact_forces, reused from step to step.
+struct ContactForceWorkspace {
+  /// One pair with a surface.
+  struct Active {
+    HydroInstance* instance = nullptr;
+    std::size_t pair = 0;
+    ImplicitStep step;
+    std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the sensor at M's origin, frame M
+    std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
+  };
+  std::vector<Active> active;
+  std::size_t active_count = 0;
+  std::vector<mjtNum> force, acceleration, jacobian;
+};
+
+/// Evaluates the instances that apply forces, solves for all wrenches with the velocities of the end of the step, keeps
+/// each in its PairState and adds it to qfrc_passive of both bodies. To be called once per PASSIVE stage; M is factored
+/// then. `late_forces` (nv values) are the generalized forces that MuJoCo computes only later, taken from the step
+/// before: constraints and actuators.
+///
+/// Pairs that share bodies are solved one after the other until none changes by more than 1e-6 (at most 20 rounds).
+/// Bodies asleep get no force; bodies of touching pairs are kept from falling asleep.
+void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances,
+                          std::span<const mjtNum> late_forces, ContactForceWorkspace& work);
+
+}  // namespace taxel

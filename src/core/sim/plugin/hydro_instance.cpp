@@ -1,0 +1,224 @@
+#include "core/sim/plugin/hydro_instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/sim/model/geometry.h"
+
+namespace taxel {
+namespace {
+
+bool same(const Pose& a, const Pose& b) {
+  return a.q == b.q && a.p == b.p;
+}
+bool same(const Twist& a, const Twist& b) {
+  return a.linear == b.linear && a.angular == b.angular;
+}
+
+/// Velocity of a body at the world point p, world axes.
+Twist body_twist(const mjModel& m, const mjData& d, int body, const dvec3& p_W) {
+  mjtNum v[6];  // angular, linear, at the origin of the body frame
+  mj_objectVelocity(&m, &d, mjOBJ_XBODY, body, v, 0);
+  const dvec3 w(v[0], v[1], v[2]), origin(d.xpos[3 * body], d.xpos[3 * body + 1], d.xpos[3 * body + 2]);
+  return {dvec3(v[3], v[4], v[5]) + glm::cross(w, p_W - origin), w};
+}
+
+/// Whether another instance of the same plugin senses with this geom.
+bool is_sensor(const mjModel& m, int geom, int instance) {
+  for (int i = 0; i < m.nplugin; ++i) {
+    if (i == instance || m.plugin[i] != m.plugin[instance]) continue;
+    const char* name = mj_getPluginConfig(&m, i, "geom");
+    if (name != nullptr && m.names + m.name_geomadr[geom] == std::string(name)) return true;
+  }
+  return false;
+}
+
+/// Material of a touched geom: as configured, else rigid with the geom's own friction.
+OtherMaterial other_material(const mjModel& m, const SensorConfig& config, int geom, ShapeType type) {
+  OtherMaterial other;
+  const auto found = config.materials.find(geom_name(m, geom));
+  if (found != config.materials.end()) other = found->second;
+  if (!other.has_friction) other.material.friction = m.geom_friction[3 * geom];
+  if (!other.has_field) other.material.field = type == ShapeType::mesh ? FieldKind::pad : FieldKind::medial_axis;
+  return other;
+}
+
+}  // namespace
+
+HydroInstance::HydroInstance(const mjModel& m, int instance)
+    : instance_(instance), config_(read_sensor_config(m, instance)) {
+  if (!config_.layout.empty())
+    hand_over(m, compile_layout(find_layout(config_.layout, layout_folders(m, config_.geom))));
+}
+
+void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
+  const int size = sensor_dimension(config_.output, model->taxel_count());
+  for (int s = 0; s < m.nsensor; ++s) {
+    if (m.sensor_plugin[s] != instance_ || m.sensor_dim[s] == size) continue;
+    throw Error("", "layout",
+                fmt::format("needs {} values in sensordata, the model was compiled with {}: compile it again", size,
+                            m.sensor_dim[s]));
+  }
+  model_ = std::move(model);
+  read_sensor(*model_, {}, reading_);  // refuses an aggregate that cannot be computed, and sizes the buffers
+  warnings_.clear();
+  X_GM_ = mesh_file_pose(m, config_.geom);
+  compare_with_model(m);
+  compile_others(m);
+  reset();
+}
+
+void HydroInstance::compile_others(const mjModel& m) {
+  touched_.clear();
+  for (const int geom : config_.others) {
+    try {
+      if (is_sensor(m, geom, instance_) && model_->body->soft())
+        throw Error("geom \"" + geom_name(m, geom) + "\" is a sensor too: soft against soft is not supported");
+      Shape shape = geom_shape(m, geom);
+      const OtherMaterial other = other_material(m, config_, geom, shape.type);
+      shape.resolution = other.resolution;
+      TouchedGeom touched{geom, make_body(shape, other.material, geom_name(m, geom)), {}, m.geom_rbound[geom]};
+      if (touched.body->soft() == model_->body->soft())
+        throw Error(fmt::format("sensor and geom \"{0}\" are both {1}: one of them must be soft, the other rigid",
+                                geom_name(m, geom), touched.body->soft() ? "soft" : "rigid"));
+      touched.properties = combine(model_->body->material, other.material);
+      touched_.push_back(std::move(touched));
+    } catch (const Error& error) {
+      if (config_.others_named) throw Error("", "others", error.what());
+      warnings_.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
+    }
+  }
+}
+
+void HydroInstance::compare_with_model(const mjModel& m) {
+  const int geom = config_.geom, mesh = m.geom_dataid[geom];
+  if (m.geom_type[geom] != mjGEOM_MESH || mesh < 0) {
+    warnings_.push_back("geom \"" + geom_name(m, geom) +
+                        "\" has no mesh: the layout's mesh is taken in the geom's own frame");
+    return;
+  }
+  const RigidTransform X_MG(X_GM_.inverse());
+  const MeshIndex index(model_->mesh);
+  double worst = 0;
+  for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
+    const float* v = m.mesh_vert + 3 * (m.mesh_vertadr[mesh] + i);
+    worst = std::max(worst, index.closest_point(X_MG(dvec3(v[0], v[1], v[2]))).distance);
+  }
+  const double size = model_->mesh->bounds().diagonal();
+  if (worst > 1e-5 * size)  // single precision and MuJoCo's re-centring stay below 1e-6
+    warnings_.push_back(fmt::format(
+        "the mesh of geom \"{}\" is not the layout's: a vertex lies {:.3g} m off it (the layout's mesh counts)",
+        geom_name(m, geom), worst));
+}
+
+void HydroInstance::locate(const mjModel& m, const mjData& d, Evaluation& e) const {
+  e.X_WM = geom_pose(m, d, config_.geom) * X_GM_;
+  e.pairs.resize(touched_.size());
+  const Twist V_WM = body_twist(m, d, m.geom_bodyid[config_.geom], e.X_WM.p);
+  const dmat3 R_WM = e.X_WM.rotation();
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    const Twist V_WB = body_twist(m, d, m.geom_bodyid[touched_[i].geom], e.X_WM.p);
+    e.pairs[i].X_WB = geom_pose(m, d, touched_[i].geom);
+    e.pairs[i].V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
+  }
+}
+
+bool HydroInstance::near(const Evaluation& e, std::size_t pair) const {
+  const Aabb& box = model_->skin->mesh().bounds();
+  const dvec3 center_W = e.X_WM * box.center();
+  const double radius = 0.5 * box.diagonal();
+  const Pose& X_WB = e.pairs[pair].X_WB;
+  if (touched_[pair].body->half_space()) return glm::dot(center_W - X_WB.p, X_WB.rotation()[2]) <= radius;
+  return glm::distance(center_W, X_WB.p) <= radius + touched_[pair].radius;
+}
+
+Evaluation& HydroInstance::evaluate(const mjModel& m, const mjData& d) {
+  if (latest_ == sensed_) latest_ = 1 - latest_;
+  Evaluation& e = slots_[latest_];
+  locate(m, d, e);
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    PairState& pair = e.pairs[i];
+    pair.wrench = {};
+    pair.surface.clear();
+    if (near(e, i)) intersect(*model_->body, *touched_[i].body, e.X_WM, pair.X_WB, pair.surface, workspace_);
+  }
+  e.valid = true;
+  return e;
+}
+
+bool HydroInstance::fresh(const mjModel& m, const mjData& d) {
+  const Evaluation& e = slots_[latest_];
+  if (!e.valid) return false;
+  locate(m, d, probe_);
+  bool equal = same(e.X_WM, probe_.X_WM);
+  for (std::size_t i = 0; i < touched_.size() && equal; ++i)
+    equal = same(e.pairs[i].X_WB, probe_.pairs[i].X_WB) && same(e.pairs[i].V, probe_.pairs[i].V);
+  return equal;
+}
+
+void HydroInstance::note_mujoco_contacts(const mjModel& m, const mjData& d) {
+  for (int c = 0; c < d.ncon; ++c) {
+    const mjContact& contact = d.contact[c];
+    if (contact.efc_address < 0) continue;
+    for (TouchedGeom& t : touched_) {
+      const bool ours = std::minmax(contact.geom[0], contact.geom[1]) == std::minmax(config_.geom, t.geom);
+      if (!ours || t.mujoco_too) continue;
+      t.mujoco_too = true;
+      warnings_.push_back(fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
+                                      "set contype and conaffinity to 0 and name the geom in \"others\"",
+                                      geom_name(m, config_.geom), geom_name(m, t.geom)));
+    }
+  }
+}
+
+void HydroInstance::sense(const mjModel& m, mjData& d) {
+  if (!fresh(m, d)) {
+    Evaluation& e = evaluate(m, d);
+    for (std::size_t i = 0; i < touched_.size(); ++i)
+      e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
+  }
+  sensed_ = latest_;
+  if (config_.apply) note_mujoco_contacts(m, d);
+  surfaces_.clear();
+  for (const PairState& pair : slots_[sensed_].pairs) surfaces_.push_back(&pair.surface);
+  read_sensor(*model_, surfaces_, reading_);
+  for (int s = 0; s < m.nsensor; ++s)
+    if (m.sensor_plugin[s] == instance_) write_output(d.sensordata + m.sensor_adr[s]);
+}
+
+void HydroInstance::write_output(mjtNum* out) {
+  const Evaluation& e = slots_[sensed_];
+  for (const Output block : config_.output) {
+    if (block == Output::readings) out = std::copy(reading_.values.begin(), reading_.values.end(), out);
+    if (block == Output::wrench) {
+      Wrench sum;
+      for (const PairState& pair : e.pairs) {
+        sum.force += e.X_WM.rotate(pair.wrench.force);
+        sum.torque += e.X_WM.rotate(pair.wrench.torque);
+      }
+      for (int i = 0; i < 3; ++i) out[i] = sum.force[i], out[i + 3] = sum.torque[i];
+      out += 6;
+    }
+    if (block == Output::area) {
+      *out = 0;
+      for (const PairState& pair : e.pairs) *out += pair.surface.area();
+      ++out;
+    }
+  }
+}
+
+void HydroInstance::reset() {
+  for (Evaluation& e : slots_) {
+    e.valid = false;
+    e.pairs.resize(touched_.size());
+    for (PairState& pair : e.pairs) {
+      pair.wrench = {};
+      pair.surface.clear();
+    }
+  }
+  read_sensor(*model_, {}, reading_);
+}
+
+}  // namespace taxel

@@ -1,0 +1,98 @@
+// One sensor of one mjData: what it touches, the surfaces of the state last evaluated, its readings.
+//
+// Frame M is that of the mesh file; wrenches act on the sensor, about M's origin, in M's axes.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/hydro/intersect.h"
+#include "core/hydro/traction.h"
+#include "core/sensor/reading.h"
+#include "core/sim/plugin/sensor_config.h"
+
+namespace taxel {
+
+/// A geom that the sensor touches.
+struct TouchedGeom {
+  int geom = -1;
+  HydroBodyPtr body;  ///< frame of the geom
+  PairProperties properties;
+  double radius = 0;        ///< of the bounding sphere about the geom's origin; 0: plane [m]
+  bool mujoco_too = false;  ///< MuJoCo's own contact of the pair was seen: reported once
+};
+
+/// A pair in one state.
+struct PairState {
+  Pose X_WB;               ///< of the other geom
+  Twist V;                 ///< of the sensor relative to it, at M's origin, frame M
+  ContactSurface surface;  ///< frame M
+  Wrench wrench;           ///< on the sensor
+};
+
+/// All pairs of a sensor in one state.
+struct Evaluation {
+  bool valid = false;
+  Pose X_WM;
+  std::vector<PairState> pairs;  ///< parallel to touched()
+};
+
+class HydroInstance {
+ public:
+  /// Reads the configuration and compiles the layout, or waits for hand_over() where it says so. Throws Error.
+  HydroInstance(const mjModel& m, int instance);
+
+  /// Takes a compiled sensor with as many taxels as the output was sized for. Throws Error.
+  void hand_over(const mjModel& m, SensorModelPtr model);
+
+  [[nodiscard]] const SensorConfig& config() const { return config_; }
+  [[nodiscard]] const SensorModelPtr& model() const { return model_; }  ///< null before hand_over()
+  [[nodiscard]] int index() const { return instance_; }
+  [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return touched_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Poses, twists and surfaces of the present state of `d`; wrenches are zeroed.
+  Evaluation& evaluate(const mjModel& m, const mjData& d);
+  /// The state that evaluate() saw last.
+  [[nodiscard]] Evaluation& latest() { return slots_[latest_]; }
+
+  /// Fills sensordata for the present state; evaluates it first (wrenches without implicit step) where the latest
+  /// evaluation is of another state.
+  void sense(const mjModel& m, mjData& d);
+  /// What sense() saw, and what it read. Valid until the next step.
+  [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
+  [[nodiscard]] const SensorReading& reading() const { return reading_; }
+
+  /// Forgets all states.
+  void reset();
+
+  /// Set by the plugin when a callback failed: reported once, then the sensor reads zero.
+  std::string failure;
+
+ private:
+  void compile_others(const mjModel& m);
+  void compare_with_model(const mjModel& m);
+  void note_mujoco_contacts(const mjModel& m, const mjData& d);
+  void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
+  [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
+  [[nodiscard]] bool near(const Evaluation& e, std::size_t pair) const;
+  void write_output(mjtNum* out);
+
+  int instance_ = -1;
+  SensorConfig config_;
+  SensorModelPtr model_;
+  Pose X_GM_;
+  std::vector<TouchedGeom> touched_;
+  std::vector<std::string> warnings_;
+  std::array<Evaluation, 2> slots_;  // one may still be shown as sensed() while RK4 evaluates further
+  std::size_t latest_ = 0, sensed_ = 0;
+  Evaluation probe_;
+  IntersectWorkspace workspace_;
+  SensorReading reading_;
+  std::vector<const ContactSurface*> surfaces_;
+};
+
+}  // namespace taxel

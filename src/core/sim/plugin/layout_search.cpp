@@ -1,0 +1,48 @@
+#include "core/sim/plugin/layout_search.h"
+
+#include "core/base/error.h"
+#include "core/layout/layout_json.h"
+#include "core/mesh/mesh_io.h"
+
+namespace taxel {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// folder/relative in the first folder that has it. Throws Error naming them all.
+fs::path find_file(const fs::path& relative, const std::vector<fs::path>& folders, const std::string& what) {
+  std::error_code ignored;
+  if (relative.is_absolute()) return relative;
+  std::string tried;
+  for (const fs::path& folder : folders) {
+    if (fs::is_regular_file(folder / relative, ignored)) return folder / relative;
+    tried += (tried.empty() ? "" : ", ") + fs::absolute(folder, ignored).lexically_normal().string();
+  }
+  throw Error(what + " \"" + relative.string() + "\" not found; folders tried: " + tried);
+}
+
+bool is_json_text(const std::string& value) {
+  const std::size_t first = value.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && value[first] == '{';
+}
+
+}  // namespace
+
+FoundLayout find_layout(const std::string& value, const std::vector<fs::path>& folders) {
+  if (!is_json_text(value)) {
+    const fs::path file = find_file(value, folders, "layout file");
+    return {read_layout(file), file};
+  }
+  const std::string name = "layout in the scene";
+  Layout layout = parse_layout(value, name);
+  const fs::path mesh = find_file(layout.mesh.file, folders, "mesh file");
+  layout.mesh.file = fs::absolute(mesh).string();
+  return {std::move(layout), fs::absolute(mesh).parent_path() / name};
+}
+
+SensorModelPtr compile_layout(const FoundLayout& found) {
+  const LoadedMesh loaded = load_mesh(mesh_path(found.layout, found.file), found.layout.mesh.scale);
+  return build_sensor_model(found.layout, loaded.mesh, loaded.sha256, found.file.string());
+}
+
+}  // namespace taxel

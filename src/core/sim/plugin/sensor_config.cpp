@@ -1,0 +1,144 @@
+#include "core/sim/plugin/sensor_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/sim/model/geometry.h"
+
+namespace taxel {
+namespace {
+
+/// The value of a key; empty when it is not given.
+std::string config_value(const mjModel& m, int instance, const char* key) {
+  const char* value = mj_getPluginConfig(&m, instance, key);
+  return value != nullptr ? value : "";
+}
+
+std::vector<std::string> split_words(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+int geom_by_name(const mjModel& m, const std::string& name, const char* key) {
+  for (int g = 0; g < m.ngeom; ++g)
+    if (name == m.names + m.name_geomadr[g]) return g;
+  throw Error("", key, "there is no geom named \"" + name + "\"");
+}
+
+std::vector<int> find_others(const mjModel& m, const std::string& value, int geom) {
+  std::vector<int> others;
+  if (value.empty()) {
+    for (int g = 0; g < m.ngeom; ++g)
+      if (g != geom && would_collide(m, geom, g)) others.push_back(g);
+    return others;
+  }
+  for (const std::string& name : split_words(value)) {
+    const int g = geom_by_name(m, name, "others");
+    if (g == geom) throw Error("", "others", "\"" + name + "\" is the sensor's own geom");
+    if (std::find(others.begin(), others.end(), g) == others.end()) others.push_back(g);
+  }
+  std::sort(others.begin(), others.end());
+  return others;
+}
+
+std::vector<Output> read_output(const std::string& value) {
+  if (value.empty()) return {Output::readings};
+  std::vector<Output> output;
+  for (const std::string& word : split_words(value)) {
+    if (word == "readings") {
+      output.push_back(Output::readings);
+    } else if (word == "wrench") {
+      output.push_back(Output::wrench);
+    } else if (word == "area") {
+      output.push_back(Output::area);
+    } else {
+      throw Error("", "output", "unknown word \"" + word + "\"; the words are: readings, wrench, area");
+    }
+  }
+  return output;
+}
+
+int read_count(const std::string& value, const char* key) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), count);
+  if (error != std::errc{} || end != value.data() + value.size() || count < 1)
+    throw Error("", key, "must be a whole number above 0, is \"" + value + "\"");
+  return count;
+}
+
+/// Geom, layout and output: what the size of the output depends on.
+SensorConfig read_basics(const mjModel& m, int instance) {
+  SensorConfig config;
+  config.name = instance_name(m, instance);
+  const std::string geom = config_value(m, instance, "geom");
+  if (geom.empty()) throw Error("", "geom", "is required: the name of the sensor's geom");
+  config.geom = geom_by_name(m, geom, "geom");
+  config.layout = config_value(m, instance, "layout");
+  const std::string taxels = config_value(m, instance, "taxels");
+  if (config.layout.empty() && taxels.empty()) throw Error("", "layout", "is required: the layout file");
+  if (!config.layout.empty() && !taxels.empty())
+    throw Error("", "taxels", "is for sensors that a program hands over; it excludes \"layout\"");
+  if (!taxels.empty()) config.handed_taxels = read_count(taxels, "taxels");
+  config.output = read_output(config_value(m, instance, "output"));
+  return config;
+}
+
+}  // namespace
+
+std::string instance_name(const mjModel& m, int instance) {
+  const char* name = m.names + m.name_pluginadr[instance];
+  return *name != '\0' ? name : fmt::format("#{}", instance);
+}
+
+SensorConfig read_sensor_config(const mjModel& m, int instance) {
+  SensorConfig config = read_basics(m, instance);
+  const std::string others = config_value(m, instance, "others");
+  config.others = find_others(m, others, config.geom);
+  config.others_named = !others.empty();
+  const std::string materials = config_value(m, instance, "materials");
+  if (!materials.empty()) config.materials = parse_materials(materials, "materials");
+  for (const auto& [name, material] : config.materials) geom_by_name(m, name, "materials");
+  const std::string force = config_value(m, instance, "force");
+  if (!force.empty() && force != "apply" && force != "sense")
+    throw Error("", "force", "must be \"apply\" or \"sense\", is \"" + force + "\"");
+  config.apply = force != "sense";
+  return config;
+}
+
+std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom) {
+  std::vector<std::filesystem::path> folders;
+  const int mesh = m.geom_dataid[geom];
+  if (m.geom_type[geom] == mjGEOM_MESH && mesh >= 0 && m.mesh_pathadr[mesh] >= 0) {
+    const std::filesystem::path file = m.paths + m.mesh_pathadr[mesh];
+    folders.push_back(file.has_parent_path() ? file.parent_path() : ".");
+  }
+  if (folders.empty() || folders.front() != ".") folders.emplace_back(".");
+  return folders;
+}
+
+int sensor_dimension(const std::vector<Output>& output, int taxels) {
+  int size = 0;
+  for (const Output block : output) {
+    if (block == Output::readings) size += taxels;
+    if (block == Output::wrench) size += 6;
+    if (block == Output::area) size += 1;
+  }
+  return size;
+}
+
+int sensor_dimension(const mjModel& m, int instance) {
+  const SensorConfig config = read_basics(m, instance);
+  int taxels = config.handed_taxels;
+  if (taxels == 0)
+    taxels = static_cast<int>(find_layout(config.layout, layout_folders(m, config.geom)).layout.taxels.size());
+  return sensor_dimension(config.output, taxels);
+}
+
+}  // namespace taxel

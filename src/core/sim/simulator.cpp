@@ -1,0 +1,281 @@
+#include "core/sim/simulator.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/sim/model/geometry.h"
+#include "core/sim/model/scene_view.h"
+#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/loaded_scene.h"
+#include "core/sim/scene/sweep_scene.h"
+
+namespace taxel {
+namespace {
+
+/// The sweep's clock: where the mocap body is in each step, and which steps are recorded.
+struct SweepPath {
+  SweepScene scene;
+  double steps_per_metre = 1;
+  double steps_per_row = 1;
+  std::uint64_t last_step = 0;
+
+  SweepPath(SweepScene s, const SweepScenario& scenario)
+      : scene(std::move(s)),
+        steps_per_metre(whole(1.0 / (scenario.speed * scenario.timestep))),
+        steps_per_row(whole(scenario.record_every * steps_per_metre)),
+        last_step(static_cast<std::uint64_t>(std::ceil(whole(scene.distance * steps_per_metre)))) {}
+
+  /// A number that is meant to be whole, freed of its rounding.
+  static double whole(double x) {
+    const double nearest = std::round(x);
+    return std::abs(x - nearest) <= 1e-9 * nearest ? nearest : x;
+  }
+  [[nodiscard]] double travel(std::uint64_t step) const {
+    return std::min(scene.distance, static_cast<double>(step) / steps_per_metre);
+  }
+  /// Rows that are due up to and including this step, less one.
+  [[nodiscard]] double rows(std::uint64_t step) const { return std::floor(static_cast<double>(step) / steps_per_row); }
+};
+
+/// MuJoCo's log would land in the user's working folder; what it says reaches the user through our own messages.
+void quiet_mujoco() {
+  mjLogConfig config = mju_getLogConfig();
+  config.logto_console = false;
+  config.logto_file = false;
+  mju_setLogConfig(config);
+}
+
+void prepare_mujoco() {
+  quiet_mujoco();
+  if (!register_sensor_plugin()) throw Error("the taxel.sensor plugin module is loaded in this process already");
+}
+
+}  // namespace
+
+struct Simulator::Impl {
+  std::string title;                // file of the scene, for messages
+  CompiledScene compiled;
+  DataHandle data;
+  std::optional<SweepPath> sweep;
+  std::vector<int> instances;       // of taxel.sensor
+  std::vector<int> drawn;           // geoms of scene->geoms
+  std::shared_ptr<const SimScene> shown;  // what does not change
+  int mocap = -1;                   // the first mocap body's number, -1: none
+  dvec3 mocap_start{0};
+
+  std::uint64_t steps = 0;          // made so far
+  double time = 0, travel = 0;      // of the state evaluated last
+  bool row_due = false;
+
+  [[nodiscard]] const mjModel& m() const { return *compiled.model; }
+  [[nodiscard]] mjData& d() const { return *data; }
+  [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
+
+  void make_data(const SensorModelPtr& handed_over);
+  void describe();
+  void place_mocap(double travelled);
+  void look();
+  void check_stability() const;
+  void check_sensors() const;
+  void back_to_start();
+};
+
+Simulator::Simulator() : impl_(std::make_unique<Impl>()) {}
+Simulator::~Simulator() = default;
+
+void Simulator::Impl::make_data(const SensorModelPtr& handed_over) {
+  data.reset(mj_makeData(compiled.model.get()));
+  if (data == nullptr) throw Error(title, "MuJoCo cannot make the simulation data");
+  instances = sensor_instances(m());
+  if (handed_over != nullptr)
+    for (const int i : instances) find_sensor(*data, i)->hand_over(m(), handed_over);
+}
+
+void Simulator::Impl::describe() {
+  const auto scene = std::make_shared<SimScene>();
+  scene->title = title;
+  scene->geoms = drawable_geoms(m(), drawn);
+  scene->timestep = m().opt.timestep;
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    scene->sensors.push_back(sensor(i).model());
+    scene->sensor_geoms.push_back(geom_name(m(), sensor(i).config().geom));
+    for (std::size_t g = 0; g < drawn.size(); ++g)
+      if (drawn[g] == sensor(i).config().geom) scene->geoms[g].sensor = static_cast<int>(i);
+  }
+  if (sweep) {
+    const dvec3 start = sweep->scene.lowest_start_W;
+    scene->path_W = {start, start + sweep->scene.distance * sweep->scene.direction_W};
+    scene->duration = static_cast<double>(sweep->last_step) * m().opt.timestep;
+  }
+  shown = scene;
+  for (int b = 0; b < m().nbody && mocap < 0; ++b) mocap = m().body_mocapid[b];
+  if (mocap >= 0) mocap_start = {d().mocap_pos[3 * mocap], d().mocap_pos[3 * mocap + 1], d().mocap_pos[3 * mocap + 2]};
+}
+
+void Simulator::Impl::place_mocap(double travelled) {
+  const dvec3 p = sweep->scene.X_start.p + travelled * sweep->scene.direction_W;
+  for (int i = 0; i < 3; ++i) d().mocap_pos[3 * mocap + i] = p[i];
+}
+
+/// Evaluates the present state without changing it, so that there is something to show before the first step.
+void Simulator::Impl::look() {
+  std::vector<mjtNum> state(static_cast<std::size_t>(mj_stateSize(&m(), mjSTATE_INTEGRATION)));
+  mj_getState(&m(), &d(), state.data(), mjSTATE_INTEGRATION);
+  mj_forward(&m(), &d());
+  mj_setState(&m(), &d(), state.data(), mjSTATE_INTEGRATION);
+  check_sensors();
+}
+
+void Simulator::Impl::check_sensors() const {
+  for (const int i : instances) {
+    const HydroInstance& s = *find_sensor(*data, i);
+    if (!s.failure.empty()) throw Error(title, s.failure);
+  }
+}
+
+void Simulator::Impl::check_stability() const {
+  for (const int kind : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_BADCTRL}) {
+    const mjWarningStat& w = d().warning[kind];
+    if (w.number > 0)
+      throw Error(title, fmt::format("the simulation became unstable at {:.6g} s: {}", time,
+                                     mju_warningText(kind, static_cast<std::size_t>(w.lastinfo))));
+  }
+}
+
+void Simulator::Impl::back_to_start() {
+  mj_resetData(&m(), &d());
+  steps = 0;
+  time = travel = 0;
+  row_due = false;
+  if (sweep) place_mocap(0);
+  look();
+}
+
+std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, const SweepScenario& scenario) {
+  prepare_mujoco();
+  std::unique_ptr<Simulator> simulator(new Simulator);
+  Impl& s = *simulator->impl_;
+  s.title = "fingertip sweep: " + model->layout.name;
+  s.sweep.emplace(build_sweep_scene(*model, scenario), scenario);
+  s.compiled = compile_scene(s.sweep->scene.hosted_xml, s.sweep->scene.files.files, s.title);
+  s.make_data(model);
+  s.describe();
+  s.back_to_start();
+  return simulator;
+}
+
+std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene, const std::string& layout,
+                                           const std::string& geom) {
+  prepare_mujoco();
+  std::unique_ptr<Simulator> simulator(new Simulator);
+  Impl& s = *simulator->impl_;
+  s.title = scene.string();
+  s.compiled = load_scene(scene, layout, geom);
+  s.make_data(nullptr);
+  s.describe();
+  s.back_to_start();
+  return simulator;
+}
+
+void Simulator::step() {
+  Impl& s = *impl_;
+  s.time = s.d().time;
+  if (s.sweep) {
+    s.travel = s.sweep->travel(s.steps);
+    s.row_due = s.steps <= s.sweep->last_step && (s.steps == 0 || s.sweep->rows(s.steps) > s.sweep->rows(s.steps - 1));
+    s.place_mocap(s.travel);
+  } else {
+    s.travel = s.mocap >= 0 ? glm::distance(mocap_pos(), s.mocap_start) : 0.0;
+    s.row_due = true;
+  }
+  mj_step(&s.m(), &s.d());
+  ++s.steps;
+  s.check_stability();
+  s.check_sensors();
+}
+
+void Simulator::reset() {
+  impl_->back_to_start();
+}
+
+bool Simulator::finished() const {
+  return impl_->sweep && impl_->steps > impl_->sweep->last_step;
+}
+bool Simulator::row_due() const {
+  return impl_->row_due;
+}
+const std::shared_ptr<const SimScene>& Simulator::scene() const {
+  return impl_->shown;
+}
+
+SimRow Simulator::row() const {
+  const Impl& s = *impl_;
+  SimRow row;
+  row.time = s.time;
+  row.travel = s.travel;
+  for (std::size_t i = 0; i < s.instances.size(); ++i) {
+    const HydroInstance& sensor = s.sensor(i);
+    const Evaluation& e = sensor.sensed();
+    dvec3 force(0);
+    double area = 0;
+    std::size_t polygons = 0;
+    for (const PairState& pair : e.pairs) {
+      force += e.X_WM.rotate(pair.wrench.force);
+      area += pair.surface.area();
+      polygons += pair.surface.polygons.size();
+    }
+    row.force_W.push_back(force);
+    row.area.push_back(area);
+    row.polygons.push_back(static_cast<int>(polygons));
+    row.readings.push_back(sensor.reading().values);
+    row.sensor_poses.push_back(e.X_WM);
+  }
+  return row;
+}
+
+void Simulator::fill_frame(SimFrame& frame) const {
+  const Impl& s = *impl_;
+  frame.scene = scene();
+  frame.step = s.steps;
+  frame.time = s.time;
+  frame.travel = s.travel;
+  frame.finished = finished();
+  frame.geom_poses.clear();
+  for (const int g : s.drawn) frame.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
+  const SimRow now = row();
+  frame.sensors.resize(s.instances.size());
+  for (std::size_t i = 0; i < s.instances.size(); ++i) {
+    const HydroInstance& sensor = s.sensor(i);
+    SensorFrameState& state = frame.sensors[i];
+    state.X_WM = now.sensor_poses[i];
+    state.readings = now.readings[i];
+    state.force_W = now.force_W[i];
+    state.hits = sensor.reading().hits;
+    state.surfaces.clear();
+    for (const PairState& pair : sensor.sensed().pairs) state.surfaces.push_back(pair.surface);
+  }
+}
+
+void Simulator::export_scene(const std::filesystem::path& folder) const {
+  const Impl& s = *impl_;
+  write_scene(folder, s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
+}
+
+dvec3 Simulator::mocap_pos() const {
+  const Impl& s = *impl_;
+  if (s.mocap < 0) return dvec3(0);
+  const mjtNum* p = s.d().mocap_pos + 3 * s.mocap;
+  return {p[0], p[1], p[2]};
+}
+
+dquat Simulator::mocap_quat() const {
+  const Impl& s = *impl_;
+  if (s.mocap < 0) return {1, 0, 0, 0};
+  const mjtNum* q = s.d().mocap_quat + 4 * s.mocap;
+  return {q[0], q[1], q[2], q[3]};
+}
+
+}  // namespace taxel
