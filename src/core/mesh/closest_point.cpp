@@ -84,11 +84,10 @@ std::optional<MeshHit> MeshIndex::cast(const Ray& ray) const {
 
 std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const {
   MeshHit best;
+  const RayTriangleTest test(ray);
   bvh_.cast(ray, [&](int face, double t_max) {
     if (face == except) return t_max;
-    const Ray limited{ray.origin, ray.direction, t_max};
-    const auto hit =
-        intersect_triangle(limited, mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2));
+    const auto hit = test(mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2), t_max);
     if (!hit || (best.face >= 0 && hit->t == best.t && face > best.face)) return t_max;
     best = {hit->t, face, hit->barycentric};
     return hit->t;

@@ -32,7 +32,7 @@ class MeshIndex {
 
   /// Nearest point; ties go to the lowest face number. O(log n).
   [[nodiscard]] SurfacePoint closest_point(const dvec3& p) const;
-  /// First hit from either side (Moeller-Trumbore 1997, no absolute epsilon); ties go to the lowest face number.
+  /// First hit from either side (ray_triangle.h: watertight, no epsilon); ties go to the lowest face number.
   [[nodiscard]] std::optional<MeshHit> cast(const Ray& ray) const;
   /// Like cast, leaving out one face (rays that start on it).
   [[nodiscard]] std::optional<MeshHit> cast_except(const Ray& ray, int face) const;

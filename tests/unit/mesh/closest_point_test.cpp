@@ -1,0 +1,193 @@
+#include "core/mesh/closest_point.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/point_triangle.h"
+#include "core/mesh/ray_triangle.h"
+#include "unit/mesh/random_mesh.h"
+
+namespace taxel {
+namespace {
+
+std::shared_ptr<const TriMesh> share(TriMesh mesh) { return std::make_shared<const TriMesh>(std::move(mesh)); }
+
+/// Nearest distance by dense sampling of the triangle: an upper bound that closes in.
+double sampled_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
+  double best = std::numeric_limits<double>::infinity();
+  constexpr int kSteps = 200;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; i + j <= kSteps; ++j) {
+      const dvec3 q = a + (b - a) * (static_cast<double>(i) / kSteps) + (c - a) * (static_cast<double>(j) / kSteps);
+      best = std::min(best, glm::distance(p, q));
+    }
+  }
+  return best;
+}
+
+TEST(PointTriangle, AgreesWithDenseSampling) {
+  test::RandomStream random(1);
+  for (int i = 0; i < 300; ++i) {
+    const dvec3 a = random.in_cube(1), b = random.in_cube(1), c = random.in_cube(1), p = random.in_cube(2);
+    const TrianglePoint q = nearest_on_triangle(p, a, b, c);
+    const double sampled = sampled_distance(p, a, b, c);
+    EXPECT_LE(std::sqrt(q.squared_distance), sampled * (1 + 1e-12));
+    EXPECT_GT(std::sqrt(q.squared_distance), sampled - 0.02);
+    const dvec3 w = q.barycentric;
+    EXPECT_NEAR(glm::distance(w.x * a + w.y * b + w.z * c, q.position), 0, 1e-12);
+    EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-12);
+    EXPECT_GE(std::min({w.x, w.y, w.z}), 0);
+    EXPECT_NEAR(glm::distance(p, q.position), std::sqrt(q.squared_distance), 1e-12);
+  }
+}
+
+TEST(PointTriangle, IsExactOnNeedles) {
+  const dvec3 a(0, 0, 0), b(1, 0, 0), c(0.5, 1e-12, 0);
+  for (const double x : {-0.5, 0.0, 0.3, 0.5, 0.9, 1.5}) {
+    const TrianglePoint q = nearest_on_triangle({x, 0, 0.7}, a, b, c);
+    const double beyond = std::max({0.0, -x, x - 1});
+    EXPECT_NEAR(q.squared_distance, 0.49 + beyond * beyond, 1e-11);
+  }
+}
+
+/// Lowest face among the nearest ones, by trying all.
+SurfacePoint brute_force(const TriMesh& mesh, const dvec3& p) {
+  SurfacePoint best;
+  double best_squared = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const TrianglePoint q = nearest_on_triangle(p, mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2));
+    if (q.squared_distance >= best_squared) continue;
+    best_squared = q.squared_distance;
+    best = {q.position, f, q.barycentric, std::sqrt(q.squared_distance)};
+  }
+  return best;
+}
+
+void expect_same(const SurfacePoint& a, const SurfacePoint& b) {
+  EXPECT_EQ(a.face, b.face);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.barycentric, b.barycentric);
+  EXPECT_EQ(a.distance, b.distance);
+}
+
+TEST(MeshIndex, ClosestPointIsThatOfBruteForce) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const MeshIndex index(share(test::random_soup(seed, 400)));
+    test::RandomStream random(seed + 100);
+    for (int i = 0; i < 500; ++i) {
+      dvec3 p = random.in_cube(1.5);
+      if (i % 3 == 0) p = index.mesh().vertex(random.below(index.mesh().face_count()), 0);  // exact ties
+      if (i % 3 == 1) p.z = 0.25;
+      expect_same(index.closest_point(p), brute_force(index.mesh(), p));
+    }
+  }
+}
+
+TEST(MeshIndex, TiesGoToTheLowestFace) {
+  const MeshIndex index(share(make_icosphere(1, 3)));
+  test::RandomStream random(5);
+  const TriMesh& mesh = index.mesh();
+  for (int i = 0; i < 500; ++i) {
+    // Above a vertex or a point of an edge all faces around are equally near.
+    const int face = random.below(mesh.face_count());
+    const double part = i % 2 == 0 ? 0.0 : random.uniform(0.1, 0.9);
+    const dvec3 p = 1.7 * glm::mix(mesh.vertex(face, 0), mesh.vertex(face, 1), part);
+    const SurfacePoint q = index.closest_point(p);
+    expect_same(q, brute_force(mesh, p));
+    EXPECT_LE(q.face, face);
+  }
+}
+
+std::optional<MeshHit> brute_force_cast(const TriMesh& mesh, const Ray& ray, int except = -1) {
+  std::optional<MeshHit> best;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (f == except) continue;
+    const auto hit = intersect_triangle(ray, mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2));
+    if (hit && (!best || hit->t < best->t)) best = MeshHit{hit->t, f, hit->barycentric};
+  }
+  return best;
+}
+
+TEST(MeshIndex, CastIsThatOfBruteForce) {
+  int hits = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const MeshIndex index(share(test::random_soup(seed, 400)));
+    test::RandomStream random(seed + 200);
+    for (int i = 0; i < 1000; ++i) {
+      Ray ray{random.in_cube(1.5), random.direction()};
+      const TriMesh& mesh = index.mesh();
+      const int face = random.below(mesh.face_count());
+      const dvec3 centre = (mesh.vertex(face, 0) + mesh.vertex(face, 1) + mesh.vertex(face, 2)) / 3.0;
+      if (i % 3 == 0) ray.direction = glm::normalize(centre - ray.origin);
+      if (i % 3 == 1) ray = {centre + dvec3(0, 0, 2), {0, 0, -1}};
+      if (i % 5 == 0) ray.t_max = random.uniform(0, 3);
+      const int except = i % 2 == 0 ? -1 : face;
+      const auto hit = index.cast_except(ray, except), expected = brute_force_cast(mesh, ray, except);
+      ASSERT_EQ(hit.has_value(), expected.has_value());
+      if (!hit) continue;
+      ++hits;
+      EXPECT_EQ(hit->face, expected->face);
+      EXPECT_EQ(hit->t, expected->t);
+      EXPECT_EQ(hit->barycentric, expected->barycentric);
+    }
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+TEST(MeshIndex, CastExceptLeavesTheFace) {
+  const MeshIndex index(share(make_box(dvec3(1))));
+  const auto down = index.cast({{0.1, 0.2, 3}, {0, 0, -1}});
+  ASSERT_TRUE(down);
+  EXPECT_DOUBLE_EQ(down->t, 2);
+  const auto through = index.cast_except({{0.1, 0.2, 1}, {0, 0, -1}}, down->face);
+  ASSERT_TRUE(through);
+  EXPECT_DOUBLE_EQ(through->t, 2);
+  EXPECT_FALSE(index.cast({{0.1, 0.2, 3}, {0, 0, 1}}));
+  EXPECT_FALSE(index.cast({{0.1, 0.2, 3}, {0, 0, -1}, 1.9}));
+}
+
+/// Distance to the box |x| <= 1, negative inside.
+double box_distance(const dvec3& p) {
+  const dvec3 d = glm::abs(p) - 1.0;
+  return glm::length(glm::max(d, dvec3(0))) + std::min(std::max({d.x, d.y, d.z}), 0.0);
+}
+
+TEST(MeshIndex, SignedDistanceOfABoxIsExact) {
+  const MeshIndex index(share(make_box(dvec3(1))));
+  test::RandomStream random(6);
+  for (int i = 0; i < 3000; ++i) {
+    dvec3 p = random.in_cube(2);
+    if (i % 4 == 0) p = glm::round(4.0 * p) / 4.0;  // on the planes of faces, edges and corners
+    EXPECT_NEAR(index.signed_distance(p), box_distance(p), 1e-14);
+  }
+}
+
+TEST(MeshIndex, SignIsRightAtSharpSpikes) {
+  // A thin tetrahedron: at its spike the normal of any single face gives the wrong sign for points nearby.
+  const MeshIndex index(share(TriMesh({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.03, 0.03, 5}},
+                                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})));
+  test::RandomStream random(7);
+  for (int i = 0; i < 3000; ++i) {
+    const dvec3 p = dvec3(0.03, 0.03, 5) + random.in_cube(0.2);
+    bool inside = true;
+    for (int f = 0; f < 4; ++f)
+      inside = inside && glm::dot(p - index.mesh().vertex(f, 0), index.mesh().face_normals()[static_cast<std::size_t>(f)]) < 0;
+    EXPECT_EQ(index.signed_distance(p) < 0, inside);
+  }
+}
+
+TEST(MeshIndex, SignAgreesWithRayParityOnANonConvexMesh) {
+  const MeshIndex index(share(test::bumpy_sphere(3)));
+  test::RandomStream random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const dvec3 p = random.in_cube(1.4);
+    const Ray ray{p, random.direction()};
+    int crossings = 0;
+    const TriMesh& mesh = index.mesh();
+    for (int f = 0; f < mesh.face_count(); ++f)
+      crossings += intersect_triangle(ray, mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)) ? 1 : 0;
+    EXPECT_EQ(index.signed_distance(p) < 0, crossings % 2 == 1);
+  }
+}
+
+}  // namespace
+}  // namespace taxel
