@@ -1,0 +1,244 @@
+#include "core/sim/sim_thread.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "core/base/mailbox.h"
+#include "core/sim/pacing.h"
+#include "core/sim/simulator.h"
+
+namespace taxel {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since_epoch() {
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+constexpr double kFrameInterval = 1.0 / 60.0;  // [s] at most so many frames while playing
+constexpr double kTraceInterval = 1.0 / 30.0;  // [s] at most so many copies of the trace
+constexpr double kBurst = 0.005;               // [s] of stepping before commands are looked at again
+constexpr double kNap = 0.002;                 // [s] shortest wait for the clock: several steps are then due at once
+constexpr std::size_t kEndlessRows = 10000;    // rows kept, at least, of a scene that has no end
+
+}  // namespace
+
+/// Everything but the queue and the mailbox belongs to the simulation's thread.
+struct SimThread::Impl {
+  std::mutex mutex;  // guards the next four
+  std::condition_variable wake;
+  std::vector<SimCommand> queue;
+  bool clock_driven = true;
+  bool clock_changed = false;
+
+  Mailbox<SimFrame> mailbox;
+
+  std::unique_ptr<Simulator> simulator;
+  Pacing pacing;
+  bool running = true, playing = false, by_clock = true;
+  double speed = 1.0;
+  std::string error;
+  std::vector<TraceRow> rows;
+  std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
+  double last_frame = 0, last_trace = 0;
+  bool changed = true;  // something to show since the last frame
+
+  std::thread thread;  // last: starts when all else is there
+
+  Impl() : thread([this] { run(); }) {}
+  ~Impl() {
+    post(QuitCommand{});
+    thread.join();
+  }
+
+  void post(SimCommand command) {
+    {
+      const std::scoped_lock lock(mutex);
+      queue.push_back(std::move(command));
+    }
+    wake.notify_one();
+  }
+
+  void run();
+  std::vector<SimCommand> take_commands();
+  void execute(const SimCommand& command);
+  void load(const std::function<std::unique_ptr<Simulator>()>& make);
+  void set_playing(bool on);
+  bool step_once();
+  void burst();
+  void publish(bool even_if_recent);
+
+  [[nodiscard]] bool stepping() const { return playing && by_clock && simulator != nullptr; }
+};
+
+std::vector<SimCommand> SimThread::Impl::take_commands() {
+  std::unique_lock lock(mutex);
+  const auto something = [this] { return !queue.empty() || clock_changed; };
+  if (!stepping()) {
+    wake.wait(lock, something);
+  } else {
+    const double rest = pacing.wait(seconds_since_epoch());
+    if (rest > 0) wake.wait_for(lock, std::chrono::duration<double>(std::clamp(rest, kNap, kFrameInterval)), something);
+  }
+  if (clock_changed) {
+    by_clock = clock_driven;
+    clock_changed = false;
+    pacing.restart(seconds_since_epoch(), speed);
+  }
+  std::vector<SimCommand> taken;
+  taken.swap(queue);
+  return taken;
+}
+
+void SimThread::Impl::run() {
+  while (running) {
+    for (const SimCommand& command : take_commands()) {
+      try {
+        execute(command);
+      } catch (const std::exception& e) {
+        error = e.what();
+        set_playing(false);
+      }
+      changed = true;
+      if (!running) return;
+      publish(true);
+    }
+    if (!stepping()) continue;
+    burst();
+    publish(!playing);
+  }
+}
+
+/// Steps until the clock is reached, commands wait, or it is time for a frame.
+void SimThread::Impl::burst() {
+  const double begin = seconds_since_epoch();
+  while (stepping()) {
+    const double now = seconds_since_epoch();
+    if (pacing.wait(now) > 0 || now - begin > kBurst) return;
+    if (!step_once()) return;
+    pacing.advance(simulator->scene()->timestep, seconds_since_epoch());
+  }
+}
+
+/// One step with its row. Stops playing at the end of the scenario, or when the simulation fails. Returns whether it
+/// may go on.
+bool SimThread::Impl::step_once() {
+  if (simulator == nullptr || simulator->finished() || !error.empty()) {
+    set_playing(false);
+    return false;
+  }
+  try {
+    simulator->step();
+  } catch (const std::exception& e) {
+    error = e.what();
+    set_playing(false);
+    return false;
+  }
+  changed = true;
+  if (simulator->row_due()) {
+    const SimRow row = simulator->row();
+    TraceRow traced{row.time, row.travel, {}};
+    for (const std::vector<double>& readings : row.readings)
+      traced.readings.insert(traced.readings.end(), readings.begin(), readings.end());
+    rows.push_back(std::move(traced));
+    if (simulator->scene()->duration == 0 && rows.size() >= 2 * kEndlessRows)
+      rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
+  }
+  if (simulator->finished()) set_playing(false);
+  return !simulator->finished();
+}
+
+void SimThread::Impl::set_playing(bool on) {
+  playing = on;
+  pacing.restart(seconds_since_epoch(), speed);
+}
+
+void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& make) {
+  std::unique_ptr<Simulator> made = make();  // when this throws, the old one stays
+  simulator = std::move(made);
+  error.clear();
+  rows.clear();
+  pacing.restart(seconds_since_epoch(), speed);
+}
+
+void SimThread::Impl::execute(const SimCommand& command) {
+  const auto rewind = [this] {
+    error.clear();
+    rows.clear();
+    if (simulator != nullptr) simulator->reset();
+  };
+  if (std::holds_alternative<QuitCommand>(command)) {
+    running = false;
+  } else if (std::holds_alternative<PlayCommand>(command)) {
+    if (simulator != nullptr && (simulator->finished() || !error.empty())) rewind();
+    set_playing(simulator != nullptr);
+  } else if (std::holds_alternative<PauseCommand>(command)) {
+    set_playing(false);
+  } else if (std::holds_alternative<ResetCommand>(command)) {
+    rewind();
+    set_playing(false);
+  } else if (const auto* step = std::get_if<StepCommand>(&command)) {
+    for (int i = 0; i < step->steps && step_once(); ++i) {
+    }
+  } else if (const auto* factor = std::get_if<SpeedCommand>(&command)) {
+    if (factor->factor > 0 && std::isfinite(factor->factor)) speed = factor->factor;
+    pacing.restart(seconds_since_epoch(), speed);
+  } else if (const auto* sweep = std::get_if<LoadSweepCommand>(&command)) {
+    load([&] { return Simulator::make_sweep(sweep->model, sweep->scenario); });
+  } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
+    load([&] { return Simulator::load(scene->file); });
+  }
+}
+
+/// Posts a frame when there is something new, at most every kFrameInterval unless told otherwise.
+void SimThread::Impl::publish(bool even_if_recent) {
+  const double now = seconds_since_epoch();
+  if (!changed || (!even_if_recent && now - last_frame < kFrameInterval)) return;
+  const bool copy_trace = trace->size() > rows.size() || even_if_recent || now - last_trace >= kTraceInterval;
+  if (copy_trace && (trace->size() != rows.size() || rows.empty() || trace->back().time != rows.back().time)) {
+    trace = std::make_shared<const std::vector<TraceRow>>(rows);
+    last_trace = now;
+  }
+  const auto frame = std::make_shared<SimFrame>();
+  if (simulator != nullptr) {
+    simulator->fill_frame(*frame);
+  } else {
+    frame->scene = std::make_shared<const SimScene>();
+  }
+  frame->playing = playing;
+  frame->speed = speed;
+  frame->measured_speed = playing ? pacing.measured_speed(now) : 0.0;
+  frame->trace = trace;
+  frame->error = error;
+  mailbox.post(frame);
+  last_frame = now;
+  changed = false;
+}
+
+SimThread::SimThread() : impl_(std::make_unique<Impl>()) {}
+SimThread::~SimThread() = default;
+
+void SimThread::send(SimCommand command) {
+  impl_->post(std::move(command));
+}
+
+SimFramePtr SimThread::newest_frame() {
+  return impl_->mailbox.take();
+}
+
+void SimThread::set_clock_driven(bool on) {
+  {
+    const std::scoped_lock lock(impl_->mutex);
+    impl_->clock_driven = on;
+    impl_->clock_changed = true;
+  }
+  impl_->wake.notify_one();
+}
+
+}  // namespace taxel
