@@ -6,7 +6,4 @@ uniform vec3 top;     // sRGB
 uniform vec3 bottom;
 out vec4 color;
 
-void main() {
-  float t = smoothstep(0.0, 1.0, uv.y);
-  color = vec4(mix(bottom, top, t) + dither(gl_FragCoord.xy), 1.0);
-}
+void main() { color = vec4(mix(bottom, top, uv.y) + dither(gl_FragCoord.xy), 1.0); }

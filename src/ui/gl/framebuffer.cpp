@@ -42,6 +42,11 @@ void Framebuffer::resolve() const {
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Framebuffer::copy_color(const Framebuffer& from) const {
+  glBlitNamedFramebuffer(from.target_.id(), target_.id(), 0, 0, width(), height(), 0, 0, width(), height(),
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 RgbImage Framebuffer::read() const {
   return read_pixels(resolved_ ? resolved_->id() : target_.id(), width(), height());
 }

@@ -16,6 +16,8 @@ class Framebuffer {
 
   void bind() const;     ///< for drawing, with its viewport
   void resolve() const;  ///< after drawing; nothing to do without multisampling
+  /// Takes over the colour of a framebuffer of the same size; neither is multisampled.
+  void copy_color(const Framebuffer& from) const;
   [[nodiscard]] GLuint texture() const { return color_.id(); }
   [[nodiscard]] int width() const { return color_.width(); }
   [[nodiscard]] int height() const { return color_.height(); }

@@ -4,6 +4,7 @@
 
 #include "ui/gl/framebuffer.h"
 #include "ui/gl/offscreen_context.h"
+#include "ui/scene/draw/backdrop.h"
 #include "ui/scene/draw/gizmo_marks.h"
 #include "ui/scene/draw/gpu_mesh.h"
 #include "ui/scene/draw/ground.h"
@@ -57,6 +58,7 @@ struct SceneRenderer::Impl {
 
   bool software;
   GroundPass ground;
+  Backdrop backdrop;
   MeshPass meshes;
   SegmentPass segments;
   PointPass points;
@@ -85,9 +87,14 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height()));
   glEnable(GL_PROGRAM_POINT_SIZE);
+  const bool keep_backdrop = software && !floor.filled;
+  if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, segments);
   meshes.draw_solids(list);
-  ground.draw_background(look);
-  ground.draw(floor, camera, look, input.overlays.grid);
+  if (!keep_backdrop) {
+    ground.draw_background(look);
+    ground.draw(floor, camera, look, input.overlays.grid, segments);
+  }
+  ground.draw_shadow(floor, look);
   meshes.draw_outlines(list.solids, camera, look.solid_outline, segments);
   meshes.draw_skins(list, camera, look);
   meshes.draw_outlines(list.skins, camera, look.skin_outline, segments);

@@ -24,6 +24,7 @@ SensorModelPtr finger_model(int samples) {
   const MeshIndex index(mesh);
   Layout layout;
   layout.name = "test finger";
+  layout.mesh.file = "finger.obj";
   layout.sampling.density = samples / mesh->area();
   const Aabb& box = mesh->bounds();
   const auto add = [&](double x, double y, double z) {  // towards the skin from the finger's axis

@@ -9,10 +9,11 @@
 #include "ui/scene/camera.h"
 #include "ui/scene/draw/frame_uniforms.h"
 #include "ui/scene/draw/look.h"
+#include "ui/scene/draw/segments.h"
 
 namespace taxel::ui {
 
-/// The plane z = 0 of `X_WP`; a scene's own plane is filled, else only the grid is drawn.
+/// The plane z = 0 of `X_WP`; a scene's own plane is filled and hides what lies below, else only the grid is drawn.
 struct Ground {
   Pose X_WP;
   bool filled = false;
@@ -26,12 +27,13 @@ class GroundPass {
   /// the shadow texture. `box_W` bounds the casters. Leaves another framebuffer and frame bound.
   void make_shadow(const Ground& ground, const Aabb& box_W, const std::function<void(const gl::Program&)>& draw_casters);
   void draw_background(const Look& look) const;
-  void draw(const Ground& ground, const Camera& camera, const Look& look, bool grid) const;
+  void draw(const Ground& ground, const Camera& camera, const Look& look, bool grid, SegmentPass& segments) const;
+  void draw_shadow(const Ground& ground, const Look& look) const;
 
  private:
   void blur(const gl::Texture& from, GLuint to, const glm::vec2& direction) const;
 
-  gl::Program background_, ground_, shadow_, blur_;
+  gl::Program background_, ground_, shadow_, blur_, shade_;
   gl::Texture map_, blurred_;
   gl::FramebufferHandle map_target_, blurred_target_;
   gl::Buffer frame_;
