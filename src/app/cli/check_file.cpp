@@ -1,0 +1,121 @@
+#include "app/cli/check_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/files.h"
+#include "core/layout/layout_json.h"
+#include "core/mesh/mesh_io.h"
+#include "core/project/contact_case.h"
+#include "core/project/scenario_json.h"
+#include "core/sensor/sensor_model.h"
+#include "core/sim/simulator.h"
+
+namespace taxel::cli {
+namespace {
+
+bool any_error(const Problems& problems) {
+  return std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.severity == Severity::error; });
+}
+
+/// Values first; then on the mesh; then all that compiling the layout finds out.
+Problems check_layout(const std::string& text, const std::string& file) {
+  const Layout layout = parse_layout(text, file);
+  Problems problems = check_layout_values(layout, file);
+  LoadedMesh loaded;
+  try {
+    loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
+  } catch (const Error& e) {
+    problems.push_back({file, "/mesh/file", Severity::error, "mesh_unreadable", e.what(), ""});
+    return problems;
+  }
+  if (any_error(problems)) return problems;
+  problems = check_layout_on_mesh(layout, MeshIndex(loaded.mesh), loaded.sha256, file);
+  if (any_error(problems)) return problems;
+  problems = build_sensor_model(layout, loaded.mesh, loaded.sha256, file)->problems;
+  for (const std::string& note : loaded.notes) {
+    problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
+  }
+  return problems;
+}
+
+Problems check_mesh(const std::string& file) {
+  const LoadedMesh loaded = load_mesh(file);
+  Problems problems;
+  for (const std::string& note : loaded.notes)
+    problems.push_back({file, "", Severity::note, "mesh_repaired", note, ""});
+  const TriMesh& mesh = *loaded.mesh;
+  if (!mesh.closed()) {
+    problems.push_back(
+        {file, "", Severity::warning, "mesh_open", "is not closed: it cannot carry a pressure field", ""});
+  } else if (mesh.volume() < 0) {
+    problems.push_back(
+        {file, "", Severity::warning, "mesh_inside_out", "its faces point inward", "turn its faces round"});
+  }
+  const std::size_t outer = outer_shells(mesh).size();
+  if (outer < static_cast<std::size_t>(mesh.shell_count())) {
+    problems.push_back({file, "", Severity::note, "mesh_enclosed_shell",
+                        std::to_string(static_cast<std::size_t>(mesh.shell_count()) - outer) +
+                            " of its shells lie inside another one: they are not sensed",
+                        ""});
+  }
+  return problems;
+}
+
+/// The bodies of a case can be made, and one is soft, the other rigid.
+Problems check_case(const ContactCase& contact_case) {
+  Problems problems;
+  const std::string& file = contact_case.file;
+  const auto make = [&](const CaseBody& body, const std::string& name) -> HydroBodyPtr {
+    try {
+      const MadeBody made = make_case_body(contact_case, body, name);
+      for (const std::string& warning : made.warnings) {
+        problems.push_back({file, "/" + name, Severity::warning, "body_warning", warning, ""});
+      }
+      return made.body;
+    } catch (const Error& e) {
+      const bool own = e.file() == file;
+      problems.push_back(
+          {file, own ? e.where() : "/" + name, Severity::error, "body_not_made", own ? e.message() : e.what(), ""});
+      return nullptr;
+    }
+  };
+  const HydroBodyPtr a = make(contact_case.a, "a");
+  const HydroBodyPtr b = make(contact_case.b, "b");
+  if (a && b && a->soft() == b->soft()) {
+    problems.push_back({file, "", Severity::error, "not_soft_and_rigid",
+                        a->soft() ? "a and b are both soft" : "a and b are both rigid",
+                        "give a modulus to exactly one of them"});
+  }
+  return problems;
+}
+
+/// The value of the top-level key "format", found without a full reading; empty where there is none.
+std::string format_of(const std::string& text) {
+  const std::size_t key = text.find("\"format\"");
+  const std::size_t open = key == std::string::npos ? key : text.find('"', key + 8);
+  const std::size_t close = open == std::string::npos ? open : text.find('"', open + 1);
+  return close == std::string::npos ? "" : text.substr(open + 1, close - open - 1);
+}
+
+}  // namespace
+
+Problems check_file(const std::string& file) {
+  const std::filesystem::path path(file);
+  if (is_mesh_file(path)) return check_mesh(file);
+  const std::string text = read_file(path);
+  const std::string extension = path.extension().string();
+  if (extension == ".xml" || extension == ".mjcf") {
+    Simulator::load(path);
+    return {};
+  }
+  const std::string format = format_of(text);
+  if (format == "contact-case") return check_case(parse_contact_case(text, file));
+  if (format == "taxel-sweep") {
+    parse_scenario(text, file);
+    return {};
+  }
+  return check_layout(text, file);
+}
+
+}  // namespace taxel::cli

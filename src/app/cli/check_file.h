@@ -1,0 +1,14 @@
+// Every problem of one file: a layout, a contact case, a scenario, a mesh or a MuJoCo scene.
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+
+namespace taxel::cli {
+
+/// Lists what is wrong with a file that can be read. Throws Error for one that cannot: missing, not JSON, a value of
+/// the wrong type, an unknown version or kind, a scene that does not compile.
+Problems check_file(const std::string& file);
+
+}  // namespace taxel::cli

@@ -1,0 +1,54 @@
+#include "app/cli/command.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace taxel::cli {
+namespace {
+
+template <class Rule>
+CLI::Validator checked(const char* expected, const Rule& rule) {
+  return CLI::Validator(
+      [expected, rule](const std::string& text) {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return number && rule(value) ? std::string() : fmt::format("must be {}, is {}", expected, text);
+      },
+      "");
+}
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& parent, CommonOptions& common, const std::string& name, const std::string& text,
+                      const std::string& example) {
+  CLI::App* app = parent.add_subcommand(name, text);
+  app->add_flag("--json", common.json, "The result on stdout as one JSON object");
+  app->add_flag("--quiet", common.quiet, "No messages and no progress bar on stderr");
+  app->add_option("--threads", common.threads,
+                  "At most this many threads (default: all cores); results do not depend on it")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  app->footer("Lengths in metres, forces in newtons, pressures in pascals, angles in degrees where said.\nExample: " +
+              example);
+  return app;
+}
+
+CLI::Validator positive() {
+  return checked("greater than 0", [](double v) { return v > 0; });
+}
+CLI::Validator not_negative() {
+  return checked("0 or more", [](double v) { return v >= 0; });
+}
+CLI::Validator finite() {
+  return checked("a finite number", [](double) { return true; });
+}
+
+void add_sampling(CLI::App& app, SamplingOptions& options) {
+  app.add_option("--density", options.density, "Samples per square metre (default: the layout's)")
+      ->check(positive())
+      ->type_name("PER_M2");
+  app.add_option("--seed", options.seed, "Seed of the samples (default: the layout's)")->type_name("N");
+}
+
+}  // namespace taxel::cli

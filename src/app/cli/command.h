@@ -1,0 +1,51 @@
+// What the subcommands share: how they are added, what each may be told, how options are checked.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/cli/console.h"
+#include "core/base/error.h"
+
+namespace taxel::cli {
+
+/// Exit statuses; nothing else leaves the program.
+inline constexpr int kDone = 0;
+inline constexpr int kProblemsFound = 1;
+inline constexpr int kBadInput = 2;
+
+/// One subcommand: parsed by `app`, done by `run`, which returns the exit status and throws Error for bad input.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int(Console&)> run;
+};
+
+Command add_sweep(CLI::App& parent, CommonOptions& common);
+Command add_run(CLI::App& parent, CommonOptions& common);
+Command add_contact(CLI::App& parent, CommonOptions& common);
+Command add_read(CLI::App& parent, CommonOptions& common);
+Command add_samples(CLI::App& parent, CommonOptions& common);
+Command add_mesh(CLI::App& parent, CommonOptions& common);
+Command add_check(CLI::App& parent, CommonOptions& common);
+Command add_validate(CLI::App& parent, CommonOptions& common);
+
+/// A subcommand with --json, --quiet and --threads; `example` stands below its help.
+CLI::App* add_command(CLI::App& parent, CommonOptions& common, const std::string& name, const std::string& text,
+                      const std::string& example);
+
+/// Option values must be finite and greater than 0, or at least 0.
+CLI::Validator positive();
+CLI::Validator not_negative();
+CLI::Validator finite();
+
+/// --density and --seed of the samples, over what the layout says.
+struct SamplingOptions {
+  std::optional<double> density;
+  std::optional<std::uint64_t> seed;
+};
+void add_sampling(CLI::App& app, SamplingOptions& options);
+
+}  // namespace taxel::cli

@@ -1,0 +1,54 @@
+#include <nlohmann/json.hpp>
+#include "app/cli/contact_report.h"
+
+#include "app/cli/vector_json.h"
+
+namespace taxel::cli {
+namespace {
+using Json = nlohmann::ordered_json;
+}  // namespace
+
+std::string contact_json(const ContactReport& report) {
+  const ContactSurface& surface = report.result.surface;
+  Json json;
+  json["polygons"] = surface.polygons.size();
+  json["triangles"] = surface.triangle_count();
+  json["area"] = surface.area();
+  json["force"] = numbers<Json>(report.result.wrench_W.force);
+  json["torque"] = numbers<Json>(report.result.wrench_W.torque);
+  json["centroid"] = numbers<Json>(report.result.centroid_W);
+  json["max_pressure"] = surface.max_pressure();
+  json["rejected"] = Json::array();
+  for (const RejectedPolygons& rejected : surface.rejected) {
+    json["rejected"].push_back({{"reason", rejected.reason}, {"count", rejected.count}, {"area", rejected.area}});
+  }
+  json["warnings"] = report.warnings;
+  json["microseconds"] = report.microseconds;
+  return text_of(json);
+}
+
+std::string polygons_json(const ContactReport& report) {
+  const ContactSurface& surface = report.result.surface;
+  const RigidTransform X_WA(report.X_WA);
+  Json json;
+  json["format"] = "contact-polygons";
+  json["version"] = 1;
+  json["polygons"] = Json::array();
+  for (const ContactPolygon& polygon : surface.polygons) {
+    Json one;
+    one["vertices"] = Json::array();
+    one["pressures"] = Json::array();
+    for (int i = polygon.first; i < polygon.first + polygon.count; ++i) {
+      one["vertices"].push_back(numbers<Json>(X_WA(surface.vertices[static_cast<std::size_t>(i)])));
+      one["pressures"].push_back(surface.pressure[static_cast<std::size_t>(i)]);
+    }
+    one["normal"] = numbers<Json>(X_WA.R * polygon.normal);
+    one["area"] = polygon.area;
+    one["tet"] = polygon.tet;
+    one["face"] = polygon.face;
+    json["polygons"].push_back(std::move(one));
+  }
+  return text_of(json);
+}
+
+}  // namespace taxel::cli

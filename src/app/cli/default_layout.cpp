@@ -1,0 +1,53 @@
+#include "app/cli/default_layout.h"
+
+#include <string_view>
+
+#include "core/base/hash.h"
+#include "core/layout/layout_json.h"
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/mesh_io.h"
+
+namespace taxel::cli {
+
+std::string_view embedded_file(std::string_view name);
+
+namespace {
+
+/// A layout with its mesh, wherever they came from.
+struct Source {
+  Layout layout;
+  LoadedMesh mesh;
+  std::string name;
+};
+
+Source read_source(const std::string& layout_file) {
+  if (layout_file.empty()) {
+    const std::string name = "fingertip.taxels.json";
+    const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
+    PolygonSoup soup = read_obj(obj, "fingertip.obj");
+    return {parse_layout(std::string(embedded_file("assets/layouts/fingertip.taxels.json")), name),
+            {std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles)), sha256_hex(obj), {}},
+            name};
+  }
+  Source source{read_layout(layout_file), {}, layout_file};
+  throw_first_error(check_layout_values(source.layout, layout_file));
+  source.mesh = load_mesh(mesh_path(source.layout, layout_file), source.layout.mesh.scale);
+  return source;
+}
+
+}  // namespace
+
+SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console) {
+  Source source = read_source(layout_file);
+  source.layout.sampling.density = sampling.density.value_or(source.layout.sampling.density);
+  source.layout.sampling.seed = sampling.seed.value_or(source.layout.sampling.seed);
+  const SensorModelPtr model = build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name);
+  for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
+  for (const Problem& problem : model->problems) {
+    const std::string line = problem.file + ": " + problem.pointer + ": " + problem.message;
+    problem.severity == Severity::note ? console.note(line) : console.warn(line);
+  }
+  return model;
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,15 @@
+// The sensor a command works on: a layout file, or the project's own fingertip that travels inside the program.
+#pragma once
+
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel::cli {
+
+/// Compiles `layout_file`, or the built-in fingertip where it is empty; density and seed are taken from `sampling`
+/// where given. Notes and warnings of the layout go to the console. Throws Error.
+SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console);
+
+}  // namespace taxel::cli

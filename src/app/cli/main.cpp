@@ -1,0 +1,69 @@
+// taxel: Taxel Studio without a window.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/version.h"
+#include "core/base/error.h"
+
+namespace {
+
+using namespace taxel;
+using namespace taxel::cli;
+
+/// Runs the command that was asked for. Throws Error, or CLI::ParseError for bad usage.
+int run(int argc, char** argv) {
+  CLI::App app("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
+               "taxel");
+  app.set_version_flag("--version", version_line());
+  app.require_subcommand(1);
+  app.footer(
+      "`taxel COMMAND --help` shows a command's options, units and an example.\n"
+      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input.");
+  CommonOptions common;
+  const std::vector<Command> commands{add_sweep(app, common), add_run(app, common),     add_contact(app, common),
+                                      add_read(app, common),  add_samples(app, common), add_mesh(app, common),
+                                      add_check(app, common), add_validate(app, common)};
+  const auto chosen = [&] {
+    return std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.app->parsed(); });
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    Console(common).result(chosen() == commands.end() ? app.help() : chosen()->app->help());
+    return kDone;
+  } catch (const CLI::CallForVersion&) {
+    Console(common).result(version_line() + "\n");
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    throw Error(chosen() == commands.end() ? "" : chosen()->app->get_name(), e.what());
+  }
+  std::optional<tbb::global_control> limit;
+  if (common.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
+  }
+  Console console(common);
+  return chosen()->run(console);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const taxel::Error& e) {
+    taxel::cli::print_failure(e.what());
+  } catch (const std::bad_alloc&) {
+    taxel::cli::print_failure("out of memory");
+  } catch (const std::exception& e) {
+    taxel::cli::print_failure(fmt::format("unexpected: {}", e.what()));
+  } catch (...) {
+    taxel::cli::print_failure("unexpected failure");
+  }
+  return taxel::cli::kBadInput;
+}

@@ -1,0 +1,75 @@
+// taxel read: the readings of a layout in one contact.
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/default_layout.h"
+#include "app/cli/read_report.h"
+#include "core/layout/words.h"
+
+namespace taxel::cli {
+namespace {
+
+struct Options {
+  std::string layout;
+  std::string file;
+  SamplingOptions sampling;
+};
+
+/// The case as seen by the layout: the layout is body a, what it touches body b.
+ContactCase case_of_layout(const Options& options) {
+  ContactCase contact_case = read_contact_case(options.file);
+  const auto free_for_layout = [](const CaseBody& body) { return !body.shape; };
+  if (!free_for_layout(contact_case.a) && !contact_case.b.layout.empty()) std::swap(contact_case.a, contact_case.b);
+  if (!free_for_layout(contact_case.a)) {
+    throw Error(options.file, "/a", "must be the layout (pos, quat and no shape), is a shape");
+  }
+  if (!contact_case.b.layout.empty()) {
+    throw Error(options.file, "/b", "must be a shape: two layouts against each other cannot be read");
+  }
+  return contact_case;
+}
+
+int run(const Options& options, Console& console) {
+  const ContactCase contact_case = case_of_layout(options);
+  const SensorModelPtr model = load_model(options.layout, options.sampling, console);
+  const MadeBody other = make_case_body(contact_case, contact_case.b, "b");
+  if (model->body->soft() == other.body->soft()) {
+    throw Error(options.file, "/b/material/modulus",
+                model->body->soft() ? "must be 0: the layout is soft" : "must be greater than 0: the layout is rigid");
+  }
+  for (const std::string& warning : other.warnings) console.warn(options.file + ": " + warning);
+
+  ReadReport report{*model, {}, {}, {}, {}};
+  IntersectWorkspace workspace;
+  evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
+  const ContactSurface* const surfaces[] = {&report.result.surface};
+  SensorReading reading;
+  read_sensor(*model, surfaces, reading);
+  report.hits = reading.hits;
+  for (const Word<Aggregate>& how : kAggregateWords) {
+    if (how.value == Aggregate::force) continue;  // an integral over polygons, not an aggregate of ray hits
+    report.readings.emplace_back(how.value, std::vector<double>());
+    aggregate(*model, report.hits, how.value, report.readings.back().second);
+  }
+  for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, report.hits, k));
+  console.result(console.json() ? read_json(report) : read_text(report));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_read(CLI::App& parent, CommonOptions& common) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = add_command(parent, common, "read",
+                              "The readings of a layout in one contact, with every aggregate and its samples",
+                              "taxel read finger.taxels.json finger_on_box.json --json");
+  app->add_option("LAYOUT", options->layout, "Layout file (*.taxels.json)")->required()->type_name("FILE");
+  app->add_option("CASE", options->file,
+                  "Contact case (JSON); its `a` holds the pose of the layout's mesh-file frame, `b` what it touches")
+      ->required()
+      ->type_name("FILE");
+  add_sampling(*app, options->sampling);
+  return {app, [options](Console& console) { return run(*options, console); }};
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,27 @@
+// The result of `taxel read`: a layout's readings in one contact, and where each comes from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/project/contact_case.h"
+#include "core/sensor/explain.h"
+#include "core/sensor/reading.h"
+
+namespace taxel::cli {
+
+struct ReadReport {
+  const SensorModel& model;
+  ContactResult result;  ///< contact of the layout's body, frame M
+  std::vector<RayHit> hits;
+  std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< every aggregate, values in layout order
+  std::vector<std::vector<TaxelSampleReading>> behind;              ///< per taxel
+};
+
+/// Samples of a taxel whose rays met a contact surface, over all of its samples; 0 without samples.
+double covered(const std::vector<TaxelSampleReading>& samples);
+
+std::string read_text(const ReadReport& report);
+std::string read_json(const ReadReport& report);
+
+}  // namespace taxel::cli

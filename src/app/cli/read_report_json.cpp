@@ -1,0 +1,47 @@
+#include <nlohmann/json.hpp>
+
+#include "app/cli/read_report.h"
+#include "app/cli/vector_json.h"
+#include "core/layout/words.h"
+
+namespace taxel::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json taxel_object(const SensorModel& model, std::size_t i, const std::vector<TaxelSampleReading>& samples) {
+  Json taxel;
+  taxel["id"] = model.layout.taxels[i].id;
+  taxel["name"] = model.layout.taxels[i].name;
+  taxel["covered"] = covered(samples);
+  taxel["samples"] = Json::array();
+  for (const TaxelSampleReading& sample : samples) {
+    taxel["samples"].push_back({{"sample", sample.sample},
+                                {"hit", sample.hit},
+                                {"depth", sample.depth},
+                                {"pressure", sample.pressure},
+                                {"weight", sample.weight},
+                                {"share", sample.share}});
+  }
+  return taxel;
+}
+
+}  // namespace
+
+std::string read_json(const ReadReport& report) {
+  Json json;
+  json["force"] = numbers<Json>(report.result.wrench_W.force);
+  json["torque"] = numbers<Json>(report.result.wrench_W.torque);
+  json["area"] = report.result.surface.area();
+  json["polygons"] = report.result.surface.polygons.size();
+  json["aggregate"] = to_word(report.model.layout.readout.aggregate);
+  json["readings"] = Json::object();
+  for (const auto& [how, values] : report.readings) json["readings"][std::string(to_word(how))] = values;
+  json["taxels"] = Json::array();
+  for (std::size_t i = 0; i < report.behind.size(); ++i) {
+    json["taxels"].push_back(taxel_object(report.model, i, report.behind[i]));
+  }
+  return text_of(json);
+}
+
+}  // namespace taxel::cli

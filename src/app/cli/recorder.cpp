@@ -1,0 +1,72 @@
+#include "app/cli/recorder.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/layout/layout_json.h"
+
+namespace taxel::cli {
+namespace {
+
+Recording describe(const SimScene& scene) {
+  Recording recording;
+  recording.timestep = scene.timestep;
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    const Layout& layout = scene.sensors[i]->layout;
+    RecordedSensor sensor;
+    sensor.geom = scene.sensor_geoms[i];
+    for (const Taxel& taxel : layout.taxels) {
+      sensor.taxel_ids.push_back(taxel.id);
+      sensor.taxel_names.push_back(taxel.name);
+    }
+    sensor.layout_json = layout_to_json(layout);
+    sensor.reading_unit = layout.readout.aggregate == Aggregate::force ? "N" : "Pa";
+    sensor.seed = layout.sampling.seed;
+    recording.sensors.push_back(std::move(sensor));
+  }
+  for (const SceneGeom& geom : scene.geoms) {
+    if (geom.sensor < 0) recording.objects.push_back(geom.name);
+  }
+  return recording;
+}
+
+RecordedRow take_row(const Simulator& simulator, std::int64_t step, SimFrame& frame) {
+  const SimRow row = simulator.row();
+  simulator.fill_frame(frame);
+  RecordedRow recorded;
+  recorded.step = step;
+  recorded.time = row.time;
+  recorded.travel = row.travel;
+  for (std::size_t s = 0; s < row.readings.size(); ++s) {
+    recorded.sensors.push_back({row.force_W[s], row.area[s], row.polygons[s], row.readings[s], row.sensor_poses[s]});
+  }
+  const std::vector<SceneGeom>& geoms = simulator.scene()->geoms;
+  for (std::size_t g = 0; g < geoms.size(); ++g) {
+    if (geoms[g].sensor < 0) recorded.objects.push_back(frame.geom_poses[g]);
+  }
+  return recorded;
+}
+
+}  // namespace
+
+Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost) {
+  const SimScene& scene = *simulator.scene();
+  Recording recording = describe(scene);
+  const double limit = seconds > 0 ? seconds : scene.duration;
+  const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
+  SimFrame frame;
+  const auto start = std::chrono::steady_clock::now();
+  for (long step = 0; step != last && !simulator.finished(); ++step) {
+    simulator.step();
+    recording.mocap.push_back({simulator.mocap_quat(), simulator.mocap_pos()});
+    if (simulator.row_due()) recording.rows.push_back(take_row(simulator, step, frame));
+    cost.steps = step + 1;
+    cost.simulated = static_cast<double>(cost.steps) * scene.timestep;
+    if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));
+  }
+  console.progress(1);
+  cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return recording;
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,20 @@
+// Runs a simulator and keeps what a recording holds.
+#pragma once
+
+#include "app/cli/console.h"
+#include "core/project/recording/recording.h"
+#include "core/sim/simulator.h"
+
+namespace taxel::cli {
+
+/// What a run cost, and how far it went.
+struct RunCost {
+  long steps = 0;
+  double simulated = 0;  ///< [s]
+  double wall = 0;       ///< spent in steps and rows [s]
+};
+
+/// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due.
+Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost);
+
+}  // namespace taxel::cli

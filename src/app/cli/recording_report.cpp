@@ -1,0 +1,49 @@
+#include "app/cli/recording_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace taxel::cli {
+namespace {
+
+std::string head_text(const RecordingReport& report) {
+  const std::string rows = fmt::format("{} rows of {} steps of {} s", report.recording.rows.size(), report.cost.steps,
+                                       report.recording.timestep);
+  if (!report.scenario) return fmt::format("run of {}: {}\n", report.scene, rows);
+  const SweepScenario& s = *report.scenario;
+  return fmt::format("sweep of \"{}\" over {}: {}, {} m deep, {} m/s, tilt {} degrees\n",
+                     report.models.front()->layout.name, s.object.empty() ? "the edge of a box" : s.object, rows,
+                     s.depth, s.speed, s.tilt_deg);
+}
+
+std::string sensor_text(const SensorSummary& sensor, const RecordedSensor& about) {
+  std::string text = fmt::format("{}: {:>6}  {:<14} {:>12} {:>10} {:>13}  {}\n", sensor.geom, "taxel", "name",
+                                 fmt::format("peak [{}]", about.reading_unit), "at [m]", "largest step", "responds");
+  const std::string indent(sensor.geom.size() + 2, ' ');
+  for (const TaxelSummary& taxel : sensor.taxels) {
+    text += fmt::format("{}{:>6}  {:<14} {:>12.6g} {:>10.4f} {:>11.2f} %  {}\n", indent, taxel.id, taxel.name,
+                        taxel.peak, taxel.peak_travel, 100 * taxel.largest_step, taxel.responds ? "yes" : "");
+  }
+  text += fmt::format("{}force up to {:.4g} N on {:.4g} m^2", indent, sensor.largest_force, sensor.largest_area);
+  if (sensor.deflection > 0) {
+    text += fmt::format(", deflection from the mocap body up to {:.3g} m and {:.3g} degrees", sensor.deflection,
+                        sensor.deflection_deg);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string recording_text(const RecordingReport& report) {
+  std::string text = head_text(report);
+  const std::vector<SensorSummary> sensors = summarize(report.recording);
+  for (std::size_t i = 0; i < sensors.size(); ++i) text += sensor_text(sensors[i], report.recording.sensors[i]);
+  text += fmt::format(
+      "{:.2f} s for samples and contact model; {:.2f} s for {:.3f} s simulated ({:.2f} times real time)\n",
+      report.model_seconds, report.cost.wall, report.cost.simulated, report.cost.simulated / report.cost.wall);
+  if (!report.files.empty()) text += fmt::format("wrote {}: {}\n", report.folder, fmt::join(report.files, " "));
+  return text;
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,68 @@
+// taxel run: any MuJoCo scene with its tactile sensors.
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/output_folder.h"
+#include "app/cli/recording_report.h"
+#include "core/project/recording/csv.h"
+#include "core/project/recording/npz.h"
+
+namespace taxel::cli {
+namespace {
+
+struct Options {
+  std::string scene, layout, geom, out;
+  double seconds = 1.0;
+};
+
+int run(const Options& options, Console& console) {
+  if (options.layout.empty() != options.geom.empty()) throw Error("run", "--layout and --geom are given together");
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
+
+  const auto start = std::chrono::steady_clock::now();
+  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, options.layout, options.geom);
+  const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const SimScene& scene = *simulator->scene();
+  if (scene.sensors.empty()) {
+    throw Error(options.scene, "declares no taxel.sensor; attach a layout with --layout and --geom");
+  }
+  RunCost cost;
+  const Recording recording = record(*simulator, options.seconds, console, cost);
+  const std::string scene_name = std::filesystem::path(options.scene).filename().string();
+  RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
+                         cost,  model_seconds, {},         options.out};
+  if (folder) {
+    simulator->export_scene(folder->staging());
+    folder->write("readings.csv", recording_to_csv(recording));
+    folder->write("readings.npz", recording_to_npz(recording));
+    folder->write("sweep.json", sweep_file_json(report));
+    report.files = folder->commit();
+  }
+  console.result(console.json() ? recording_json(report) : recording_text(report));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_run(CLI::App& parent, CommonOptions& common) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = add_command(
+      parent, common, "run", "Any MuJoCo scene, with the sensors it declares or a layout attached to a geom",
+      "taxel run scene.xml --layout finger.taxels.json --geom fingertip --seconds 2 --out result");
+  app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->type_name("FILE");
+  app->add_option("--layout", options->layout, "Attach this layout (*.taxels.json) ...")->type_name("FILE");
+  app->add_option("--geom", options->geom, "... to the geom of this name")->type_name("NAME");
+  app->add_option("--seconds", options->seconds, "How long to run [s]; a row every step")
+      ->check(positive())
+      ->capture_default_str()
+      ->type_name("S");
+  app->add_option("--out", options->out,
+                  "Folder for readings.csv, readings.npz, sweep.json, scene.xml with its meshes and layouts")
+      ->type_name("DIR");
+  return {app, [options](Console& console) { return run(*options, console); }};
+}
+
+}  // namespace taxel::cli
