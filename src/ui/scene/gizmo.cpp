@@ -4,7 +4,7 @@ namespace taxel::ui {
 
 dvec2 gizmo_center(int width, int height) {
   const double inset = kGizmoMargin + kGizmoReach + kGizmoBallRadius;
-  return {std::max(width - inset, 0.5 * width), std::min(inset, 0.5 * height)};
+  return {std::min(inset, 0.5 * width), std::max(height - inset, 0.5 * height)};
 }
 
 std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, int width, int height) {

@@ -1,4 +1,4 @@
-// The XYZ gizmo in the upper right corner of the 3-D view: which way the axes point; a click looks along one.
+// The XYZ gizmo in the lower left corner of the 3-D view: which way the axes point; a click looks along one.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ struct Look {
   glm::vec3 skin_albedo;
   glm::vec2 skin_front_alpha;  // seen straight, at the rim
   float skin_back_alpha;
-  glm::vec4 skin_outline, solid_outline;
+  glm::vec4 skin_fill, skin_outline, solid_outline;
   // marks
   glm::vec4 mark_outline;  // around taxels and arrows
   glm::vec4 unused_sample;

@@ -1,0 +1,188 @@
+#include "ui/scene/section.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <optional>
+
+#include "core/mesh/slice.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr double kLeastSine = 0.2;  // two directions span a plane when they differ by more than some 12 degrees
+
+/// The way the sensor is led; along the finger where nothing is.
+dvec3 travel_direction(const SceneInput& input, const SensorView& view) {
+  if (input.frame && input.frame->scene && input.frame->scene->path_W.size() > 1) {
+    const dvec3 d = input.frame->scene->path_W.back() - input.frame->scene->path_W.front();
+    if (glm::length(d) > 0) return glm::normalize(d);
+  }
+  return view.X_WM.rotate(view.model->layout.frame.distal);
+}
+
+SectionPlane plane_through(const dvec3& origin_W, const dvec3& normal_W, const dvec3& travel_W) {
+  SectionPlane plane;
+  plane.origin_W = origin_W;
+  plane.z = glm::normalize(normal_W);
+  dvec3 up = dvec3(0, 0, 1) - plane.z.z * plane.z;
+  if (glm::length(up) < kLeastSine) up = glm::cross(plane.z, travel_W);  // a level plane has no upward direction
+  plane.y = glm::normalize(up);
+  plane.x = glm::cross(plane.y, plane.z);
+  if (glm::dot(plane.x, travel_W) < 0) {
+    plane.z = -plane.z;
+    plane.x = -plane.x;
+  }
+  return plane;
+}
+
+SectionPlane section_plane(const SceneInput& input, const SensorView& view) {
+  const dvec3 travel = travel_direction(input, view);
+  const SensorFrame& frame = view.model->layout.frame;
+  const dvec3 distal = view.X_WM.rotate(frame.distal), width = glm::cross(distal, view.X_WM.rotate(frame.pad));
+  if (view.selected_taxel >= 0) {
+    const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(view.selected_taxel)];
+    const dvec3 normal = view.X_WM.rotate(glm::normalize(taxel.normal));
+    for (const dvec3& along : {travel, distal, width}) {
+      const dvec3 across = glm::cross(normal, along);
+      if (glm::length(across) > kLeastSine) return plane_through(view.X_WM * taxel.center, across, travel);
+    }
+  }
+  dvec3 middle = view.model->mesh->bounds().center();
+  if (view.state != nullptr) pressure_centroid(*view.state, middle);
+  return plane_through(view.X_WM * middle, width, travel);
+}
+
+/// A convex polygon's cut: where its outline changes sides.
+void cut_polygon(const ContactSurface& surface, const ContactPolygon& polygon, const SectionPlane& plane,
+                 const Pose& X_WM, std::vector<Section::ContactPiece>& out) {
+  Section::ContactPiece piece;
+  int ends = 0;
+  for (int i = 0; i < polygon.count && ends < 2; ++i) {
+    const auto a = static_cast<std::size_t>(polygon.first + i);
+    const auto b = static_cast<std::size_t>(polygon.first + (i + 1 < polygon.count ? i + 1 : 0));
+    const dvec3 p = X_WM * surface.vertices[a], q = X_WM * surface.vertices[b];
+    const double hp = plane.height(p), hq = plane.height(q);
+    if ((hp < 0) == (hq < 0)) continue;
+    const double s = hp / (hp - hq);
+    (ends == 0 ? piece.a : piece.b) = plane.flat(p + s * (q - p));
+    (ends == 0 ? piece.pressure_a : piece.pressure_b) = surface.pressure[a] + s * (surface.pressure[b] - surface.pressure[a]);
+    ++ends;
+  }
+  if (ends == 2) out.push_back(piece);
+}
+
+void add_rays(const SensorView& view, double slab, Section& out) {
+  const SensorModel& model = *view.model;
+  std::vector<char> wanted(model.rays.size(), view.selected_taxel < 0 ? 1 : 0);
+  if (view.selected_taxel >= 0) {
+    const auto k = static_cast<std::size_t>(view.selected_taxel);
+    for (int e = model.fields.first[k]; e < model.fields.first[k + 1]; ++e) {
+      wanted[static_cast<std::size_t>(model.ray_of_entry[static_cast<std::size_t>(e)])] = 1;
+    }
+  }
+  const RigidTransform X(view.X_WM);
+  for (std::size_t i = 0; i < model.rays.size() && i < view.state->hits.size(); ++i) {
+    const SensorRay& ray = model.rays[i];
+    const dvec3 origin = X(ray.origin);
+    if (wanted[i] == 0 || std::abs(out.plane.height(origin)) > slab) continue;
+    const RayHit& hit = view.state->hits[i];
+    const bool met = hit.surface >= 0;
+    const dvec3 end = X(ray.origin + (met ? hit.depth : ray.max_depth) * ray.direction);
+    out.rays.push_back({out.plane.flat(origin), out.plane.flat(end), met, hit.pressure});
+  }
+}
+
+void add_samples(const SensorView& view, double slab, Section& out) {
+  const RigidTransform X(view.X_WM);
+  for (std::size_t i = 0; i < view.model->samples.size(); ++i) {
+    const dvec3 p = X(view.model->samples[i].position);
+    if (std::abs(out.plane.height(p)) > slab) continue;
+    const std::vector<int>& taxels = view.model->taxels_of_sample[i];
+    out.samples.push_back({out.plane.flat(p), taxels.empty() ? -1 : taxels.front()});
+  }
+}
+
+void add_objects(const SceneInput& input, Section& out) {
+  if (!input.frame || !input.frame->scene) return;
+  const SimScene& scene = *input.frame->scene;
+  for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
+    if (!scene.geoms[i].mesh || scene.geoms[i].sensor >= 0) continue;
+    const Pose& X_WG = input.frame->geom_poses[i];
+    const Pose X_GW = X_WG.inverse();
+    const auto pieces = slice_mesh(*scene.geoms[i].mesh, X_GW * out.plane.origin_W, X_GW.rotate(out.plane.z));
+    for (auto& outline : join_outlines(pieces, out.plane, X_WG)) out.objects.push_back(std::move(outline));
+  }
+  if (scene.path_W.size() > 1) out.path = {out.plane.flat(scene.path_W.front()), out.plane.flat(scene.path_W.back())};
+}
+
+}  // namespace
+
+std::vector<Section::Outline> join_outlines(const std::vector<std::pair<dvec3, dvec3>>& pieces, const SectionPlane& plane,
+                                            const Pose& X_WG) {
+  const auto key = [](const dvec3& p) { return std::array<double, 3>{p.x, p.y, p.z}; };
+  std::multimap<std::array<double, 3>, std::size_t> by_start;
+  for (std::size_t i = 0; i < pieces.size(); ++i) by_start.emplace(key(pieces[i].first), i);
+  std::map<std::array<double, 3>, int> ends;  // open outlines begin where no piece ends
+  for (const auto& piece : pieces) ++ends[key(piece.second)];
+  std::vector<char> used(pieces.size(), 0);
+  std::vector<Section::Outline> out;
+  const auto follow = [&](std::size_t first) {
+    Section::Outline outline;
+    std::optional<std::size_t> next = first;
+    outline.points.push_back(plane.flat(X_WG * pieces[first].first));
+    while (next) {
+      used[*next] = 1;
+      const dvec3& end = pieces[*next].second;
+      outline.closed = key(end) == key(pieces[first].first);
+      if (!outline.closed) outline.points.push_back(plane.flat(X_WG * end));
+      next.reset();
+      const auto [lo, hi] = by_start.equal_range(key(end));
+      for (auto it = lo; it != hi && !outline.closed; ++it) {
+        if (used[it->second] == 0) next = it->second;
+      }
+    }
+    out.push_back(std::move(outline));
+  };
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (used[i] == 0 && !ends.contains(key(pieces[i].first))) follow(i);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (used[i] == 0) follow(i);
+  }
+  return out;
+}
+
+Section make_section(const SceneInput& input, const SensorView& view, double slab) {
+  Section out;
+  out.plane = section_plane(input, view);
+  const Pose X_MW = view.X_WM.inverse();
+  const auto pieces = slice_mesh(*view.model->mesh, X_MW * out.plane.origin_W, X_MW.rotate(out.plane.z));
+  out.skin = join_outlines(pieces, out.plane, view.X_WM);
+  add_objects(input, out);
+  add_samples(view, slab, out);
+  if (view.state != nullptr) {
+    for (const ContactSurface& surface : view.state->surfaces) {
+      for (const ContactPolygon& p : surface.polygons) cut_polygon(surface, p, out.plane, view.X_WM, out.contact);
+    }
+    add_rays(view, slab, out);
+  }
+  out.size = 0.55 * view.model->mesh->bounds().diagonal();
+  out.focus = out.plane.flat(view.X_WM * view.model->mesh->bounds().center());
+  out.title = "along the finger";
+  if (!out.contact.empty()) out.title = "through the contact";
+  if (view.selected_taxel >= 0) {
+    const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(view.selected_taxel)];
+    out.taxel = view.selected_taxel;
+    out.normal = {glm::dot(view.X_WM.rotate(glm::normalize(taxel.normal)), out.plane.x),
+                  glm::dot(view.X_WM.rotate(glm::normalize(taxel.normal)), out.plane.y)};
+    out.radius = taxel.radius;
+    out.focus = {0, 0};
+    out.size = 1.7 * taxel.radius;
+    out.title = fmt::format("through taxel {}", taxel.id);
+  }
+  return out;
+}
+
+}  // namespace taxel::ui

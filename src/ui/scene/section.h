@@ -1,0 +1,64 @@
+// A cut through the scene: the plane of the section view, and everything in it as flat lines.
+#pragma once
+
+#include <string>
+
+#include "ui/scene/scene_renderer.h"
+#include "ui/scene/sensor_view.h"
+
+namespace taxel::ui {
+
+/// A plane with axes: x to the right (the way the sensor travels), y upward, z towards the viewer.
+struct SectionPlane {
+  dvec3 origin_W{0};
+  dvec3 x{1, 0, 0}, y{0, 0, 1}, z{0, -1, 0};
+  [[nodiscard]] dvec2 flat(const dvec3& p_W) const { return {glm::dot(p_W - origin_W, x), glm::dot(p_W - origin_W, y)}; }
+  [[nodiscard]] double height(const dvec3& p_W) const { return glm::dot(p_W - origin_W, z); }
+};
+
+/// All positions in the plane [m].
+struct Section {
+  struct Line {
+    dvec2 a{0}, b{0};
+  };
+  struct Outline {
+    std::vector<dvec2> points;  ///< in order
+    bool closed = false;
+  };
+  struct ContactPiece {
+    dvec2 a{0}, b{0};
+    double pressure_a = 0, pressure_b = 0;  ///< [Pa]
+  };
+  struct RayPiece {
+    dvec2 from{0}, to{0};
+    bool hit = false;
+    double pressure = 0;  ///< [Pa]
+  };
+  struct SamplePoint {
+    dvec2 at{0};
+    int taxel = -1;  ///< nearest; -1: unused
+  };
+
+  SectionPlane plane;
+  std::string title;
+  std::vector<Outline> skin, objects;
+  std::vector<ContactPiece> contact;
+  std::vector<RayPiece> rays;        ///< of samples near the plane, projected into it
+  std::vector<SamplePoint> samples;
+  std::vector<dvec2> path;           ///< two points or none
+  int taxel = -1;                    ///< the plane goes through its centre; layout order
+  dvec2 center{0}, normal{0};        ///< of that taxel
+  double radius = 0;                 ///< of its receptive field [m]
+  dvec2 focus{0};                    ///< what to look at: the taxel, else the contact, else the skin's middle
+  double size = 0;                   ///< around the focus, half width [m]
+};
+
+/// The cut of a sensor: through the selected taxel along its normal, else through the contact's pressure centroid along
+/// the finger. `slab`: how near to the plane rays and samples are taken along [m].
+Section make_section(const SceneInput& input, const SensorView& view, double slab);
+
+/// Joins pieces whose ends are equal bit by bit into outlines; the pieces of a closed mesh's cut become closed ones.
+std::vector<Section::Outline> join_outlines(const std::vector<std::pair<dvec3, dvec3>>& pieces, const SectionPlane& plane,
+                                            const Pose& X_WG);
+
+}  // namespace taxel::ui
