@@ -1,0 +1,207 @@
+// The fingertip sweep, end to end: which taxels respond, how smoothly, and that every number can be computed again.
+#include <algorithm>
+#include <cmath>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+std::string taxel_column(int id) {
+  return "taxel_" + std::to_string(id);
+}
+
+double peak(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// Largest change between two rows over the own peak.
+double largest_step(const std::vector<double>& values) {
+  double step = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) step = std::max(step, std::abs(values[i] - values[i - 1]));
+  return step / peak(values);
+}
+
+/// The paper's result: pad mid and tip on both sides respond, and they alone; the tip more.
+void expect_the_four(const Table& table) {
+  std::vector<double> peaks;
+  for (int id = 0; id < 12; ++id) peaks.push_back(peak(table.at(taxel_column(id))));
+  const double largest = peak(peaks);
+  ASSERT_GT(largest, 0);
+  for (int id = 0; id < 12; ++id) {
+    const bool expected = id == 3 || id == 4 || id == 9 || id == 10;
+    EXPECT_EQ(peaks[static_cast<std::size_t>(id)] > 0.05 * largest, expected) << "taxel " << id;
+  }
+  for (const auto& [pad, tip] : {std::pair(3, 4), std::pair(9, 10)}) {
+    const double ratio = peaks[static_cast<std::size_t>(tip)] / peaks[static_cast<std::size_t>(pad)];
+    EXPECT_GT(ratio, 2);
+    EXPECT_LT(ratio, 7);
+  }
+}
+
+void expect_smooth(const Table& table) {
+  for (const int id : {3, 4, 9, 10}) EXPECT_LE(largest_step(table.at(taxel_column(id))), 0.10) << "taxel " << id;
+}
+
+void expect_rows(const Table& table) {
+  const std::vector<double>& travel = table.at("travel");
+  ASSERT_EQ(travel.size(), 241U);
+  EXPECT_EQ(table.at("time").front(), 0);
+  EXPECT_EQ(travel.front(), 0);
+  for (std::size_t i = 0; i < travel.size(); ++i) {
+    EXPECT_NEAR(travel[i], 1e-4 * static_cast<double>(i), 1e-15);
+    EXPECT_NEAR(table.at("time")[i], 0.01 * static_cast<double>(i), 1e-12);
+  }
+}
+
+/// `taxel read` on the poses of a row, against the row.
+void expect_row_again(const fs::path& sweep, std::size_t row) {
+  const auto arrays = parse_npz(file_text(sweep / "readings.npz"));
+  const auto part = [&](const char* name, std::size_t width) {
+    const std::vector<double> all = arrays.at(name).doubles();
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(row * width);
+    return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width));
+  };
+  ASSERT_EQ(arrays.at("object_names").texts(), std::vector<std::string>{"box"});
+  const Json contact_case = {
+      {"format", "contact-case"},
+      {"version", 1},
+      {"a", {{"layout", "finger.taxels.json"}, {"pos", part("sensor_pos", 3)}, {"quat", part("sensor_quat", 4)}}},
+      {"b",
+       {{"shape", {{"type", "box"}, {"size", {0.025, 0.025, 0.025}}}},
+        {"pos", part("object_pos", 3)},
+        {"quat", part("object_quat", 4)}}}};
+  const fs::path file = test_folder() / "row.json";
+  write_text(file, contact_case.dump());
+  const Json read = taxel_json({"read", (sweep / "finger.taxels.json").string(), file.string()});
+  EXPECT_EQ(read["readings"]["weighted_mean"].get<std::vector<double>>(), part("readings", 12)) << "row " << row;
+  EXPECT_EQ(read["area"].get<double>(), part("area", 1)[0]);
+  EXPECT_EQ(read["polygons"].get<std::int64_t>(), arrays.at("polygons").integers()[row]);
+}
+
+TEST(Sweep, FourTaxelsRiseAndFallSmoothly) {
+  const Table table = read_csv(shared_sweep() / "readings.csv");
+  expect_rows(table);
+  expect_the_four(table);
+  expect_smooth(table);
+}
+
+TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMesh) {
+  SKIP_WITHOUT_REAL_DATA();
+  const Table table = read_csv(shared_sweep({"--layout", real_layout().string()}) / "readings.csv");
+  expect_rows(table);
+  expect_the_four(table);
+  expect_smooth(table);
+}
+
+TEST(Sweep, ReadOnARowsPosesGivesThatRowExactly) {
+  for (const std::size_t row : {0U, 105U, 125U, 180U, 240U}) expect_row_again(shared_sweep(), row);
+}
+
+TEST(Sweep, ReadOnARowsPosesGivesThatRowExactlyOnTheRealMesh) {
+  SKIP_WITHOUT_REAL_DATA();
+  expect_row_again(shared_sweep({"--layout", real_layout().string()}), 150);
+}
+
+TEST(Sweep, StepsShrinkWithDensity) {
+  const auto step = [](const char* density, int id) {
+    return largest_step(read_csv(shared_sweep({"--density", density}) / "readings.csv").at(taxel_column(id)));
+  };
+  for (const int id : {3, 4, 9, 10}) {
+    const double coarse = step("1e6", id), middle = step("4e6", id), fine = step("1.6e7", id);
+    EXPECT_LT(middle, coarse) << "taxel " << id;
+    EXPECT_LT(fine, middle) << "taxel " << id;
+  }
+}
+
+TEST(Sweep, TwiceGivesTheSameBytesWhateverTheThreads) {
+  const fs::path first = shared_sweep();
+  const fs::path folder = test_folder();
+  const Outcome outcome = taxel({"sweep", "--quiet", "--threads", "1", "--out", "again"}, folder);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder / "again")) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"finger.obj", "finger.taxels.json", "readings.csv", "readings.npz",
+                                             "scene.xml", "sweep.json"}));
+  for (const std::string& name : names) {
+    EXPECT_TRUE(file_text(first / name) == file_text(folder / "again" / name)) << name << " differs";
+  }
+}
+
+TEST(Sweep, NpzHoldsWhatTheCsvHolds) {
+  const Table table = read_csv(shared_sweep() / "readings.csv");
+  const auto arrays = parse_npz(file_text(shared_sweep() / "readings.npz"));
+  const std::vector<double> readings = arrays.at("readings").doubles(), force = arrays.at("force").doubles();
+  ASSERT_EQ(arrays.at("readings").shape, (std::vector<std::size_t>{241, 12}));
+  for (std::size_t row = 0; row < 241; ++row) {
+    for (std::size_t k = 0; k < 12; ++k) {
+      EXPECT_EQ(readings[12 * row + k], table.at(taxel_column(static_cast<int>(k)))[row]);
+    }
+    EXPECT_EQ(force[3 * row + 2], table.at("force_z")[row]);
+  }
+  EXPECT_EQ(arrays.at("travel").doubles(), table.at("travel"));
+  const std::size_t steps = arrays.at("mocap_pos").shape.at(0);
+  EXPECT_EQ(steps, 2401U);
+  EXPECT_EQ(arrays.at("mocap_quat").shape, (std::vector<std::size_t>{steps, 4}));
+  const std::vector<double> mocap = arrays.at("mocap_pos").doubles();
+  const std::vector<std::int64_t> step = arrays.at("step").integers();
+  for (std::size_t row = 0; row < 241; ++row) {  // the way of the mocap body is the row's travel
+    const auto at = 3 * static_cast<std::size_t>(step[row]);
+    EXPECT_NEAR(std::hypot(mocap[at] - mocap[0], mocap[at + 1] - mocap[1], mocap[at + 2] - mocap[2]),
+                table.at("travel")[row], 1e-15);
+  }
+  EXPECT_EQ(arrays.at("seed").integers(), std::vector<std::int64_t>{42});
+  EXPECT_EQ(Json::parse(arrays.at("layout").texts()[0])["format"], "taxel-layout");
+}
+
+TEST(Sweep, ForceIsThatOfAFingerThatFollows) {
+  const Json sweep = Json::parse(file_text(shared_sweep() / "sweep.json"));
+  const Table table = read_csv(shared_sweep() / "readings.csv");
+  const Json& sensor = sweep["sensors"][0];
+  double largest = 0;
+  for (std::size_t i = 0; i < 241; ++i) {
+    largest = std::max(largest, std::hypot(table.at("force_x")[i], table.at("force_y")[i], table.at("force_z")[i]));
+  }
+  EXPECT_DOUBLE_EQ(sensor["largest_force"].get<double>(), largest);
+  EXPECT_GT(sensor["deflection"].get<double>(), 1e-6);    // a dynamic body, softly held ...
+  EXPECT_LT(sensor["deflection"].get<double>(), 1.5e-4);  // ... that still presses nine tenths of the way
+  EXPECT_LT(sensor["deflection_deg"].get<double>(), 2);
+  EXPECT_GT(table.at("force_z").back(), 0);
+}
+
+TEST(Sweep, ScenarioComesBackFromItsFileAndOptionsGoOverIt) {
+  const fs::path folder = test_folder();
+  const std::vector<std::string> shorter{"--before", "0.0005", "--past", "0.0005", "--density", "2e5"};
+  const auto sweep = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), "sweep");
+    options.insert(options.end(), shorter.begin(), shorter.end());
+    return taxel_json(options, folder);
+  };
+  const Json first = sweep({"--depth", "0.001", "--speed", "0.02", "--tilt", "30", "--seed", "7", "--out", "out"});
+  EXPECT_EQ(first["scenario"]["depth"], 0.001);
+  EXPECT_EQ(first["seed"], 7);
+  EXPECT_EQ(first["rows"], 11);
+  EXPECT_EQ(first["steps"], 51);
+  const Json second = sweep({"--scenario", "out/sweep.json", "--depth", "0.0005"});
+  EXPECT_EQ(second["scenario"]["speed"], 0.02);
+  EXPECT_EQ(second["scenario"]["tilt_deg"], 30.0);
+  EXPECT_EQ(second["scenario"]["depth"], 0.0005);
+  EXPECT_LT(second["sensors"][0]["largest_force"].get<double>(), first["sensors"][0]["largest_force"].get<double>());
+}
+
+TEST(Sweep, ItsFolderRunsElsewhere) {
+  const fs::path folder = test_folder();
+  fs::copy(shared_sweep({"--density", "1e6"}), folder / "moved");
+  const Json run = taxel_json({"run", "moved/scene.xml", "--seconds", "0.005", "--out", "out"}, folder);
+  EXPECT_EQ(run["rows"], 5);
+  EXPECT_EQ(run["sensors"][0]["geom"], "finger");
+  const Table table = read_csv(folder / "out" / "readings.csv");
+  EXPECT_EQ(table.at("travel"), std::vector<double>(5, 0.0));  // nobody moves the mocap body here
+  EXPECT_TRUE(fs::exists(folder / "out" / "scene.xml"));
+}
+
+}  // namespace
+}  // namespace taxel::test

@@ -1,0 +1,107 @@
+#include "cli/taxel_program.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace taxel::test {
+namespace fs = std::filesystem;
+namespace {
+
+const fs::path kScratch = fs::path(TAXEL_BINARY_DIR) / "tests" / "cli" / "scratch";
+
+/// Changes whenever the program is built anew.
+std::string program_stamp() {
+  const auto time = fs::last_write_time(TAXEL_PROGRAM).time_since_epoch().count();
+  return std::to_string(fs::file_size(TAXEL_PROGRAM)) + "-" + std::to_string(time);
+}
+
+std::string folder_name(const std::vector<std::string>& options) {
+  std::string name = "default";
+  for (const std::string& option : options) name += "_" + option;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
+  return name;
+}
+
+}  // namespace
+
+fs::path test_folder() {
+  const ::testing::TestInfo* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = std::string(info->test_suite_name()) + "." + info->name();
+  std::replace(name.begin(), name.end(), '/', '-');
+  return fresh_folder(kScratch, name);
+}
+
+Outcome taxel(const std::vector<std::string>& arguments, const fs::path& folder) {
+  return run_program(TAXEL_PROGRAM, arguments, folder);
+}
+
+Json taxel_json(std::vector<std::string> arguments, const fs::path& folder) {
+  arguments.emplace_back("--json");
+  const Outcome outcome = taxel(arguments, folder);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome.status == 0 ? Json::parse(outcome.out) : Json();
+}
+
+void expect_refusal(const Outcome& outcome, const std::string& line) {
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, line + "\n");
+}
+
+fs::path fingertip_layout() {
+  return fs::path(TAXEL_SOURCE_DIR) / "assets" / "layouts" / "fingertip.taxels.json";
+}
+
+fs::path changed_layout(const fs::path& folder, const Json& patch) {
+  Json layout = Json::parse(file_text(fingertip_layout()));
+  layout["mesh"]["file"] = (fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj").string();
+  layout = layout.patch(patch);
+  const fs::path path = folder / "changed.taxels.json";
+  write_text(path, layout.dump(2));
+  return path;
+}
+
+Table read_csv(const fs::path& path) {
+  std::istringstream in(file_text(path));
+  std::string line, field;
+  std::vector<std::string> heads;
+  std::getline(in, line);
+  for (std::istringstream fields(line); std::getline(fields, field, ',');) heads.push_back(field);
+  Table table;
+  while (std::getline(in, line)) {
+    std::istringstream fields(line);
+    for (const std::string& head : heads) {
+      std::getline(fields, field, ',');
+      table[head].push_back(std::stod(field));
+    }
+  }
+  return table;
+}
+
+fs::path shared_sweep(const std::vector<std::string>& options) {
+  const fs::path all = kScratch / "sweeps";
+  const fs::path mine = all / program_stamp();
+  const fs::path folder = mine / folder_name(options);
+  if (fs::exists(folder)) return folder;
+  fs::create_directories(mine);
+  std::error_code ec;
+  for (const fs::directory_entry& old : fs::directory_iterator(all)) {
+    if (old.path() != mine) fs::remove_all(old.path(), ec);
+  }
+  const fs::path making = folder.string() + "." + std::to_string(::getpid());
+  std::vector<std::string> arguments{"sweep", "--quiet", "--out", making.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = taxel(arguments);
+  if (outcome.status != 0) throw std::runtime_error("taxel sweep failed: " + outcome.err);
+  fs::rename(making, folder, ec);  // another test may have been faster
+  if (ec) fs::remove_all(making);
+  return folder;
+}
+
+fs::path real_layout() {
+  const fs::path path = fs::path(TAXEL_REAL_DATA) / "shadow_fingertip.taxels.json";
+  return fs::exists(path) ? path : fs::path();
+}
+
+}  // namespace taxel::test

@@ -1,0 +1,48 @@
+// The program `taxel` for the tests of this folder, files for it, and sweeps that several tests share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fixtures/read_npz.h"
+#include "fixtures/run_program.h"
+
+namespace taxel::test {
+
+using Json = nlohmann::json;
+
+/// A folder for the running test; made anew.
+std::filesystem::path test_folder();
+
+/// Runs taxel in the given folder.
+Outcome taxel(const std::vector<std::string>& arguments, const std::filesystem::path& folder = TAXEL_BINARY_DIR);
+
+/// Runs taxel, expects exit status 0, and parses its stdout.
+Json taxel_json(std::vector<std::string> arguments, const std::filesystem::path& folder = TAXEL_BINARY_DIR);
+
+/// Expects exit status 2, nothing on stdout, and exactly this line on stderr.
+void expect_refusal(const Outcome& outcome, const std::string& line);
+
+/// Our fingertip's layout and mesh, and a copy of the layout with one change.
+std::filesystem::path fingertip_layout();
+std::filesystem::path changed_layout(const std::filesystem::path& folder, const Json& patch);
+
+/// Columns of a CSV file by their heads.
+using Table = std::map<std::string, std::vector<double>>;
+Table read_csv(const std::filesystem::path& path);
+
+/// The folder of `taxel sweep` with these options; made once by whichever test needs it first, and made again when the
+/// program changed.
+std::filesystem::path shared_sweep(const std::vector<std::string>& options = {});
+
+/// The real fingertip's layout; empty where it is absent.
+std::filesystem::path real_layout();
+#define SKIP_WITHOUT_REAL_DATA()            \
+  if (::taxel::test::real_layout().empty()) \
+  GTEST_SKIP() << "shadow_fingertip.taxels.json is absent from " TAXEL_REAL_DATA
+
+}  // namespace taxel::test
