@@ -98,8 +98,9 @@ dvec3 to_grid(const dvec3& p_mm) {
   return glm::round(p_mm * 1.0e6) / 1.0e9 + 0.0;
 }
 
-/// Points of the right half of a section, evenly spaced by arc length; `off_plane`: the ends straddle the mirror plane.
-std::vector<dvec3> half_ring(const Section& s, bool off_plane) {
+/// Points of the right half of a section, evenly spaced by arc length. Keeps the last number of steps as long as these
+/// stay about kEdge long: rings that line up make no valleys along the straight part.
+std::vector<dvec3> half_ring(const Section& s, int& steps) {
   constexpr int kSamples = 2000;
   std::vector<dvec3> points(kSamples + 1);
   std::vector<double> length(kSamples + 1, 0.0);
@@ -107,16 +108,17 @@ std::vector<dvec3> half_ring(const Section& s, bool off_plane) {
     points[at(i)] = section_point(s, kPi * (static_cast<double>(i) / kSamples - 0.5));
     if (i > 0) length[at(i)] = length[at(i - 1)] + glm::distance(points[at(i - 1)], points[at(i)]);
   }
-  const int steps = std::max(3, static_cast<int>(std::lround(length.back() / kEdge)));  // of the half
+  constexpr double kShortest = 0.8, kLongest = 1.1;  // of kEdge
+  const double step = length.back() / (steps * kEdge);
+  if (step < kShortest || step > kLongest) steps = std::max(3, static_cast<int>(std::lround(length.back() / kEdge)));
   std::vector<dvec3> ring;
-  const int count = off_plane ? steps : steps + 1;
-  for (int k = 0, i = 0; k < count; ++k) {
-    const double wanted = length.back() * (k + (off_plane ? 0.5 : 0.0)) / steps;
+  for (int k = 0, i = 0; k <= steps; ++k) {
+    const double wanted = length.back() * k / steps;
     while (i + 1 < kSamples && length[at(i + 1)] < wanted) ++i;
     const double part = std::clamp((wanted - length[at(i)]) / (length[at(i + 1)] - length[at(i)]), 0.0, 1.0);
     ring.push_back(to_grid(glm::mix(points[at(i)], points[at(i + 1)], part)));
   }
-  if (!off_plane) ring.front().x = ring.back().x = 0;
+  ring.front().x = ring.back().x = 0;
   return ring;
 }
 
@@ -130,11 +132,8 @@ TriMesh make_fingertip() {
   sections.pop_back();  // the tip, a point
   MirroredRingSurface surface;
   surface.add_half_ring({to_grid({0, kCenterY, 0})});
-  bool off_plane = false;
-  for (const Section& s : sections) {
-    surface.add_half_ring(half_ring(s, off_plane));
-    off_plane = !off_plane;
-  }
+  int steps = 1;
+  for (const Section& s : sections) surface.add_half_ring(half_ring(s, steps));
   surface.add_half_ring({to_grid({0, kCenterY, kLength})});
   return surface.mesh();
 }

@@ -36,8 +36,8 @@ class Fans {
 
  private:
   void unite(int a, int b) {
-    const auto [low, high] = std::minmax(find_root(parent_, a), find_root(parent_, b));
-    parent_[at(high)] = low;
+    const int root_a = find_root(parent_, a), root_b = find_root(parent_, b);
+    parent_[at(std::max(root_a, root_b))] = std::min(root_a, root_b);
   }
   std::vector<int> parent_;
 };
@@ -83,7 +83,7 @@ Built build(const TriMesh& mesh, Fans& fans) {
 double dihedral(const TriMesh& mesh, const MeshEdge& edge) {
   const dvec3 &left = mesh.face_normals()[at(edge.left)], &right = mesh.face_normals()[at(edge.right)];
   const dvec3 along = glm::normalize(mesh.vertices()[at(edge.b)] - mesh.vertices()[at(edge.a)]);
-  return std::atan2(glm::dot(glm::cross(right, left), along), glm::dot(left, right));
+  return std::atan2(glm::dot(glm::cross(left, right), along), glm::dot(left, right));
 }
 
 std::vector<MeshEdge> all_edges(const Built& built, const TriMesh& mesh) {

@@ -19,13 +19,13 @@ void require_positive(double value, const char* what) {
   if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
 }
 
+Error too_fine(double edge_length, double size) {
+  return Error(fmt::format("edge length {} is too small for a size of {}", edge_length, size));
+}
+
 /// How many pieces of at most `piece` a length needs.
 int pieces(double length, double piece) {
-  require_positive(piece, "edge length");
-  const double count = std::ceil(length / piece);
-  constexpr double kMost = 4000;  // a few times 10^7 triangles; more is a slip of the unit
-  if (count > kMost) throw Error(fmt::format("edge length {} is too small for a size of {}", piece, length));
-  return std::max(1, static_cast<int>(count));
+  return std::max(1, static_cast<int>(std::ceil(length / piece)));
 }
 
 struct Polyhedron {
@@ -69,33 +69,77 @@ void subdivide_on_unit_sphere(Polyhedron& p) {
   p.faces = std::move(faces);
 }
 
+constexpr int kMostSubdivisions = 9;  // 5 million triangles
+
 Polyhedron unit_icosphere(int subdivisions) {
-  constexpr int kMost = 9;  // 5 million triangles
-  if (subdivisions < 0 || subdivisions > kMost)
-    throw Error(fmt::format("a sphere of {} subdivisions is out of range (0 to {})", subdivisions, kMost));
+  if (subdivisions < 0 || subdivisions > kMostSubdivisions)
+    throw Error(fmt::format("a sphere of {} subdivisions is out of range (0 to {})", subdivisions, kMostSubdivisions));
   Polyhedron p = icosahedron();
   for (dvec3& v : p.vertices) v = glm::normalize(v);
   for (int i = 0; i < subdivisions; ++i) subdivide_on_unit_sphere(p);
   return p;
 }
 
-double longest_edge(const Polyhedron& p, const dvec3& scale) {
+double longest_edge(const std::vector<dvec3>& vertices, const std::vector<ivec3>& faces, const dvec3& scale) {
   double longest = 0;
-  for (const ivec3& f : p.faces) {
+  for (const ivec3& f : faces) {
     for (int c = 0; c < 3; ++c)
-      longest = std::max(longest, glm::length(scale * (p.vertices[at(f[c])] - p.vertices[at(f[(c + 1) % 3])])));
+      longest = std::max(longest, glm::length(scale * (vertices[at(f[c])] - vertices[at(f[(c + 1) % 3])])));
   }
   return longest;
 }
 
-/// Angles of one ring of `count` points, turned by half a step where `shifted`.
-std::vector<dvec3> circle(double radius, double z, int count, bool shifted) {
+/// One ring of `count` points.
+std::vector<dvec3> circle(double radius, double z, int count) {
   std::vector<dvec3> ring;
   for (int i = 0; i < count; ++i) {
-    const double angle = 2.0 * kPi * (i + (shifted ? 0.5 : 0.0)) / count;
+    const double angle = 2.0 * kPi * i / count;
     ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
   }
   return ring;
+}
+
+/// Flat caps of rings of 6 k points; rows that line up, so that the side is a prism.
+TriMesh cylinder(double radius, double half_length, double step) {
+  const int discs = pieces(2.0 * kPi * radius, 6.0 * step), rows = pieces(2.0 * half_length, step);
+  RingSurface surface;
+  for (int k = 0; k <= discs; ++k) surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k)));
+  for (int k = 1; k <= rows; ++k) surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), 6 * discs));
+  for (int k = discs - 1; k >= 0; --k) surface.add_ring(circle(radius * k / discs, half_length, std::max(1, 6 * k)));
+  return surface.mesh();
+}
+
+/// Round caps of rings of 5 k points, k steps from the pole: even triangles at the pole and at the rim.
+TriMesh capsule(double radius, double half_length, double step) {
+  const int steps = pieces(0.5 * kPi * radius, step), rows = pieces(2.0 * half_length, step);
+  const auto cap_ring = [&](int k, double side) {
+    const double angle = 0.5 * kPi * k / steps;
+    const double z = k == steps ? half_length : half_length + radius * std::cos(angle);
+    return circle(k == 0 ? 0.0 : radius * std::sin(angle), side * z, std::max(1, 5 * k));
+  };
+  RingSurface surface;
+  for (int k = 0; k <= steps; ++k) surface.add_ring(cap_ring(k, -1));
+  for (int k = 1; k <= rows; ++k) surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), 5 * steps));
+  for (int k = steps - 1; k >= 0; --k) surface.add_ring(cap_ring(k, 1));
+  return surface.mesh();
+}
+
+/// Throws where the mesh of a surface would have more than some 10^7 triangles: a slip of the unit.
+void require_feasible(double area, double size, double edge_length) {
+  require_positive(edge_length, "edge length");
+  constexpr double kMost = 5e6;
+  if (area / edge_length / edge_length > kMost || size / edge_length > kMost) throw too_fine(edge_length, size);
+}
+
+/// Calls make(step) with ever smaller steps until no edge is longer than `edge_length`.
+template <class Make>
+TriMesh as_fine_as(double edge_length, const Make& make) {
+  for (double step = edge_length;;) {
+    TriMesh mesh = make(step);
+    const double longest = longest_edge(mesh.vertices(), mesh.faces(), dvec3(1));
+    if (longest <= edge_length) return mesh;
+    step *= 0.99 * edge_length / longest;
+  }
 }
 
 }  // namespace
@@ -135,9 +179,14 @@ TriMesh make_sphere(double radius, double edge_length) {
 TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length) {
   for (int i = 0; i < 3; ++i) require_positive(semi_axes[i], "semi-axis of an ellipsoid");
   require_positive(edge_length, "edge length");
-  int subdivisions = 0;
-  Polyhedron p = unit_icosphere(subdivisions);
-  while (longest_edge(p, semi_axes) > edge_length) p = unit_icosphere(++subdivisions);
+  // Edges are halved by a subdivision, or a little less: what cannot be reached is refused before it is tried.
+  const double smallest = std::min({semi_axes.x, semi_axes.y, semi_axes.z});
+  if (smallest > edge_length * (1 << kMostSubdivisions)) throw too_fine(edge_length, smallest);
+  Polyhedron p = unit_icosphere(0);
+  for (int i = 0; longest_edge(p.vertices, p.faces, semi_axes) > edge_length; ++i) {
+    if (i == kMostSubdivisions) throw too_fine(edge_length, smallest);
+    subdivide_on_unit_sphere(p);
+  }
   for (dvec3& v : p.vertices) v *= semi_axes;
   return {std::move(p.vertices), std::move(p.faces)};
 }
@@ -145,37 +194,15 @@ TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length) {
 TriMesh make_cylinder(double radius, double half_length, double edge_length) {
   require_positive(radius, "radius of a cylinder");
   require_positive(half_length, "half length of a cylinder");
-  const int around = 6 * pieces(2.0 * kPi * radius, 6.0 * edge_length);
-  const int discs = around / 6, rows = pieces(2.0 * half_length, edge_length);
-  RingSurface surface;
-  for (int k = 0; k <= discs; ++k)
-    surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k), false));
-  for (int k = 1; k <= rows; ++k)
-    surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), around, k % 2 == 1));
-  for (int k = discs - 1; k >= 0; --k)
-    surface.add_ring(circle(radius * k / discs, half_length, std::max(1, 6 * k), rows % 2 == 1));
-  return surface.mesh();
+  require_feasible(2.0 * kPi * radius * (radius + 2.0 * half_length), std::max(radius, half_length), edge_length);
+  return as_fine_as(edge_length, [&](double step) { return cylinder(radius, half_length, step); });
 }
 
 TriMesh make_capsule(double radius, double half_length, double edge_length) {
   require_positive(radius, "radius of a capsule");
   require_positive(half_length, "half length of a capsule");
-  // Rings of 5 k points k steps from the pole: even triangles at the pole and at the rim.
-  const int steps = pieces(0.5 * kPi * radius, 0.8 * edge_length), rows = pieces(2.0 * half_length, 0.8 * edge_length);
-  RingSurface surface;
-  for (int k = 0; k <= steps; ++k) {
-    const double angle = 0.5 * kPi * k / steps;
-    const double r = radius * std::sin(angle), z = -half_length - radius * std::cos(angle);
-    surface.add_ring(circle(k == 0 ? 0 : r, k == steps ? -half_length : z, std::max(1, 5 * k), false));
-  }
-  for (int k = 1; k <= rows; ++k)
-    surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), 5 * steps, k % 2 == 1));
-  for (int k = steps - 1; k >= 0; --k) {
-    const double angle = 0.5 * kPi * k / steps;
-    const double r = radius * std::sin(angle), z = half_length + radius * std::cos(angle);
-    surface.add_ring(circle(k == 0 ? 0 : r, z, std::max(1, 5 * k), rows % 2 == 1));
-  }
-  return surface.mesh();
+  require_feasible(4.0 * kPi * radius * (radius + half_length), std::max(radius, half_length), edge_length);
+  return as_fine_as(edge_length, [&](double step) { return capsule(radius, half_length, step); });
 }
 
 TriMesh scaled_to_volume(const TriMesh& mesh, double volume) {

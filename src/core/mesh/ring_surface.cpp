@@ -9,15 +9,57 @@ std::size_t at(int i) {
 }
 }  // namespace
 
-void join_rows(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper,
-               std::vector<ivec3>& faces) {
+namespace {
+
+/// A walk along both rows: true is a step of the lower one. Always along the shorter diagonal.
+std::vector<bool> shortest_walk(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper) {
   const auto gap = [&](std::size_t i, std::size_t j) {
     return glm::distance(points[at(lower[i])], points[at(upper[j])]);
   };
+  std::vector<bool> walk;
   std::size_t i = 0, j = 0;
   while (i + 1 < lower.size() || j + 1 < upper.size()) {
     const bool can_low = i + 1 < lower.size(), can_high = j + 1 < upper.size();
-    if (can_low && (!can_high || gap(i + 1, j) < gap(i, j + 1))) {
+    walk.push_back(can_low && (!can_high || gap(i + 1, j) < gap(i, j + 1)));
+    (walk.back() ? i : j) += 1;
+  }
+  return walk;
+}
+
+/// Exchanges two neighbouring steps wherever the diagonal between them is a valley, until there is none: each exchange
+/// adds volume, so this ends. Returns whether anything changed.
+bool raise_valleys(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper,
+                   std::vector<bool>& walk) {
+  bool changed = false;
+  std::size_t i = 0, j = 0;  // where step k begins
+  for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
+    if (walk[k] != walk[k + 1]) {
+      const dvec3 &a = points[at(lower[i])], &b = points[at(lower[i + 1])];
+      const dvec3 &c = points[at(upper[j + 1])], &d = points[at(upper[j])];
+      const double volume = glm::dot(glm::cross(b - a, c - a), d - a);  // > 0: a c is a valley, b d a ridge
+      const double size = std::max({glm::length(b - a), glm::length(c - a), glm::length(d - a)});
+      const double flat = 64 * std::numeric_limits<double>::epsilon() * size * size * size;
+      if (walk[k] ? volume < -flat : volume > flat) {
+        walk[k] = !walk[k];
+        walk[k + 1] = !walk[k + 1];
+        changed = true;
+      }
+    }
+    (walk[k] ? i : j) += 1;
+  }
+  return changed;
+}
+
+}  // namespace
+
+void join_rows(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper,
+               std::vector<ivec3>& faces) {
+  std::vector<bool> walk = shortest_walk(points, lower, upper);
+  while (raise_valleys(points, lower, upper, walk)) {
+  }
+  std::size_t i = 0, j = 0;
+  for (const bool low_step : walk) {
+    if (low_step) {
       faces.emplace_back(lower[i], lower[i + 1], upper[j]);
       ++i;
     } else {
@@ -53,19 +95,10 @@ void MirroredRingSurface::add_half_ring(const std::vector<dvec3>& half_ring) {
     const std::size_t end = faces_.size();
     for (std::size_t f = first_new; f < end; ++f) {
       const ivec3 face = faces_[f];
-      faces_.emplace_back(mirrored(face.x), mirrored(face.z), mirrored(face.y));
+      faces_.emplace_back(mirror_[at(face.x)], mirror_[at(face.z)], mirror_[at(face.y)]);
     }
-    bridge(last_.front(), row.front(), true);
-    bridge(last_.back(), row.back(), false);
   }
   last_ = std::move(row);
-}
-
-// The triangle across the plane where one of the two rows stays off it.
-void MirroredRingSurface::bridge(int low, int high, bool front) {
-  const bool low_off = mirrored(low) != low, high_off = mirrored(high) != high;
-  if (low_off) faces_.emplace_back(front ? mirrored(low) : low, front ? low : mirrored(low), high);
-  if (high_off) faces_.emplace_back(low, front ? high : mirrored(high), front ? mirrored(high) : high);
 }
 
 }  // namespace taxel

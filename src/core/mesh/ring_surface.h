@@ -9,7 +9,8 @@
 namespace taxel {
 
 /// Joins two rows of points, both running to the right seen from outside with `upper` above: one triangle per step of
-/// either row, always along the shorter diagonal. Appends to `faces`, counter-clockwise seen from outside.
+/// either row, along the shorter diagonals, but never along one that makes a valley. Appends to `faces`,
+/// counter-clockwise seen from outside.
 void join_rows(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper,
                std::vector<ivec3>& faces);
 
@@ -30,18 +31,13 @@ class RingSurface {
 };
 
 /// The same for surfaces that are mirror images of themselves in the plane x = 0, exactly, bit by bit: made of half
-/// rings from the front (-y) through +x to the back (+y).
+/// rings from the front (-y) through +x to the back (+y), whose ends have x == 0. One point is a pole.
 class MirroredRingSurface {
  public:
-  /// A half ring; an end with x == 0 lies on the plane, any other end is joined to its mirror image across it. Two
-  /// consecutive half rings must not both stay off the plane at the same end. One point with x == 0 is a pole.
   void add_half_ring(const std::vector<dvec3>& half_ring);
   [[nodiscard]] TriMesh mesh() const { return {vertices_, faces_}; }
 
  private:
-  [[nodiscard]] int mirrored(int vertex) const { return mirror_[static_cast<std::size_t>(vertex)]; }
-  void bridge(int low, int high, bool front);
-
   std::vector<dvec3> vertices_;
   std::vector<int> mirror_;  ///< for each vertex its mirror image; itself on the plane
   std::vector<ivec3> faces_;

@@ -183,8 +183,8 @@ TEST(SlabTest, RaysAlongTheAxesAreRightOnAndBesideTheFaces) {
     return SlabTest(Ray{origin, direction}).entry(box, 100.0);
   };
   EXPECT_EQ(entry({0.5, -1, 1}, {0, 1, 0}), 1.0);
-  EXPECT_EQ(entry({0, -1, 1}, {0, 1, 0}), 1.0);    // in the plane of a face
-  EXPECT_EQ(entry({1, -1, 3}, {0, 1, 0}), 1.0);    // along an edge
+  EXPECT_EQ(entry({0, -1, 1}, {0, 1, 0}), 1.0);     // in the plane of a face
+  EXPECT_EQ(entry({1, -1, 3}, {0, 1, 0}), 1.0);     // along an edge
   EXPECT_EQ(entry({0, -1, 1}, {-0.0, 1, 0}), 1.0);  // the other zero
   EXPECT_EQ(entry({1, -1, 1}, {-0.0, 1, -0.0}), 1.0);
   EXPECT_EQ(entry({1.001, -1, 1}, {0, 1, 0}), SlabTest::kMiss);

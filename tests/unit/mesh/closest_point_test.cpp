@@ -9,7 +9,9 @@
 namespace taxel {
 namespace {
 
-std::shared_ptr<const TriMesh> share(TriMesh mesh) { return std::make_shared<const TriMesh>(std::move(mesh)); }
+std::shared_ptr<const TriMesh> share(TriMesh mesh) {
+  return std::make_shared<const TriMesh>(std::move(mesh));
+}
 
 /// Nearest distance by dense sampling of the triangle: an upper bound that closes in.
 double sampled_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
@@ -133,6 +135,21 @@ TEST(MeshIndex, CastIsThatOfBruteForce) {
   EXPECT_GT(hits, 1000);
 }
 
+TEST(MeshIndex, NoRaySlipsThroughAVertexOrAnEdge) {
+  const MeshIndex index(share(make_icosphere(1, 3)));
+  const TriMesh& mesh = index.mesh();
+  test::RandomStream random(10);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (const double part : {0.0, 0.5, random.uniform(0, 1)}) {
+      const dvec3 origin = random.in_cube(0.5);
+      const dvec3 target = glm::mix(mesh.vertex(f, 0), mesh.vertex(f, 1), part);
+      const auto hit = index.cast({origin, glm::normalize(target - origin)});
+      ASSERT_TRUE(hit) << "face " << f;
+      EXPECT_NEAR(hit->t, glm::distance(origin, target), 1e-12);
+    }
+  }
+}
+
 TEST(MeshIndex, CastExceptLeavesTheFace) {
   const MeshIndex index(share(make_box(dvec3(1))));
   const auto down = index.cast({{0.1, 0.2, 3}, {0, 0, -1}});
@@ -163,14 +180,15 @@ TEST(MeshIndex, SignedDistanceOfABoxIsExact) {
 
 TEST(MeshIndex, SignIsRightAtSharpSpikes) {
   // A thin tetrahedron: at its spike the normal of any single face gives the wrong sign for points nearby.
-  const MeshIndex index(share(TriMesh({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.03, 0.03, 5}},
-                                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})));
+  const MeshIndex index(share(
+      TriMesh({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.03, 0.03, 5}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})));
   test::RandomStream random(7);
   for (int i = 0; i < 3000; ++i) {
     const dvec3 p = dvec3(0.03, 0.03, 5) + random.in_cube(0.2);
     bool inside = true;
     for (int f = 0; f < 4; ++f)
-      inside = inside && glm::dot(p - index.mesh().vertex(f, 0), index.mesh().face_normals()[static_cast<std::size_t>(f)]) < 0;
+      inside = inside &&
+               glm::dot(p - index.mesh().vertex(f, 0), index.mesh().face_normals()[static_cast<std::size_t>(f)]) < 0;
     EXPECT_EQ(index.signed_distance(p) < 0, inside);
   }
 }

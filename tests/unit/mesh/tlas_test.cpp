@@ -33,8 +33,8 @@ TEST(Tlas, FindsTheFirstHitOfAllTreesWithTiesToTheLowestInstance) {
   };
   const auto try_face = [&](const Ray& ray, int instance, int face, Best& best) {
     const TriMesh& m = meshes[static_cast<std::size_t>(instance)];
-    const auto hit =
-        intersect_triangle({ray.origin, ray.direction, best.t}, m.vertex(face, 0), m.vertex(face, 1), m.vertex(face, 2));
+    const auto hit = intersect_triangle({ray.origin, ray.direction, best.t}, m.vertex(face, 0), m.vertex(face, 1),
+                                        m.vertex(face, 2));
     const std::pair id(instance, face);
     if (hit && (best.id.first < 0 || hit->t < best.t || id < best.id)) best = {hit->t, id};
     return best.t;
@@ -44,7 +44,8 @@ TEST(Tlas, FindsTheFirstHitOfAllTreesWithTiesToTheLowestInstance) {
   for (int i = 0; i < 2000; ++i) {
     const Ray ray{random.in_cube(1), i % 4 == 0 ? dvec3(0, 0, 1) : random.direction(), 10};
     Best found, expected;
-    const double t = tlas.cast(ray, [&](int instance, int face, double) { return try_face(ray, instance, face, found); });
+    const double t =
+        tlas.cast(ray, [&](int instance, int face, double) { return try_face(ray, instance, face, found); });
     for (int m = 0; m < static_cast<int>(meshes.size()); ++m) {
       for (int f = 0; f < meshes[static_cast<std::size_t>(m)].face_count(); ++f) try_face(ray, m, f, expected);
     }
