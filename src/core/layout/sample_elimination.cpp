@@ -76,7 +76,8 @@ constexpr int kChunk = 1024;
 /// (equation 5, beta = 0.65, gamma = 1.5). r_max is the radius of the densest packing of `count` discs.
 CrowdGraph link_neighbours(const SurfacePool& pool, int count, double area) {
   const double r_max = std::sqrt(area / (2.0 * std::sqrt(3.0) * count));
-  const double r_min = r_max * (1.0 - std::pow(static_cast<double>(count) / pool.size(), 1.5)) * 0.65;
+  const double kept = static_cast<double>(count) / pool.size();
+  const double r_min = r_max * (1.0 - kept * std::sqrt(kept)) * 0.65;
   const PointGrid grid(pool.positions, 2.0 * r_max);
 
   const int chunks = (pool.size() + kChunk - 1) / kChunk;

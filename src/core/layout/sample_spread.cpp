@@ -121,7 +121,8 @@ void lay_out(const std::vector<SurfaceSample>& samples, const SurfaceSample& sam
 
 /// The best of four climbs: from the sample itself and from three places around it, turned from sweep to sweep.
 dvec2 best_hole(const Neighbourhood& around, double spacing, int sweep) {
-  const int starts = 3;
+  const double sine = 0.86602540378443865;  // of 60 degrees; a table, because sines differ between machines
+  const std::array<dvec2, 3> starts{dvec2(1, 0), dvec2(-0.5, sine), dvec2(-0.5, -sine)};
   const double start_radius = 0.8 * spacing, farthest = 1.5 * spacing;
   const auto clearance = [&](const dvec2& x) {
     double least = std::numeric_limits<double>::infinity();
@@ -130,9 +131,9 @@ dvec2 best_hole(const Neighbourhood& around, double spacing, int sweep) {
   };
   dvec2 best = climb_to_hole(around.flat, dvec2(0), spacing);
   double best_clearance = clearance(best);
-  for (int s = 0; s < starts; ++s) {
-    const double angle = (s + 0.5 * sweep) * 2.0 * kPi / starts;
-    const dvec2 hole = climb_to_hole(around.flat, start_radius * dvec2(std::cos(angle), std::sin(angle)), spacing);
+  for (const dvec2& start : starts) {
+    const double turned = sweep % 2 == 0 ? start_radius : -start_radius;
+    const dvec2 hole = climb_to_hole(around.flat, turned * start, spacing);
     const double wins = 1.0 + 1e-4;  // a tie is no reason to jump
     const double found = clearance(hole);
     if (found > best_clearance * wins && glm::length(hole) < farthest) best_clearance = found, best = hole;

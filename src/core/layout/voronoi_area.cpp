@@ -18,8 +18,10 @@ struct Candidate {
   double distance;
   int sample;
 };
-constexpr double kPiece = 0.4;   // largest radius of a piece, in spacings
-constexpr double kSearch = 2.0;  // first search radius, in spacings
+using Candidates = std::vector<Candidate>;
+constexpr double kSearch = 1.5;        // cell of the grid, in spacings
+constexpr std::size_t kMaxOwners = 6;  // pieces with more owners are halved
+constexpr int kMaxHalvings = 64;       // ends the halving where many cells meet in one point
 
 double polygon_area(const std::vector<dvec3>& polygon) {
   dvec3 sum(0);
@@ -32,71 +34,100 @@ double polygon_area(const std::vector<dvec3>& polygon) {
 class FaceCutter {
  public:
   FaceCutter(const std::vector<SurfaceSample>& samples, const PointGrid& grid, double spacing)
-      : samples_(samples), grid_(grid), spacing_(spacing) {}
+      : samples_(samples), grid_(grid), spacing_(spacing), owners_(kMaxHalvings + 1) {}
 
-  /// Appends what each sample gets of the triangle. Pieces not much smaller than a cell are halved across their longest
-  /// edge first, so that the number of samples that one piece is cut between stays small.
-  void cut(const Triangle& t, const dvec3& normal, std::vector<Share>& shares) {
+  /// Appends what each sample gets of the face.
+  void cut(const Triangle& face, const dvec3& normal, std::vector<Share>& shares) {
+    const double finest = 1.0 / 256.0;  // of the face: bounds the work on faces that are long and thin
+    halve(face, normal, std::max(spacing_, finest * ball_of(face).radius), shares);
+  }
+
+ private:
+  struct Ball {
+    dvec3 center;
+    double radius;
+  };
+  static double squared(const dvec3& v) { return glm::dot(v, v); }
+  static Ball ball_of(const Triangle& t) {
     const dvec3 center = (t[0] + t[1] + t[2]) / 3.0;
-    const double radius = std::sqrt(std::max({squared(t[0] - center), squared(t[1] - center), squared(t[2] - center)}));
-    if (radius > kPiece * spacing_) {
-      const std::array<double, 3> edge{squared(t[1] - t[0]), squared(t[2] - t[1]), squared(t[0] - t[2])};
-      const auto k = static_cast<std::size_t>(std::max_element(edge.begin(), edge.end()) - edge.begin());
-      const dvec3 &from = t[k], &to = t[(k + 1) % 3], &apex = t[(k + 2) % 3];
-      const dvec3 middle = 0.5 * (from + to);
-      cut({from, middle, apex}, normal, shares);
-      cut({middle, to, apex}, normal, shares);
+    return {center, std::sqrt(std::max({squared(t[0] - center), squared(t[1] - center), squared(t[2] - center)}))};
+  }
+  [[nodiscard]] const dvec3& position(int sample) const { return samples_[static_cast<std::size_t>(sample)].position; }
+
+  /// Halves across the longest edge until pieces have `radius`, then shares each out.
+  void halve(const Triangle& t, const dvec3& normal, double radius, std::vector<Share>& shares) {
+    const Ball ball = ball_of(t);
+    if (ball.radius > radius) {
+      for (const Triangle& half : halves(t)) halve(half, normal, radius, shares);
       return;
     }
-    find_owners(center, radius, normal);
-    for (const Candidate& owner : owners_) {
+    for (double reach = spacing_ + 2.0 * ball.radius;; reach *= 2.0) {
+      near_.clear();
+      grid_.visit_near(ball.center, reach, [&](int s) { near_.push_back({0.0, s}); });
+      same_wall_.clear();
+      for (const Candidate& c : near_)
+        if (same_wall(samples_[static_cast<std::size_t>(c.sample)].normal, normal)) same_wall_.push_back(c);
+      for (const Candidates* candidates : {&same_wall_, &near_})
+        if (find_owners(ball, *candidates, owners_[0]) <= reach) return cut_piece(t, 0, shares);
+    }
+  }
+  static std::array<Triangle, 2> halves(const Triangle& t) {
+    const std::array<double, 3> edge{squared(t[1] - t[0]), squared(t[2] - t[1]), squared(t[0] - t[2])};
+    const auto k = static_cast<std::size_t>(std::max_element(edge.begin(), edge.end()) - edge.begin());
+    const dvec3 &from = t[k], &to = t[(k + 1) % 3], &apex = t[(k + 2) % 3], middle = 0.5 * (from + to);
+    return {Triangle{from, middle, apex}, Triangle{middle, to, apex}};
+  }
+
+  /// Those candidates that can be the nearest of some point of the ball, nearest first: no farther from its centre than
+  /// the nearest one plus the diameter. Returns that distance.
+  double find_owners(const Ball& ball, const Candidates& candidates, Candidates& owners) const {
+    owners.clear();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Candidate& c : candidates) {
+      owners.push_back({glm::distance(position(c.sample), ball.center), c.sample});
+      nearest = std::min(nearest, owners.back().distance);
+    }
+    const double limit = nearest + 2.0 * ball.radius;
+    std::erase_if(owners, [&](const Candidate& c) { return c.distance > limit; });
+    std::sort(owners.begin(), owners.end(), [](const Candidate& a, const Candidate& b) {
+      return std::pair(a.distance, a.sample) < std::pair(b.distance, b.sample);
+    });
+    drop_coincident(owners);
+    return limit;
+  }
+  /// Of samples at one place the lowest number owns all. They stand among equal distances.
+  void drop_coincident(Candidates& owners) const {
+    std::size_t kept = 0;
+    for (const Candidate& c : owners) {
+      bool again = false;
+      for (std::size_t i = kept; i-- > 0 && owners[i].distance == c.distance && !again;)
+        again = position(owners[i].sample) == position(c.sample);
+      if (!again) owners[kept++] = c;
+    }
+    owners.resize(kept);
+  }
+
+  /// Shares out a piece between owners_[depth]; halves it first while they are many. The owners of a half are among
+  /// those of the whole.
+  void cut_piece(const Triangle& t, int depth, std::vector<Share>& shares) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (owners_[level].size() > kMaxOwners && depth < kMaxHalvings) {
+      for (const Triangle& half : halves(t)) {
+        find_owners(ball_of(half), owners_[level], owners_[level + 1]);
+        cut_piece(half, depth + 1, shares);
+      }
+      return;
+    }
+    for (const Candidate& owner : owners_[level]) {
       polygon_.assign(t.begin(), t.end());
-      for (const Candidate& other : owners_)
-        if (other.sample != owner.sample && !polygon_.empty())
-          clip(position(owner.sample), position(other.sample), owner.sample < other.sample);
+      for (const Candidate& other : owners_[level])
+        if (other.sample != owner.sample && !polygon_.empty()) clip(position(owner.sample), position(other.sample));
       if (polygon_.size() >= 3) shares.push_back({owner.sample, polygon_area(polygon_)});
     }
   }
 
- private:
-  static double squared(const dvec3& v) { return glm::dot(v, v); }
-  [[nodiscard]] const dvec3& position(int sample) const { return samples_[static_cast<std::size_t>(sample)].position; }
-
-  /// All samples that can be the nearest of some point of the ball, nearest first: no farther from its centre than the
-  /// nearest one plus the diameter. Widens the search until that is certain.
-  void find_owners(const dvec3& center, double radius, const dvec3& normal) {
-    for (double reach = kSearch * spacing_;; reach *= 2.0) {
-      candidates_.clear();
-      grid_.visit_near(center, reach, [&](int s) { candidates_.push_back({glm::distance(position(s), center), s}); });
-      const auto on_wall = [&](const Candidate& c) {
-        return same_wall(samples_[static_cast<std::size_t>(c.sample)].normal, normal);
-      };
-      if (take_owners(reach, radius, on_wall) || take_owners(reach, radius, [](const Candidate&) { return true; }))
-        return;
-    }
-  }
-  template <class Allowed>
-  bool take_owners(double reach, double radius, const Allowed& allowed) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Candidate& c : candidates_)
-      if (allowed(c)) nearest = std::min(nearest, c.distance);
-    const double limit = nearest + 2.0 * radius;
-    if (!(limit <= reach)) return false;
-    owners_.clear();
-    for (const Candidate& c : candidates_)
-      if (c.distance <= limit && allowed(c)) owners_.push_back(c);
-    std::sort(owners_.begin(), owners_.end(), [](const Candidate& a, const Candidate& b) {
-      return std::pair(a.distance, a.sample) < std::pair(b.distance, b.sample);
-    });
-    return true;
-  }
-
-  /// Keeps what is nearer to `mine` (Sutherland, Hodgman 1974). Coincident samples: the lower number keeps all.
-  void clip(const dvec3& mine, const dvec3& other, bool keeps_ties) {
-    if (mine == other) {
-      if (!keeps_ties) polygon_.clear();
-      return;
-    }
+  /// Keeps what is nearer to `mine` than to `other` (Sutherland, Hodgman 1974).
+  void clip(const dvec3& mine, const dvec3& other) {
     const dvec3 towards = other - mine, middle = 0.5 * (mine + other);
     sides_.clear();
     for (const dvec3& p : polygon_) sides_.push_back(glm::dot(towards, p - middle));
@@ -113,7 +144,8 @@ class FaceCutter {
   const std::vector<SurfaceSample>& samples_;
   const PointGrid& grid_;
   double spacing_;
-  std::vector<Candidate> candidates_, owners_;
+  Candidates near_, same_wall_;
+  std::vector<Candidates> owners_;  // of the piece at each depth of halving
   std::vector<dvec3> polygon_, clipped_;
   std::vector<double> sides_;
 };
@@ -137,12 +169,10 @@ void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& sampl
   });
 
   for (SurfaceSample& s : samples) s.area = 0.0;
-  double total = 0.0;
   for (const auto& part : shares)
-    for (const Share& share : part) {
-      samples[static_cast<std::size_t>(share.sample)].area += share.area;
-      total += share.area;
-    }
+    for (const Share& share : part) samples[static_cast<std::size_t>(share.sample)].area += share.area;
+  double total = 0.0;
+  for (const SurfaceSample& s : samples) total += s.area;
   for (SurfaceSample& s : samples) s.area *= mesh.area() / total;  // takes out what rounding left
 }
 

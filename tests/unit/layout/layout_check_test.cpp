@@ -1,0 +1,201 @@
+// Every rule of a layout: broken once, reported once, at its place.
+#include "core/layout/layout_check.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/layout/layout_json.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/primitives.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// Two good taxels on the upper face of a box of 20 x 16 x 10 mm.
+Layout good_layout() {
+  Layout layout;
+  layout.mesh.file = "box.obj";
+  layout.taxels = {{0, "a", dvec3(0.004, 0, 0.005), dvec3(0, 0, 1), 0.003, {}},
+                   {1, "b", dvec3(-0.004, 0, 0.005), dvec3(0, 0, 1), 0.003, {}}};
+  return layout;
+}
+MeshIndex box() {
+  return MeshIndex(std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.008, 0.005))));
+}
+
+/// Problems as "severity pointer code".
+std::vector<std::string> listed(const Problems& problems) {
+  std::vector<std::string> list;
+  for (const Problem& p : problems) {
+    EXPECT_EQ(p.file, "f.json");
+    EXPECT_FALSE(p.message.empty());
+    list.push_back(fmt::format("{} {} {}", to_string(p.severity), p.pointer, p.code));
+  }
+  return list;
+}
+using List = std::vector<std::string>;
+
+template <class Change>
+List values_after(const Change& change) {
+  Layout layout = good_layout();
+  change(layout);
+  return listed(check_layout_values(layout, "f.json"));
+}
+template <class Change>
+List on_mesh_after(const Change& change) {
+  Layout layout = good_layout();
+  change(layout);
+  return listed(check_layout_on_mesh(layout, box(), "cafe", "f.json"));
+}
+
+TEST(LayoutCheck, AGoodLayoutHasNoProblem) {
+  EXPECT_EQ(values_after([](Layout&) {}), List{});
+  EXPECT_EQ(on_mesh_after([](Layout&) {}), List{});
+}
+
+TEST(LayoutCheck, RadiusMessageNamesTheValue) {
+  Layout layout = good_layout();
+  layout.taxels[1].radius = -0.006;
+  const Problems problems = check_layout_values(layout, "f.json");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].pointer, "/taxels/1/radius");
+  EXPECT_EQ(problems[0].message, "must be greater than 0, is -0.006");
+  try {
+    throw_first_error(problems);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(), "f.json: /taxels/1/radius: must be greater than 0, is -0.006");
+  }
+}
+
+TEST(LayoutCheck, WarningsDoNotThrow) {
+  EXPECT_NO_THROW(
+      throw_first_error({{"f", "/x", Severity::warning, "c", "m", ""}, {"f", "", Severity::note, "c", "m", ""}}));
+}
+
+TEST(LayoutCheck, TaxelValues) {
+  const auto first = [](auto change) { return values_after([&](Layout& l) { change(l.taxels[0]); }); };
+  for (const double r : {0.0, -1.0, kNaN, kInf})
+    EXPECT_EQ(first([&](Taxel& t) { t.radius = r; }), List{"error /taxels/0/radius radius_not_positive"}) << r;
+  EXPECT_EQ(first([](Taxel& t) { t.center.y = kNaN; }), List{"error /taxels/0/center not_finite"});
+  EXPECT_EQ(first([](Taxel& t) { t.normal = dvec3(0); }), List{"error /taxels/0/normal zero_normal"});
+  EXPECT_EQ(first([](Taxel& t) { t.normal.x = kInf; }), List{"error /taxels/0/normal not_finite"});
+  EXPECT_EQ(first([](Taxel& t) { t.id = 1; }), List{"error /taxels/1/id duplicate_id"});
+  EXPECT_EQ(first([](Taxel& t) { t.id = -3; }), List{"error /taxels/0/id id_negative"});
+  EXPECT_EQ(first([](Taxel& t) { t.center = dvec3(-0.004, 1e-10, 0.005); }),
+            List{"warning /taxels/1/center duplicate_place"});
+  EXPECT_EQ(first([](Taxel& t) {
+              t.subtaxels = {{t.center, dvec3(0), -1.0}};
+            }),
+            (List{"error /taxels/0/subtaxels/0/normal zero_normal",
+                  "error /taxels/0/subtaxels/0/radius radius_not_positive"}));
+  EXPECT_EQ(first([](Taxel& t) {
+              t.subtaxels = {{t.center, t.normal, 0.004}};
+            }),
+            List{"warning /taxels/0/subtaxels/0/radius subtaxel_larger"});
+}
+
+TEST(LayoutCheck, Settings) {
+  EXPECT_EQ(values_after([](Layout& l) { l.mesh.file.clear(); }), List{"error /mesh/file mesh_file_empty"});
+  EXPECT_EQ(values_after([](Layout& l) { l.mesh.scale.y = 0; }), List{"error /mesh/scale/1 scale_zero"});
+  EXPECT_EQ(values_after([](Layout& l) { l.frame.pad = dvec3(0); }), List{"error /frame/pad zero_normal"});
+  EXPECT_EQ(values_after([](Layout& l) { l.frame.pad = dvec3(0, 0, -2); }), List{"error /frame/pad frame_parallel"});
+  EXPECT_EQ(values_after([](Layout& l) { l.frame.pad = dvec3(0, -1, 0.5); }), List{"warning /frame/pad frame_skew"});
+  for (const double d : {0.0, -1e7, kNaN, kInf})
+    EXPECT_EQ(values_after([&](Layout& l) { l.sampling.density = d; }),
+              List{"error /sampling/density density_not_positive"});
+  EXPECT_EQ(values_after([](Layout& l) { l.receptive_field.metric = Metric::geodesic; }),
+            List{"error /receptive_field/metric not_available"});
+  for (const double a : {0.0, -45.0, 180.1, kNaN})
+    EXPECT_EQ(values_after([&](Layout& l) { l.receptive_field.max_angle_deg = a; }),
+              List{"error /receptive_field/max_angle_deg angle_out_of_range"});
+  EXPECT_EQ(values_after([](Layout& l) { l.readout.max_depth = -1; }), List{"error /readout/max_depth depth_negative"});
+  EXPECT_EQ(values_after([](Layout& l) { l.material.modulus = kNaN; }),
+            List{"error /material/modulus modulus_negative"});
+  EXPECT_EQ(values_after([](Layout& l) { l.material.thickness = -1; }),
+            List{"error /material/thickness thickness_negative"});
+  EXPECT_EQ(values_after([](Layout& l) { l.material.dissipation = -1; }),
+            List{"error /material/dissipation dissipation_negative"});
+  EXPECT_EQ(values_after([](Layout& l) { l.material.friction = kInf; }),
+            List{"error /material/friction friction_negative"});
+  EXPECT_EQ(values_after([](Layout& l) { l.material.field = FieldKind::tets; }),
+            List{"error /material/field not_available"});
+  EXPECT_EQ(values_after([](Layout& l) { l.taxels.clear(); }), List{"warning /taxels no_taxels"});
+}
+
+TEST(LayoutCheck, CentreFarFromTheMesh) {
+  Layout layout = good_layout();
+  layout.taxels[0].center.z = 0.0065;
+  const Problems problems = check_layout_on_mesh(layout, box(), "", "f.json");
+  ASSERT_EQ(listed(problems), List{"warning /taxels/0/center center_off_surface"});
+  EXPECT_EQ(problems[0].message, "is 1.5 mm from the surface, the radius is 3 mm");
+  EXPECT_EQ(problems[0].fix, "nearest point of the surface: [0.004, 0, 0.005]");
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].center.z = 0.020; }),
+            (List{"error /taxels/0/center center_off_surface", "warning /taxels/0 field_empty"}));
+}
+
+TEST(LayoutCheck, NormalAgainstTheSurface) {
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 0.9, 1); }), List{});  // 42 degrees
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 1.7, 1); }),           // 59.5 degrees
+            List{"warning /taxels/0 field_empty"});
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 2, 1); }),
+            (List{"warning /taxels/0/normal normal_off_surface", "warning /taxels/0 field_empty"}));
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 0, -1); }),
+            (List{"warning /taxels/0/normal normal_points_inward", "warning /taxels/0 field_empty"}));
+}
+
+TEST(LayoutCheck, SizeAgainstTheMesh) {
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].radius = 3.0; }),
+            List{"warning /taxels/0/radius radius_exceeds_body"});
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.sampling.density = 1e12; }),
+            List{"error /sampling/density density_too_high"});
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.sampling.density = 1.0; }),
+            List{"warning /sampling/density density_too_low"});
+}
+
+TEST(LayoutCheck, HashDiffers) {
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.mesh.sha256 = "beef"; }), List{"warning /mesh/sha256 mesh_changed"});
+  EXPECT_EQ(on_mesh_after([](Layout& l) { l.mesh.sha256 = "cafe"; }), List{});
+}
+
+TEST(LayoutCheck, OpenMeshCannotBeSoft) {
+  const TriMesh closed = make_box(dvec3(0.010, 0.008, 0.005));
+  std::vector<ivec3> faces = closed.faces();
+  faces.pop_back();
+  const MeshIndex open(std::make_shared<TriMesh>(closed.vertices(), faces));
+  Layout layout = good_layout();
+  layout.taxels.clear();
+  EXPECT_EQ(listed(check_layout_on_mesh(layout, open, "", "f.json")), List{"error /mesh/file mesh_open"});
+  layout.material.modulus = 0.0;
+  EXPECT_EQ(listed(check_layout_on_mesh(layout, open, "", "f.json")), List{});
+}
+
+TEST(LayoutCheck, CavitiesAreReportedAndNotSensed) {
+  TriMesh outer = make_box(dvec3(0.010, 0.008, 0.005));
+  const TriMesh inner = make_box(dvec3(0.003));
+  std::vector<dvec3> vertices = outer.vertices();
+  std::vector<ivec3> faces = outer.faces();
+  for (const ivec3& f : inner.faces()) faces.push_back(ivec3(f.x, f.z, f.y) + outer.vertex_count());
+  vertices.insert(vertices.end(), inner.vertices().begin(), inner.vertices().end());
+  const MeshIndex index(std::make_shared<TriMesh>(vertices, faces));
+  Layout layout = good_layout();
+  layout.taxels[0].center = dvec3(0, 0, 0.003);  // on the cavity's wall, 2 mm below the skin
+  EXPECT_EQ(listed(check_layout_on_mesh(layout, index, "", "f.json")),
+            (List{"note /mesh/file mesh_has_cavity", "warning /taxels/0/center center_off_surface"}));
+}
+
+TEST(LayoutCheck, TheRealLayoutHasNoErrors) {
+  const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "shadow_fingertip.taxels.json";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "absent: " << file;
+  const Layout layout = read_layout(file);
+  EXPECT_EQ(check_layout_values(layout, "f.json").size(), 0U);
+  const LoadedMesh loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
+  EXPECT_EQ(listed(check_layout_on_mesh(layout, MeshIndex(loaded.mesh), loaded.sha256, "f.json")),
+            List{"note /mesh/file mesh_has_cavity"});
+}
+
+}  // namespace
+}  // namespace taxel

@@ -1,0 +1,227 @@
+// Layout files: what is read is what was written, and every error names its place.
+#include "core/layout/layout_json.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+
+namespace taxel {
+namespace {
+
+constexpr const char* kMinimal = R"({
+  "format": "taxel-layout", "version": 1, "mesh": {"file": "m.obj"},
+  "taxels": [{"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 0.006}]
+})";
+
+Layout full_layout() {
+  Layout layout;
+  layout.name = "tip \"A\" \xC3\xA9\n";
+  layout.mesh = {"a/b.stl", dvec3(0.001, -0.001, 1.0 / 3.0), "abc"};
+  layout.frame = {dvec3(0, 1, 0), dvec3(-0.0, 0, 0.1 + 0.2)};
+  layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi};
+  layout.receptive_field = {Metric::geodesic, 37.5};
+  layout.readout = {Aggregate::force, Misses::omit, RayDirection::taxel_normal, 1e-300};
+  layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308};
+  layout.taxels = {{7, "left 1", dvec3(1e-9, 2, -3.25), dvec3(0, 1, 0), 0.006, {}},
+                   {-2, "", dvec3(0.1), dvec3(1e20, 0, 0), -1.0, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
+  layout.unknown = {{"/calibration", R"({"gain":[1,2.5]})"},
+                    {"/mesh/made by", "\"hand\""},
+                    {"/taxels/1/subtaxels/0/a~1b", "[]"},
+                    {"/taxels/0/note", "null"}};
+  return layout;
+}
+
+/// The error that parsing throws, as "pointer|message".
+std::string error_of(const std::string& text) {
+  try {
+    parse_layout(text, "f.json");
+  } catch (const Error& e) {
+    EXPECT_EQ(e.file(), "f.json");
+    return fmt::format("{}|{}", e.where(), e.message());
+  }
+  return "no error";
+}
+
+std::string with(const std::string& what, const std::string& instead) {
+  const std::string text = kMinimal;
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return fmt::format("{}{}{}", text.substr(0, at), instead, text.substr(at + what.size()));
+}
+
+TEST(LayoutJson, WritesAndReadsBackEveryValue) {
+  const Layout layout = full_layout();
+  const std::string text = layout_to_json(layout);
+  const Layout back = parse_layout(text);
+  EXPECT_EQ(back, layout);
+  EXPECT_TRUE(std::signbit(back.frame.pad.x));
+  EXPECT_EQ(layout_to_json(back), text);
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
+  const std::string text = layout_to_json(full_layout());
+  std::size_t at = 0;
+  for (const char* key :
+       {"format", "version",       "name",      "mesh",        "file",     "scale",      "sha256",    "made by",
+        "frame",  "distal",        "pad",       "sampling",    "density",  "seed",       "weights",   "receptive_field",
+        "metric", "max_angle_deg", "readout",   "aggregate",   "misses",   "ray",        "max_depth", "material",
+        "field",  "modulus",       "thickness", "dissipation", "friction", "taxels",     "id",        "name",
+        "center", "normal",        "radius",    "subtaxels",   "note",     "calibration"}) {
+    const std::size_t next = text.find(fmt::format("\"{}\":", key), at);
+    ASSERT_NE(next, std::string::npos) << key;
+    at = next;
+  }
+}
+
+TEST(LayoutJson, NumbersAreShortest) {
+  Layout layout = parse_layout(kMinimal);
+  layout.sampling.density = 1e7;
+  const std::string text = layout_to_json(layout);
+  EXPECT_NE(text.find("\"radius\": 0.006,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"density\": 10000000,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"normal\": [0, 0, 1],"), std::string::npos) << text;
+}
+
+TEST(LayoutJson, OptionalKeysHaveDefaults) {
+  const Layout layout = parse_layout(kMinimal);
+  Layout expected;
+  expected.mesh.file = "m.obj";
+  expected.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 0.006, {}}};
+  EXPECT_EQ(layout, expected);
+  EXPECT_EQ(layout.sampling.density, 1e7);
+  EXPECT_EQ(layout.receptive_field.max_angle_deg, 45.0);
+  EXPECT_EQ(layout.readout.aggregate, Aggregate::weighted_mean);
+}
+
+TEST(LayoutJson, UnknownKeysSurviveOnAnyLevel) {
+  const std::string text = R"({"format": "taxel-layout", "version": 1, "x": {"deep": [1, {"er": 1.50}]},
+    "mesh": {"file": "m", "y/z": true}, "frame": {"u": 1}, "sampling": {"u": 2}, "receptive_field": {"u": 3},
+    "readout": {"u": 4}, "material": {"u": 5}, "taxels": [{"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "z": "t",
+    "subtaxels": [{"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "w~": null}]}]})";
+  const Layout layout = parse_layout(text);
+  const std::map<std::string, std::string> expected = {
+      {"/x", R"({"deep":[1,{"er":1.5}]})"}, {"/mesh/y~1z", "true"}, {"/frame/u", "1"},    {"/sampling/u", "2"},
+      {"/receptive_field/u", "3"},          {"/readout/u", "4"},    {"/material/u", "5"}, {"/taxels/0/z", "\"t\""},
+      {"/taxels/0/subtaxels/0/w~0", "null"}};
+  EXPECT_EQ(layout.unknown, expected);
+  const std::string once = layout_to_json(layout);
+  EXPECT_EQ(parse_layout(once), layout);
+  EXPECT_EQ(layout_to_json(parse_layout(once)), once);
+}
+
+TEST(LayoutJson, UnknownKeysOfADeletedTaxelGoWithIt) {
+  Layout layout = full_layout();
+  layout.taxels.clear();
+  const Layout back = parse_layout(layout_to_json(layout));
+  EXPECT_EQ(back.unknown.size(), 2U);
+}
+
+TEST(LayoutJson, WrongTypesAreNamedWithTheirPlace) {
+  EXPECT_EQ(error_of(with("0.006", "\"abc\"")), "/taxels/0/radius|must be a number, is \"abc\"");
+  EXPECT_EQ(error_of(with("0.006", "null")), "/taxels/0/radius|must be a number, is null");
+  EXPECT_EQ(error_of(with("[0, 0, 0]", "[0, true, 0]")), "/taxels/0/center/1|must be a number, is true");
+  EXPECT_EQ(error_of(with("[0, 0, 0]", "[0, 0]")), "/taxels/0/center|must be an array of 3 numbers, is [0,0]");
+  EXPECT_EQ(error_of(with("{\"file\": \"m.obj\"}", "7")), "/mesh|must be an object, is 7");
+  EXPECT_EQ(error_of(with("\"m.obj\"", "[]")), "/mesh/file|must be a text, is []");
+  EXPECT_EQ(error_of(with("\"radius\": 0.006", "\"radius\": 1, \"id\": 1.5")),
+            "/taxels/0/id|must be a whole number of at most 31 bits, is 1.5");
+  EXPECT_EQ(error_of(with("\"radius\": 0.006", "\"radius\": 1, \"subtaxels\": [3]")),
+            "/taxels/0/subtaxels/0|must be an object, is 3");
+  EXPECT_EQ(error_of(with("\"taxels\": [", "\"sampling\": {\"seed\": -1}, \"taxels\": [")),
+            "/sampling/seed|must be a whole number, 0 or more, is -1");
+  EXPECT_EQ(error_of("[1]"), "|must be an object, is [1]");
+}
+
+TEST(LayoutJson, UnknownWordsAreNamedWithTheChoices) {
+  EXPECT_EQ(error_of(with("\"taxels\": [", "\"sampling\": {\"weights\": \"even\"}, \"taxels\": [")),
+            "/sampling/weights|must be one of \"equal\", \"voronoi\", is \"even\"");
+  EXPECT_EQ(error_of(with("\"taxels\": [", "\"readout\": {\"misses\": 0}, \"taxels\": [")),
+            "/readout/misses|must be a text, is 0");
+}
+
+TEST(LayoutJson, MissingKeysAreNamed) {
+  EXPECT_EQ(error_of(with("\"format\"", "\"_\"")), "/format|is missing");
+  EXPECT_EQ(error_of(with("\"version\"", "\"_\"")), "/version|is missing");
+  EXPECT_EQ(error_of(with("\"mesh\"", "\"_\"")), "/mesh/file|is missing");
+  EXPECT_EQ(error_of(with("\"file\"", "\"_\"")), "/mesh/file|is missing");
+  EXPECT_EQ(error_of(with("\"taxels\"", "\"_\"")), "/taxels|is missing");
+  EXPECT_EQ(error_of(with("\"center\"", "\"_\"")), "/taxels/0/center|is missing");
+  EXPECT_EQ(error_of(with("\"normal\"", "\"_\"")), "/taxels/0/normal|is missing");
+  EXPECT_EQ(error_of(with("\"radius\"", "\"_\"")), "/taxels/0/radius|is missing");
+}
+
+TEST(LayoutJson, UnknownVersionAndFormatAreNamed) {
+  EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 7")), "/version|7 is unknown, this program reads version 1");
+  EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 1.5")),
+            "/version|1.5 is unknown, this program reads version 1");
+  EXPECT_EQ(error_of(with("taxel-layout", "urdf")), "/format|must be \"taxel-layout\", is \"urdf\"");
+}
+
+TEST(LayoutJson, BrokenTextIsNamedByLineAndColumn) {
+  EXPECT_EQ(error_of("{\n  \"format\": \"\xC3\xA9\xC3\xA9\" oops}").substr(0, 31), "line 2, column 18|is not JSON: ");
+  EXPECT_EQ(error_of("").substr(0, 30), "line 1, column 1|is not JSON: ");
+  EXPECT_EQ(error_of(with("0.006", "1e999")), "|is not JSON: number overflow parsing '1e999'");
+  EXPECT_EQ(error_of(with("0.006", "1, \"radius\": 2")), "|has the key \"radius\" twice in one object");
+  EXPECT_EQ(error_of(std::string(100000, '[')), "|is nested deeper than 64 levels");
+}
+
+TEST(LayoutJson, ValuesThatJsonCannotHoldAreRefused) {
+  Layout layout = full_layout();
+  layout.taxels[1].subtaxels[0].center.y = std::numeric_limits<double>::quiet_NaN();
+  try {
+    layout_to_json(layout);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.where(), "/taxels/1/subtaxels/0/center/1");
+  }
+}
+
+TEST(LayoutJson, EveryCutAndEveryChangedByteEndsInAnErrorOrALayout) {
+  const std::string text = layout_to_json(full_layout());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool whole = i + 1 == text.size();  // only the newline is cut
+    if (!whole) {
+      EXPECT_THROW(parse_layout(text.substr(0, i)), Error) << i;
+    }
+    std::string changed = text;
+    changed[i] = static_cast<char>(changed[i] ^ 0x15);
+    try {
+      layout_to_json(parse_layout(changed));
+    } catch (const Error&) {
+      continue;
+    }
+  }
+}
+
+TEST(LayoutJson, FilesAndTheirMeshes) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "written.taxels.json";
+  write_layout(path, full_layout());
+  EXPECT_EQ(read_layout(path), full_layout());
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_layout(path), Error);
+
+  Layout layout;
+  layout.mesh.file = "../meshes/m.obj";
+  EXPECT_EQ(mesh_path(layout, "/a/layouts/l.json"), "/a/meshes/m.obj");
+  layout.mesh.file = "/b/m.obj";
+  EXPECT_EQ(mesh_path(layout, "/a/layouts/l.json"), "/b/m.obj");
+}
+
+TEST(LayoutJson, ReadsTheRealLayout) {
+  const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "shadow_fingertip.taxels.json";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "absent: " << file;
+  const Layout layout = read_layout(file);
+  ASSERT_EQ(layout.taxels.size(), 12U);
+  EXPECT_EQ(layout.taxels[3].name, "right pad mid");
+  EXPECT_EQ(layout.taxels[3].center, dvec3(0.0035417, 0.0248569, 0.0055062));
+  EXPECT_EQ(layout.mesh.scale, dvec3(0.001));
+  EXPECT_TRUE(layout.unknown.empty());
+  const std::string once = layout_to_json(layout);
+  EXPECT_EQ(layout_to_json(parse_layout(once)), once);
+}
+
+}  // namespace
+}  // namespace taxel

@@ -1,0 +1,81 @@
+// Voronoi areas on surfaces: known cells, and a count of many points.
+#include "core/layout/voronoi_area.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "core/layout/sample_elimination.h"
+#include "core/mesh/primitives.h"
+
+namespace taxel {
+namespace {
+
+/// The unit square in two triangles.
+TriMesh square() {
+  return {{dvec3(0), dvec3(1, 0, 0), dvec3(1, 1, 0), dvec3(0, 1, 0)}, {ivec3(0, 1, 2), ivec3(0, 2, 3)}};
+}
+
+SurfaceSample on_square(double x, double y) {
+  return {dvec3(x, y, 0), dvec3(0, 0, 1), 0, 0.0};
+}
+
+TEST(VoronoiArea, CellsOfAGridAreSquares) {
+  std::vector<SurfaceSample> samples;
+  for (int i = 0; i < 16; ++i)
+    for (int j = 0; j < 16; ++j) samples.push_back(on_square((i + 0.5) / 16, (j + 0.5) / 16));
+  assign_voronoi_areas(square(), samples);
+  for (const SurfaceSample& s : samples) EXPECT_NEAR(s.area, 1.0 / 256, 1e-15);
+}
+
+TEST(VoronoiArea, TwoSamplesShareByTheBisector) {
+  std::vector<SurfaceSample> samples = {on_square(0.1, 0.5), on_square(0.5, 0.5)};
+  assign_voronoi_areas(square(), samples);
+  EXPECT_NEAR(samples[0].area, 0.3, 1e-15);
+  EXPECT_NEAR(samples[1].area, 0.7, 1e-15);
+}
+
+TEST(VoronoiArea, CoincidentSamplesGiveAllToTheFirst) {
+  std::vector<SurfaceSample> samples(40, on_square(0.5, 0.5));
+  assign_voronoi_areas(square(), samples);
+  EXPECT_NEAR(samples[0].area, 1.0, 1e-15);
+  EXPECT_EQ(samples[1].area, 0.0);
+}
+
+TEST(VoronoiArea, OppositeWallsDoNotShare) {
+  const TriMesh plate = make_box(dvec3(1.0, 1.0, 1e-4));
+  std::vector<SurfaceSample> samples;
+  for (int face = 0; face < plate.face_count(); ++face) {
+    const dvec3 n = plate.face_normals()[static_cast<std::size_t>(face)];
+    if (std::abs(n.z) > 0.5) samples.push_back({dvec3(0.01 * n.z, 0, 1e-4 * n.z), n, face, 0.0});
+  }
+  ASSERT_EQ(samples.size(), 4U);
+  samples.erase(samples.begin() + 1, samples.begin() + 2);
+  std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.normal.z < b.normal.z; });
+  samples.erase(samples.begin() + 1);
+  ASSERT_LT(samples[0].normal.z * samples[1].normal.z, 0.0);
+  assign_voronoi_areas(plate, samples);
+  EXPECT_NEAR(samples[0].area, 4.0, 0.01);  // its own side each, not the half that is nearer in space
+  EXPECT_NEAR(samples[1].area, 4.0, 0.01);
+}
+
+TEST(VoronoiArea, EqualsACountOfPoints) {
+  const TriMesh mesh = make_ellipsoid(dvec3(0.01, 0.02, 0.015), 0.004);
+  std::vector<SurfaceSample> samples = sample_surface(mesh, 40, 3);
+  const SurfacePool pool = make_surface_pool(mesh, 200000, 99);
+  std::vector<double> counted(samples.size(), 0.0);
+  for (int i = 0; i < pool.size(); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    std::size_t owner = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      const double d = glm::distance(samples[s].position, pool.positions[p]);
+      if (same_wall(samples[s].normal, pool.normals[p]) && d < nearest) nearest = d, owner = s;
+    }
+    counted[owner] += mesh.area() / pool.size();
+  }
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    EXPECT_NEAR(counted[s] / samples[s].area, 1.0, 0.02);  // 5000 points each
+}
+
+}  // namespace
+}  // namespace taxel
