@@ -37,17 +37,6 @@ void add_elastic(const ContactPolygon& polygon, std::span<const dvec3> corners, 
   wrench.torque += glm::cross(pressure_moment(polygon, corners), polygon.normal);
 }
 
-/// (2/pi) atan(s/vs)/s, with its limit 2/(pi vs) at rest. [s/m]
-double slip_factor(double speed) {
-  const double x = speed / kSlipSpeed;
-  if (x < 1e-8) return 2.0 / (kPi * kSlipSpeed);  // atan(x)/x = 1 to the last bit
-  if (x < 32.0) return 2.0 / kPi * std::atan(x) / speed;
-  // atan(x) = pi/2 - 1/x + 1/(3 x^3) - 1/(5 x^5) + ...: complete in double precision, and several times faster.
-  const double r = 1.0 / x, r2 = r * r;
-  const double rest = r * (1.0 - r2 * (1.0 / 3 - r2 * (1.0 / 5 - r2 * (1.0 / 7 - r2 * (1.0 / 9)))));
-  return (1.0 - 2.0 / kPi * rest) / speed;
-}
-
 /// Weights 1, x and x x^T summed over points.
 struct Moments {
   double sum = 0;
@@ -163,6 +152,20 @@ Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V) {
 }
 
 }  // namespace
+
+double slip_factor(double speed) {
+  const double x = speed / kSlipSpeed;
+  if (x < 1e-8) return 2.0 / (kPi * kSlipSpeed);  // atan(x)/x = 1 to the last bit
+  if (x < 32.0) return 2.0 / kPi * std::atan(x) / speed;
+  // atan(x) = pi/2 - 1/x + 1/(3 x^3) - 1/(5 x^5) + ...: complete in double precision, and several times faster.
+  const double r = 1.0 / x, r2 = r * r;
+  const double rest = r * (1.0 - r2 * (1.0 / 3 - r2 * (1.0 / 5 - r2 * (1.0 / 7 - r2 * (1.0 / 9)))));
+  return (1.0 - 2.0 / kPi * rest) / speed;
+}
+
+dvec3 pressure_moment(const ContactSurface& surface, const ContactPolygon& polygon) {
+  return pressure_moment(polygon, corners_of(surface, polygon));
+}
 
 PairProperties combine(const Material& a, const Material& b) {
   PairProperties pair;

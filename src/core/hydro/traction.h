@@ -19,6 +19,9 @@ using Matrix6 = std::array<std::array<double, 6>, 6>;
 /// Regularisation speed of friction: |t| = (2/pi) mu p atan(v/vs). [m/s]
 inline constexpr double kSlipSpeed = 1.0e-4;
 
+/// (2/pi) atan(v/vs)/v, with its limit 2/(pi vs) at rest [s/m].
+double slip_factor(double speed);
+
 struct PairProperties {
   double dissipation = 0;  ///< d* [s/m]
   double friction = 0;     ///< mu
@@ -36,6 +39,9 @@ struct Traction {
   Matrix6 secant{};
 };
 Traction traction(const ContactSurface& surface, const PairProperties& pair, const Twist& V_BA);
+
+/// Integral of p0 x dA over one polygon of the surface: exact for linear p0.
+dvec3 pressure_moment(const ContactSurface& surface, const ContactPolygon& polygon);
 
 /// Pressure alone (no velocity): wrench of p0 n, and the point where the force acts.
 Wrench pressure_wrench(const ContactSurface& surface);

@@ -96,7 +96,7 @@ double solve_pair(const mjModel& m, ContactForceWorkspace& work, Active& a) {
                    pair.V.angular + h * dvec3(rate[3], rate[4], rate[5])};
   const PairProperties& properties = a.instance->touched()[a.pair].properties;
   const ImplicitWrench solved =
-      solve_implicit_wrench(a.step, [&](const Twist& V) { return traction(pair.surface, properties, V); });
+      solve_implicit_wrench(a.step, [&](const Twist& V) { return a.points.evaluate(properties, V); });
   add_response(m, a, solved.wrench, 1, work);
   const dvec3 change = solved.wrench.force - pair.wrench.force;
   const dvec3 turn = (solved.wrench.torque - pair.wrench.torque) / a.step.length;
@@ -133,6 +133,7 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
       a.pair = i;
       a.step.length = 0.5 * instance->model()->skin->mesh().bounds().diagonal();
       a.step.V_start = e.pairs[i].V;
+      a.points.assign(e.pairs[i].surface);
       e.pairs[i].wrench = pressure_wrench(e.pairs[i].surface);
       fill_dynamics(m, d, work, a);
     }

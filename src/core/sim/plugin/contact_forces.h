@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/hydro/traction_points.h"
 #include "core/sim/plugin/hydro_instance.h"
 #include "core/sim/plugin/implicit_wrench.h"
 
@@ -17,6 +18,7 @@ struct ContactForceWorkspace {
   struct Active {
     HydroInstance* instance = nullptr;
     std::size_t pair = 0;
+    TractionPoints points;
     ImplicitStep step;
     std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the sensor at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T

@@ -1,0 +1,97 @@
+// The reduced surface against the full one.
+#include "core/hydro/traction_points.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/hydro_bodies.h"
+
+namespace taxel {
+namespace {
+
+double distance(const Wrench& a, const Wrench& b, double length) {
+  return glm::length(a.force - b.force) + glm::length(a.torque - b.torque) / length;
+}
+double size(const Wrench& w, double length) {
+  return distance(w, Wrench{}, length);
+}
+
+ContactSurface ball_on_floor(double edge) {
+  const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(5e4), edge);
+  const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
+  // away from the origin, so that moments count
+  return touch(*ball, *floor, Pose{glm::normalize(dquat(0.9, 0.1, 0.3, -0.2)), {0.1, 0.05, 0.017}}, Pose{}).surface;
+}
+
+TEST(TractionPoints, MovingWithoutTurningIsExact) {
+  const ContactSurface surface = ball_on_floor(0.003);
+  TractionPoints points;
+  points.assign(surface);
+  for (const double speed : {0.0, 1e-6, 1e-4, 0.1}) {
+    const Twist V{speed * dvec3(1, -2, 0.5), dvec3(0)};
+    const PairProperties pair{3.0, 0.5};
+    const Traction full = traction(surface, pair, V), reduced = points.evaluate(pair, V);
+    EXPECT_LE(distance(full.wrench, reduced.wrench, 0.02), 1e-12 * size(full.wrench, 0.02)) << speed;
+    EXPECT_LE(distance(full.elastic, reduced.elastic, 0.02), 1e-12 * size(full.elastic, 0.02)) << speed;
+  }
+}
+
+TEST(TractionPoints, TurningConvergesWithTheSizeOfThePolygons) {
+  const PairProperties pair{3.0, 0.5};
+  const Twist V{dvec3(1e-4, 0, 0), dvec3(0.3, -0.2, 0.4)};
+  std::vector<double> errors;
+  for (const double edge : {0.004, 0.002}) {
+    const ContactSurface surface = ball_on_floor(edge);
+    TractionPoints points;
+    points.assign(surface);
+    const Wrench full = traction(surface, pair, V).wrench, elastic = pressure_wrench(surface);
+    const Wrench tangential{full.force - elastic.force, full.torque - elastic.torque};
+    errors.push_back(distance(points.evaluate(pair, V).wrench, full, 0.02) / size(tangential, 0.02));
+  }
+  EXPECT_LT(errors[0], 0.01);
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+}
+
+TEST(TractionPoints, FewLargePolygonsKeepTheirExtent) {
+  // A soft block's bottom is a handful of polygons: rocking must be damped as by the whole face.
+  const HydroBodyPtr block = make_mesh_body(make_box({0.03, 0.03, 0.015}), soft_material(2e4, 0.005));
+  const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
+  const ContactSurface surface = touch(*block, *floor, Pose{{1, 0, 0, 0}, {0, 0, 0.0149}}, Pose{}).surface;
+  ASSERT_LT(surface.polygons.size(), 40u);
+  TractionPoints points;
+  points.assign(surface);
+  const PairProperties pair{3.0, 0.5};
+  const Twist rocking{dvec3(0), dvec3(0, 1e-3, 0)};
+  const Traction full = traction(surface, pair, rocking), reduced = points.evaluate(pair, rocking);
+  EXPECT_NEAR(reduced.secant[4][4], full.secant[4][4], 1e-3 * full.secant[4][4]);
+}
+
+TEST(TractionPoints, SecantIsSymmetricAndGivesTheWrench) {
+  const ContactSurface surface = ball_on_floor(0.003);
+  TractionPoints points;
+  points.assign(surface);
+  const Twist V{dvec3(2e-4, 1e-4, -0.01), dvec3(0.3, -0.2, 0.4)};
+  const Traction t = points.evaluate({3.0, 0.5}, V);
+  const std::array<double, 6> v{V.linear.x, V.linear.y, V.linear.z, V.angular.x, V.angular.y, V.angular.z};
+  double work = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      EXPECT_EQ(t.secant[i][j], t.secant[j][i]);
+      work += v[i] * t.secant[i][j] * v[j];
+    }
+  }
+  EXPECT_GT(work, 0);  // friction and damping take energy
+}
+
+TEST(TractionPoints, BodiesThatPartFasterThanTheDampingAllowsDoNotPull) {
+  const ContactSurface surface = ball_on_floor(0.003);
+  TractionPoints points;
+  points.assign(surface);
+  EXPECT_GT(glm::length(points.evaluate({5.0, 0.5}, {}).wrench.force), 0);
+  const dvec3 away = glm::normalize(pressure_wrench(surface).force);
+  const Wrench w = points.evaluate({5.0, 0.5}, {0.21 * away, dvec3(0)}).wrench;  // above 1/d
+  EXPECT_EQ(w.force, dvec3(0));
+  EXPECT_EQ(w.torque, dvec3(0));
+}
+
+}  // namespace
+}  // namespace taxel

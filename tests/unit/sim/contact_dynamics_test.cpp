@@ -1,0 +1,196 @@
+// Bodies moved by hydroelastic contact under MuJoCo's integrators, against closed forms (A1 and A9 of contact.md).
+#include <gtest/gtest.h>
+
+#include "fixtures/sensor_scene.h"
+
+namespace taxel {
+namespace {
+
+using test::key;
+using test::sensor_extension;
+using test::SensorScene;
+
+constexpr double kGravity = 9.81;
+
+Material pad(double modulus, double thickness, double dissipation) {
+  return {FieldKind::pad, modulus, thickness, dissipation, 0.5};
+}
+
+class UnderIntegrator : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, UnderIntegrator, testing::Values("Euler", "RK4", "implicit", "implicitfast"),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(UnderIntegrator, DroppedSoftBallComesToRestWhereTheForceCarriesIt) {
+  const double R = 0.02, E = 5e4, mass = 0.05;
+  SensorScene s;
+  const TriMesh ball = scaled_to_volume(make_sphere(R, 0.005), 4.0 / 3 * kPi * R * R * R);
+  s.add_sensor("ball", ball, {FieldKind::star, E, 0, 5.0, 0.5});
+  s.compile("<mujoco><option timestep='0.002' integrator='" + std::string(GetParam()) + "'/>" +
+            sensor_extension("ball", key("others", "floor")) +
+            R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1' contype='0' conaffinity='0'/>
+      <body pos='0 0 0.03'><freejoint/><inertial mass='0.05' pos='0 0 0' diaginertia='8e-6 8e-6 8e-6'/>
+        <geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  double rebound = 0;
+  for (int n = 0; n < 750; ++n) {
+    s.step();
+    if (n > 25) rebound = std::max(rebound, s.data->qvel[2]);  // after the first impact
+  }
+  const double x = R - s.data->qpos[2];
+  EXPECT_LT(std::abs(s.data->qvel[2]), 1e-6);
+  EXPECT_NEAR(kPi * E * x * x * (1 - 2 * x / (3 * R)), mass * kGravity, 0.02 * mass * kGravity);
+  EXPECT_GT(rebound, 0.01);
+  EXPECT_LE(rebound, 1 / 5.0);  // never faster than 1/d
+}
+
+/// A soft block on a rigid slope, started at its equilibrium depth. The slope is level and gravity leans.
+struct Slope {
+  SensorScene s;
+  Slope(const std::string& integrator, double degrees) {
+    const double theta = degrees * kPi / 180, mass = 0.1, area = 0.06 * 0.06;
+    const double depth = mass * kGravity * std::cos(theta) / (area * 2e4 / 0.005);  // about: the rim yields more
+    s.add_sensor("block", make_box({0.03, 0.03, 0.015}), pad(2e4, 0.005, 20));
+    s.compile("<mujoco><option timestep='0.002' integrator='" + integrator + "' gravity='" +
+              std::to_string(kGravity * std::sin(theta)) + " 0 " + std::to_string(-kGravity * std::cos(theta)) + "'/>" +
+              sensor_extension("block", key("others", "floor")) +
+              R"(<asset><mesh name='block' file='block.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1' contype='0' conaffinity='0' friction='0.5'/>
+      <body pos='0 0 )" +
+              std::to_string(0.015 - depth) +
+              R"('><freejoint/><inertial mass='0.1' pos='0 0 -0.014' diaginertia='3.7e-5 3.7e-5 6e-5'/>
+        <geom name='block' type='mesh' mesh='block' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  }
+};
+
+TEST_P(UnderIntegrator, BlockOnASlopeCreepsAndDoesNotChatter) {
+  for (const double degrees : {5.0, 15.0, 20.0}) {
+    Slope slope(GetParam(), degrees);
+    ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
+    slope.s.step(400);
+    const double tan = std::tan(degrees * kPi / 180);
+    const double creep = kSlipSpeed * std::tan(kPi * tan / (2 * 0.5));
+    for (int n = 0; n < 50; ++n) {
+      slope.s.step();
+      EXPECT_NEAR(slope.s.data->qvel[0], creep, 0.01 * creep) << degrees << " degrees, step " << n;
+    }
+  }
+}
+
+TEST_P(UnderIntegrator, BlockOnASteepSlopeAccelerates) {
+  const double theta = 35 * kPi / 180;
+  Slope slope(GetParam(), 35);
+  ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
+  slope.s.step(200);
+  const double before = slope.s.data->qvel[0];
+  slope.s.step(200);
+  const double acceleration = (slope.s.data->qvel[0] - before) / 0.4;
+  const double exact = kGravity * (std::sin(theta) - 0.5 * std::cos(theta));
+  EXPECT_NEAR(acceleration, exact, 0.01 * exact);
+}
+
+TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
+  // A heavy free box far from anything else, a soft ball moving into it and sliding along: momentum is kept.
+  SensorScene s;
+  s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 5.0, 0.5});
+  s.compile("<mujoco><option timestep='0.001' gravity='0 0 0'/>" +
+            sensor_extension("ball", key("others", "box") + key("output", "readings wrench area")) +
+            R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <body name='box'><freejoint/><geom name='box' type='box' size='.03 .03 .03' mass='0.3' contype='0' conaffinity='0'/></body>
+      <body name='ball' pos='0.004 -0.003 0.0485'><freejoint/><inertial mass='.05' pos='0 0 0' diaginertia='8e-6 8e-6 8e-6'/>
+        <geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  const mjModel& m = *s.model;
+  mjData& d = *s.data;
+  d.qvel[6] = 0.05;
+  d.qvel[8] = -0.1;
+  d.qvel[10] = 3;
+  const auto momentum = [&] {
+    mj_subtreeVel(&m, &d);
+    return std::pair(dvec3(0.3 * d.subtree_linvel[3] + 0.05 * d.subtree_linvel[6],
+                           0.3 * d.subtree_linvel[4] + 0.05 * d.subtree_linvel[7],
+                           0.3 * d.subtree_linvel[5] + 0.05 * d.subtree_linvel[8]),
+                     dvec3(d.subtree_angmom[0], d.subtree_angmom[1], d.subtree_angmom[2]));
+  };
+  mj_forward(&m, &d);
+  const auto [linear, angular] = momentum();
+  double largest = 0;
+  for (int n = 0; n < 100; ++n) {
+    s.step();
+    // What acts on the box, taken to the same point, is the reverse of what acts on the ball. Both are free bodies: their
+    // generalized forces are force and torque about their own origin (the torque in the body's frame).
+    const dvec3 on_ball(d.qfrc_passive[6], d.qfrc_passive[7], d.qfrc_passive[8]);
+    const dvec3 on_box(d.qfrc_passive[0], d.qfrc_passive[1], d.qfrc_passive[2]);
+    EXPECT_LE(glm::length(on_ball + on_box), 1e-12 * glm::length(on_ball));
+    largest = std::max(largest, glm::length(on_ball));
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(d.sensordata[1 + i], on_ball[i], 1e-12);
+  }
+  EXPECT_GT(largest, 0.1);
+  mj_forward(&m, &d);
+  const auto [linear_end, angular_end] = momentum();
+  EXPECT_LE(glm::length(linear_end - linear), 1e-12 * glm::length(linear));
+  EXPECT_LE(glm::length(angular_end - angular), 2e-3 * glm::length(angular));  // the integrator's own error
+  EXPECT_GT(glm::length(dvec3(d.qvel[0], d.qvel[1], d.qvel[2])), 0.005);       // the box was pushed
+}
+
+TEST(ContactDynamics, TwoFingersPinchingABoxShareItEvenly) {
+  // Two sensors press a free box from both sides: each instance's forces know of the other's.
+  SensorScene s;
+  for (const char* name : {"left", "right"}) s.add_sensor(name, make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});
+  const std::string extension =
+      R"(<extension><plugin plugin="taxel.sensor"><instance name="left"><config key="layout" value="left.taxels.json"/>
+      <config key="geom" value="left"/><config key="others" value="box"/></instance><instance name="right">
+      <config key="layout" value="right.taxels.json"/><config key="geom" value="right"/><config key="others" value="box"/>
+      </instance></plugin></extension><sensor><plugin name="l" plugin="taxel.sensor" instance="left"/>
+      <plugin name="r" plugin="taxel.sensor" instance="right"/></sensor>)";
+  s.compile("<mujoco><option timestep='0.001'/>" + extension +
+            R"(<default><geom contype='0' conaffinity='0'/></default>
+      <asset><mesh name='left' file='left.obj'/><mesh name='right' file='right.obj'/></asset><worldbody>
+      <body name='box'><freejoint/><geom name='box' type='box' size='.03 .03 .03' mass='0.05' friction='0.5'/></body>
+      <body pos='-0.048 0 0'><geom name='left' type='mesh' mesh='left'/></body>
+      <body pos='0.048 0 0'><geom name='right' type='mesh' mesh='right'/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  s.step(1500);
+  const double weight = 0.05 * kGravity, x = 0.002;
+  const double press = kPi * 5e4 * x * x * (1 - 2 * x / (3 * 0.02));
+  for (int i = 0; i < 2; ++i) {
+    const Evaluation& e = s.sensor(i).sensed();
+    const dvec3 force = e.X_WM.rotate(e.pairs[0].wrench.force);
+    EXPECT_NEAR(force.z, -0.5 * weight, 0.01 * weight);  // the box hangs on the fingers
+    EXPECT_NEAR(std::abs(force.x), press, 0.1 * press);  // a coarse ball
+  }
+  const double ratio = weight / (2 * 0.5 * std::abs(s.sensor(0).sensed().pairs[0].wrench.force.x));
+  EXPECT_NEAR(s.data->qvel[2], -kSlipSpeed * std::tan(kPi / 2 * ratio), 0.02 * kSlipSpeed);
+}
+
+TEST(ContactDynamics, EnergyNeverGrowsWithDissipation) {
+  SensorScene s;
+  s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 0.5, 0.5});
+  s.compile("<mujoco><option timestep='0.0005'><flag energy='enable'/></option>" +
+            sensor_extension("ball", key("others", "floor")) +
+            R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1' contype='0' conaffinity='0'/>
+      <body pos='0 0 0.05'><freejoint/><inertial mass='0.05' pos='0 0 0' diaginertia='8e-6 8e-6 8e-6'/>
+        <geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  s.data->qvel[0] = 0.3;
+  double least = std::numeric_limits<double>::infinity();
+  int flights = 0;
+  bool flying = false;
+  for (int n = 0; n < 2000; ++n) {
+    s.step();
+    const bool free = s.sensor().sensed().pairs[0].surface.empty();
+    flights += free && !flying ? 1 : 0;
+    flying = free;
+    if (free) {  // in flight no elastic energy is hidden in the pad
+      const double energy = s.data->energy[0] + s.data->energy[1];
+      EXPECT_LE(energy, least + 1e-7);
+      least = std::min(least, energy);
+    }
+  }
+  EXPECT_GE(flights, 3);
+  EXPECT_LT(least, 0.05 * kGravity * 0.045);
+}
+
+}  // namespace
+}  // namespace taxel
