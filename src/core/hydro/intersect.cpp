@@ -29,10 +29,15 @@ bool box_meets(const Aabb& box_B, const RigidTransform& X_AB, const Aabb& other,
   return Aabb{center - h, center + h}.overlaps(other);
 }
 
-/// Whether one of the tet's faces that cut a polygon belongs to a pad's rigid core.
-bool ends_at_core(const PressureField& field, const Tet& tet, unsigned cut_by) {
+/// Whether an edge of the polygon lies in a face of the tet that belongs to a pad's rigid core.
+bool ends_at_core(const PressureField& field, const Tet& tet, const ClippedPolygon& polygon) {
+  constexpr double kOnPlane = 1e-9;  // of the tet's size
   for (int i = 0; i < 4; ++i) {
-    if ((cut_by & (1u << i)) != 0 && tet.neighbour[i] < 0 && !field.is_skin(tet, i)) return true;
+    if ((polygon.cut_by & (1u << i)) == 0 || tet.neighbour[i] >= 0 || field.is_skin(tet, i)) continue;
+    const auto on_face = std::count_if(polygon.span().begin(), polygon.span().end(), [&](const dvec3& x) {
+      return std::abs(glm::dot(tet.normal[at(i)], x) + tet.offset[at(i)]) <= kOnPlane * tet.size;
+    });
+    if (on_face >= 2) return true;
   }
   return false;
 }
@@ -57,7 +62,7 @@ void intersect_mesh(const PressureField& field, const MeshIndex& rigid, const Ri
           const Tet& tet = field.tets()[at(index)];
           clip_triangle(triangle, tet, index, polygon);
           if (builder.add(polygon.span(), normal, {tet.gradient, tet.constant}, {index, face, tet.size}) &&
-              ends_at_core(field, tet, polygon.cut_by))
+              ends_at_core(field, tet, polygon))
             builder.count_at_core();
         });
   }
@@ -82,7 +87,7 @@ void intersect_plane(const PressureField& field, const RigidTransform& X_SR, Sur
     }
     slice_tet(corners, tet.vertices, distances, polygon);
     if (builder.add(polygon.span(), normal, {tet.gradient, tet.constant}, {index, -1, tet.size}) &&
-        ends_at_core(field, tet, polygon.cut_by))
+        ends_at_core(field, tet, polygon))
       builder.count_at_core();
   });
 }

@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/hydro/pressure_field.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/primitives.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+constexpr double kModulus = 1e5;
+
+TriMeshPtr share(TriMesh mesh) {
+  return std::make_shared<const TriMesh>(std::move(mesh));
+}
+
+/// Part of the skin that has tets below it.
+double covered(const PressureField& field, double skin) {
+  double area = 0;
+  for (const Tet& tet : field.tets()) {
+    for (int i = 0; i < 4; ++i) {
+      if (!field.is_skin(tet, i)) continue;
+      const dvec3& a = field.vertices()[at(tet.vertices[(i + 1) % 4])];
+      area += 0.5 * glm::length(glm::cross(field.vertices()[at(tet.vertices[(i + 2) % 4])] - a,
+                                           field.vertices()[at(tet.vertices[(i + 3) % 4])] - a));
+    }
+  }
+  return area / skin;
+}
+
+/// Part of the pad that two tets fill.
+double overlap(const PressureField& field) {
+  const CounterRng rng(3);
+  const Aabb& box = field.bounds();
+  int filled = 0, twice = 0;
+  for (std::uint64_t i = 0; i < 60000; ++i) {
+    const dvec3 x = box.lo + box.extent() * dvec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
+    int inside = 0;
+    field.bvh().visit(
+        [&](const Aabb& node) {
+          return node.overlaps({x, x});
+        },
+        [&](int t) {
+          const Tet& tet = field.tets()[at(t)];
+          bool in = true;
+          for (std::size_t k = 0; k < 4; ++k) in = in && glm::dot(tet.normal[k], x) + tet.offset[k] > 0;
+          inside += in ? 1 : 0;
+        });
+    filled += inside > 0 ? 1 : 0;
+    twice += inside > 1 ? 1 : 0;
+  }
+  EXPECT_GT(filled, 100);
+  return static_cast<double>(twice) / filled;
+}
+
+/// stiffness: E/H where nothing limits the pad.
+void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_cv, double bare = 0) {
+  const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
+  const FieldReport& report = field->report();
+  EXPECT_EQ(report.inverted, 0);
+  EXPECT_EQ(report.zero_gradient, 0);
+  EXPECT_LE(report.stiffness_cv, stiffness_cv);
+  EXPECT_GE(covered(*field, mesh->area()), 1 - bare - 1e-9);
+  EXPECT_EQ(report.notes.empty(), bare == 0);
+  EXPECT_LE(field->max_pressure(), kModulus);
+  EXPECT_LT(overlap(*field), 2e-3);
+  double area = 0, mean = 0;
+  for (const Tet& tet : field->tets()) {
+    for (int i = 0; i < 4; ++i) {
+      if (!field->is_skin(tet, i)) continue;
+      area += 1;
+      mean += glm::length(tet.gradient);
+    }
+  }
+  EXPECT_NEAR(mean / area, kModulus / thickness, 0.03 * kModulus / thickness);
+}
+
+TEST(PadField, OfSmoothShapesHasTheStiffnessOfAnElastomer) {
+  expect_good_pad(share(make_fingertip()), 0.002, 0.01);
+  expect_good_pad(share(make_icosphere(0.02, 3)), 0.004, 0.01);
+  expect_good_pad(share(make_capsule(0.01, 0.02, 0.002)), 0.003, 0.01);
+}
+
+TEST(PadField, OfSharpEdgesIsMitred) {
+  expect_good_pad(share(make_box(dvec3(0.02, 0.03, 0.01))), 0.003, 1e-6);
+  expect_good_pad(share(make_cylinder(0.01, 0.02, 0.002)), 0.002, 0.01);
+  // The core of a box is the box less H on every side: the pad's volume is exact.
+  const PressureFieldPtr field = make_pad_field(share(make_box(dvec3(0.02))), kModulus, 0.005);
+  EXPECT_NEAR(field->max_pressure(), kModulus, 1e-9 * kModulus);
+  Aabb core;
+  for (std::size_t v = 8; v < 16; ++v) core.include(field->vertices()[v]);
+  EXPECT_NEAR(core.lo.x, -0.015, 1e-12);
+  EXPECT_NEAR(core.hi.z, 0.015, 1e-12);
+}
+
+/// A ball with a deep groove around it: thin at the waist, concave, curved both ways.
+TriMeshPtr spool() {
+  const TriMesh ball = make_icosphere(0.02, 4);
+  std::vector<dvec3> vertices = ball.vertices();
+  for (dvec3& v : vertices) {
+    const double waist = 1 - 0.8 * std::exp(-std::pow(v.z / 0.006, 2));
+    v.x *= waist;
+    v.y *= waist;
+  }
+  return share({std::move(vertices), ball.faces()});
+}
+
+TEST(PadField, OfAConcaveShapeStaysWhole) {
+  expect_good_pad(spool(), 0.003, 0.06);
+}
+
+TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
+  const TriMeshPtr plate = share(make_cylinder(0.02, 0.001, 0.002));
+  const PressureFieldPtr field = make_pad_field(plate, kModulus, 0.004);
+  EXPECT_GT(field->report().thickness_limited_fraction, 0.95);
+  EXPECT_EQ(field->report().inverted, 0);
+  EXPECT_LT(field->report().stiffness_cv, 0.06);  // the gradient stays E/H
+  EXPECT_LT(overlap(*field), 2e-3);
+  // E times the half thickness over H, less the margin to the medial axis.
+  EXPECT_LE(field->max_pressure(), kModulus * 0.001 / 0.004 * 1.01);
+  EXPECT_GE(field->max_pressure(), kModulus * 0.001 / 0.004 * 0.8);
+}
+
+TEST(PadField, IsTheSameEveryTime) {
+  const TriMeshPtr mesh = spool();
+  const PressureFieldPtr a = make_pad_field(mesh, kModulus, 0.003), b = make_pad_field(mesh, kModulus, 0.003);
+  EXPECT_EQ(a->vertices(), b->vertices());
+  EXPECT_EQ(a->vertex_pressure(), b->vertex_pressure());
+}
+
+void expect_good_pad_on_file(const char* name, double scale, double thickness, double stiffness_cv, double bare = 0) {
+  const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "meshes" / name;
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const LoadedMesh loaded = load_mesh(file, dvec3(scale));
+  expect_good_pad(share(extract_shells(*loaded.mesh, outer_shells(*loaded.mesh))), thickness, stiffness_cv, bare);
+}
+
+TEST(PadField, OfTheShadowFingertip) {
+  expect_good_pad_on_file("shadow_f_distal_pst.stl", 0.001, 0.002, 0.02, 1e-4);
+}
+TEST(PadField, OfTheBiotacFingertip) {
+  expect_good_pad_on_file("shadow_f_distal_bt_sp.stl", 0.001, 0.002, 0.01);
+}
+TEST(PadField, OfAPlate) {
+  expect_good_pad_on_file("plate_8in_col.stl", 1, 0.002, 0.01);
+}
+TEST(PadField, OfSpot) {
+  expect_good_pad_on_file("spot/spot_triangulated.obj", 0.1, 0.005, 0.02);
+}
+
+std::string message_of(const TriMesh& mesh, double modulus, double thickness) {
+  try {
+    make_pad_field(share(mesh), modulus, thickness);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(PadField, BadInputIsRefused) {
+  const TriMesh box = make_box(dvec3(1));
+  EXPECT_EQ(message_of(box, 1, 0.1), "");
+  EXPECT_NE(message_of(box, 0, 0.1).find("modulus"), std::string::npos);
+  EXPECT_NE(message_of(box, 1, 0).find("thickness"), std::string::npos);
+  EXPECT_NE(message_of(box, 1, std::nan("")).find("thickness"), std::string::npos);
+  std::vector<ivec3> faces = box.faces();
+  faces.pop_back();
+  EXPECT_NE(message_of({box.vertices(), faces}, 1, 0.1).find("open"), std::string::npos);
+  faces = box.faces();
+  for (ivec3& f : faces) std::swap(f.x, f.y);
+  EXPECT_NE(message_of({box.vertices(), faces}, 1, 0.1).find("inside out"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taxel
