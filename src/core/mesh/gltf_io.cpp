@@ -77,6 +77,9 @@ class AccessorReader {
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] bool whole_numbers() const {
+    return component_type_ != TINYGLTF_COMPONENT_TYPE_FLOAT && component_type_ != TINYGLTF_COMPONENT_TYPE_DOUBLE;
+  }
   [[nodiscard]] double number(std::size_t element, int component) const {
     const unsigned char* p = data_ + stride_ * element + component_size_ * at(component);
     switch (component_type_) {
@@ -178,6 +181,8 @@ class SceneReader {
       return corners;
     }
     const AccessorReader indices(model_, primitive.indices, file_);
+    if (indices.components() != 1 || !indices.whole_numbers())
+      throw Error(file_, fmt::format("accessor {}", primitive.indices), "is no list of vertex numbers");
     for (std::size_t i = 0; i < indices.count(); ++i) {
       const double index = indices.number(i, 0);
       if (!(index >= 0 && index < static_cast<double>(point_count)))

@@ -1,0 +1,183 @@
+#include "core/mesh/gltf_io.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/mesh/mesh_io.h"
+#include "fixtures/temp_folder.h"
+#include "unit/mesh/random_mesh.h"
+
+namespace taxel {
+namespace {
+
+using nlohmann::json;
+using test::TempFolder;
+
+/// A unit tetrahedron in a buffer file beside the glTF: 4 points (float), 12 indices (uint16), strip and fan indices.
+struct TetFile {
+  json document;
+  std::string buffer;
+
+  template <class T>
+  int add(const std::vector<T>& numbers, int component_type, const char* type, int count) {
+    json view = {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", numbers.size() * sizeof(T)}};
+    buffer.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
+    document["bufferViews"].push_back(view);
+    document["accessors"].push_back({{"bufferView", document["bufferViews"].size() - 1},
+                                     {"componentType", component_type},
+                                     {"type", type},
+                                     {"count", count}});
+    return static_cast<int>(document["accessors"].size()) - 1;
+  }
+
+  TetFile() {
+    document = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", {0}}}}}};
+    add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, 5126, "VEC3", 4);
+    add<std::uint16_t>({0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}, 5123, "SCALAR", 12);
+    document["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}};
+    document["nodes"] = {{{"mesh", 0}}};
+  }
+
+  [[nodiscard]] std::filesystem::path write(const TempFolder& folder) {
+    document["buffers"] = {{{"uri", "tet.bin"}, {"byteLength", buffer.size()}}};
+    (void)folder.write("tet.bin", buffer);
+    return folder.write("tet.gltf", document.dump());
+  }
+};
+
+TEST(Gltf, ReadsABufferBesideTheFile) {
+  const TempFolder folder;
+  TetFile file;
+  const TriMesh mesh = *load_mesh(file.write(folder)).mesh;
+  EXPECT_TRUE(mesh.closed());
+  EXPECT_NEAR(mesh.volume(), 1.0 / 6.0, 1e-15);
+}
+
+TEST(Gltf, NodesMoveTheirMeshesAndTheirChildren) {
+  const TempFolder folder;
+  TetFile file;
+  const double h = std::sqrt(0.5);
+  file.document["nodes"] = {
+      {{"children", {1, 2}}, {"translation", {10, 0, 0}}, {"rotation", {0, 0, h, h}}},  // 90 degrees about z
+      {{"mesh", 0}, {"scale", {2, 2, 2}}, {"translation", {0, 5, 0}}},
+      {{"mesh", 0}, {"matrix", {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -7, 1}}}};  // a mirror
+  const TriMesh mesh = *load_mesh(file.write(folder)).mesh;
+  ASSERT_EQ(mesh.shell_count(), 2);
+  EXPECT_NEAR(mesh.volume(), 8.0 / 6.0 + 1.0 / 6.0, 1e-12) << "a mirrored node keeps its faces outward";
+  // (0,0,0) -> (0,5,0) -> turned (-5,0,0) -> (5,0,0); (1,0,0) -> (2,5,0) -> (-5,2,0) -> (5,2,0)
+  EXPECT_NEAR(glm::distance(mesh.vertices()[0], dvec3(5, 0, 0)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(mesh.vertices()[1], dvec3(5, 2, 0)), 0, 1e-12);
+  EXPECT_NEAR(mesh.bounds().lo.z, -7, 1e-12);
+}
+
+TEST(Gltf, StripsFansAndListsWithoutIndicesAgree) {
+  const TempFolder folder;
+  const auto area_and_normals = [&](TetFile& file, int mode) {
+    file.document["meshes"][0]["primitives"][0]["mode"] = mode;
+    const TriMesh mesh = *load_mesh(file.write(folder)).mesh;
+    for (const dvec3& n : mesh.face_normals()) EXPECT_EQ(n, dvec3(0, 0, 1));
+    return mesh.area();
+  };
+  const auto quad = [](std::vector<float> points) {
+    TetFile file;
+    const int count = static_cast<int>(points.size()) / 3;
+    const int accessor = file.add<float>(points, 5126, "VEC3", count);
+    file.document["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", accessor}}}}}}}};
+    return file;
+  };
+  TetFile strip = quad({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0});
+  EXPECT_NEAR(area_and_normals(strip, 5), 2, 1e-12);
+  TetFile fan = quad({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+  EXPECT_NEAR(area_and_normals(fan, 6), 1, 1e-12);
+  TetFile list = quad({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
+  EXPECT_NEAR(area_and_normals(list, 4), 1, 1e-12);
+}
+
+TEST(Gltf, LinesPointsAndUnusedMeshesArePassedOver) {
+  const TempFolder folder;
+  TetFile file;
+  json lines = file.document["meshes"][0];
+  lines["primitives"][0]["mode"] = 1;
+  file.document["meshes"].push_back(lines);
+  file.document["meshes"][0]["primitives"].push_back(lines["primitives"][0]);
+  file.document["nodes"].push_back({{"mesh", 0}, {"translation", {9, 9, 9}}});  // not in the scene
+  EXPECT_EQ(load_mesh(file.write(folder)).mesh->face_count(), 4);
+}
+
+TEST(Gltf, WithoutASceneEveryRootIsRead) {
+  const TempFolder folder;
+  TetFile file;
+  file.document.erase("scene");
+  file.document.erase("scenes");
+  file.document["nodes"] = {{{"mesh", 0}}, {{"children", {2}}, {"translation", {5, 0, 0}}}, {{"mesh", 0}}};
+  EXPECT_EQ(load_mesh(file.write(folder)).mesh->shell_count(), 2);
+}
+
+TEST(Gltf, QuantisedPositionsAreScaledBack) {
+  const TempFolder folder;
+  TetFile file;
+  const int accessor = file.add<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, 32767, 0, 0, 0, 32767}, 5122, "VEC3", 4);
+  file.document["accessors"][static_cast<std::size_t>(accessor)]["normalized"] = true;
+  file.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = accessor;
+  EXPECT_NEAR(load_mesh(file.write(folder)).mesh->volume(), 1.0 / 6.0, 1e-15);
+}
+
+TEST(Gltf, MissingImagesDoNotMatter) {
+  const TempFolder folder;
+  TetFile file;
+  file.document["images"] = {{{"uri", "nowhere.png"}}};
+  file.document["textures"] = {{{"source", 0}}};
+  EXPECT_EQ(load_mesh(file.write(folder)).mesh->face_count(), 4);
+}
+
+std::string message_of(TetFile& file) {
+  const TempFolder folder;
+  const auto path = file.write(folder);
+  try {
+    load_mesh(path);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.file(), path.string());
+    return error.what();
+  }
+  ADD_FAILURE() << "was read";
+  return "";
+}
+
+TEST(Gltf, ReferencesIntoNothingAreErrors) {
+  const auto with = [](const json::json_pointer& place, const json& value) {
+    TetFile file;
+    file.document[place] = value;
+    return message_of(file);
+  };
+  using Pointer = json::json_pointer;
+  EXPECT_NE(with(Pointer("/accessors/0/count"), 5000).find("beyond its buffer"), std::string::npos);
+  EXPECT_NE(with(Pointer("/accessors/1/byteOffset"), 1000).find("beyond its buffer"), std::string::npos);
+  EXPECT_NE(with(Pointer("/accessors/0/bufferView"), 9).find("buffer view"), std::string::npos);
+  EXPECT_NE(with(Pointer("/meshes/0/primitives/0/attributes/POSITION"), 7).find("does not exist"), std::string::npos);
+  EXPECT_NE(with(Pointer("/meshes/0/primitives/0/indices"), 0).find("vertex numbers"), std::string::npos);
+  EXPECT_NE(with(Pointer("/nodes/0/mesh"), 3).find("mesh 3"), std::string::npos);
+  EXPECT_NE(with(Pointer("/scenes/0/nodes/0"), 4).find("node 4"), std::string::npos);
+  EXPECT_NE(with(Pointer("/nodes/0/children"), json::array({0})).find("own descendant"), std::string::npos);
+  EXPECT_NE(
+      with(Pointer("/accessors/0/sparse"),
+           {{"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}})
+          .find("sparse"),
+      std::string::npos);
+  TetFile no_bin;
+  no_bin.document["buffers"] = {{{"uri", "none.bin"}, {"byteLength", 4}}};
+  const TempFolder folder;
+  EXPECT_THROW(load_mesh(folder.write("a.gltf", no_bin.document.dump())), Error);
+}
+
+TEST(Gltf, NanIsAnError) {
+  TetFile file;
+  const float nan = std::nanf("");
+  std::memcpy(file.buffer.data() + 16, &nan, sizeof nan);
+  EXPECT_NE(message_of(file).find("not finite"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taxel

@@ -1,0 +1,230 @@
+#include "core/mesh/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "fixtures/temp_folder.h"
+#include "unit/mesh/random_mesh.h"
+
+namespace taxel {
+namespace {
+
+using test::TempFolder;
+
+TriMesh odd_numbers() {
+  const TriMesh sphere = make_icosphere(0.1, 2);
+  std::vector<dvec3> vertices = sphere.vertices();
+  for (dvec3& v : vertices) v = v * 1.0e-2 + dvec3(1.0 / 3.0, -1e-17, 12345.678901234567);
+  return {std::move(vertices), sphere.faces()};
+}
+
+TEST(MeshIo, ObjAndOffGoRoundToTheLastDigit) {
+  const TempFolder folder;
+  const TriMesh mesh = odd_numbers();
+  for (const char* name : {"a.obj", "b.off"}) {
+    save_mesh(folder / name, mesh);
+    const LoadedMesh loaded = load_mesh(folder / name);
+    EXPECT_TRUE(loaded.mesh->vertices() == mesh.vertices()) << name;
+    EXPECT_TRUE(loaded.mesh->faces() == mesh.faces()) << name;
+    EXPECT_TRUE(loaded.notes.empty()) << name;
+    EXPECT_EQ(loaded.sha256, sha256_hex(read_file(folder / name)));
+  }
+}
+
+TEST(MeshIo, StlAndGlbGoRoundToFloat) {
+  const TempFolder folder;
+  const TriMesh mesh = make_icosphere(0.1, 2);
+  for (const char* name : {"a.stl", "b.glb"}) {
+    save_mesh(folder / name, mesh);
+    const TriMesh loaded = *load_mesh(folder / name).mesh;
+    ASSERT_EQ(loaded.vertex_count(), mesh.vertex_count()) << name;
+    ASSERT_EQ(loaded.face_count(), mesh.face_count()) << name;
+    EXPECT_TRUE(loaded.closed());
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(glm::vec3(loaded.vertex(f, c)), glm::vec3(mesh.vertex(f, c)));
+    }
+  }
+}
+
+TEST(MeshIo, ExtensionsOfAnyCaseAreKnown) {
+  const TempFolder folder;
+  save_mesh(folder / "A.OBJ", make_box(dvec3(1)));
+  EXPECT_EQ(load_mesh(folder / "A.OBJ").mesh->face_count(), 12);
+  for (const char* name : {"a.obj", "a.STL", "a.ply", "a.Off", "a.gltf", "a.glb"})
+    EXPECT_TRUE(is_mesh_file(name)) << name;
+  for (const char* name : {"a.txt", "obj", "a.obj.zip", "a"}) EXPECT_FALSE(is_mesh_file(name)) << name;
+  EXPECT_THROW(save_mesh(folder / "a.ply", make_box(dvec3(1))), Error);
+}
+
+constexpr const char* kTetPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+TEST(MeshIo, ObjReadsEveryFormOfAFace) {
+  const TempFolder folder;
+  const auto path =
+      folder.write("a.obj",
+                   "# a comment\r\nmtllib x.mtl\no part\nv 0 0 0 # beside\r\nv 1 0 0 0.5 0.5 0.5\nvt 0 0\n"
+                   "vn 0 0 1\nv 0 1 0\nusemtl skin\ns off\nf 1/1/1 3/1/1 2/1/1\nf 1//1 2//1 4//1\n"
+                   "v 0 0 1e+0\nf 2/1 3/1 -1/1\nf -4 \\\n -1 -2\n");
+  const LoadedMesh loaded = load_mesh(path);
+  EXPECT_EQ(loaded.mesh->face_count(), 4);
+  EXPECT_TRUE(loaded.mesh->closed());
+  EXPECT_NEAR(loaded.mesh->volume(), 1.0 / 6.0, 1e-15);
+}
+
+TEST(MeshIo, OffReadsCommentsColoursAndPolygons) {
+  const TempFolder folder;
+  const auto path =
+      folder.write("a.off",
+                   "COFF # header\n# counts\n8 6 12\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n1 1 0\n0 1 0\n\n0 0 1\n"
+                   "1 0 1\n1 1 1\n0 1 1\n4 3 2 1 0\n4 4 5 6 7 255 0 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  const LoadedMesh loaded = load_mesh(path);
+  EXPECT_EQ(loaded.mesh->face_count(), 12);
+  EXPECT_TRUE(loaded.mesh->closed());
+  EXPECT_NEAR(loaded.mesh->volume(), 1, 1e-15);
+  EXPECT_EQ(loaded.notes, std::vector<std::string>{"cut 6 polygons into triangles"});
+}
+
+TEST(MeshIo, AsciiStlIsWelded) {
+  const TempFolder folder;
+  std::string text = "solid tet\n";
+  const TriMesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  for (int f = 0; f < 4; ++f) {
+    text += "facet normal 0 0 0\n outer loop\n";
+    for (int c = 0; c < 3; ++c) {
+      const dvec3 p = tet.vertex(f, c);
+      text += "  vertex " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+    }
+    text += " endloop\nendfacet\n";
+  }
+  const LoadedMesh loaded = load_mesh(folder.write("a.stl", text + "endsolid tet\n"));
+  EXPECT_EQ(loaded.mesh->vertex_count(), 4);
+  EXPECT_TRUE(loaded.mesh->closed());
+  EXPECT_EQ(loaded.notes, std::vector<std::string>{"welded 8 duplicate vertices"});
+}
+
+TEST(MeshIo, BinaryStlMayBeginWithSolid) {
+  const TempFolder folder;
+  save_mesh(folder / "a.stl", make_box(dvec3(1)));
+  std::string bytes = read_file(folder / "a.stl");
+  bytes.replace(0, 5, "solid");
+  EXPECT_EQ(load_mesh(folder.write("b.stl", bytes)).mesh->face_count(), 12);
+}
+
+/// A tetrahedron as PLY with numbers of the given types; properties around and between what is read.
+template <class Real, class Count, class Index>
+std::string ply(const char* format, const std::string& types, bool big_endian) {
+  std::string bytes = std::string("ply\nformat ") + format + " 1.0\ncomment end_header is not here\nelement junk 2\n" +
+                      "property uchar a\nelement vertex 4\n" + types + "end_header\n";
+  const auto put = [&](auto value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    if (big_endian) std::reverse(raw, raw + sizeof value);
+    bytes.append(raw, sizeof value);
+  };
+  put(std::uint8_t{1});
+  put(std::uint8_t{2});
+  for (const dvec3& p : {dvec3(0, 0, 0), dvec3(0.1, 0, 0), dvec3(0, 0.1, 0), dvec3(0, 0, 0.1)}) {
+    put(std::int16_t{-1});
+    for (int i = 0; i < 3; ++i) put(static_cast<Real>(p[i]));
+  }
+  for (const ivec3& f : {ivec3(0, 2, 1), ivec3(0, 1, 3), ivec3(1, 2, 3), ivec3(0, 3, 2)}) {
+    put(static_cast<Count>(3));
+    for (int i = 0; i < 3; ++i) put(static_cast<Index>(f[i]));
+    put(1.5F);
+  }
+  return bytes;
+}
+
+TEST(MeshIo, PlyReadsBothByteOrdersAndKeepsDoubles) {
+  const TempFolder folder;
+  const std::string doubles =
+      "property short s\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 4\nproperty list uchar int vertex_indices\nproperty float quality\n";
+  const std::string floats =
+      "property int16 s\nproperty float32 x\nproperty float32 y\nproperty float32 z\n"
+      "element face 4\nproperty list ushort uint16 vertex_index\nproperty float quality\n";
+  const auto little =
+      folder.write("a.ply", ply<double, std::uint8_t, std::int32_t>("binary_little_endian", doubles, false));
+  const auto big = folder.write("b.ply", ply<double, std::uint8_t, std::int32_t>("binary_big_endian", doubles, true));
+  const auto single =
+      folder.write("c.ply", ply<float, std::uint16_t, std::uint16_t>("binary_big_endian", floats, true));
+  for (const auto& path : {little, big}) {
+    const TriMesh mesh = *load_mesh(path).mesh;
+    EXPECT_TRUE(mesh.closed());
+    EXPECT_EQ(mesh.vertices()[1].x, 0.1);
+  }
+  EXPECT_EQ(load_mesh(single).mesh->vertices()[1].x, static_cast<double>(0.1F));
+  EXPECT_TRUE(load_mesh(single).mesh->closed());
+}
+
+TEST(MeshIo, PlyAsciiReadsPolygons) {
+  const TempFolder folder;
+  const auto path =
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float z\nproperty float x\nproperty float y\n"
+                   "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0\n0 1 0\n0 1 1\n0 0 1\n4 0 1 2 3\n");
+  const LoadedMesh loaded = load_mesh(path);
+  EXPECT_NEAR(loaded.mesh->area(), 1, 1e-15);
+  EXPECT_EQ(loaded.mesh->face_normals()[0], dvec3(0, 0, 1));
+}
+
+TEST(MeshIo, ScaleIsAppliedAndAMirrorKeepsNormalsOutward) {
+  const TempFolder folder;
+  save_mesh(folder / "a.off", make_box({1, 2, 3}));
+  const TriMesh scaled = *load_mesh(folder / "a.off", dvec3(0.001)).mesh;
+  EXPECT_NEAR(scaled.volume(), 48e-9, 1e-20);
+  const TriMesh mirrored = *load_mesh(folder / "a.off", {-1, 1, 2}).mesh;
+  EXPECT_NEAR(mirrored.volume(), 96, 1e-12);
+  const TriMesh turned = *load_mesh(folder / "a.off", {-1, -1, 1}).mesh;
+  EXPECT_NEAR(turned.volume(), 48, 1e-12);
+}
+
+TEST(MeshIo, RepairsAreNoted) {
+  const TempFolder folder;
+  const auto path = folder.write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n") +
+                                              "v -0 0 0\nv 7 7 7\nv 0.5 0 0\n"
+                                              "f 1 3 2\nf 5 2 4\nf 2 3 4\nf 1 4 3\n"  // a tetrahedron; 5 is 1 again
+                                              "f 3 2 5\n"                             // the first once more
+                                              "f 1 5 2\nf 1 7 2\n"                    // no area
+                                              "f 1 2\n");
+  const LoadedMesh loaded = load_mesh(path);
+  EXPECT_TRUE(loaded.mesh->closed());
+  EXPECT_EQ(loaded.mesh->vertex_count(), 4);
+  EXPECT_EQ(loaded.notes,
+            (std::vector<std::string>{"welded 1 duplicate vertices", "dropped 1 polygons of fewer than three corners",
+                                      "dropped 2 triangles without area (first: triangle 5)",
+                                      "dropped 1 repeated triangles (first: triangle 4)",
+                                      "dropped 2 vertices that no triangle uses"}));
+}
+
+TEST(MeshIo, TinyTrianglesStayAndOnlyRoundingIsDropped) {
+  const TempFolder folder;
+  const auto path = folder.write("a.obj",
+                                 "v 0 0 0\nv 1e-9 0 0\nv 0 1e-9 0\nf 1 2 3\n"                // a nanometre: real
+                                 "v 0.1 0.2 0.3\nv 0.2 0.4 0.6\nv 0.3 0.6 0.9\nf 4 5 6\n");  // a line but for rounding
+  EXPECT_EQ(load_mesh(path).mesh->face_count(), 1);
+}
+
+TEST(MeshIo, FacesOfBothSidesOfASheetStay) {
+  const TempFolder folder;
+  const auto path = folder.write("a.off", std::string("OFF 4 2 0\n") + kTetPoints + "3 0 1 2\n3 0 2 1\n");
+  EXPECT_EQ(load_mesh(path).mesh->face_count(), 2);
+}
+
+TEST(MeshIo, SavingIsAtomicAndNamesTheFile) {
+  const TempFolder folder;
+  try {
+    save_mesh(folder / "missing/a.obj", make_box(dvec3(1)));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("missing/a.obj"), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace taxel
