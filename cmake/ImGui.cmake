@@ -7,7 +7,7 @@ if(NOT EXISTS ${_imgui}/imgui.cpp)
 endif()
 add_library(imgui STATIC
   ${_imgui}/imgui.cpp ${_imgui}/imgui_draw.cpp ${_imgui}/imgui_tables.cpp ${_imgui}/imgui_widgets.cpp
-  ${_imgui}/misc/cpp/imgui_stdlib.cpp ${_imgui}/backends/imgui_impl_opengl3.cpp
+  ${_imgui}/imgui_stacklayout.cpp ${_imgui}/misc/cpp/imgui_stdlib.cpp ${_imgui}/backends/imgui_impl_opengl3.cpp
   ${_implot}/implot.cpp ${_implot}/implot_items.cpp)
 target_include_directories(imgui SYSTEM PUBLIC ${_imgui} ${_imgui}/backends ${_imgui}/misc/cpp ${_implot})
 target_compile_features(imgui PUBLIC cxx_std_20)

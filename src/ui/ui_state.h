@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,7 +12,9 @@
 #include "core/sim/sim_command.h"
 #include "core/sim/sim_frame.h"
 #include "ui/keymap.h"
+#include "ui/panels/section_panel.h"
 #include "ui/scene/camera.h"
+#include "ui/scene/picking.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/tools/model_summary.h"
 #include "ui/widgets/widget_registry.h"
@@ -156,11 +159,12 @@ struct UiState {
   std::array<Camera, 2> cameras;  ///< one per mode
   PressureRange range;
   Selection selection;
-  int hovered_taxel = -1;
-  SweepScenario edited_sweep;  ///< what the inspector's fields hold
+  std::optional<Pick> hovered;  ///< what the resting pointer is on in the 3-D view
+  SweepScenario edited_sweep;   ///< what the inspector's fields hold
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
+  SectionState section;
   ModelSummary summary;  ///< of the layout shown
   std::vector<BarShown> bars;
   ViewShown view;

@@ -61,7 +61,8 @@ struct SimFrame {
   std::vector<Pose> geom_poses;           ///< X_WG parallel to scene->geoms
   std::vector<SensorFrameState> sensors;
   std::shared_ptr<const std::vector<TraceRow>> trace;  ///< all rows so far (copied when a row is added, at most 30 times a second)
-  std::string error;                      ///< why the simulation stopped; empty: fine
+  std::uint64_t loads = 0;                ///< scenes asked for so far, whether built or refused
+  std::string error;                      ///< why the simulation stopped, or the last scene was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

@@ -43,7 +43,9 @@ struct SimThread::Impl {
   Pacing pacing;
   bool running = true, playing = false, by_clock = true;
   double speed = 1.0;
-  std::string error;
+  std::string error;        // why stepping stopped
+  std::string refused;      // why the last scene was not loaded; the one before goes on
+  std::uint64_t loads = 0;
   std::vector<TraceRow> rows;
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
   double last_frame = 0, last_trace = 0;
@@ -160,8 +162,14 @@ void SimThread::Impl::set_playing(bool on) {
 }
 
 void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& make) {
-  std::unique_ptr<Simulator> made = make();  // when this throws, the old one stays
-  simulator = std::move(made);
+  ++loads;
+  try {
+    simulator = make();
+  } catch (const std::exception& e) {
+    refused = e.what();
+    return;
+  }
+  refused.clear();
   error.clear();
   rows.clear();
   pacing.restart(seconds_since_epoch(), speed);
@@ -215,7 +223,8 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->speed = speed;
   frame->measured_speed = playing ? pacing.measured_speed(now) : 0.0;
   frame->trace = trace;
-  frame->error = error;
+  frame->loads = loads;
+  frame->error = error.empty() ? refused : error;
   mailbox.post(frame);
   last_frame = now;
   changed = false;

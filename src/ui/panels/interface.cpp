@@ -14,10 +14,17 @@
 #include "ui/panels/toolbar.h"
 #include "ui/panels/view_panel.h"
 #include "ui/tools/actions.h"
+#include "ui/tools/camera_tool.h"
+#include "ui/widgets/controls.h"
 
 namespace taxel::ui {
 
 namespace {
+
+void draw_section(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kSectionTitle, &ui.saved.panels.section)) section_panel(scene_input(ui, input), ui.section);
+  ImGui::End();
+}
 
 void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   draw_view(ui, input, renderer);
@@ -27,6 +34,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.inspector) draw_inspector(ui, input);
   if (shown.bars) draw_bars_panel(ui, input);
   if (shown.plot) draw_plot_panel(ui, input);
+  if (shown.section) draw_section(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 

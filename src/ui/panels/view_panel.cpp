@@ -8,6 +8,8 @@
 
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
+#include "ui/scene/gizmo.h"
+#include "ui/scene/scene_labels.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/widgets/controls.h"
@@ -17,18 +19,6 @@
 namespace taxel::ui {
 
 namespace {
-
-SceneInput scene_input(const UiState& ui, const UiInput& input) {
-  SceneInput scene;
-  if (ui.mode == Mode::simulate) scene.frame = input.frame;
-  scene.document_model = input.model;
-  scene.overlays = ui.saved.overlays;
-  scene.range = ui.range;
-  scene.selected_sensor = ui.selection.sensor;
-  scene.selected_taxel = ui.selection.taxel;
-  scene.dark = ui.saved.dark;
-  return scene;
-}
 
 /// Draws into the renderer's texture only when something that is seen has changed.
 void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& renderer, int width, int height) {
@@ -70,30 +60,69 @@ void draw_border(const UiState& ui, ImDrawList& list) {
   list.AddRect({ui.view.rect.x0, ui.view.rect.y0}, {ui.view.rect.x1, ui.view.rect.y1}, to_u32(color), 0, 2);
 }
 
-void draw_taxel_tooltip(const UiState& ui, const UiInput& input) {
-  const SensorModelPtr model = input.shown_model(ui);
-  const int index = ui.hovered_taxel;
-  if (!model || index < 0 || index >= model->taxel_count()) return;
+std::string taxel_text(const UiState& ui, const UiInput& input, const SensorModel& model, int index) {
   const auto i = static_cast<std::size_t>(index);
-  const Taxel& taxel = model->layout.taxels[i];
+  const Taxel& taxel = model.layout.taxels[i];
   std::string text = fmt::format("Taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : ", ", taxel.name);
   text +=
-      fmt::format("\n{} samples, radius {}", model->fields.first[i + 1] - model->fields.first[i], in_mm(taxel.radius));
+      fmt::format("\n{} samples, radius {}", model.fields.first[i + 1] - model.fields.first[i], in_mm(taxel.radius));
   const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
   if (sensor != nullptr && i < sensor->readings.size()) text += fmt::format("\n{}", in_kpa(sensor->readings[i]));
-  ImGui::SetTooltip("%s", text.c_str());
+  return text;
+}
+
+std::string sample_text(const SensorModel& model, int sample) {
+  const auto& taxels = model.taxels_of_sample[static_cast<std::size_t>(sample)];
+  std::string text = fmt::format("Sample {}", sample);
+  if (taxels.empty()) return text + ", used by no taxel";
+  text += taxels.size() > 1 ? ", shared by taxels" : ", of taxel";
+  for (const int k : taxels) text += fmt::format(" {}", model.layout.taxels[static_cast<std::size_t>(k)].id);
+  return text;
+}
+
+void draw_hover_tooltip(const UiState& ui, const UiInput& input) {
+  const SensorModelPtr model = input.shown_model(ui);
+  if (!ui.hovered || !model) return;
+  const Pick& under = *ui.hovered;
+  const bool shown_sensor = ui.mode == Mode::layout || under.sensor == ui.selection.sensor;
+  std::string text;
+  if (under.taxel >= 0 && under.taxel < model->taxel_count() && shown_sensor) {
+    text = taxel_text(ui, input, *model, under.taxel);
+  } else if (under.polygon >= 0) {
+    text = fmt::format("Contact surface\n{}", in_kpa(under.pressure));
+  } else if (under.sample >= 0 && shown_sensor && ui.saved.overlays.samples) {
+    text = sample_text(*model, under.sample);
+  }
+  if (!text.empty()) ImGui::SetTooltip("%s", text.c_str());
+}
+
+void draw_labels(const UiState& ui, ImDrawList& list) {
+  const Palette& colors = palette(ui.saved.dark);
+  const float size = kSmallText * ImGui::GetFontSize();
+  for (const SceneLabel& label : scene_labels(ui.view.input, ui.view.camera, ui.view.width, ui.view.height)) {
+    const float width = kSmallText * ImGui::CalcTextSize(label.text.c_str()).x;
+    const ImVec2 at(std::round(ui.view.rect.x0 + static_cast<float>(label.pixel.x) - 0.5f * width),
+                    std::round(ui.view.rect.y0 + static_cast<float>(label.pixel.y) - 0.5f * size));
+    const float alpha = label.occluded ? 0.4f : 1.0f;
+    list.AddRectFilled({at.x - 3, at.y - 1}, {at.x + width + 3, at.y + size + 1},
+                       to_u32(label.selected ? colors.accent : colors.panel, 0.75f * alpha), 3);
+    list.AddText(ImGui::GetFont(), size, at, label.selected ? IM_COL32_WHITE : to_u32(colors.text, alpha),
+                 label.text.c_str());
+  }
 }
 
 void draw_over_scene(UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_labels(ui, list);
   draw_heading(ui, input, list);
   if (ui.mode == Mode::simulate && input.sensor(ui) != nullptr) {
     const float line = ImGui::GetFontSize();
-    draw_pressure_legend(ui, {ui.view.rect.x1 - 0.8f * line, ui.view.rect.y0 + 0.7f * line},
-                         std::min(17 * line, 0.6f * ui.view.rect.height()));
+    const auto below_gizmo = static_cast<float>(2 * (kGizmoMargin + kGizmoReach + kGizmoBallRadius));
+    draw_pressure_legend(ui, {ui.view.rect.x1 - 0.8f * line, ui.view.rect.y0 + below_gizmo},
+                         std::min(17 * line, ui.view.rect.height() - below_gizmo - line));
   }
   draw_border(ui, list);
-  draw_taxel_tooltip(ui, input);
+  draw_hover_tooltip(ui, input);
 }
 
 }  // namespace

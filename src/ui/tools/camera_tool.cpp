@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ui/scene/gizmo.h"
 #include "ui/tools/actions.h"
 
 namespace taxel::ui {
@@ -19,18 +20,8 @@ void include_mesh(Aabb& box, const TriMesh& mesh, const Pose& X_WM) {
   for (const dvec3& p : mesh.vertices()) box.include(transform(p));
 }
 
-/// Nearest hit of a world ray on a mesh at X_WM.
-void cast_on(const MeshIndex& index, const Pose& X_WM, Ray& ray, std::optional<dvec3>& best) {
-  const Pose X_MW = X_WM.inverse();
-  const Ray ray_M{X_MW * ray.origin, X_MW.rotate(ray.direction), ray.t_max};
-  if (const auto hit = index.cast(ray_M)) {
-    ray.t_max = hit->t;
-    best = ray.origin + hit->t * ray.direction;
-  }
-}
-
-/// How far a click may be from a taxel's centre [pixels].
-constexpr double kReach = 14;
+/// How near the pointer must come to a taxel's centre, at scale 1 [pixels].
+constexpr double kReach = 12;
 
 void drag_camera(UiState& ui) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -55,7 +46,24 @@ bool clicked_in_place(ImGuiMouseButton button) {
          io.MouseDragMaxDistanceSqr[button] < io.MouseDragThreshold * io.MouseDragThreshold;
 }
 
+void select_under(UiState& ui, const std::optional<Pick>& under) {
+  if (under && under->sensor >= 0 && ui.mode == Mode::simulate) ui.selection.sensor = under->sensor;
+  select_taxel(ui, under ? under->taxel : -1);
+}
+
 }  // namespace
+
+SceneInput scene_input(const UiState& ui, const UiInput& input) {
+  SceneInput scene;
+  if (ui.mode == Mode::simulate) scene.frame = input.frame;
+  scene.document_model = input.model;
+  scene.overlays = ui.saved.overlays;
+  scene.range = ui.range;
+  scene.selected_sensor = ui.selection.sensor;
+  scene.selected_taxel = ui.selection.taxel;
+  scene.dark = ui.saved.dark;
+  return scene;
+}
 
 Pose shown_pose(const UiState& ui, const UiInput& input) {
   const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
@@ -92,58 +100,32 @@ Aabb selection_box(const UiState& ui, const UiInput& input) {
   return box;
 }
 
-int taxel_at(const UiState& ui, const UiInput& input, double x, double y) {
-  const SensorModelPtr model = input.shown_model(ui);
-  if (!model) return -1;
-  const Pose X_WM = shown_pose(ui, input);
-  const Camera& camera = ui.camera();
-  int best = -1;
-  double best_distance = kReach * ui.saved.scale;
-  for (int i = 0; i < model->taxel_count(); ++i) {
-    const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(i)];
-    const dvec3 p_W = X_WM * taxel.center;
-    const bool facing = glm::dot(X_WM.rotate(taxel.normal), camera.eye() - p_W) > 0;
-    const dvec3 pixel = camera.project(p_W, ui.view.width, ui.view.height);
-    const double distance = std::hypot(pixel.x - x, pixel.y - y) + (facing ? 0.0 : 0.5 * best_distance);
-    if (pixel.z > 0 && distance < best_distance) {
-      best = i;
-      best_distance = distance;
-    }
-  }
-  return best;
-}
-
-std::optional<dvec3> point_at(const UiState& ui, const UiInput& input, double x, double y) {
-  std::optional<dvec3> best;
-  Ray ray = ui.camera().pixel_ray(x, y, ui.view.width, ui.view.height);
-  if (!simulated(ui, input)) {
-    if (input.model) cast_on(*input.model->skin, Pose{}, ray, best);
-    return best;
-  }
-  const SimScene& scene = *input.frame->scene;
-  for (std::size_t i = 0; i < scene.sensors.size() && i < input.frame->sensors.size(); ++i) {
-    cast_on(*scene.sensors[i]->skin, input.frame->sensors[i].X_WM, ray, best);
-  }
-  for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
-    const SceneGeom& geom = scene.geoms[i];
-    if (geom.sensor < 0 && geom.mesh) cast_on(MeshIndex(geom.mesh), input.frame->geom_poses[i], ray, best);
-  }
-  return best;
-}
-
 void handle_view_mouse(UiState& ui, const UiInput& input) {
   const ImGuiIO& io = ImGui::GetIO();
-  const double x = io.MousePos.x - ui.view.rect.x0, y = io.MousePos.y - ui.view.rect.y0;
+  const double x = static_cast<double>(io.MousePos.x - ui.view.rect.x0);
+  const double y = static_cast<double>(io.MousePos.y - ui.view.rect.y0);
   const bool hovered = ImGui::IsItemHovered();
   if (ImGui::IsItemActive()) drag_camera(ui);
-  ui.hovered_taxel = hovered && !ImGui::IsAnyMouseDown() ? taxel_at(ui, input, x, y) : -1;
+  ui.hovered.reset();
   if (!hovered) return;
   count_clicks(ui);
-  if (io.MouseWheel != 0) ui.camera().zoom(io.MouseWheel);
-  if (clicked_in_place(ImGuiMouseButton_Left)) select_taxel(ui, taxel_at(ui, input, x, y));
-  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right)) {
-    if (const auto point = point_at(ui, input, x, y)) ui.camera().target = *point;
+  if (io.MouseWheel != 0) ui.camera().zoom(static_cast<double>(io.MouseWheel));
+  const int axis = gizmo_hit(ui.camera(), x, y, ui.view.width, ui.view.height);
+  const bool left = clicked_in_place(ImGuiMouseButton_Left);
+  const bool centre = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right);
+  if (axis >= 0) {
+    if (left) look_from_axis(ui.camera(), axis);
+    return;
   }
+  const bool pointer_moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  const bool resting = !ImGui::IsAnyMouseDown() && !pointer_moved;
+  if (!left && !centre && !resting) return;
+  const double reach = kReach * static_cast<double>(ui.saved.scale);
+  const std::optional<Pick> under =
+      pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
+  if (left) select_under(ui, under);
+  if (centre && under) ui.camera().target = under->position_W;
+  if (resting) ui.hovered = under;
 }
 
 }  // namespace taxel::ui

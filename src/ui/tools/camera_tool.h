@@ -13,10 +13,8 @@ namespace taxel::ui {
 /// Frame of the mesh file in the world, as the view shows it now.
 [[nodiscard]] Pose shown_pose(const UiState& ui, const UiInput& input);
 
-/// Layout index of the front-facing taxel nearest to a pixel of the view, within reach; -1: none.
-[[nodiscard]] int taxel_at(const UiState& ui, const UiInput& input, double x, double y);
-/// First point of what is drawn along the ray through a pixel of the view: sensor skins and geoms.
-[[nodiscard]] std::optional<dvec3> point_at(const UiState& ui, const UiInput& input, double x, double y);
+/// What the 3-D view and the section draw now.
+[[nodiscard]] SceneInput scene_input(const UiState& ui, const UiInput& input);
 
 /// Reads ImGui's mouse over the view's item (the last one): orbit, pan, zoom, centre, select, hover.
 void handle_view_mouse(UiState& ui, const UiInput& input);

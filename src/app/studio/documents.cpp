@@ -1,0 +1,123 @@
+#include "app/studio/documents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "core/base/hash.h"
+#include "core/layout/layout_json.h"
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/mesh_io.h"
+
+namespace taxel::studio {
+
+std::string_view embedded_file(std::string_view name);
+
+namespace {
+
+/// Meshes with a larger diagonal, in their own units, are taken for millimetres [m].
+constexpr double kLargestSensor = 5.0;
+/// Samples of a bare mesh: enough to see, quick to make.
+constexpr double kSamplesOfMesh = 20000;
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// "fingertip" of "dir/fingertip.taxels.json".
+std::string short_name(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.substr(0, name.find('.', 1));
+}
+
+void add_problems(Document& document) {
+  for (const Problem& p : document.model->problems) {
+    if (p.severity == Severity::warning)
+      document.notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
+  }
+}
+
+Document load_layout(const std::filesystem::path& file, Progress& progress) {
+  Document document{DocumentKind::layout, file.string(), short_name(file), load_sensor_model(file, &progress), {}};
+  if (!document.model->layout.name.empty()) document.name = document.model->layout.name;
+  add_problems(document);
+  return document;
+}
+
+/// A density of one significant digit that gives a picture's worth of samples, at most the default.
+double density_for(double area) {
+  const double wanted = kSamplesOfMesh / area;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
+}
+
+Document load_bare_mesh(const std::filesystem::path& file, Progress& progress) {
+  LoadedMesh loaded = load_mesh(file);
+  const double unit = guessed_unit(loaded.mesh->bounds());
+  if (unit != 1.0) loaded = load_mesh(file, dvec3(unit));
+  progress.check(0.1);
+  Layout layout;
+  layout.name = short_name(file);
+  layout.mesh = {std::filesystem::absolute(file).string(), dvec3(unit), loaded.sha256};
+  layout.sampling.density = density_for(loaded.mesh->area());
+  layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
+  Document document{DocumentKind::mesh,
+                    file.string(),
+                    layout.name,
+                    build_sensor_model(layout, loaded.mesh, loaded.sha256, file.string(), &progress),
+                    {}};
+  const dvec3 size = 1e3 * loaded.mesh->bounds().extent();
+  document.notes.push_back(fmt::format("{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm", file.string(),
+                                       unit == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z));
+  for (const std::string& note : loaded.notes) document.notes.push_back(file.string() + ": " + note);
+  return document;
+}
+
+}  // namespace
+
+double guessed_unit(const Aabb& bounds) {
+  return bounds.diagonal() > kLargestSensor ? 0.001 : 1.0;
+}
+
+DocumentKind document_kind(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  if (extension == ".json") return DocumentKind::layout;
+  if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
+  if (is_mesh_file(file)) return DocumentKind::mesh;
+  throw Error(file.string(),
+              "cannot be opened: it is no layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or "
+              "MuJoCo scene (.xml)");
+}
+
+Document load_document(const std::filesystem::path& file, Progress& progress) {
+  switch (document_kind(file)) {
+    case DocumentKind::layout:
+      return load_layout(file, progress);
+    case DocumentKind::mesh:
+      return load_bare_mesh(file, progress);
+    case DocumentKind::scene:
+      break;
+  }
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, {}};
+}
+
+Document built_in_fingertip(Progress& progress) {
+  const std::string layout_name = "fingertip.taxels.json";
+  const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
+  PolygonSoup soup = read_obj(obj, "fingertip.obj");
+  const auto mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
+  const Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
+  return {DocumentKind::layout,
+          "",
+          "Fingertip sweep",
+          build_sensor_model(layout, mesh, sha256_hex(obj), layout_name, &progress),
+          {}};
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,50 @@
+#include "app/studio/file_listing.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "app/studio/documents.h"
+
+namespace taxel::studio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool can_be_opened(const fs::path& file) {
+  try {
+    document_kind(file);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+void list_folder(ui::FileDialog& dialog, const std::string& folder) {
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(folder.empty() ? fs::current_path() : fs::path(folder), error);
+  fs::directory_iterator it(path, fs::directory_options::skip_permission_denied, error);
+  dialog.error.clear();
+  if (error) {
+    dialog.error = path.string() + ": " + error.message();
+    return;
+  }
+  dialog.folder = path.string();
+  dialog.entries.clear();
+  dialog.selected = -1;
+  for (const fs::directory_entry& entry : it) {
+    const std::string name = entry.path().filename().string();
+    std::error_code unreadable;
+    const bool is_folder = entry.is_directory(unreadable);
+    if (name.starts_with('.') || (!is_folder && !can_be_opened(entry.path()))) continue;
+    dialog.entries.push_back({name, is_folder});
+  }
+  std::sort(dialog.entries.begin(), dialog.entries.end(), [](const ui::FolderEntry& a, const ui::FolderEntry& b) {
+    return std::tuple(!a.folder, a.name) < std::tuple(!b.folder, b.name);
+  });
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,33 @@
+// taxelstudio: the window.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <implot.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/studio/options.h"
+#include "app/studio/studio.h"
+#include "ui/keymap.h"
+
+int main(int argc, char** argv) {
+  const taxel::studio::ParsedOptions parsed = taxel::studio::parse_options(argc, argv);
+  if (parsed.exit_status) return *parsed.exit_status;
+  const taxel::studio::Options& options = parsed.options;
+  if (options.version) {
+    fmt::print("taxelstudio {} (Dear ImGui {}, ImPlot {})\n", TAXEL_VERSION, IMGUI_VERSION, IMPLOT_VERSION);
+    return 0;
+  }
+  if (options.list_bindings) {
+    fmt::print("{}", taxel::ui::bindings_as_text());
+    return 0;
+  }
+  try {
+    taxel::studio::Studio studio(options);
+    studio.run();
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "taxelstudio: {}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,44 @@
+#include <epoxy/gl.h>
+
+#include <optional>
+
+#include "app/studio/window.h"
+#include "ui/gl/offscreen_context.h"
+
+namespace taxel::studio {
+
+namespace {
+
+class OffscreenWindow final : public Window {
+ public:
+  OffscreenWindow(int width, int height) { resize(width, height); }
+
+  std::vector<InputEvent> take_events(double) override { return {}; }
+  [[nodiscard]] int width() const override { return picture_->width(); }
+  [[nodiscard]] int height() const override { return picture_->height(); }
+  void resize(int width, int height) final { picture_.emplace(width, height); }
+  void begin_picture() override {
+    picture_->bind();
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  [[nodiscard]] gl::RgbImage read() const override { return picture_->read(); }
+  void show() override {}
+  void set_title(const std::string&) override {}
+  void set_cursor(ImGuiMouseCursor) override {}
+  void set_clipboard(const std::string& text) override { clipboard_ = text; }
+  [[nodiscard]] const std::string& clipboard() override { return clipboard_; }
+
+ private:
+  gl::OffscreenContext context_;
+  std::optional<gl::Framebuffer> picture_;
+  std::string clipboard_;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> make_offscreen_window(int width, int height) {
+  return std::make_unique<OffscreenWindow>(width, height);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,69 @@
+#include "app/studio/options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace taxel::studio {
+
+namespace {
+
+/// "1280x800" into two numbers; the reason why not otherwise.
+std::string parse_size(const std::string& text, Options& options) {
+  const std::size_t x = text.find('x');
+  const auto number = [](const std::string& digits) {
+    const bool good =
+        !digits.empty() && digits.size() <= 5 && digits.find_first_not_of("0123456789") == std::string::npos;
+    return good ? std::stoi(digits) : 0;
+  };
+  const int width = number(text.substr(0, x)), height = x == std::string::npos ? 0 : number(text.substr(x + 1));
+  constexpr int kLeast = 320, kMost = 16384;
+  if (std::min(width, height) < kLeast || std::max(width, height) > kMost) {
+    return "must be WIDTHxHEIGHT with 320 to 16384 pixels each, is " + text;
+  }
+  options.width = width;
+  options.height = height;
+  return {};
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, char** argv) {
+  ParsedOptions parsed;
+  Options& o = parsed.options;
+  std::string size;
+  CLI::App app(
+      "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
+      "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
+      "taxelstudio");
+  app.add_option("FILE", o.file,
+                 "Layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or MuJoCo scene (.xml); "
+                 "without one the fingertip sweep");
+  app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
+  app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
+  app.add_option("--screenshot", o.screenshot, "Write the last picture as PNG");
+  app.add_option("--dump-state", o.dump_state, "Write the last state as JSON");
+  app.add_option("--size", size, "Size of the window in pixels")->default_str("1280x800");
+  app.add_option("--frames", o.frames, "Stop after so many frames (headless without a script: 60)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");
+  app.add_flag("--version", o.version, "Print the version");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    parsed.exit_status = app.exit(help);
+    return parsed;
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "taxelstudio: %s\n", error.what());
+    parsed.exit_status = 2;
+    return parsed;
+  }
+  if (const std::string reason = size.empty() ? "" : parse_size(size, o); !reason.empty()) {
+    std::fprintf(stderr, "taxelstudio: --size: %s\n", reason.c_str());
+    parsed.exit_status = 2;
+  }
+  if (o.headless && o.script.empty() && o.frames == 0) o.frames = 60;
+  return parsed;
+}
+
+}  // namespace taxel::studio

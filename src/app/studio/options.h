@@ -1,0 +1,28 @@
+// What the command line of taxelstudio says.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace taxel::studio {
+
+struct Options {
+  std::string file;  ///< empty: the fingertip sweep
+  bool headless = false;
+  std::string script, screenshot, dump_state, shader_dir;
+  int width = 1280, height = 800;
+  int frames = 0;  ///< 0: until the script ends or the window is closed
+  bool list_bindings = false, version = false;
+
+  /// Frames follow the script, not the clock.
+  [[nodiscard]] bool by_clock() const { return !headless && script.empty(); }
+};
+
+/// Exit status instead where the program should stop right away (help, bad usage).
+struct ParsedOptions {
+  Options options;
+  std::optional<int> exit_status;
+};
+ParsedOptions parse_options(int argc, char** argv);
+
+}  // namespace taxel::studio

@@ -1,0 +1,254 @@
+#include "app/studio/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace taxel::studio {
+
+namespace {
+
+/// A simulation that does not answer for so long has died.
+constexpr std::chrono::seconds kPatience{120};
+
+/// Readings of a frame, all sensors one after the other, as trace rows have them.
+std::vector<double> all_readings(const SimFrame& frame) {
+  std::vector<double> all;
+  for (const SensorFrameState& sensor : frame.sensors) {
+    all.insert(all.end(), sensor.readings.begin(), sensor.readings.end());
+  }
+  return all;
+}
+
+void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
+  peaks.resize(std::max(peaks.size(), readings.size()));
+  for (std::size_t i = 0; i < readings.size(); ++i) peaks[i] = std::max(peaks[i], readings[i]);
+}
+
+}  // namespace
+
+Session::Session(bool by_clock) : by_clock_(by_clock) {
+  simulation_.set_clock_driven(by_clock);
+}
+
+template <class Done>
+void Session::settle(const Done& done) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    if (SimFramePtr frame = simulation_.newest_frame(); frame && done(*frame)) {
+      settled_ = std::move(frame);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  throw Error("the simulation does not answer");
+}
+
+void Session::open(const std::string& file) {
+  reloading_ = false;
+  loader_.start(file);
+}
+
+void Session::reload() {
+  if (!document_ || document_->file.empty()) return;
+  reloading_ = true;
+  loader_.start(document_->file);
+}
+
+void Session::close() {
+  loader_.cancel();
+  pending_.reset();
+  document_.reset();
+  drop_scene();
+}
+
+void Session::drop_scene() {
+  simulation_.send(PauseCommand{});
+  least_load_ = loads_ + 1;
+  frame_.reset();
+  settled_.reset();
+  playing_ = sweep_ = simulates_document_ = false;
+}
+
+void Session::run_sweep(const SweepScenario& scenario) {
+  if (!document_ || !document_->model || document_->model->taxel_count() == 0) return;
+  build_scene({*document_, true, scenario, true, false, 0});
+}
+
+void Session::build_scene(Pending pending) {
+  pending.load = ++loads_;
+  pending_ = std::move(pending);
+  if (pending_->sweep) {
+    simulation_.send(LoadSweepCommand{pending_->document.model, pending_->scenario});
+  } else {
+    simulation_.send(LoadSceneCommand{pending_->document.file});
+  }
+  if (by_clock_) return;
+  settle([&](const SimFrame& frame) { return frame.loads >= loads_; });
+}
+
+void Session::set_playing(bool playing) {
+  if (!frame_) return;
+  if (playing && frame_->finished) reset();
+  playing_ = playing;
+  if (!by_clock_) return;
+  if (playing) {
+    simulation_.send(PlayCommand{});
+  } else {
+    simulation_.send(PauseCommand{});
+  }
+}
+
+void Session::step_once() {
+  const SimFramePtr now = settled_ ? settled_ : frame_;
+  if (!now || now->finished) return;
+  set_playing(false);
+  simulation_.send(StepCommand{1});
+  if (by_clock_) return;
+  const std::uint64_t target = now->step + 1;
+  settle([&](const SimFrame& frame) { return frame.step >= target || frame.finished || !frame.error.empty(); });
+}
+
+void Session::reset() {
+  if (!frame_) return;
+  simulation_.send(ResetCommand{});
+  unspent_ = 0;
+  if (by_clock_ || frame_->step == 0) return;
+  settle([](const SimFrame& frame) { return frame.step == 0 || !frame.error.empty(); });
+}
+
+void Session::set_speed(double factor) {
+  speed_ = factor;
+  simulation_.send(SpeedCommand{factor});
+}
+
+void Session::advance(double seconds) {
+  if (!playing_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
+  const double timestep = frame_->scene->timestep;
+  unspent_ += seconds * speed_;
+  const auto steps = static_cast<int>(std::floor(unspent_ / timestep * (1 + 1e-12)));  // 20 ms are twenty steps of 1 ms
+  if (steps < 1) return;
+  unspent_ -= steps * timestep;
+  simulation_.send(StepCommand{steps});
+  const std::uint64_t target = frame_->step + static_cast<std::uint64_t>(steps);
+  settle([&](const SimFrame& frame) { return frame.step >= target || frame.finished || !frame.error.empty(); });
+}
+
+SessionNews Session::update() {
+  SessionNews news;
+  if (!by_clock_) loader_.wait();
+  if (std::optional<LoadResult> result = loader_.take()) accept_result(std::move(*result), news);
+  SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
+  if (frame) accept_frame(std::move(frame), news);
+  return news;
+}
+
+void Session::accept_result(LoadResult result, SessionNews& news) {
+  if (const auto* failed = std::get_if<LoadFailed>(&result)) {
+    news.messages.emplace_back(Severity::error, failed->reason);
+  } else if (std::holds_alternative<LoadCancelled>(result)) {
+    news.messages.emplace_back(Severity::note, "Loading was cancelled.");
+  } else {
+    accept_document(std::get<Document>(std::move(result)), news);
+  }
+}
+
+void Session::accept_document(Document document, SessionNews& news) {
+  for (const std::string& note : document.notes) {
+    news.messages.emplace_back(document.kind == DocumentKind::mesh ? Severity::note : Severity::warning, note);
+  }
+  const bool play = !reloading_ || playing();
+  const bool framed = !reloading_;
+  const bool layout_with_taxels = document.model && document.model->taxel_count() > 0;
+  if (document.kind == DocumentKind::scene || layout_with_taxels) {
+    const bool sweep = layout_with_taxels;
+    build_scene({std::move(document), sweep, sweep ? scenario_ : SweepScenario{}, play, framed, 0});
+    return;
+  }
+  drop_scene();
+  document_ = std::move(document);
+  news.opened = ui::Mode::layout;
+  news.opened_file = document_->file;
+  news.framed = framed;
+}
+
+void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
+  const bool answers = pending_ && frame->loads >= pending_->load;
+  if (!frame->error.empty() && (answers || frame->error != last_error_)) {
+    news.messages.emplace_back(Severity::error, frame->error);
+  }
+  last_error_ = frame->error;
+  if (answers && frame->error.empty()) accept_pending(*frame, news);
+  if (answers) pending_.reset();
+  const bool stands = frame->scene && frame->scene->timestep > 0;
+  if (!stands || frame->loads < least_load_) return;
+  note_pressures(*frame);
+  if (frame->finished) playing_ = false;
+  frame_ = std::move(frame);
+  news.new_frame = true;
+}
+
+void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
+  Pending pending = std::move(*pending_);
+  pending_.reset();
+  if (!pending.document.model && !frame.scene->sensors.empty()) pending.document.model = frame.scene->sensors.front();
+  document_ = std::move(pending.document);
+  sweep_ = pending.sweep;
+  scenario_ = pending.sweep ? pending.scenario : scenario_;
+  simulates_document_ = true;
+  unspent_ = 0;
+  news.opened = ui::Mode::simulate;
+  news.opened_file = document_->file;
+  news.framed = pending.framed;
+  playing_ = pending.play;
+  if (!by_clock_) return;
+  if (pending.play) {
+    simulation_.send(PlayCommand{});
+  } else {
+    simulation_.send(PauseCommand{});
+  }
+}
+
+void Session::note_pressures(const SimFrame& frame) {
+  const bool another_run = !frame_ || frame_->scene != frame.scene || frame.step < frame_->step;
+  const std::size_t rows = frame.trace ? frame.trace->size() : 0;
+  if (another_run || rows < rows_seen_) {
+    peaks_.clear();
+    rows_seen_ = 0;
+    largest_pressure_ = 0;
+  }
+  for (; rows_seen_ < rows; ++rows_seen_) raise(peaks_, (*frame.trace)[rows_seen_].readings);
+  raise(peaks_, all_readings(frame));
+  for (const SensorFrameState& sensor : frame.sensors) {
+    for (const ContactSurface& surface : sensor.surfaces) {
+      largest_pressure_ = std::max(largest_pressure_, surface.max_pressure());
+    }
+  }
+}
+
+void Session::fill(ui::UiInput& input, int selected_sensor) const {
+  input.frame = frame_;
+  input.model = document_ ? document_->model : nullptr;
+  input.name = document_ ? document_->name : "";
+  input.file = document_ ? document_->file : "";
+  input.simulates_document = simulates_document_;
+  input.scenario = scenario_;
+  input.sweep = sweep_;
+  input.playing = playing() && !(frame_ && frame_->finished);
+  input.speed = speed_;
+  input.peaks.clear();
+  if (frame_ && selected_sensor >= 0 && selected_sensor < static_cast<int>(frame_->sensors.size())) {
+    std::size_t first = 0;
+    const auto selected = static_cast<std::size_t>(selected_sensor);
+    for (std::size_t s = 0; s < selected; ++s) first += frame_->sensors[s].readings.size();
+    const std::size_t last = std::min(peaks_.size(), first + frame_->sensors[selected].readings.size());
+    for (std::size_t i = first; i < last; ++i) input.peaks.push_back(peaks_[i]);
+  }
+  input.loading.active = loader_.busy();
+  input.loading.what = loader_.file().empty() ? "the fingertip" : loader_.file();
+  input.loading.fraction = loader_.fraction();
+  input.loading.seconds = loader_.seconds();
+}
+
+}  // namespace taxel::studio

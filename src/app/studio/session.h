@@ -1,0 +1,95 @@
+// The open document and its simulation: what there is to show, without any window.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/studio/loader.h"
+#include "core/sim/sim_thread.h"
+#include "ui/ui_state.h"
+
+namespace taxel::studio {
+
+/// What happened since the last look, for the window to act on.
+struct SessionNews {
+  std::vector<std::pair<Severity, std::string>> messages;
+  std::optional<ui::Mode> opened;  ///< another document is shown, best in this mode
+  std::string opened_file;         ///< where it came from; empty: built in
+  bool framed = false;             ///< the cameras should turn to it (not after a reload)
+  bool new_frame = false;
+};
+
+class Session {
+ public:
+  /// by_clock: the simulation follows the clock in its own thread. Else it moves only by advance(), and every request
+  /// is answered before the next picture, so that the same requests give the same pictures.
+  explicit Session(bool by_clock);
+
+  void open(const std::string& file);  ///< empty: the built-in fingertip
+  void reload();                       ///< keeps pause and cameras
+  void close();
+  void cancel_loading() { loader_.cancel(); }
+  void run_sweep(const SweepScenario& scenario);
+  void set_playing(bool playing);
+  void step_once();
+  void reset();
+  void set_speed(double factor);
+
+  /// Takes what worker and simulation have ready.
+  SessionNews update();
+  /// Runs the simulation for `seconds` of real time, if it plays, and waits for its frame. Not by clock only.
+  void advance(double seconds);
+
+  /// Everything of `input` but rates.
+  void fill(ui::UiInput& input, int selected_sensor) const;
+  [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
+  [[nodiscard]] bool idle() const { return !loader_.busy() && !pending_; }
+  [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
+  [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
+  [[nodiscard]] bool simulates_document() const { return simulates_document_; }
+  [[nodiscard]] const SweepScenario& scenario() const { return scenario_; }
+
+ private:
+  /// A scene that the simulation was asked to build; what is open stays until it stands.
+  struct Pending {
+    Document document;
+    bool sweep = false;
+    SweepScenario scenario;
+    bool play = false, framed = true;
+    std::uint64_t load = 0;  ///< number of the request, as SimFrame::loads counts
+  };
+
+  void accept_result(LoadResult result, SessionNews& news);
+  void accept_document(Document document, SessionNews& news);
+  void accept_frame(SimFramePtr frame, SessionNews& news);
+  void accept_pending(const SimFrame& frame, SessionNews& news);
+  void build_scene(Pending pending);
+  void drop_scene();
+  void note_pressures(const SimFrame& frame);
+  /// Waits for a frame for which `done` holds; not by clock only. Throws Error when none comes.
+  template <class Done>
+  void settle(const Done& done);
+
+  bool by_clock_;
+  Loader loader_;
+  SimThread simulation_;
+  SimFramePtr frame_;
+  SimFramePtr settled_;  ///< what settle() waited for; update() tells of it
+  std::optional<Pending> pending_;
+  std::uint64_t loads_ = 0;       ///< scenes asked for
+  std::uint64_t least_load_ = 1;  ///< frames of earlier scenes are not shown any more
+  std::optional<Document> document_;
+  SweepScenario scenario_;
+  bool sweep_ = false, simulates_document_ = false;
+  bool playing_ = false, reloading_ = false;
+  double speed_ = 1;
+  double unspent_ = 0;  ///< simulated time that did not fill a step [s]
+  double largest_pressure_ = 0;
+  std::vector<double> peaks_;  ///< of all sensors, one after the other [Pa]
+  std::size_t rows_seen_ = 0;
+  std::string last_error_;
+};
+
+}  // namespace taxel::studio

@@ -1,0 +1,21 @@
+// The settings file: theme, scale, overlays, panels, recent files. Under $XDG_CONFIG_HOME/taxelstudio.
+#pragma once
+
+#include <filesystem>
+
+#include "ui/ui_state.h"
+
+namespace taxel::studio {
+
+/// $XDG_CONFIG_HOME/taxelstudio, else ~/.config/taxelstudio.
+std::filesystem::path settings_folder();
+
+/// What the file says; defaults for what it does not say. A broken file counts as none: settings are no reason to stop.
+ui::SavedState read_settings(const std::filesystem::path& file);
+/// Throws Error when the folder cannot be written.
+void write_settings(const std::filesystem::path& file, const ui::SavedState& saved);
+
+/// Puts a file first in the list of recent ones.
+void remember_recent(ui::SavedState& saved, const std::string& file);
+
+}  // namespace taxel::studio

@@ -1,0 +1,81 @@
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "app/studio/settings.h"
+#include "core/base/files.h"
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRecent = 8;
+
+/// Calls visit(key, value&) for everything that is kept: reading and writing walk the same list.
+template <class Saved, class Visit>
+void visit_settings(Saved& s, const Visit& visit) {
+  visit("dark", s.dark);
+  visit("scale", s.scale);
+  visit("plot_relative", s.plot.relative);
+  visit("plot_responding_only", s.plot.responding_only);
+  visit("sensor_transparent", s.overlays.sensor_transparent);
+  visit("wireframe", s.overlays.wireframe);
+  visit("rays", s.overlays.rays);
+  visit("all_rays", s.overlays.all_rays);
+  visit("contact_surface", s.overlays.contact_surface);
+  visit("contact_edges", s.overlays.contact_edges);
+  visit("samples", s.overlays.samples);
+  visit("sample_normals", s.overlays.sample_normals);
+  visit("taxels", s.overlays.taxels);
+  visit("taxel_labels", s.overlays.taxel_labels);
+  visit("receptive_fields", s.overlays.receptive_fields);
+  visit("path", s.overlays.path);
+  visit("grid", s.overlays.grid);
+  visit("panel_outliner", s.panels.outliner);
+  visit("panel_taxels", s.panels.taxels);
+  visit("panel_inspector", s.panels.inspector);
+  visit("panel_bars", s.panels.bars);
+  visit("panel_plot", s.panels.plot);
+  visit("panel_section", s.panels.section);
+  visit("panel_messages", s.panels.messages);
+  visit("recent", s.recent);
+}
+
+}  // namespace
+
+std::filesystem::path settings_folder() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && *config != '\0') return std::filesystem::path(config) / "taxelstudio";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : ".") / ".config" / "taxelstudio";
+}
+
+ui::SavedState read_settings(const std::filesystem::path& file) {
+  ui::SavedState saved;
+  try {
+    if (!std::filesystem::exists(file)) return saved;
+    const Json json = Json::parse(read_file(file));
+    visit_settings(saved, [&](const char* key, auto& value) {
+      if (json.contains(key)) json.at(key).get_to(value);
+    });
+  } catch (const std::exception&) {
+    return ui::SavedState{};
+  }
+  return saved;
+}
+
+void write_settings(const std::filesystem::path& file, const ui::SavedState& saved) {
+  Json json = Json::object();
+  visit_settings(saved, [&](const char* key, const auto& value) { json[key] = value; });
+  make_folder(file.parent_path());
+  write_file_atomically(file, json.dump(2) + "\n");
+}
+
+void remember_recent(ui::SavedState& saved, const std::string& file) {
+  std::erase(saved.recent, file);
+  saved.recent.insert(saved.recent.begin(), file);
+  if (saved.recent.size() > kMostRecent) saved.recent.resize(kMostRecent);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,256 @@
+#include "app/studio/state_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/studio/script_player.h"
+#include "core/layout/layout_json.h"
+#include "ui/scene/color_map.h"
+#include "ui/tools/camera_tool.h"
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Enough samples and polygons to compare with the picture, spread evenly.
+constexpr std::size_t kMostMarks = 400;
+
+Json to_json(const dvec3& v) {
+  return {v.x, v.y, v.z};
+}
+Json to_json(const ui::Rect& r) {
+  return {r.x0, r.y0, r.x1, r.y1};
+}
+
+/// Where points of the world are in the window's picture.
+struct Projector {
+  const ui::UiState& ui;
+  Pose X_WM;
+
+  /// {"pixel": [x, y], "inside": bool, "facing": bool} of a point of the mesh frame with its normal.
+  [[nodiscard]] Json operator()(const dvec3& p_M, const dvec3& normal_M) const {
+    const dvec3 p_W = X_WM * p_M;
+    const ui::Camera& camera = ui.camera();
+    const dvec3 pixel = camera.project(p_W, ui.view.width, ui.view.height);
+    const bool inside =
+        pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < ui.view.width && pixel.y < ui.view.height;
+    Json json = Json::object();
+    json["pixel"] = {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)};
+    json["depth"] = pixel.z;
+    json["inside"] = inside;
+    json["facing"] = glm::dot(X_WM.rotate(normal_M), camera.eye() - p_W) > 0;
+    return json;
+  }
+};
+
+Json camera_json(const ui::Camera& camera) {
+  return {{"target", to_json(camera.target)},
+          {"azimuth_deg", camera.azimuth_deg},
+          {"elevation_deg", camera.elevation_deg},
+          {"distance", camera.distance},
+          {"fov_deg", camera.fov_deg}};
+}
+
+Json overlays_json(const ui::Overlays& o) {
+  return {{"sensor_transparent", o.sensor_transparent},
+          {"wireframe", o.wireframe},
+          {"rays", o.rays},
+          {"all_rays", o.all_rays},
+          {"contact_surface", o.contact_surface},
+          {"contact_edges", o.contact_edges},
+          {"samples", o.samples},
+          {"sample_normals", o.sample_normals},
+          {"taxels", o.taxels},
+          {"taxel_labels", o.taxel_labels},
+          {"receptive_fields", o.receptive_fields},
+          {"path", o.path},
+          {"grid", o.grid}};
+}
+
+Json document_json(const ui::UiInput& input) {
+  if (!input.model) return nullptr;
+  Json json = Json::object();
+  json["name"] = input.name;
+  json["file"] = input.file;
+  json["layout"] = Json::parse(layout_to_json(input.model->layout));
+  json["mesh"] = {{"triangles", input.model->mesh->face_count()}, {"shells", input.model->mesh->shell_count()}};
+  json["samples"] = input.model->samples.size();
+  return json;
+}
+
+Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!input.frame) return nullptr;
+  const SimFrame& frame = *input.frame;
+  Json json = Json::object();
+  json["title"] = frame.scene->title;
+  json["step"] = frame.step;
+  json["time"] = frame.time;
+  json["travel"] = frame.travel;
+  json["playing"] = input.playing;
+  json["finished"] = frame.finished;
+  json["speed"] = input.speed;
+  json["rows"] = frame.trace ? frame.trace->size() : 0;
+  json["sensors"] = Json::array();
+  for (const SensorFrameState& sensor : frame.sensors) {
+    std::size_t polygons = 0;
+    double largest = 0;
+    for (const ContactSurface& surface : sensor.surfaces) {
+      polygons += surface.polygons.size();
+      largest = std::max(largest, surface.max_pressure());
+    }
+    json["sensors"].push_back({{"readings", sensor.readings},
+                               {"force", to_json(sensor.force_W)},
+                               {"polygons", polygons},
+                               {"max_pressure", largest},
+                               {"position", to_json(sensor.X_WM.p)},
+                               {"quaternion", {sensor.X_WM.q.w, sensor.X_WM.q.x, sensor.X_WM.q.y, sensor.X_WM.q.z}}});
+  }
+  json["readings"] = input.sensor(ui) != nullptr ? Json(input.sensor(ui)->readings) : Json::array();
+  json["peaks"] = input.peaks;
+  return json;
+}
+
+Json bars_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::BarShown& bar : ui.bars) {
+    json.push_back({{"taxel", bar.taxel_id},
+                    {"value", bar.value},
+                    {"height", bar.height},
+                    {"rect", to_json(bar.rect)},
+                    {"top", bar.top},
+                    {"axis_height", bar.axis_height}});
+  }
+  return json;
+}
+
+Json taxels_json(const Projector& project, const SensorModel& model) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < model.layout.taxels.size(); ++i) {
+    const Taxel& taxel = model.layout.taxels[i];
+    Json mark = project(taxel.center, taxel.normal);
+    mark["id"] = taxel.id;
+    mark["name"] = taxel.name;
+    const glm::vec3 color = ui::taxel_color(static_cast<int>(i));
+    mark["color"] = {color.x, color.y, color.z};
+    json.push_back(std::move(mark));
+  }
+  return json;
+}
+
+Json samples_json(const Projector& project, const SensorModel& model) {
+  Json json = Json::array();
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < model.taxels_of_sample.size(); ++i) {
+    if (!model.taxels_of_sample[i].empty()) used.push_back(i);
+  }
+  const std::size_t stride = 1 + used.size() / kMostMarks;
+  for (std::size_t k = 0; k < used.size(); k += stride) {
+    const SurfaceSample& sample = model.samples[used[k]];
+    Json mark = project(sample.position, sample.normal);
+    const int nearest = model.taxels_of_sample[used[k]].front();
+    mark["sample"] = used[k];
+    mark["taxel"] = model.layout.taxels[static_cast<std::size_t>(nearest)].id;
+    const glm::vec3 color = ui::taxel_color(nearest);
+    mark["color"] = {color.x, color.y, color.z};
+    json.push_back(std::move(mark));
+  }
+  return json;
+}
+
+Json polygons_json(const ui::UiState& ui, const Projector& project, const SensorFrameState& sensor) {
+  Json json = Json::array();
+  const double span = ui.range.hi - ui.range.lo;
+  for (const ContactSurface& surface : sensor.surfaces) {
+    const std::size_t stride = 1 + surface.polygons.size() / kMostMarks;
+    for (std::size_t i = 0; i < surface.polygons.size(); i += stride) {
+      const ContactPolygon& polygon = surface.polygons[i];
+      Json mark = project(polygon.centroid, polygon.normal);
+      mark["pressure"] = polygon.pressure;
+      mark["area"] = polygon.area;
+      const glm::vec3 color = ui::viridis(span > 0 ? (polygon.pressure - ui.range.lo) / span : 0.0);
+      mark["color"] = {color.x, color.y, color.z};
+      json.push_back(std::move(mark));
+    }
+  }
+  return json;
+}
+
+Json messages_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::Message& m : ui.messages) {
+    json.push_back({{"number", m.number}, {"severity", to_string(m.severity)}, {"text", m.text}, {"shown", m.toast}});
+  }
+  return json;
+}
+
+Json widgets_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::WidgetRegistry::Entry& entry : ui.widgets.entries()) {
+    json.push_back({{"panel", entry.panel}, {"label", entry.label}, {"rect", to_json(entry.rect)}});
+  }
+  return json;
+}
+
+Json pace_json(const ui::UiInput& input, const Pace& pace) {
+  return {{"pictures", pace.pictures},
+          {"seconds", pace.seconds},
+          {"frames_per_second", pace.seconds > 0 ? pace.pictures / pace.seconds : 0.0},
+          {"worst_seconds", pace.worst_seconds},
+          {"scene_draws", pace.scene_draws},
+          {"simulation_speed", input.performance.simulation_speed}};
+}
+
+}  // namespace
+
+std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const Pace& pace) {
+  Json json = Json::object();
+  json["mode"] = ui.mode == ui::Mode::layout ? "layout" : "simulate";
+  json["camera"] = camera_json(ui.camera());
+  json["selection"] = {{"sensor", ui.selection.sensor}, {"taxel", nullptr}};
+  const SensorModelPtr model = input.shown_model(ui);
+  if (model && ui.selection.taxel >= 0 && ui.selection.taxel < model->taxel_count()) {
+    json["selection"]["taxel"] = model->layout.taxels[static_cast<std::size_t>(ui.selection.taxel)].id;
+  }
+  json["document"] = document_json(input);
+  json["history"] = {{"depth", 0}};
+  json["simulation"] = simulation_json(ui, input);
+  json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
+  json["overlays"] = overlays_json(ui.saved.overlays);
+  json["bars"] = bars_json(ui);
+  json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
+  json["clicks"] = {{"left", ui.clicks.left},
+                    {"left_double", ui.clicks.left_double},
+                    {"right", ui.clicks.right},
+                    {"right_double", ui.clicks.right_double}};
+  const Projector project{ui, ui::shown_pose(ui, input)};
+  json["taxels"] = model ? taxels_json(project, *model) : Json::array();
+  json["samples"] = model ? samples_json(project, *model) : Json::array();
+  const SensorFrameState* sensor = ui.mode == ui::Mode::simulate ? input.sensor(ui) : nullptr;
+  json["polygons"] = sensor != nullptr ? polygons_json(ui, project, *sensor) : Json::array();
+  json["messages"] = messages_json(ui);
+  json["widgets"] = widgets_json(ui);
+  json["pace"] = pace_json(input, pace);
+  return json.dump(1) + "\n";
+}
+
+void check_expectation(const ExpectCommand& expect, const std::string& state_json) {
+  const Json state = Json::parse(state_json);
+  const Json::json_pointer pointer(expect.pointer);
+  if (!state.contains(pointer)) throw Error(fmt::format("expected {}, which the state does not have", expect.pointer));
+  const Json& value = state.at(pointer);
+  const auto fail = [&](const std::string& wanted) {
+    throw Error(fmt::format("expected {} {}, is {}", expect.pointer, wanted, value.dump()));
+  };
+  if (!expect.equals.empty() && value != Json::parse(expect.equals)) fail("to be " + expect.equals);
+  if (!expect.contains.empty() && value.dump().find(expect.contains) == std::string::npos)
+    fail("to contain " + expect.contains);
+  if ((expect.least || expect.most) && !value.is_number()) fail("to be a number");
+  if (expect.least && value.get<double>() < *expect.least) fail(fmt::format("to be at least {}", *expect.least));
+  if (expect.most && value.get<double>() > *expect.most) fail(fmt::format("to be at most {}", *expect.most));
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,21 @@
+// The state of the window as JSON: what --dump-state writes and tests compare with the picture.
+#pragma once
+
+#include <string>
+
+#include "ui/ui_state.h"
+
+namespace taxel::studio {
+
+/// Pictures since the program began or since the last dump.
+struct Pace {
+  int pictures = 0;
+  double seconds = 0;        ///< wall time they took
+  double worst_seconds = 0;  ///< of one picture
+  int scene_draws = 0;       ///< of the 3-D view
+};
+
+/// Pixels are of the window, from its top left corner. SI units; keys carry full names.
+std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const Pace& pace);
+
+}  // namespace taxel::studio

@@ -1,0 +1,241 @@
+#include "app/studio/studio.h"
+
+#include <fmt/format.h>
+#include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/studio/settings.h"
+#include "core/base/files.h"
+#include "ui/panels/interface.h"
+#include "ui/panels/messages.h"
+#include "ui/theme.h"
+#include "ui/tools/actions.h"
+#include "ui/tools/camera_tool.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::studio {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Time of a frame that follows a script instead of the clock [s]: twenty steps of the sweep.
+constexpr double kScriptFrame = 0.020;
+/// Pictures after an input: widgets need a second look at what they changed.
+constexpr int kSettlingPictures = 3;
+/// How long a wait for input may last [s]: while the simulation runs, something is awaited, or nothing happens.
+constexpr double kBusyWait = 0.004, kAlertWait = 0.05, kQuietWait = 0.25;
+/// Over this much time rates are measured [s].
+constexpr double kPaceWindow = 0.5;
+/// The least upper end of the pressure range [Pa].
+constexpr double kLeastRange = 1000;
+/// Where the cameras look from at first.
+constexpr double kAzimuthDeg = -60, kElevationDeg = 22, kLayoutAzimuthDeg = -55;
+
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+/// The shaders of a folder, or those built in.
+gl::ShaderReader shader_reader(const std::string& folder) {
+  if (folder.empty()) return gl::read_embedded_shader;
+  return [folder](const std::string& name) { return read_file(std::filesystem::path(folder) / name); };
+}
+
+std::filesystem::path settings_file() {
+  return settings_folder() / "settings.json";
+}
+std::filesystem::path arrangement_file() {
+  return settings_folder() / "window.ini";
+}
+
+}  // namespace
+
+Studio::Studio(const Options& options) : options_(options), session_(options.by_clock()) {
+  if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
+  window_ = options.headless ? make_offscreen_window(options.width, options.height)
+                             : make_glfw_window(options.width, options.height, "Taxel Studio");
+  context_ = std::make_unique<InterfaceContext>(*window_);
+  renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
+  if (options.by_clock()) {
+    ui_.saved = read_settings(settings_file());
+    std::error_code ignored;
+    if (std::filesystem::exists(arrangement_file(), ignored)) {
+      ImGui::LoadIniSettingsFromDisk(arrangement_file().string().c_str());
+    }
+  }
+  for (ui::Camera& camera : ui_.cameras) camera.elevation_deg = kElevationDeg;
+  ui_.cameras[0].azimuth_deg = kLayoutAzimuthDeg;
+  ui_.cameras[1].azimuth_deg = kAzimuthDeg;
+  ui_.range.hi = kLeastRange;
+  input_.version = TAXEL_VERSION;
+  session_.open(options.file);
+  last_picture_at_ = pace_window_at_ = Clock::now();
+}
+
+Studio::~Studio() = default;
+
+void Studio::run() {
+  keep_picture_ = !options_.screenshot.empty();
+  options_.by_clock() ? run_by_clock() : run_by_frames();
+  if (options_.by_clock()) save_settings();
+  finish_outputs();
+}
+
+double Studio::waiting_time() const {
+  if (pictures_due_ > 0) return 0;
+  if (session_.playing()) return kBusyWait;
+  return !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
+}
+
+void Studio::run_by_clock() {
+  for (int frame = 0; !quit_ && (options_.frames == 0 || frame < options_.frames);) {
+    const std::vector<InputEvent> events = window_->take_events(waiting_time());
+    if (!events.empty()) pictures_due_ = kSettlingPictures;
+    take(events);
+    const SessionNews news = session_.update();
+    act_on(news);
+    const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
+    if (!news.messages.empty() || news.opened) pictures_due_ = kSettlingPictures;
+    if (news.new_frame || waited) pictures_due_ = std::max(pictures_due_, 1);
+    if (pictures_due_ == 0) {
+      last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
+      continue;
+    }
+    --pictures_due_;
+    draw_picture(std::max(1e-4, seconds_between(last_picture_at_, Clock::now())));
+    window_->show();
+    ++frame;
+  }
+}
+
+void Studio::run_by_frames() {
+  const ScriptStage stage = script_stage();
+  for (int frame = 0; !quit_; ++frame) {
+    window_->take_events(0);  // keeps a real window alive; its own input does not count here
+    act_on(session_.update());
+    take(script_ ? script_->before_frame(stage) : std::vector<InputEvent>{});
+    draw_picture(kScriptFrame);
+    if (script_) script_->after_frame(stage);
+    window_->show();
+    session_.advance(kScriptFrame);
+    const bool script_over = script_ && script_->finished() && options_.headless;
+    if (options_.frames > 0 ? frame + 1 >= options_.frames : script_over) break;
+  }
+}
+
+void Studio::take(const std::vector<InputEvent>& events) {
+  ImGuiIO& io = ImGui::GetIO();
+  for (const InputEvent& event : events) {
+    if (feed(event, io)) continue;
+    if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
+      ui_.ask(ui::OpenFile{drop->paths.back()});
+    }
+    if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
+      window_->resize(std::max(1, size->width), std::max(1, size->height));
+    }
+    if (std::holds_alternative<CloseWindow>(event)) quit_ = true;
+  }
+}
+
+void Studio::act_on(const SessionNews& news) {
+  const double now = ImGui::GetTime();
+  for (const auto& [severity, text] : news.messages) ui::add_message(ui_, severity, text, now);
+  session_.fill(input_, ui_.selection.sensor);
+  if (news.opened) {
+    ui_.mode = *news.opened;
+    ui_.selection = {};
+    ui_.edited_sweep = session_.scenario();
+    if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
+    if (news.framed) turn_cameras_ = true;
+  }
+  const bool framable = !ui::scene_box(ui_, input_).empty();
+  if (turn_cameras_ && framable) frame_cameras();
+  update_range();
+  update_title();
+}
+
+/// Turns each mode's camera to what it will show.
+void Studio::frame_cameras() {
+  turn_cameras_ = false;
+  const ui::Mode mode = ui_.mode;
+  for (const ui::Mode each : {ui::Mode::layout, ui::Mode::simulate}) {
+    ui_.mode = each;
+    const Aabb box = ui::scene_box(ui_, input_);
+    if (!box.empty()) ui_.camera().frame(box);
+  }
+  ui_.mode = mode;
+}
+
+void Studio::update_range() {
+  if (!ui_.range.automatic) return;
+  ui_.range.lo = 0;
+  ui_.range.hi = std::max(kLeastRange, ui::nice_ceiling(session_.largest_pressure()));
+}
+
+void Studio::update_title() {
+  const std::string title = input_.name.empty() ? "Taxel Studio" : input_.name + " - Taxel Studio";
+  if (title == title_) return;
+  title_ = title;
+  window_->set_title(title);
+}
+
+void Studio::draw_picture(double seconds) {
+  const Clock::time_point began = Clock::now();
+  const float scale = ui_.saved.scale * window_->content_scale();
+  if (ui_.saved.dark != themed_dark_ || scale != themed_scale_) ui::apply_theme(ui_.saved.dark, scale);
+  themed_dark_ = ui_.saved.dark;
+  themed_scale_ = scale;
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
+  io.DeltaTime = static_cast<float>(seconds);
+  session_.fill(input_, ui_.selection.sensor);
+  input_.performance.by_clock = options_.by_clock();
+  input_.performance.simulation_speed = input_.frame ? input_.frame->measured_speed : 0.0;
+  draw_contents();
+  carry_out_requests();
+  const Clock::time_point now = Clock::now();
+  const double since_last = seconds_between(last_picture_at_, now);
+  last_picture_at_ = now;
+  ++pace_.pictures;
+  pace_.seconds += since_last;
+  pace_.worst_seconds = std::max(pace_.worst_seconds, seconds_between(began, now));
+  ++pace_window_pictures_;
+  if (const double window = seconds_between(pace_window_at_, now); window > kPaceWindow) {
+    input_.performance.fps = pace_window_pictures_ / window;
+    pace_window_at_ = now;
+    pace_window_pictures_ = 0;
+  }
+}
+
+void Studio::draw_contents() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  ui::draw_interface(ui_, input_, *renderer_);
+  window_->set_cursor(ImGui::GetMouseCursor());
+  ImGui::Render();
+  window_->begin_picture();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (keep_picture_ || screenshot_wanted_ || script_) last_picture_ = window_->read();
+  if (std::exchange(screenshot_wanted_, false)) save_numbered_screenshot();
+}
+
+bool Studio::input_taken() const {
+  return ImGui::GetCurrentContext()->InputEventsQueue.empty();
+}
+
+void Studio::save_settings() {
+  try {
+    write_settings(settings_file(), ui_.saved);
+    std::size_t size = 0;
+    const char* text = ImGui::SaveIniSettingsToMemory(&size);
+    write_file_atomically(arrangement_file(), std::string_view(text, size));
+  } catch (const Error& error) {
+    std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", error.what());
+  }
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,81 @@
+// The program with a window: wires session, interface, renderer, window and script together.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/studio/options.h"
+#include "app/studio/script_player.h"
+#include "app/studio/session.h"
+#include "app/studio/state_json.h"
+#include "app/studio/window.h"
+#include "ui/ui_state.h"
+
+namespace taxel::studio {
+
+/// ImGui's, ImPlot's and their OpenGL backend's contexts: made and destroyed together.
+class InterfaceContext {
+ public:
+  explicit InterfaceContext(Window& window);
+  ~InterfaceContext();
+  InterfaceContext(const InterfaceContext&) = delete;
+  InterfaceContext& operator=(const InterfaceContext&) = delete;
+};
+
+class Studio {
+ public:
+  explicit Studio(const Options& options);
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  /// Until the window is closed, the script ends or the wanted frames are drawn. Throws Error where a script fails.
+  void run();
+
+ private:
+  void run_by_clock();
+  void run_by_frames();
+  void take(const std::vector<InputEvent>& events);
+  void act_on(const SessionNews& news);
+  void frame_cameras();
+  void update_range();
+  void draw_picture(double seconds);
+  void draw_contents();
+  void carry_out_requests();
+  void carry_out(const ui::Request& request);
+  void set_mode(ui::Mode mode);
+  void update_title();
+  void save_settings();
+  void finish_outputs();
+  void save_screenshot(const std::string& file);
+  void save_numbered_screenshot();
+  void save_state(const std::string& file);
+  [[nodiscard]] ImVec2 locate(const Target& target) const;
+  [[nodiscard]] bool input_taken() const;
+  [[nodiscard]] double waiting_time() const;
+  ScriptStage script_stage();
+
+  Options options_;
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<InterfaceContext> context_;
+  std::unique_ptr<ui::SceneRenderer> renderer_;
+  ui::UiState ui_;
+  ui::UiInput input_;
+  Session session_;
+  std::unique_ptr<ScriptPlayer> script_;
+  gl::RgbImage last_picture_;
+  bool keep_picture_ = false;
+  bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
+  bool themed_dark_ = true;
+  float themed_scale_ = 0;
+  int pictures_due_ = 3;
+  std::string title_;
+  Pace pace_;
+  int draws_at_dump_ = 0;
+  std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;
+  int pace_window_pictures_ = 0;
+};
+
+}  // namespace taxel::studio

@@ -1,0 +1,141 @@
+// What panels, keys and scripts ask of the program.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/studio/file_listing.h"
+#include "app/studio/png.h"
+#include "app/studio/studio.h"
+#include "core/base/files.h"
+#include "ui/tools/actions.h"
+#include "ui/tools/camera_tool.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// "screenshot-1.png", or the first number that is free.
+std::string free_screenshot_name() {
+  for (int number = 1;; ++number) {
+    std::string name = fmt::format("screenshot-{}.png", number);
+    std::error_code ignored;
+    if (!std::filesystem::exists(name, ignored)) return name;
+  }
+}
+
+}  // namespace
+
+void Studio::carry_out_requests() {
+  std::vector<ui::Request> requests;
+  requests.swap(ui_.requests);
+  for (const ui::Request& request : requests) carry_out(request);
+}
+
+void Studio::carry_out(const ui::Request& request) {
+  if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
+    session_.open(r->path);
+  } else if (std::holds_alternative<ui::OpenFingertipSweep>(request)) {
+    session_.open("");
+  } else if (std::holds_alternative<ui::CloseDocument>(request)) {
+    session_.close();
+    ui_.selection = {};
+  } else if (const auto* list = std::get_if<ui::ListFolder>(&request)) {
+    list_folder(ui_.dialog, list->path);
+  } else if (std::holds_alternative<ui::CancelLoading>(request)) {
+    session_.cancel_loading();
+  } else if (const auto* sweep = std::get_if<ui::RunSweep>(&request)) {
+    session_.run_sweep(sweep->scenario);
+  } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {
+    if (!session_.simulates_document()) session_.run_sweep(session_.scenario());
+    session_.set_playing(play->playing);
+  } else if (std::holds_alternative<ui::StepOnce>(request)) {
+    session_.step_once();
+  } else if (std::holds_alternative<ui::ResetSimulation>(request)) {
+    session_.reset();
+  } else if (const auto* speed = std::get_if<ui::SetSpeed>(&request)) {
+    session_.set_speed(speed->factor);
+  } else if (const auto* mode = std::get_if<ui::SetMode>(&request)) {
+    set_mode(mode->mode);
+  } else if (std::holds_alternative<ui::ReloadFile>(request)) {
+    session_.reload();
+  } else if (std::holds_alternative<ui::TakeScreenshot>(request)) {
+    screenshot_wanted_ = true;
+  } else if (std::holds_alternative<ui::Quit>(request)) {
+    quit_ = true;
+  }
+}
+
+void Studio::set_mode(ui::Mode mode) {
+  if (mode == ui::Mode::simulate && !session_.simulates_document()) session_.run_sweep(session_.scenario());
+  ui_.mode = mode;
+}
+
+void Studio::save_screenshot(const std::string& file) {
+  write_png(file, last_picture_);
+}
+
+void Studio::save_numbered_screenshot() {
+  try {
+    const std::string name = free_screenshot_name();
+    save_screenshot(name);
+    ui::add_message(ui_, Severity::note, "Saved " + std::filesystem::absolute(name).string(), ImGui::GetTime());
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+  }
+}
+
+void Studio::save_state(const std::string& file) {
+  pace_.scene_draws = ui_.view.draws - draws_at_dump_;
+  draws_at_dump_ = ui_.view.draws;
+  write_file_atomically(file, state_to_json(ui_, input_, pace_));
+  pace_ = {};
+}
+
+void Studio::finish_outputs() {
+  if (!options_.screenshot.empty()) save_screenshot(options_.screenshot);
+  if (!options_.dump_state.empty()) save_state(options_.dump_state);
+}
+
+ImVec2 Studio::locate(const Target& target) const {
+  if (const auto* pixel = std::get_if<PixelTarget>(&target)) {
+    return {static_cast<float>(pixel->x), static_cast<float>(pixel->y)};
+  }
+  if (const auto* widget = std::get_if<WidgetTarget>(&target)) {
+    const ui::WidgetRegistry::Entry* entry = ui_.widgets.find(widget->label);
+    if (entry == nullptr) throw Error(fmt::format("no widget \"{}\" is visible", widget->label));
+    return {entry->rect.center_x(), entry->rect.center_y()};
+  }
+  dvec3 p_W{0};
+  if (const auto* world = std::get_if<WorldTarget>(&target)) p_W = world->p_W;
+  if (const auto* wanted = std::get_if<TaxelTarget>(&target)) {
+    const SensorModelPtr model = input_.shown_model(ui_);
+    if (!model) throw Error("no layout is open");
+    const auto& taxels = model->layout.taxels;
+    const auto taxel = std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == wanted->id; });
+    if (taxel == taxels.end()) throw Error(fmt::format("there is no taxel {}", wanted->id));
+    p_W = ui::shown_pose(ui_, input_) * taxel->center;
+  }
+  const dvec3 pixel = ui_.camera().project(p_W, ui_.view.width, ui_.view.height);
+  const bool inside =
+      pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < ui_.view.width && pixel.y < ui_.view.height;
+  if (!inside) throw Error("the point is outside of the view");
+  return {ui_.view.rect.x0 + static_cast<float>(pixel.x), ui_.view.rect.y0 + static_cast<float>(pixel.y)};
+}
+
+ScriptStage Studio::script_stage() {
+  ScriptStage stage;
+  stage.locate = [this](const Target& target) { return locate(target); };
+  stage.idle = [this] { return session_.idle() && input_taken() && ui_.requests.empty(); };
+  stage.running_time = [this]() -> std::optional<double> {
+    const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
+    return runs ? std::optional<double>(session_.frame()->time) : std::nullopt;
+  };
+  stage.save_screenshot = [this](const std::string& file) { save_screenshot(file); };
+  stage.save_state = [this](const std::string& file) { save_state(file); };
+  stage.state = [this] { return state_to_json(ui_, input_, pace_); };
+  stage.quit = [this] { quit_ = true; };
+  return stage;
+}
+
+}  // namespace taxel::studio
