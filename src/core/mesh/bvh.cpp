@@ -5,9 +5,11 @@
 namespace taxel {
 namespace {
 
-constexpr int kBins = 16;
+constexpr int kMaxBins = 16;
 /// Cost of visiting a node, in units of testing one primitive.
 constexpr double kVisitCost = 1.0;
+/// Axes shorter than this part of the longest are not tried.
+constexpr double kThinAxis = 0.25;
 /// Below this depth nodes are halved by count, which bounds the depth at kSahDepth + 31 < Bvh::kMaxDepth - 1.
 constexpr int kSahDepth = 56;
 
@@ -20,59 +22,77 @@ double key_of(const Aabb& box, int axis) {
   return box.lo[axis] + box.hi[axis];
 }
 
-int bin_of(double key, double lo, double scale) {
+int bin_of(double key, double lo, double scale, int bins) {
   const double bin = (key - lo) * scale;
   if (!(bin > 0)) return 0;  // NaN too
-  return bin < kBins - 1 ? static_cast<int>(bin) : kBins - 1;
+  return bin < bins - 1 ? static_cast<int>(bin) : bins - 1;
+}
+
+/// A node of few boxes needs no more bins than boxes: trees over contact surfaces are built anew each step.
+int bins_for(int count) {
+  return std::clamp(count, 4, kMaxBins);
 }
 
 }  // namespace
 
 /// Bins below `bin` of the axis go left; axis -1: no plane separates the boxes, halve the list.
 struct Bvh::Split {
-  int axis = -1, bin = 0;
+  int axis = -1, bin = 0, bins = 0;
   double lo = 0, scale = 0;
   double cost = std::numeric_limits<double>::infinity();
 };
 
 // Binned SAH (Wald 2007): cost = visit + (area_left * count_left + area_right * count_right) / area.
+void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi,
+                   Split& best) const {
+  const int bins = bins_for(node.count);
+  const double scale = bins / (hi[axis] - lo[axis]);
+  if (!(hi[axis] > lo[axis]) || !std::isfinite(scale) || !(scale > 0)) return;
+  std::array<Aabb, kMaxBins> box;
+  std::array<int, kMaxBins> count{};
+  for (int i = 0; i < node.count; ++i) {
+    const Aabb& b = boxes[at(items_[at(node.first + i)])];
+    const std::size_t bin = at(bin_of(key_of(b, axis), lo[axis], scale, bins));
+    box[bin].include(b);
+    ++count[bin];
+  }
+  std::array<double, kMaxBins> right_cost{};  // of bins >= i
+  Aabb right;
+  int right_count = 0;
+  for (int i = bins - 1; i > 0; --i) {
+    right.include(box[at(i)]);
+    right_count += count[at(i)];
+    right_cost[at(i)] = right.surface_area() * right_count;
+  }
+  Aabb left;
+  int left_count = 0;
+  for (int i = 1; i < bins; ++i) {
+    left.include(box[at(i - 1)]);
+    left_count += count[at(i - 1)];
+    if (left_count == 0 || left_count == node.count) continue;
+    const double cost = kVisitCost + (left.surface_area() * left_count + right_cost[at(i)]) / node.box.surface_area();
+    if (cost < best.cost) best = {axis, i, bins, lo[axis], scale, cost};
+  }
+}
+
 Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const {
-  Split best;
-  for (int axis = 0; axis < 3; ++axis) {
-    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
-    for (int i = 0; i < node.count; ++i) {
-      const double key = key_of(boxes[at(items_[at(node.first + i)])], axis);
+  Aabb keys;  // bounds of twice the centres
+  for (int i = 0; i < node.count; ++i) {
+    const Aabb& box = boxes[at(items_[at(node.first + i)])];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double key = key_of(box, axis);
       if (!std::isfinite(key)) continue;
-      lo = std::min(lo, key);
-      hi = std::max(hi, key);
+      keys.lo[axis] = std::min(keys.lo[axis], key);
+      keys.hi[axis] = std::max(keys.hi[axis], key);
     }
-    const double scale = kBins / (hi - lo);
-    if (!(hi > lo) || !std::isfinite(scale) || !(scale > 0)) continue;
-    std::array<Aabb, kBins> box;
-    std::array<int, kBins> count{};
-    for (int i = 0; i < node.count; ++i) {
-      const Aabb& b = boxes[at(items_[at(node.first + i)])];
-      const std::size_t bin = at(bin_of(key_of(b, axis), lo, scale));
-      box[bin].include(b);
-      ++count[bin];
-    }
-    std::array<double, kBins> right_cost{};  // of bins >= i
-    Aabb right;
-    int right_count = 0;
-    for (int i = kBins - 1; i > 0; --i) {
-      right.include(box[at(i)]);
-      right_count += count[at(i)];
-      right_cost[at(i)] = right.surface_area() * right_count;
-    }
-    Aabb left;
-    int left_count = 0;
-    for (int i = 1; i < kBins; ++i) {
-      left.include(box[at(i - 1)]);
-      left_count += count[at(i - 1)];
-      if (left_count == 0 || left_count == node.count) continue;
-      const double cost = kVisitCost + (left.surface_area() * left_count + right_cost[at(i)]) / node.box.surface_area();
-      if (cost < best.cost) best = {axis, i, lo, scale, cost};
-    }
+  }
+  Split best;
+  const dvec3 extent = keys.extent();
+  for (int axis = 0; axis < 3; ++axis) {
+    // A direction much shorter than the longest one hardly ever has the better split.
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    if (extent[axis] < kThinAxis * longest) continue;
+    try_axis(boxes, node, axis, keys.lo, keys.hi, best);
   }
   return best;
 }
@@ -82,7 +102,7 @@ std::int32_t Bvh::partition(std::span<const Aabb> boxes, const Node& node, const
   std::int32_t left = node.first, right = node.first + node.count - 1;
   while (left <= right) {
     const Aabb& box = boxes[at(items_[at(left)])];
-    if (bin_of(key_of(box, split.axis), split.lo, split.scale) < split.bin) {
+    if (bin_of(key_of(box, split.axis), split.lo, split.scale, split.bins) < split.bin) {
       ++left;
     } else {
       std::swap(items_[at(left)], items_[at(right)]);
