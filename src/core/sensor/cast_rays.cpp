@@ -2,8 +2,6 @@
 
 #include <tuple>
 
-#include "core/mesh/ray_triangle.h"
-
 namespace taxel {
 namespace {
 
@@ -27,17 +25,18 @@ Aabb polygon_box(const ContactSurface& surface, const ContactPolygon& polygon) {
 
 }  // namespace
 
-RayHit nearer_hit(const Ray& ray, const ContactSurface& surface, int surface_number, int polygon, const RayHit& best) {
+RayHit nearer_hit(const RayTriangleTest& ray, double max_depth, const ContactSurface& surface, int surface_number,
+                  int polygon, const RayHit& best) {
   const ContactPolygon& p = surface.polygons[static_cast<std::size_t>(polygon)];
   RayHit nearest = best;
   const auto a = static_cast<std::size_t>(p.first);
   for (int i = 1; i + 1 < p.count; ++i) {
     const auto b = a + static_cast<std::size_t>(i), c = b + 1;
-    const auto hit = intersect_triangle(ray, surface.vertices[a], surface.vertices[b], surface.vertices[c]);
+    const auto hit = ray(surface.vertices[a], surface.vertices[b], surface.vertices[c], max_depth);
     if (!hit) continue;
-    const bool first = !nearest.hit() || std::tuple(hit->t, surface_number, polygon) <
-                                             std::tuple(nearest.depth, nearest.surface, nearest.polygon);
-    if (!first) continue;
+    const bool wins = !nearest.hit() || std::tuple(hit->t, surface_number, polygon) <
+                                            std::tuple(nearest.depth, nearest.surface, nearest.polygon);
+    if (!wins) continue;
     const dvec3 corners(surface.pressure[a], surface.pressure[b], surface.pressure[c]);
     nearest = {surface_number, polygon, hit->t, glm::dot(hit->barycentric, corners)};
   }
@@ -45,42 +44,38 @@ RayHit nearer_hit(const Ray& ray, const ContactSurface& surface, int surface_num
 }
 
 void SurfaceCaster::build_blas(std::size_t number) {
-  const ContactSurface& surface = *surfaces_[number];
   polygon_boxes_.clear();
   Aabb box;
-  for (const ContactPolygon& polygon : surface.polygons) {
-    polygon_boxes_.push_back(polygon_box(surface, polygon));
-    box.include(polygon_boxes_.back());
+  if (const ContactSurface* surface = surfaces_[number]) {
+    for (const ContactPolygon& polygon : surface->polygons) {
+      polygon_boxes_.push_back(polygon_box(*surface, polygon));
+      box.include(polygon_boxes_.back());
+    }
+    for (Aabb& b : polygon_boxes_) b = widened(b, largest_coordinate(box));
   }
-  const double scale = largest_coordinate(box);
-  for (Aabb& b : polygon_boxes_) b = widened(b, scale);
   blas_[number].build(polygon_boxes_);
-  numbers_.push_back(static_cast<int>(number));
-  boxes_.push_back(widened(box, scale));
-  bounds_.include(boxes_.back());
+  if (!blas_[number].empty()) bounds_.include(blas_[number].nodes()[0].box);
 }
 
 void SurfaceCaster::build(std::span<const ContactSurface* const> surfaces) {
   surfaces_.assign(surfaces.begin(), surfaces.end());
   if (blas_.size() < surfaces_.size()) blas_.resize(surfaces_.size());
-  numbers_.clear();
-  boxes_.clear();
   bounds_ = Aabb{};
-  for (std::size_t i = 0; i < surfaces_.size(); ++i)
-    if (surfaces_[i] && !surfaces_[i]->empty()) build_blas(i);
-  tlas_.build(boxes_, 1);
+  trees_.clear();
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    build_blas(i);
+    trees_.push_back(&blas_[i]);
+  }
+  tlas_.build(trees_);
 }
 
 RayHit SurfaceCaster::cast(const dvec3& origin, const dvec3& direction, double max_depth) const {
   RayHit best;
   const Ray ray{origin, direction, max_depth};
-  tlas_.cast(ray, [&](int box, double t_max) {
-    const int number = numbers_[static_cast<std::size_t>(box)];
-    const ContactSurface& surface = *surfaces_[static_cast<std::size_t>(number)];
-    return blas_[static_cast<std::size_t>(number)].cast(Ray{origin, direction, t_max}, [&](int polygon, double reach) {
-      best = nearer_hit(Ray{origin, direction, reach}, surface, number, polygon, best);
-      return best.hit() ? best.depth : reach;
-    });
+  const RayTriangleTest test(ray);
+  tlas_.cast(ray, [&](int surface, int polygon, double reach) {
+    best = nearer_hit(test, reach, *surfaces_[static_cast<std::size_t>(surface)], surface, polygon, best);
+    return best.hit() ? best.depth : reach;
   });
   return best;
 }

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
-#include "core/mesh/bvh.h"
+#include "core/mesh/ray_triangle.h"
+#include "core/mesh/tlas.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -18,13 +19,18 @@ struct RayHit {
   [[nodiscard]] bool hit() const { return surface >= 0; }
 };
 
-/// Hit of a ray on one polygon, fanned from its first vertex, from either side, rim included; `best` otherwise. The
-/// polygon replaces `best` when it is nearer, or as near and of a lower number. Both casters and tests use it.
-RayHit nearer_hit(const Ray& ray, const ContactSurface& surface, int surface_number, int polygon, const RayHit& best);
+/// Hit on one polygon, fanned from its first vertex, from either side, rim included; `best` otherwise. The polygon
+/// replaces `best` when it is nearer, or as near and lower in number (surface first).
+RayHit nearer_hit(const RayTriangleTest& ray, double max_depth, const ContactSurface& surface, int surface_number,
+                  int polygon, const RayHit& best);
 
-/// Acceleration structures, kept between steps.
+/// Acceleration structures, kept between steps. Movable, not copyable: the TLAS refers to the BLAS.
 class SurfaceCaster {
  public:
+  SurfaceCaster() = default;
+  SurfaceCaster(SurfaceCaster&&) = default;
+  SurfaceCaster& operator=(SurfaceCaster&&) = default;
+
   /// Surfaces in frame M; null or empty ones hold nothing. They must outlive the casts. Keeps the memory of the last
   /// build, so that no step allocates once the largest surface was seen.
   void build(std::span<const ContactSurface* const> surfaces);
@@ -39,10 +45,10 @@ class SurfaceCaster {
   void build_blas(std::size_t number);
 
   std::vector<const ContactSurface*> surfaces_;
-  std::vector<Bvh> blas_;     // of surface i; more than surfaces_ where earlier steps had more
-  Bvh tlas_;                  // over those surfaces that are not empty
-  std::vector<int> numbers_;  // TLAS primitive -> surface
-  std::vector<Aabb> boxes_, polygon_boxes_;
+  std::vector<Bvh> blas_;  // of surface i; more than surfaces_ where earlier steps had more
+  std::vector<const Bvh*> trees_;
+  Tlas tlas_;
+  std::vector<Aabb> polygon_boxes_;
   Aabb bounds_;
 };
 

@@ -1,0 +1,209 @@
+// Rays on contact surfaces against brute force: every ray with every polygon, by other formulas than the caster's.
+#include "core/sensor/cast_rays.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/sensor/counting_new.h"
+#include "unit/sensor/random_surface.h"
+
+namespace taxel {
+namespace {
+
+struct OracleHit {
+  RayHit hit;
+  double margin = std::numeric_limits<double>::infinity();  ///< how clearly the nearest rim was missed or kept [m]
+};
+
+/// Plane first, then the sides of the convex polygon; pressure from the polygon's gradient.
+OracleHit oracle(const std::vector<ContactSurface>& surfaces, const Ray& ray) {
+  OracleHit best;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    for (std::size_t i = 0; i < surfaces[s].polygons.size(); ++i) {
+      const ContactPolygon& p = surfaces[s].polygons[i];
+      const double t = glm::dot(p.centroid - ray.origin, p.normal) / glm::dot(ray.direction, p.normal);
+      if (!(t > -1e-9 && t < ray.t_max + 1e-9)) continue;
+      const dvec3 x = ray.origin + t * ray.direction;
+      double inside = std::min(t, ray.t_max - t);
+      for (int c = 0; c < p.count; ++c) {
+        const dvec3& a = surfaces[s].vertices[static_cast<std::size_t>(p.first + c)];
+        const dvec3& b = surfaces[s].vertices[static_cast<std::size_t>(p.first + (c + 1) % p.count)];
+        inside = std::min(inside, glm::dot(glm::cross(p.normal, glm::normalize(b - a)), x - a));
+      }
+      best.margin = std::min(best.margin, std::abs(inside));
+      if (inside < 0.0 || (best.hit.hit() && t >= best.hit.depth)) continue;
+      if (best.hit.hit()) best.margin = std::min(best.margin, best.hit.depth - t);
+      best.hit = {static_cast<int>(s), static_cast<int>(i), t, p.pressure + glm::dot(p.gradient, x - p.centroid)};
+    }
+  }
+  return best;
+}
+
+std::vector<const ContactSurface*> pointers(const std::vector<ContactSurface>& surfaces) {
+  std::vector<const ContactSurface*> list;
+  for (const ContactSurface& s : surfaces) list.push_back(&s);
+  return list;
+}
+
+Ray random_ray(const CounterRng& rng, std::uint64_t i) {
+  const dvec3 from(rng.uniform(8 * i), rng.uniform(8 * i + 1), rng.uniform(8 * i + 2));
+  const dvec3 to(rng.uniform(8 * i + 3), rng.uniform(8 * i + 4), rng.uniform(8 * i + 5));
+  return {from, glm::normalize(to - from), 1.5 * rng.uniform(8 * i + 6)};
+}
+
+TEST(CastRays, EqualsBruteForceOnRandomSurfaces) {
+  int hits = 0, limited = 0;
+  for (std::uint64_t round = 0; round < 12; ++round) {
+    std::vector<ContactSurface> surfaces;
+    for (std::uint64_t s = 0; s < 1 + round % 4; ++s)
+      surfaces.push_back(random_surface(static_cast<int>(20 + 60 * round), 0.1, 100 * round + s));
+    if (round == 7) surfaces[1] = ContactSurface{};
+    SurfaceCaster caster;
+    caster.build(pointers(surfaces));
+    const CounterRng rng(77, round);
+    for (std::uint64_t i = 0; i < 1500; ++i) {
+      const Ray ray = random_ray(rng, i);
+      const RayHit hit = caster.cast(ray.origin, ray.direction, ray.t_max);
+      const OracleHit expected = oracle(surfaces, ray);
+      if (expected.margin < 1e-12) continue;  // on a rim: either answer is right
+      ASSERT_EQ(hit.surface, expected.hit.surface) << round << " " << i;
+      ASSERT_EQ(hit.polygon, expected.hit.polygon) << round << " " << i;
+      ASSERT_NEAR(hit.depth, expected.hit.depth, 1e-12);
+      ASSERT_NEAR(hit.pressure, expected.hit.pressure, 1e-12 * 1e6 * 10);
+      hits += hit.hit();
+      limited += !hit.hit() && caster.cast(ray.origin, ray.direction, 10.0).hit();
+    }
+  }
+  EXPECT_GT(hits, 3000);
+  EXPECT_GT(limited, 300) << "the depth limit is exercised";
+}
+
+// The same leaf test over all polygons, without trees: identical to the last bit, ties included.
+TEST(CastRays, TreesChangeNothing) {
+  std::vector<ContactSurface> surfaces = {random_surface(300, 0.15, 5), random_surface(200, 0.15, 6)};
+  surfaces.push_back(surfaces[0]);  // every hit on the first one is a tie
+  SurfaceCaster caster;
+  caster.build(pointers(surfaces));
+  const CounterRng rng(9);
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    Ray ray = random_ray(rng, i);
+    if (i % 4 == 0) ray.direction = dvec3(0, 0, i % 8 == 0 ? 1 : -1);
+    RayHit expected;
+    const RayTriangleTest test(ray);
+    for (int s = 0; s < 3; ++s)
+      for (int p = 0; p < static_cast<int>(surfaces[static_cast<std::size_t>(s)].polygons.size()); ++p)
+        expected = nearer_hit(test, ray.t_max, surfaces[static_cast<std::size_t>(s)], s, p, expected);
+    const RayHit hit = caster.cast(ray.origin, ray.direction, ray.t_max);
+    ASSERT_EQ(hit.surface, expected.surface);
+    ASSERT_EQ(hit.polygon, expected.polygon);
+    ASSERT_EQ(hit.depth, expected.depth);
+    ASSERT_EQ(hit.pressure, expected.pressure);
+    ASSERT_NE(hit.surface, 2);
+  }
+}
+
+/// A plate of n x n squares in the plane z = height.
+ContactSurface plate(int n, double height) {
+  ContactSurface surface;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double x = 0.1 * i, y = 0.1 * j, x1 = 0.1 * (i + 1), y1 = 0.1 * (j + 1);
+      add_polygon(surface, {dvec3(x, y, height), dvec3(x1, y, height), dvec3(x1, y1, height), dvec3(x, y1, height)},
+                  5.0, dvec3(1, 2, 0));
+    }
+  return surface;
+}
+
+// Flat, axis-aligned boxes and rays through shared edges and corners: nothing slips through, the lowest polygon wins.
+TEST(CastRays, SharedEdgesAndCornersAreHitOnce) {
+  const std::vector<ContactSurface> surfaces = {plate(8, 0.25), plate(8, 0.25), plate(8, 0.5)};
+  SurfaceCaster caster;
+  caster.build(pointers(surfaces));
+  for (int j = 0; j <= 8; ++j)
+    for (int i = 0; i <= 8; ++i)
+      for (const double dx : {0.0, 0.05})
+        for (const double dy : {0.0, 0.05}) {
+          if (dx > 0 && i == 8) continue;
+          if (dy > 0 && j == 8) continue;
+          const dvec3 origin(0.1 * i + dx, 0.1 * j + dy, 0.0);
+          const RayHit hit = caster.cast(origin, dvec3(0, 0, 1), 1.0);
+          ASSERT_EQ(hit.surface, 0) << i << " " << j;
+          const int lowest_i = dx > 0 ? i : std::max(0, i - 1), lowest_j = dy > 0 ? j : std::max(0, j - 1);
+          ASSERT_EQ(hit.polygon, 8 * lowest_j + lowest_i);
+          ASSERT_DOUBLE_EQ(hit.depth, 0.25);
+          ASSERT_NEAR(hit.pressure, 5.0 + origin.x + 2.0 * origin.y, 1e-14);
+        }
+}
+
+TEST(CastRays, DepthLimitsAreInclusive) {
+  const std::vector<ContactSurface> surfaces = {plate(1, 0.25)};
+  SurfaceCaster caster;
+  caster.build(pointers(surfaces));
+  const dvec3 at(0.03, 0.04, 0.0), up(0, 0, 1);
+  EXPECT_TRUE(caster.cast(at, up, 0.25).hit());
+  EXPECT_FALSE(caster.cast(at, up, std::nextafter(0.25, 0.0)).hit());
+  EXPECT_TRUE(caster.cast(at + 0.25 * up, up, 0.0).hit());
+  EXPECT_TRUE(caster.cast(at + 0.25 * up, -up, 0.0).hit());
+  EXPECT_FALSE(caster.cast(at, -up, 1.0).hit());
+  EXPECT_FALSE(caster.cast(at, dvec3(1, 0, 0), 1.0).hit()) << "parallel";
+  EXPECT_EQ(caster.cast(at, -up, 1.0).pressure, 0.0);
+}
+
+TEST(CastRays, NothingToHit) {
+  SurfaceCaster caster;
+  EXPECT_FALSE(caster.cast(dvec3(0), dvec3(0, 0, 1), 1.0).hit());
+  caster.build({});
+  EXPECT_FALSE(caster.cast(dvec3(0), dvec3(0, 0, 1), 1.0).hit());
+  const ContactSurface empty;
+  const std::vector<const ContactSurface*> list = {nullptr, &empty};
+  caster.build(list);
+  EXPECT_FALSE(caster.cast(dvec3(0), dvec3(0, 0, 1), 1.0).hit());
+  EXPECT_TRUE(caster.bounds().empty());
+}
+
+TEST(CastRays, StepsDoNotAllocateAfterTheFirst) {
+  SensorModel model;
+  const CounterRng rng(4);
+  for (int i = 0; i < 500; ++i) {
+    const Ray ray = random_ray(rng, static_cast<std::uint64_t>(i));
+    model.rays.push_back({i, ray.origin, ray.direction, ray.t_max});
+  }
+  const std::vector<ContactSurface> large = {random_surface(300, 0.1, 1), random_surface(300, 0.1, 2)};
+  const std::vector<ContactSurface> small = {random_surface(100, 0.1, 3), ContactSurface{}};
+  const auto large_list = pointers(large), small_list = pointers(small);
+  SurfaceCaster caster;
+  std::vector<RayHit> hits;
+  caster.build(large_list);
+  cast_rays(model, caster, hits);
+  const std::vector<RayHit> first = hits;
+  const long before = allocation_count();
+  caster.build(small_list);
+  cast_rays(model, caster, hits);
+  caster.build(large_list);
+  cast_rays(model, caster, hits);
+  EXPECT_EQ(allocation_count() - before, 0);
+  for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(hits[i].depth, first[i].depth);
+}
+
+// The early-out of cast_rays may leave out only rays that hit nothing.
+TEST(CastRays, AllRaysOfAModelAreCast) {
+  const std::vector<ContactSurface> surfaces = {random_surface(30, 0.05, 12)};
+  SurfaceCaster caster;
+  caster.build(pointers(surfaces));
+  SensorModel model;
+  const CounterRng rng(14);
+  for (int i = 0; i < 3000; ++i) {
+    const Ray ray = random_ray(rng, static_cast<std::uint64_t>(i));
+    model.rays.push_back({i, ray.origin, ray.direction, 0.3 * ray.t_max});
+  }
+  std::vector<RayHit> hits(7);
+  cast_rays(model, caster, hits);
+  ASSERT_EQ(hits.size(), model.rays.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const RayHit alone = caster.cast(model.rays[i].origin, model.rays[i].direction, model.rays[i].max_depth);
+    ASSERT_EQ(hits[i].polygon, alone.polygon);
+    ASSERT_EQ(hits[i].depth, alone.depth);
+  }
+}
+
+}  // namespace
+}  // namespace taxel
