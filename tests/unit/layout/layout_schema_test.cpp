@@ -1,0 +1,73 @@
+// The JSON schema says what the reader does: same keys, same words, same defaults.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/files.h"
+#include "core/layout/layout_json.h"
+#include "core/layout/words.h"
+
+namespace taxel {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::filesystem::path kAssets = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets";
+
+Json schema() {
+  return Json::parse(read_file(kAssets / "schema/layout.schema.json"));
+}
+
+template <class E>
+Json words() {
+  Json list = Json::array();
+  for (const Word<E>& w : words_of(E{})) list.push_back(std::string(w.text));
+  return list;
+}
+
+TEST(LayoutSchema, HasTheReadersWords) {
+  const Json p = schema()["properties"];
+  EXPECT_EQ(p["sampling"]["properties"]["weights"]["enum"], words<SampleWeights>());
+  EXPECT_EQ(p["receptive_field"]["properties"]["metric"]["enum"], words<Metric>());
+  EXPECT_EQ(p["readout"]["properties"]["aggregate"]["enum"], words<Aggregate>());
+  EXPECT_EQ(p["readout"]["properties"]["misses"]["enum"], words<Misses>());
+  EXPECT_EQ(p["readout"]["properties"]["ray"]["enum"], words<RayDirection>());
+  EXPECT_EQ(p["material"]["properties"]["field"]["enum"], words<FieldKind>());
+}
+
+/// Every key of `value` is a property of `described`; where that names a default, it is the value.
+void expect_described(const Json& value, const Json& described, const std::string& where) {
+  for (const auto& [key, item] : value.items()) {
+    ASSERT_TRUE(described["properties"].contains(key)) << where << "/" << key;
+    const Json& property = described["properties"][key];
+    if (property.contains("default")) {
+      EXPECT_EQ(property["default"], item) << where << "/" << key;
+    }
+    if (item.is_object()) expect_described(item, property, where + "/" + key);
+  }
+  for (const auto& [key, property] : described["properties"].items())
+    EXPECT_TRUE(value.contains(key)) << where << " lacks " << key;
+}
+
+TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
+  Layout layout = parse_layout(R"({"format": "taxel-layout", "version": 1, "mesh": {"file": "m"}, "taxels": []})");
+  Json written = Json::parse(layout_to_json(layout));
+  written.erase("taxels");
+  Json described = schema();
+  described["properties"].erase("taxels");
+  expect_described(written, described, "");
+
+  layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
+  expect_described(Json::parse(layout_to_json(layout))["taxels"][0], schema()["$defs"]["taxel"], "/taxels/0");
+}
+
+TEST(LayoutSchema, RequiresWhatTheReaderRequires) {
+  const Json s = schema();
+  EXPECT_EQ(s["required"], Json::parse(R"(["format", "version", "mesh", "taxels"])"));
+  EXPECT_EQ(s["properties"]["mesh"]["required"], Json::parse(R"(["file"])"));
+  for (const char* kind : {"taxel", "subtaxel"})
+    EXPECT_EQ(s["$defs"][kind]["required"], Json::parse(R"(["center", "normal", "radius"])"));
+}
+
+}  // namespace
+}  // namespace taxel
