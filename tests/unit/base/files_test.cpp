@@ -1,0 +1,101 @@
+#include "core/base/files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "fixtures/temp_folder.h"
+
+namespace taxel {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TempFolder;
+
+template <class Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::size_t file_count(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Files, BytesGoRoundUnchanged) {
+  const TempFolder folder;
+  std::string bytes("line\r\n\0more\n", 12);
+  for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(i * i);
+  write_file_atomically(folder / "a", bytes);
+  EXPECT_TRUE(read_file(folder / "a") == bytes);
+  write_file_atomically(folder / "a", "");
+  EXPECT_EQ(read_file(folder / "a"), "");
+  EXPECT_EQ(file_count(folder.path()), 1U) << "nothing is left beside the file";
+}
+
+TEST(Files, ReadersSeeTheOldFileOrTheNewOne) {
+  const TempFolder folder;
+  write_file_atomically(folder / "a", "old");
+  // A reader that has the file open keeps the old bytes: the new ones are another file, renamed over it.
+  FILE* open = std::fopen((folder / "a").c_str(), "rb");
+  ASSERT_NE(open, nullptr);
+  write_file_atomically(folder / "a", "newer");
+  char seen[8] = {};
+  EXPECT_EQ(std::fread(seen, 1, sizeof seen, open), 3U);
+  EXPECT_STREQ(seen, "old");
+  std::fclose(open);
+  EXPECT_EQ(read_file(folder / "a"), "newer");
+}
+
+TEST(Files, WhatCannotBeReadIsNamed) {
+  const TempFolder folder;
+  EXPECT_NE(message_of([&] { read_file(folder / "none"); }).find("none: no such file"), std::string::npos);
+  EXPECT_NE(message_of([&] { read_file(folder.path()); }).find("is a folder"), std::string::npos);
+}
+
+TEST(Files, WhatCannotBeWrittenIsNamedAndLeavesNothing) {
+  const TempFolder folder;
+  EXPECT_NE(message_of([&] { write_file_atomically(folder / "none/a", "x"); }).find("none/a"), std::string::npos);
+  fs::create_directory(folder / "taken");
+  EXPECT_NE(message_of([&] { write_file_atomically(folder / "taken", "x"); }).find("taken"), std::string::npos);
+  EXPECT_TRUE(fs::is_directory(folder / "taken"));
+  EXPECT_EQ(file_count(folder.path()), 1U);
+}
+
+TEST(Files, AFailedWriteKeepsTheOldFile) {
+  const TempFolder folder;
+  write_file_atomically(folder / "a", "old");
+  // A folder where the file beside the target would go.
+  fs::create_directory((folder / "a").string() + "." + std::to_string(::getpid()) + ".part");
+  EXPECT_NE(message_of([&] { write_file_atomically(folder / "a", "new"); }).find("cannot be written"),
+            std::string::npos);
+  EXPECT_EQ(read_file(folder / "a"), "old");
+}
+
+TEST(Files, FullDisksAreNamed) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const TempFolder folder;
+  // The file beside the target is a link to a device that is always full.
+  const fs::path beside = (folder / "a").string() + "." + std::to_string(::getpid()) + ".part";
+  fs::create_symlink("/dev/full", beside);
+  EXPECT_NE(message_of([&] { write_file_atomically(folder / "a", std::string(100000, 'x')); }).find("writing failed"),
+            std::string::npos);
+  EXPECT_EQ(file_count(folder.path()), 0U);
+}
+
+TEST(Files, FoldersAreMadeWithTheirParents) {
+  const TempFolder folder;
+  make_folder(folder / "a/b/c");
+  make_folder(folder / "a/b/c");
+  EXPECT_TRUE(fs::is_directory(folder / "a/b/c"));
+  write_file_atomically(folder / "file", "x");
+  EXPECT_NE(message_of([&] { make_folder(folder / "file"); }).find("file"), std::string::npos);
+  EXPECT_NE(message_of([&] { make_folder(folder / "file/sub"); }).find("file/sub"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taxel

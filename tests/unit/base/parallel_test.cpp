@@ -1,0 +1,60 @@
+#include "core/base/parallel.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "core/base/progress.h"
+
+namespace taxel {
+namespace {
+
+TEST(ParallelChunks, CoverEveryIndexOnceInFixedChunks) {
+  for (const int count : {0, 1, 9, 10, 11, 1003}) {
+    std::vector<std::atomic<int>> seen(static_cast<std::size_t>(count));
+    parallel_chunks(count, 10, [&](int begin, int end) {
+      EXPECT_EQ(begin % 10, 0);
+      EXPECT_TRUE(end == begin + 10 || end == count);
+      for (int i = begin; i < end; ++i) ++seen[static_cast<std::size_t>(i)];
+    });
+    for (const auto& n : seen) EXPECT_EQ(n.load(), 1);
+  }
+}
+
+TEST(ParallelChunks, SumsPerChunkDoNotDependOnTheNumberOfThreads) {
+  const auto sum = [] {
+    std::vector<double> partial(100);
+    parallel_chunks(10000, 100, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) partial[static_cast<std::size_t>(begin / 100)] += std::sin(i) * 1e-3;
+    });
+    double total = 0;
+    for (const double p : partial) total += p;
+    return total;
+  };
+  const double free = sum();
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(sum(), free);
+}
+
+TEST(ParallelChunks, ExceptionsComeOut) {
+  EXPECT_THROW(parallel_chunks(100, 1,
+                               [](int begin, int) {
+                                 if (begin == 57) throw std::runtime_error("57");
+                               }),
+               std::runtime_error);
+}
+
+TEST(Progress, CancelStopsAtTheNextCheck) {
+  Progress progress;
+  progress.check(0.25);
+  EXPECT_EQ(progress.fraction(), 0.25);
+  progress.cancel();
+  EXPECT_THROW(progress.check(0.5), Cancelled);
+}
+
+}  // namespace
+}  // namespace taxel
