@@ -16,6 +16,14 @@ namespace {
 using namespace taxel;
 using namespace taxel::cli;
 
+/// What is wrong with the arguments, in one line; `app` is the command, or the program where none was recognised.
+std::string usage_message(const CLI::App& app, const CLI::App& program, const CLI::ParseError& e) {
+  const bool command = &app != &program;
+  const std::vector<std::string> unknown = app.remaining();
+  if (!unknown.empty()) return fmt::format("unknown {} {}", command ? "argument" : "command", unknown.front());
+  return e.what();
+}
+
 /// Runs the command that was asked for. Throws Error, or CLI::ParseError for bad usage.
 int run(int argc, char** argv) {
   CLI::App app("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
@@ -41,7 +49,8 @@ int run(int argc, char** argv) {
     Console(common).result(version_line() + "\n");
     return kDone;
   } catch (const CLI::ParseError& e) {
-    throw Error(chosen() == commands.end() ? "" : chosen()->app->get_name(), e.what());
+    if (chosen() == commands.end()) throw Error(usage_message(app, app, e));
+    throw Error(chosen()->app->get_name(), usage_message(*chosen()->app, app, e));
   }
   std::optional<tbb::global_control> limit;
   if (common.threads > 0) {

@@ -45,9 +45,10 @@ std::string validate_text(const std::vector<ClosedFormCheck>& checks) {
 
 std::string validate_markdown(const std::vector<ClosedFormCheck>& checks) {
   std::string text =
-      "# Validation\n\nWritten by `taxel validate --markdown > docs/validation.md`; do not edit by hand. Errors are "
-      "relative. "
-      "The same numbers are tested in `tests/unit/project` and through the program in `tests/cli`.\n";
+      "# Validation\n\n"
+      "Contact against closed forms. Written by `taxel validate --markdown > docs/validation.md`; do not edit by hand. "
+      "Errors\n"
+      "are relative. The same numbers are tested in `tests/unit/project`, and through the program in `tests/cli`.\n";
   for (const Formula& formula : kFormulas) {
     std::string setting;
     std::string rows;

@@ -51,10 +51,15 @@ void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const
                       IntersectWorkspace& workspace) {
   const Pose& X_WA = contact_case.a.X_WB;
   intersect(a, b, X_WA, contact_case.b.X_WB, out.surface, workspace);
+  if (out.surface.empty()) {
+    out.wrench_W = {};
+    out.centroid_W = X_WA.p;
+    return;
+  }
   const Traction sum =
       traction(out.surface, combine(a.material, b.material), relative_twist(contact_case.a, contact_case.b));
   out.wrench_W = {X_WA.rotate(sum.wrench.force), X_WA.rotate(sum.wrench.torque)};
-  out.centroid_W = out.surface.empty() ? X_WA.p : X_WA * pressure_centroid(out.surface);
+  out.centroid_W = X_WA * pressure_centroid(out.surface);
 }
 
 }  // namespace taxel

@@ -122,7 +122,7 @@ std::vector<ClosedFormCheck> validate_soft_sphere_on_plane() {
     peak.add(surface.max_pressure());
   }
   const std::string setting =
-      fmt::format("soft sphere of {} tets on a rigid plane, R = {} m, E = {} Pa, x/R = {}", tets, R, E, x / R);
+      fmt::format("soft sphere of {} tets on a rigid plane, R = {} m, E = {} Pa, x/R = {:g}", tets, R, E, x / R);
   return {force.mean(about("A1", setting, "force", "N"), 0.01), force.worst(about("A1", setting, "force", "N"), 0.03),
           area.mean(about("A1", setting, "area", "m^2"), 0.02),
           peak.mean(about("A1", setting, "largest pressure", "Pa"), 0.03)};
@@ -146,7 +146,7 @@ std::vector<ClosedFormCheck> validate_sphere_in_half_space() {
     area.add(surface.area());
   }
   const std::string setting =
-      fmt::format("rigid sphere in a soft half-space, R = {} m, E/H = {} Pa/m, x/R = {}", R, kappa, x / R);
+      fmt::format("rigid sphere in a soft half-space, R = {} m, E/H = {} Pa/m, x/R = {:g}", R, kappa, x / R);
   return {force.worst(about("A2", setting, "force", "N"), 0.01), area.worst(about("A2", setting, "area", "m^2"), 0.02)};
 }
 

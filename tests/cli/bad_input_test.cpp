@@ -1,0 +1,143 @@
+// Bad input: one clear line, exit status 2, nothing written.
+#include <algorithm>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+Json replace(const std::string& path, const Json& value) {
+  return Json::array({{{"op", "replace"}, {"path", path}, {"value", value}}});
+}
+
+/// A layout on a mesh of this text.
+fs::path layout_on(const fs::path& folder, const std::string& obj) {
+  write_text(folder / "m.obj", obj);
+  return changed_layout(folder, replace("/mesh/file", "m.obj"));
+}
+
+/// samples and sweep refuse a layout alike.
+void expect_layout_refused(const fs::path& layout, const std::string& complaint) {
+  expect_refusal(taxel({"samples", layout.string()}), "taxel: " + complaint);
+  const fs::path out = layout.parent_path() / "out" / "deep";
+  expect_refusal(taxel({"sweep", "--layout", layout.string(), "--out", out.string()}), "taxel: " + complaint);
+  EXPECT_FALSE(fs::exists(out.parent_path())) << "something was written";
+}
+
+TEST(BadInput, LayoutValues) {
+  const fs::path folder = test_folder();
+  const std::string file = (folder / "changed.taxels.json").string();
+  const auto refused = [&](const std::string& pointer, const Json& value, const std::string& message) {
+    expect_layout_refused(changed_layout(folder, replace(pointer, value)), file + ": " + pointer + ": " + message);
+  };
+  refused("/taxels/3/radius", -0.006, "must be greater than 0, is -0.006");
+  refused("/taxels/3/radius", 0, "must be greater than 0, is 0");
+  refused("/taxels/3/radius", "wide", "must be a number, is \"wide\"");
+  refused("/taxels/5/normal", {0, 0, 0}, "must be a direction, is [0, 0, 0]");
+  refused("/taxels/5/center", {0, 0}, "must be an array of 3 numbers, is [0,0]");
+  refused("/version", 99, "99 is unknown, this program reads version 1");
+  refused("/format", "something", "must be \"taxel-layout\", is \"something\"");
+  refused("/taxels", 7, "must be an array, is 7");
+}
+
+TEST(BadInput, Meshes) {
+  const fs::path folder = test_folder();
+  const std::string mesh = (folder / "m.obj").string();
+  expect_layout_refused(layout_on(folder, "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"),
+                        mesh + ": line 3: coordinate is not finite (nan, 1, 0)");
+  expect_layout_refused(layout_on(folder, "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), mesh + ": has no triangles");
+  expect_layout_refused(layout_on(folder, ""), mesh + ": is empty");
+  expect_layout_refused(changed_layout(folder, replace("/mesh/file", "gone.obj")),
+                        (folder / "gone.obj").string() + ": no such file");
+}
+
+TEST(BadInput, Files) {
+  const fs::path folder = test_folder();
+  write_text(folder / "broken.taxels.json", "{\n  \"format\": ,\n}");
+  const Outcome broken = taxel({"samples", "broken.taxels.json"}, folder);
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_EQ(broken.err.rfind("taxel: broken.taxels.json: line 2, column 13: is not JSON", 0), 0U) << broken.err;
+  expect_refusal(taxel({"samples", "gone.taxels.json"}, folder), "taxel: gone.taxels.json: no such file");
+  expect_refusal(taxel({"samples", "."}, folder), "taxel: .: is a folder, not a file");
+  expect_refusal(taxel({"contact", "gone.json"}, folder), "taxel: gone.json: no such file");
+  expect_refusal(taxel({"mesh", "gone.stl"}, folder), "taxel: gone.stl: no such file");
+}
+
+TEST(BadInput, Scenes) {
+  const fs::path folder = test_folder();
+  write_text(folder / "broken.xml", "<mujoco><worldbody><geom type=\"sphere\"/></worldbody></mujoco>");
+  write_text(folder / "plain.xml", "<mujoco><worldbody><geom name=\"ball\" size=\"1\"/></worldbody></mujoco>");
+  const Outcome broken = taxel({"run", "broken.xml"}, folder);
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_EQ(broken.err.rfind("taxel: broken.xml: ", 0), 0U) << broken.err;
+  EXPECT_EQ(std::count(broken.err.begin(), broken.err.end(), '\n'), 1) << broken.err;
+  expect_refusal(taxel({"run", "gone.xml"}, folder), "taxel: gone.xml: no such file");
+  expect_refusal(taxel({"run", "plain.xml"}, folder),
+                 "taxel: plain.xml: declares no taxel.sensor; attach a layout with --layout and --geom");
+  const Outcome unknown =
+      taxel({"run", "plain.xml", "--layout", fingertip_layout().string(), "--geom", "hand"}, folder);
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("\"hand\""), std::string::npos) << unknown.err;
+  EXPECT_EQ(std::count(unknown.err.begin(), unknown.err.end(), '\n'), 1) << unknown.err;
+  expect_refusal(taxel({"run", "plain.xml", "--geom", "ball"}, folder),
+                 "taxel: run: --layout and --geom are given together");
+  std::vector<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename().string());
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(left, (std::vector<std::string>{"broken.xml", "plain.xml"}));  // no log files, no half outputs
+}
+
+TEST(BadInput, FoldersThatCannotBeWritten) {
+  const fs::path folder = test_folder();
+  write_text(folder / "file", "in the way");
+  const Outcome sweep = taxel({"sweep", "--out", "file/out"}, folder);
+  expect_refusal(sweep, "taxel: file/out: folder cannot be made: Not a directory");
+  expect_refusal(taxel({"sweep", "--out", "file"}, folder), "taxel: file: folder cannot be made: Not a directory");
+  EXPECT_EQ(file_text(folder / "file"), "in the way");
+  const Outcome samples =
+      taxel({"samples", fingertip_layout().string(), "--quiet", "--density", "1e5", "--out", "gone/s.csv"}, folder);
+  EXPECT_EQ(samples.status, 2);
+  EXPECT_EQ(samples.err, "taxel: gone/s.csv: cannot be written: No such file or directory\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  if (fs::exists("/dev/full")) {
+    const Outcome full = run_program(TAXEL_PROGRAM, {"validate"}, folder, "/dev/full");
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(full.err, "taxel: stdout: cannot be written\n");
+  }
+}
+
+TEST(BadInput, ContactCases) {
+  const fs::path folder = test_folder();
+  const auto refused = [&](const Json& patch, const std::string& line) {
+    Json good = Json::parse(R"({"format": "contact-case", "version": 1,
+      "a": {"shape": {"type": "sphere", "size": [0.05]}, "material": {"modulus": 5e4}}, "b": {"shape": {"type": "plane"}}})");
+    write_text(folder / "case.json", good.patch(patch).dump());
+    expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: case.json: " + line);
+  };
+  refused(replace("/a/material/modulus", 0), "a and b are both rigid; one must have a modulus, the other none");
+  refused(replace("/b", {{"pos", {0, 0, 0}}}), "/b: needs a shape or a layout");
+  refused(replace("/a/shape/size/0", 0), "/a/shape/size/0: must be greater than 0, is 0");
+  refused(replace("/version", 2), "/version: 2 is unknown, this program reads version 1");
+  write_text(folder / "case.json",
+             R"({"format": "contact-case", "version": 1, "a": {"layout": "gone.taxels.json"}, "b": {}})");
+  expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: gone.taxels.json: no such file");
+}
+
+TEST(BadInput, Usage) {
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& line) {
+    expect_refusal(taxel(arguments), "taxel: " + line);
+  };
+  refused({}, "A subcommand is required");
+  refused({"dance"}, "unknown command dance");
+  refused({"sweep", "--dept", "1"}, "sweep: unknown argument --dept");
+  refused({"sweep", "--depth", "-0.001"}, "sweep: --depth: must be greater than 0, is -0.001");
+  refused({"sweep", "--depth", "nan"}, "sweep: --depth: must be greater than 0, is nan");
+  refused({"sweep", "--before", "0", "--past", "0"}, "/past: before and past together must be greater than 0");
+  refused({"sweep", "--density", "0"}, "sweep: --density: must be greater than 0, is 0");
+  refused({"samples"}, "samples: LAYOUT is required");
+  refused({"contact", "x.json", "--repeat", "0"}, "contact: --repeat: Value 0 not in range 1 to 1000000");
+}
+
+}  // namespace
+}  // namespace taxel::test

@@ -1,0 +1,188 @@
+// `taxel samples`, `mesh` and `check` on files, and the helps.
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+TEST(Help, EveryCommandShowsUnitsAndAnExample) {
+  for (const char* command : {"sweep", "run", "contact", "read", "samples", "mesh", "check", "validate"}) {
+    const Outcome outcome = taxel({command, "--help"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("\nExample: taxel " + std::string(command)), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+  }
+  const std::string sweep = taxel({"sweep", "--help"}).out;
+  EXPECT_TRUE(std::regex_search(sweep, std::regex(R"(--depth M=0\.0015 .*\[m\])"))) << sweep;
+  EXPECT_EQ(taxel({"--help"}).status, 0);
+}
+
+TEST(Help, VersionNamesCommitAndMuJoCo) {
+  const Outcome outcome = taxel({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(std::regex_match(
+      outcome.out,
+      std::regex(R"(taxel \d+\.\d+\.\d+, commit ([0-9a-f]{12}(-dirty)?|unknown), MuJoCo \d+\.\d+\.\d+\n)")))
+      << outcome.out;
+}
+
+/// Rows of F and G agree with each other and with the summary.
+void expect_consistent(const fs::path& layout, const fs::path& folder, double radius) {
+  const Json summary =
+      taxel_json({"samples", layout.string(), "--out", "f.csv", "--fields", "g.csv", "--quiet"}, folder);
+  const Table f = read_csv(folder / "f.csv"), g = read_csv(folder / "g.csv");
+  const std::size_t count = f.at("x").size();
+  EXPECT_EQ(summary["samples"].get<std::size_t>(), count);
+  const double wanted = summary["density"].get<double>() * summary["area"].get<double>();
+  EXPECT_EQ(static_cast<double>(count), std::round(wanted));
+  double area = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(f.at("id")[i], static_cast<double>(i));
+    EXPECT_NEAR(std::hypot(f.at("nx")[i], f.at("ny")[i], f.at("nz")[i]), 1, 1e-12);
+    area += f.at("area")[i];
+  }
+  EXPECT_NEAR(area, summary["area"].get<double>(), 1e-9 * area);
+  std::set<std::size_t> used;
+  for (std::size_t i = 0; i < g.at("sample").size(); ++i) {
+    used.insert(static_cast<std::size_t>(g.at("sample")[i]));
+    const double d = g.at("distance")[i];
+    EXPECT_LE(d, radius);
+    EXPECT_NEAR(g.at("weight")[i], (radius - d) * (radius - d), 1e-15);
+  }
+  for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(f.at("used")[i] == 1, used.contains(i)) << "sample " << i;
+  EXPECT_EQ(summary["used"].get<std::size_t>(), used.size());
+}
+
+TEST(Samples, TablesAgree) {
+  expect_consistent(fingertip_layout(), test_folder(), 0.006);
+}
+
+TEST(Samples, NoneLiesInTheCavityOfTheRealMesh) {
+  SKIP_WITHOUT_REAL_DATA();
+  const fs::path folder = test_folder();
+  expect_consistent(real_layout(), folder, 0.006);
+  // the cavity is the shell of 320 triangles; its faces stand in one block of the file's order
+  const Json mesh = taxel_json({"mesh", (real_layout().parent_path() / "meshes" / "shadow_f_distal_pst.stl").string(),
+                                "--scale", "0.001", "--out", "repaired.obj"},
+                               folder);
+  EXPECT_EQ(mesh["triangles"], 5374);
+  EXPECT_EQ(mesh["shells"], 2);
+  EXPECT_EQ(mesh["enclosed_shells"], 1);
+  EXPECT_EQ(mesh["closed"], true);
+  const Table f = read_csv(folder / "f.csv");
+  const std::set<double> faces(f.at("face").begin(), f.at("face").end());
+  EXPECT_LE(faces.size(), 5054U);
+  EXPECT_LE(*faces.rbegin(), 5373);
+}
+
+TEST(Samples, SeedDecidesAndThreadsDoNot) {
+  const fs::path folder = test_folder();
+  const auto text = [&](std::vector<std::string> options) {
+    std::vector<std::string> arguments{"samples", fingertip_layout().string(), "--density", "3e6", "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = taxel(arguments, folder);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string one = text({"--threads", "1"});
+  EXPECT_EQ(one.substr(0, one.find('\n')), "x,y,z,nx,ny,nz,face,area,id,used");
+  EXPECT_TRUE(one == text({"--threads", "4"}));
+  EXPECT_FALSE(one == text({"--seed", "43"}));
+}
+
+TEST(Mesh, ReportsAndRepairs) {
+  const fs::path folder = test_folder();
+  // a tetrahedron with one vertex twice and one face without area
+  write_text(folder / "t.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 5\nf 1 4 3\nf 4 5 1\n");
+  const Json mesh = taxel_json({"mesh", "t.obj", "--scale", "2", "--out", "fixed.obj"}, folder);
+  EXPECT_EQ(mesh["vertices"], 4);
+  EXPECT_EQ(mesh["triangles"], 4);
+  EXPECT_EQ(mesh["closed"], true);
+  EXPECT_NEAR(mesh["volume"].get<double>(), 8.0 / 6.0, 1e-15);
+  EXPECT_EQ(mesh["notes"].size(), 2U);
+  const Json fixed = taxel_json({"mesh", "fixed.obj"}, folder);
+  EXPECT_EQ(fixed["notes"], Json::array());
+  EXPECT_EQ(fixed["volume"], mesh["volume"]);
+}
+
+TEST(Check, ListsEveryProblemWithItsPointer) {
+  const fs::path folder = test_folder();
+  const fs::path layout = changed_layout(folder, Json::parse(R"([
+    {"op": "replace", "path": "/taxels/3/radius", "value": -0.006},
+    {"op": "replace", "path": "/taxels/5/normal", "value": [0, 0, 0]}])"));
+  const Outcome outcome = taxel({"check", layout.string(), "--json"}, folder);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  std::map<std::string, Json> problems;
+  const Json report = Json::parse(outcome.out);
+  for (const Json& problem : report["problems"]) {
+    EXPECT_EQ(problem["file"], layout.string());
+    if (problem["severity"] == "error") problems[problem["pointer"]] = problem;
+  }
+  ASSERT_EQ(problems.size(), 2U) << outcome.out;
+  EXPECT_EQ(problems["/taxels/3/radius"]["message"], "must be greater than 0, is -0.006");
+  EXPECT_EQ(problems["/taxels/3/radius"].size(), 6U);  // file, pointer, severity, code, message, fix
+  EXPECT_EQ(problems.count("/taxels/5/normal"), 1U);
+  const Outcome text = taxel({"check", layout.string()}, folder);
+  EXPECT_EQ(text.status, 1);
+  EXPECT_NE(text.out.find(layout.string() + ": /taxels/3/radius: error: must be greater than 0, is -0.006"),
+            std::string::npos)
+      << text.out;
+}
+
+TEST(Check, OursIsCleanAndTheRealOneHasOnlyNotesAndKnownWarnings) {
+  const Outcome ours = taxel({"check", fingertip_layout().string()});
+  EXPECT_EQ(ours.status, 0) << ours.out;
+  SKIP_WITHOUT_REAL_DATA();
+  const Outcome real = taxel({"check", real_layout().string(), "--json"});
+  const Json problems = Json::parse(real.out)["problems"];
+  bool cavity = false, any_warning = false;
+  for (const Json& problem : problems) {
+    EXPECT_NE(problem["severity"], "error") << problem;
+    any_warning = any_warning || problem["severity"] == "warning";
+    cavity = cavity || problem["message"].get<std::string>().find("320 of 5374 faces") != std::string::npos;
+  }
+  EXPECT_TRUE(cavity) << real.out;
+  EXPECT_EQ(real.status, any_warning ? 1 : 0);
+}
+
+TEST(Check, GoesOnAfterAFileThatCannotBeRead) {
+  const fs::path folder = test_folder();
+  const fs::path layout =
+      changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "gone.obj"}])"));
+  const Outcome outcome = taxel({"check", "nowhere.taxels.json", layout.string(), "--json"}, folder);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "taxel: nowhere.taxels.json: no such file\n");
+  const Json problems = Json::parse(outcome.out)["problems"];
+  ASSERT_EQ(problems.size(), 2U) << problems;
+  EXPECT_EQ(problems[1]["pointer"], "/mesh/file");
+  EXPECT_EQ(taxel({"check", layout.string()}, folder).status, 1);
+}
+
+TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
+  const fs::path folder = test_folder();
+  write_text(
+      folder / "case.json",
+      R"({"format": "contact-case", "version": 1, "a": {"shape": {"type": "sphere", "size": [1]}}, "b": {"shape": {"type": "plane"}}})");
+  write_text(folder / "open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write_text(folder / "scene.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>");
+  write_text(folder / "bad.xml", "<mujoco><nonsense/></mujoco>");
+  const auto code = [&](const char* file) {
+    return Json::parse(taxel({"check", file, "--json"}, folder).out)["problems"].at(0)["code"];
+  };
+  EXPECT_EQ(code("case.json"), "not_soft_and_rigid");
+  EXPECT_EQ(code("open.obj"), "mesh_open");
+  EXPECT_EQ(taxel({"check", "scene.xml"}, folder).status, 0);
+  EXPECT_EQ(taxel({"check", "bad.xml"}, folder).status, 2);
+  EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "sweep.json").string()}, folder).status, 0);
+  EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
+}
+
+}  // namespace
+}  // namespace taxel::test
