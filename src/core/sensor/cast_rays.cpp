@@ -5,22 +5,25 @@
 namespace taxel {
 namespace {
 
-/// A box that a few roundings cannot shrink: the slab test and the triangle test compute the same distance in two ways,
-/// so the box of a flat polygon grows by some units in the last place of the coordinates involved.
-Aabb widened(const Aabb& box, double scale) {
-  const double margin = 64.0 * std::numeric_limits<double>::epsilon() * scale;
+/// How much boxes and slabs grow, in units in the last place of the coordinates involved: their distances and the
+/// triangle test's are computed in different ways, and no hit may be lost to rounding.
+double margin_of(const Aabb& box) {
+  const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+  return 64.0 * std::numeric_limits<double>::epsilon() * std::max({largest.x, largest.y, largest.z});
+}
+
+Aabb widened(const Aabb& box, double margin) {
   return {box.lo - margin, box.hi + margin};
 }
 
-double largest_coordinate(const Aabb& box) {
-  const dvec3 m = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  return std::max({m.x, m.y, m.z});
-}
-
-Aabb polygon_box(const ContactSurface& surface, const ContactPolygon& polygon) {
-  Aabb box;
-  for (int i = 0; i < polygon.count; ++i) box.include(surface.vertices[static_cast<std::size_t>(polygon.first + i)]);
-  return box;
+/// Third axis along the mean normal of the surface, as columns.
+dmat3 patch_axes(const ContactSurface& surface) {
+  dvec3 sum(0);
+  for (const ContactPolygon& polygon : surface.polygons) sum += polygon.area * polygon.normal;
+  const double length = glm::length(sum);
+  if (!(length > 0.0)) return dmat3(1.0);
+  const dvec3 normal = sum / length, u = any_perpendicular(normal);
+  return {u, glm::cross(normal, u), normal};
 }
 
 }  // namespace
@@ -43,52 +46,71 @@ RayHit nearer_hit(const RayTriangleTest& ray, double max_depth, const ContactSur
   return nearest;
 }
 
-void SurfaceCaster::build_blas(std::size_t number) {
-  polygon_boxes_.clear();
-  Aabb box;
-  if (const ContactSurface* surface = surfaces_[number]) {
-    for (const ContactPolygon& polygon : surface->polygons) {
-      polygon_boxes_.push_back(polygon_box(*surface, polygon));
-      box.include(polygon_boxes_.back());
-    }
-    for (Aabb& b : polygon_boxes_) b = widened(b, largest_coordinate(box));
+void SurfaceCaster::add_instance(std::size_t number) {
+  const ContactSurface& surface = *surfaces_[number];
+  Instance instance;
+  instance.surface = static_cast<int>(number);
+  for (const dvec3& v : surface.vertices) instance.box.include(v);
+  const double margin = margin_of(instance.box);
+  instance.box = widened(instance.box, margin);
+  instance.axes = patch_axes(surface);
+
+  boxes_.clear();
+  for (const ContactPolygon& polygon : surface.polygons) {
+    Aabb box;
+    for (int i = 0; i < polygon.count; ++i)
+      box.include(surface.vertices[static_cast<std::size_t>(polygon.first + i)] * instance.axes);
+    boxes_.push_back(widened(box, margin));
   }
-  blas_[number].build(polygon_boxes_);
-  if (!blas_[number].empty()) bounds_.include(blas_[number].nodes()[0].box);
+  blas_[number].build(boxes_);
+  instance.lo = blas_[number].nodes()[0].box.lo.z;
+  instance.hi = blas_[number].nodes()[0].box.hi.z;
+  instances_.push_back(instance);
 }
 
 void SurfaceCaster::build(std::span<const ContactSurface* const> surfaces) {
   surfaces_.assign(surfaces.begin(), surfaces.end());
   if (blas_.size() < surfaces_.size()) blas_.resize(surfaces_.size());
-  bounds_ = Aabb{};
-  trees_.clear();
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    build_blas(i);
-    trees_.push_back(&blas_[i]);
+  instances_.clear();
+  for (std::size_t i = 0; i < surfaces_.size(); ++i)
+    if (surfaces_[i] && !surfaces_[i]->empty()) add_instance(i);
+  boxes_.clear();
+  for (const Instance& instance : instances_) boxes_.push_back(instance.box);
+  tlas_.build(boxes_, 1);
+}
+
+bool SurfaceCaster::may_hit(const dvec3& from, const dvec3& to) const {
+  const Aabb segment{glm::min(from, to), glm::max(from, to)};
+  for (const Instance& instance : instances_) {
+    if (!segment.overlaps(instance.box)) continue;
+    const double a = glm::dot(instance.axes[2], from), b = glm::dot(instance.axes[2], to);
+    if (std::min(a, b) <= instance.hi && std::max(a, b) >= instance.lo) return true;
   }
-  tlas_.build(trees_);
+  return false;
 }
 
 RayHit SurfaceCaster::cast(const dvec3& origin, const dvec3& direction, double max_depth) const {
   RayHit best;
   const Ray ray{origin, direction, max_depth};
   const RayTriangleTest test(ray);
-  tlas_.cast(ray, [&](int surface, int polygon, double reach) {
-    best = nearer_hit(test, reach, *surfaces_[static_cast<std::size_t>(surface)], surface, polygon, best);
-    return best.hit() ? best.depth : reach;
+  tlas_.cast(ray, [&](int number, double t_max) {
+    const Instance& instance = instances_[static_cast<std::size_t>(number)];
+    const auto surface = static_cast<std::size_t>(instance.surface);
+    const Ray turned{origin * instance.axes, direction * instance.axes, t_max};
+    return blas_[surface].cast(turned, [&](int polygon, double reach) {
+      best = nearer_hit(test, reach, *surfaces_[surface], instance.surface, polygon, best);
+      return best.hit() ? best.depth : reach;
+    });
   });
   return best;
 }
 
 void cast_rays(const SensorModel& model, const SurfaceCaster& caster, std::vector<RayHit>& hits) {
   hits.assign(model.rays.size(), RayHit{});
-  const Aabb bounds = caster.bounds();
-  if (bounds.empty()) return;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const SensorRay& ray = model.rays[i];
-    const dvec3 end = ray.origin + ray.max_depth * ray.direction;
-    const Aabb segment{glm::min(ray.origin, end), glm::max(ray.origin, end)};
-    if (segment.overlaps(bounds)) hits[i] = caster.cast(ray.origin, ray.direction, ray.max_depth);
+    if (caster.may_hit(ray.origin, ray.origin + ray.max_depth * ray.direction))
+      hits[i] = caster.cast(ray.origin, ray.direction, ray.max_depth);
   }
 }
 

@@ -157,7 +157,7 @@ TEST(CastRays, NothingToHit) {
   const std::vector<const ContactSurface*> list = {nullptr, &empty};
   caster.build(list);
   EXPECT_FALSE(caster.cast(dvec3(0), dvec3(0, 0, 1), 1.0).hit());
-  EXPECT_TRUE(caster.bounds().empty());
+  EXPECT_FALSE(caster.may_hit(dvec3(0), dvec3(0, 0, 1)));
 }
 
 TEST(CastRays, StepsDoNotAllocateAfterTheFirst) {
