@@ -57,7 +57,11 @@ double Bvh::cast(const Ray& ray, const Test& test) const {
   double t_max = ray.t_max;
   if (nodes_.empty()) return t_max;
   const SlabTest slabs(ray);
-  std::array<std::pair<std::int32_t, double>, kMaxDepth> stack;  // node, entry; NOLINT: filled as it is used
+  struct Waiting {  // not a pair: that would be zeroed kMaxDepth times for every ray
+    std::int32_t node;
+    double entry;
+  };
+  std::array<Waiting, kMaxDepth> stack;  // NOLINT: filled as it is used
   int size = 0;
   const double root_entry = slabs.entry(nodes_[0].box, t_max);
   if (root_entry < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = {0, root_entry};
@@ -70,12 +74,12 @@ double Bvh::cast(const Ray& ray, const Test& test) const {
         t_max = test(items_[static_cast<std::size_t>(node.first + i)], t_max);
       continue;
     }
-    std::pair<std::int32_t, double> nearer{node.first, 0}, farther{node.first + 1, 0};
-    nearer.second = slabs.entry(nodes_[static_cast<std::size_t>(nearer.first)].box, t_max);
-    farther.second = slabs.entry(nodes_[static_cast<std::size_t>(farther.first)].box, t_max);
-    if (farther.second < nearer.second) std::swap(nearer, farther);
-    if (farther.second < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = farther;
-    if (nearer.second < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = nearer;
+    Waiting nearer{node.first, 0}, farther{node.first + 1, 0};
+    nearer.entry = slabs.entry(nodes_[static_cast<std::size_t>(nearer.node)].box, t_max);
+    farther.entry = slabs.entry(nodes_[static_cast<std::size_t>(farther.node)].box, t_max);
+    if (farther.entry < nearer.entry) std::swap(nearer, farther);
+    if (farther.entry < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = farther;
+    if (nearer.entry < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = nearer;
   }
   return t_max;
 }
