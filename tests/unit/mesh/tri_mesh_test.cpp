@@ -88,11 +88,30 @@ TEST(TriMesh, EnclosedShellsAreFoundWhateverTheirWinding) {
   EXPECT_EQ(outer_shells(together(outer, make_box(dvec3(0.2)))), std::vector<int>{0});
 }
 
-TEST(TriMesh, ShellsBesideEachOtherOrInADentAreNotEnclosed) {
-  // The ball sits in the bounding box of an L-shaped body, but outside of the body.
-  const TriMesh ell = together(moved(make_box({3, 1, 1}), {0, -2, 0}), moved(make_box({1, 3, 1}), {-2, 2, 0}));
-  const TriMesh scene = together(ell, moved(make_icosphere(0.5, 1), {2, 2, 0}));
-  EXPECT_EQ(outer_shells(scene), (std::vector<int>{0, 1, 2}));
+/// A torus about z.
+TriMesh ring(double radius, double thickness) {
+  constexpr int kAround = 24, kAcross = 12;
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> faces;
+  for (int i = 0; i < kAround; ++i) {
+    for (int j = 0; j < kAcross; ++j) {
+      const double a = 2 * kPi * i / kAround, b = 2 * kPi * j / kAcross, r = radius + thickness * std::cos(b);
+      vertices.emplace_back(r * std::cos(a), r * std::sin(a), thickness * std::sin(b));
+      const int i1 = (i + 1) % kAround, j1 = (j + 1) % kAcross;
+      faces.emplace_back(i * kAcross + j, i1 * kAcross + j, i1 * kAcross + j1);
+      faces.emplace_back(i * kAcross + j, i1 * kAcross + j1, i * kAcross + j1);
+    }
+  }
+  return {std::move(vertices), std::move(faces)};
+}
+
+TEST(TriMesh, ABallInTheHoleOfARingIsNotEnclosedButOneInsideTheRingIs) {
+  const TriMesh torus = ring(3, 1);
+  ASSERT_TRUE(torus.closed());
+  ASSERT_GT(torus.volume(), 0);
+  const TriMesh ball = make_icosphere(0.5, 1);
+  EXPECT_EQ(outer_shells(together(torus, ball)), (std::vector<int>{0, 1}));
+  EXPECT_EQ(outer_shells(together(torus, moved(ball, {3, 0, 0}))), std::vector<int>{0});
 }
 
 TEST(TriMesh, RefusesWhatItCannotCarryAndNamesTheFace) {
@@ -126,6 +145,15 @@ TEST(TriMesh, ThreeFacesAtOneEdgeAreNotClosed) {
   std::vector<ivec3> faces = tet.faces();
   vertices.emplace_back(1, 1, 1);
   faces.emplace_back(0, 1, 4);
+  EXPECT_FALSE(TriMesh(vertices, faces).closed());
+}
+
+TEST(TriMesh, TwoBodiesThatShareAnEdgeAreNotClosed) {
+  const std::vector<ivec3> tet{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  std::vector<ivec3> faces = tet;
+  const int other[4] = {0, 1, 4, 5};
+  for (const ivec3& f : tet) faces.emplace_back(other[f.x], other[f.y], other[f.z]);
+  const std::vector<dvec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}};
   EXPECT_FALSE(TriMesh(vertices, faces).closed());
 }
 
