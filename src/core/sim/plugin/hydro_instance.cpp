@@ -53,6 +53,21 @@ HydroInstance::HydroInstance(const mjModel& m, int instance)
     hand_over(m, compile_layout(find_layout(config_.layout, layout_folders(m, config_.geom))));
 }
 
+HydroInstance::HydroInstance(const HydroInstance& other)
+    : failure(other.failure),
+      instance_(other.instance_),
+      config_(other.config_),
+      model_(other.model_),
+      X_GM_(other.X_GM_),
+      touched_(other.touched_),
+      warnings_(other.warnings_),
+      slots_(other.slots_),
+      latest_(other.latest_),
+      sensed_(other.sensed_) {
+  reading_.hits = other.reading_.hits;
+  reading_.values = other.reading_.values;
+}
+
 void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   const int size = sensor_dimension(config_.output, model->taxel_count());
   for (int s = 0; s < m.nsensor; ++s) {

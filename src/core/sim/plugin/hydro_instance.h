@@ -44,6 +44,9 @@ class HydroInstance {
  public:
   /// Reads the configuration and compiles the layout, or waits for hand_over() where it says so. Throws Error.
   HydroInstance(const mjModel& m, int instance);
+  /// For mj_copyData: the same sensor in the same state. What only speeds up a step starts empty.
+  HydroInstance(const HydroInstance& other);
+  HydroInstance& operator=(const HydroInstance&) = delete;
 
   /// Takes a compiled sensor with as many taxels as the output was sized for. Throws Error.
   void hand_over(const mjModel& m, SensorModelPtr model);

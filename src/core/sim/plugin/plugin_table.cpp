@@ -20,6 +20,8 @@ struct alignas(64) Slot {
   std::vector<HydroInstance*> instances;  // scratch
   std::size_t warnings_told = 0;
   Slot(const mjModel& m, int instance) : sensor(m, instance) {}
+  Slot(const Slot& other) : sensor(other.sensor), warnings_told(other.warnings_told) {}
+  Slot& operator=(const Slot&) = delete;
 };
 
 /// plugin_data holds the pointer mixed with the address of its mjData. A bitwise copy of an mjData (Python's pickle)
@@ -97,14 +99,13 @@ void destroy(mjData* d, int instance) {
 void copy(mjData* dest, const mjModel* m, const mjData* src, int instance) {
   guarded(*m, instance, [&] {
     const Slot* from = find_slot(*src, instance);
-    Slot* to = find_slot(*dest, instance);
     if (from == nullptr) {
-      if (to == nullptr) make_slot(*m, *dest, instance);
-    } else if (to == nullptr) {
-      dest->plugin_data[instance] = seal(*dest, std::make_unique<Slot>(*from).release());
-    } else {
-      *to = *from;
+      if (find_slot(*dest, instance) == nullptr) dest->plugin_data[instance] = 0;
+      return;
     }
+    auto made = std::make_unique<Slot>(*from);
+    delete find_slot(*dest, instance);
+    dest->plugin_data[instance] = seal(*dest, made.release());
   });
 }
 

@@ -1,0 +1,189 @@
+// What a scene may say to the plugin, and what it hears when it is wrong: every mistake is a compile error that names it.
+#include <gtest/gtest.h>
+
+#include "fixtures/sensor_scene.h"
+
+namespace taxel {
+namespace {
+
+using test::key;
+using test::sensor_extension;
+using test::SensorScene;
+
+constexpr const char* kWorld = R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+    <geom name='floor' type='plane' size='1 1 1'/>
+    <geom name='hills' type='hfield' hfield='hills' pos='9 9 -9'/>
+    <body name='b' pos='0 0 0.019'><freejoint/><geom name='ball' type='mesh' mesh='ball'/></body>
+    <body pos='1 0 0'><freejoint/><geom name='box' type='box' size='.01 .01 .01'/></body></worldbody></mujoco>)";
+constexpr const char* kHead = "<mujoco><asset><hfield name='hills' nrow='2' ncol='2' size='1 1 1 1'/></asset>";
+
+class PluginConfig : public testing::Test {
+ protected:
+  void SetUp() override { s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5}); }
+
+  void compile(const std::string& extension) { s.compile(kHead + extension + kWorld); }
+  /// The plugin element with exactly these keys.
+  static std::string with(const std::string& keys) {
+    return "<extension><plugin plugin='taxel.sensor'><instance name='ball'>" + keys +
+           "</instance></plugin></extension><sensor><plugin name='t' plugin='taxel.sensor' instance='ball'/></sensor>";
+  }
+  void expect_error(const std::string& extension, const std::vector<std::string>& words) {
+    compile(extension);
+    EXPECT_EQ(s.model, nullptr);
+    for (const std::string& word : words) EXPECT_NE(s.error.find(word), std::string::npos) << word << " in: " << s.error;
+  }
+  std::string layout_path() const { return (s.folder / "ball.taxels.json").string(); }
+
+  SensorScene s;
+};
+
+TEST_F(PluginConfig, DefaultsTouchWhatCollides) {
+  compile(sensor_extension("ball"));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  ASSERT_EQ(s.sensor().touched().size(), 2u);  // the floor and the box; the height field is named in a warning
+  EXPECT_EQ(s.sensor().touched()[0].geom, mj_name2id(s.model.get(), mjOBJ_GEOM, "floor"));
+  ASSERT_EQ(s.sensor().warnings().size(), 1u);
+  EXPECT_NE(s.sensor().warnings()[0].find("hills"), std::string::npos);
+  EXPECT_EQ(s.model->nsensordata, 1);
+  EXPECT_DOUBLE_EQ(s.sensor().touched()[0].properties.friction, 2 * 0.5 * 1.0 / 1.5);  // MuJoCo's default friction is 1
+  EXPECT_DOUBLE_EQ(s.sensor().touched()[0].properties.dissipation, 5);
+}
+
+TEST_F(PluginConfig, MistakesAreCompileErrorsThatNameThem) {
+  const std::string layout = key("layout", "ball.taxels.json"), geom = key("geom", "ball");
+  expect_error(with(layout), {"geom", "required"});
+  expect_error(with(geom), {"layout", "required"});
+  expect_error(with(layout + key("geom", "bal")), {"geom", "\"bal\""});
+  expect_error(with(layout + geom + key("other", "floor")), {"other"});
+  expect_error(with(layout + geom + key("others", "floor bx")), {"others", "\"bx\""});
+  expect_error(with(layout + geom + key("others", "ball")), {"others", "\"ball\""});
+  expect_error(with(layout + geom + key("others", "hills")), {"others", "hills", "can be touched"});
+  expect_error(with(layout + geom + key("force", "push")), {"force", "\"push\"", "sense"});
+  expect_error(with(layout + geom + key("output", "readings shear")), {"output", "\"shear\"", "wrench"});
+  expect_error(with(layout + geom + key("materials", "{\"box\": 3}")), {"materials", "/box", "object"});
+  expect_error(with(layout + geom + key("materials", "{\"box\": {\"modulus\": -1}}")), {"/box/modulus", "-1"});
+  expect_error(with(layout + geom + key("materials", "{\"box\": {\"colour\": 1}}")), {"/box/colour"});
+  expect_error(with(layout + geom + key("materials", "{\"bax\": {}}")), {"materials", "\"bax\""});
+  expect_error(with(layout + geom + key("materials", "{")), {"materials", "line 1"});
+  expect_error(with(layout + geom + key("others", "box") + key("materials", "{\"box\": {\"modulus\": 1e5, \"field\": \"pad\", \"thickness\": 0.002}}")),
+               {"box", "both soft"});
+  expect_error(with(layout + geom + key("taxels", "1")), {"taxels", "layout"});
+  expect_error(with(geom + key("taxels", "many")), {"taxels", "many"});
+}
+
+TEST_F(PluginConfig, AWrongLayoutIsACompileErrorThatNamesFileAndPlace) {
+  expect_error(with(key("layout", "nothing.taxels.json") + key("geom", "ball")),
+               {"nothing.taxels.json", "folders tried", s.folder.string(), std::filesystem::current_path().string()});
+  write_file_atomically(s.folder / "wrong.taxels.json", "{\"format\": \"taxel-layout\", \"version\": 7}");
+  expect_error(with(key("layout", "wrong.taxels.json") + key("geom", "ball")), {"wrong.taxels.json", "7"});
+  Layout layout = read_layout(layout_path());
+  layout.taxels[0].radius = -1;
+  write_layout(s.folder / "radius.taxels.json", layout);
+  expect_error(with(key("layout", "radius.taxels.json") + key("geom", "ball")), {"/taxels/0/radius", "-1"});
+  layout = read_layout(layout_path());
+  layout.mesh.file = "gone.obj";
+  write_layout(s.folder / "mesh.taxels.json", layout);
+  expect_error(with(key("layout", "mesh.taxels.json") + key("geom", "ball")), {"gone.obj"});
+}
+
+TEST_F(PluginConfig, LayoutIsFoundByAbsolutePathBesideTheMeshAndInTheWorkingFolder) {
+  compile(with(key("layout", layout_path()) + key("geom", "ball")));
+  EXPECT_NE(s.model, nullptr) << s.error;
+  compile(with(key("layout", "ball.taxels.json") + key("geom", "ball")));
+  EXPECT_NE(s.model, nullptr) << s.error;
+  std::filesystem::create_directory(s.folder / "elsewhere");
+  write_file_atomically(s.folder / "elsewhere" / "moved.taxels.json", read_file(layout_path()));
+  write_file_atomically(s.folder / "elsewhere" / "ball.obj", read_file(s.folder / "ball.obj"));
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(s.folder / "elsewhere");
+  compile(with(key("layout", "moved.taxels.json") + key("geom", "ball")));
+  std::filesystem::current_path(before);
+  EXPECT_NE(s.model, nullptr) << s.error;
+}
+
+TEST_F(PluginConfig, LayoutTextMayStandInAnIncludedFile) {
+  std::string text = read_file(layout_path());
+  std::string escaped;
+  for (const char c : text) escaped += c == '"' ? std::string("&quot;") : std::string(1, c);
+  write_file_atomically(s.folder / "taxels.xml", "<mujoco><config key=\"layout\" value=\"" + escaped + "\"/></mujoco>");
+  compile(with("<include file='taxels.xml'/>" + key("geom", "ball")));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  EXPECT_EQ(s.sensor().model()->layout.name, "one taxel");
+}
+
+TEST_F(PluginConfig, OutputsStandInTheOrderAskedFor) {
+  compile(sensor_extension("ball", key("output", "area wrench readings") + key("others", "floor")));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  ASSERT_EQ(s.model->nsensordata, 8);
+  s.step();
+  const mjtNum* out = s.data->sensordata;
+  const Evaluation& e = s.sensor().sensed();
+  const dvec3 force = e.X_WM.rotate(e.pairs[0].wrench.force), torque = e.X_WM.rotate(e.pairs[0].wrench.torque);
+  EXPECT_GT(out[0], 0);
+  EXPECT_EQ(out[0], e.pairs[0].surface.area());
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(out[1 + i], force[i]);
+    EXPECT_EQ(out[4 + i], torque[i]);
+  }
+  EXPECT_GT(out[3], 0);
+  EXPECT_EQ(out[7], s.sensor().reading().values[0]);
+  EXPECT_GT(out[7], 0);
+}
+
+TEST_F(PluginConfig, SenseLeavesTheBodiesAlone) {
+  compile(sensor_extension("ball", key("force", "sense")));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  s.step(50);
+  EXPECT_GT(s.data->sensordata[0], 0);
+  for (int i = 0; i < s.model->nv; ++i) EXPECT_EQ(s.data->qfrc_passive[i], 0);
+  EXPECT_EQ(s.sensor().warnings().size(), 1u);  // the height field; MuJoCo's own contacts are wanted here
+}
+
+TEST_F(PluginConfig, MujocosOwnContactOfAPairIsReportedOnce) {
+  compile(sensor_extension("ball"));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  s.step(20);
+  ASSERT_EQ(s.sensor().warnings().size(), 2u);
+  EXPECT_NE(s.sensor().warnings()[1].find("\"ball\""), std::string::npos);
+  EXPECT_NE(s.sensor().warnings()[1].find("\"floor\""), std::string::npos);
+}
+
+TEST_F(PluginConfig, AnotherMeshThanTheLayoutsIsReported) {
+  save_mesh(s.folder / "other.obj", make_sphere(0.021, 0.008));
+  std::string world = kWorld;
+  world.replace(world.find("ball.obj"), 8, "other.obj");
+  s.compile(kHead + sensor_extension("ball", key("others", "floor")) + world);
+  ASSERT_NE(s.model, nullptr) << s.error;
+  ASSERT_EQ(s.sensor().warnings().size(), 1u);
+  EXPECT_NE(s.sensor().warnings()[0].find("0.001"), std::string::npos) << s.sensor().warnings()[0];
+}
+
+TEST_F(PluginConfig, ABinaryModelOfALayoutThatGrewIsRefused) {
+  compile(sensor_extension("ball"));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  Layout layout = read_layout(layout_path());
+  layout.taxels.push_back(layout.taxels[0]);
+  layout.taxels[1].id = 1;
+  layout.taxels[1].center = {0, 0.02, 0};
+  layout.taxels[1].normal = {0, 1, 0};
+  write_layout(layout_path(), layout);
+  // Outside of a compilation MuJoCo ends the program when a plugin refuses.
+  const auto make = [&] {
+    mjLogConfig log = mju_getLogConfig();
+    log.logto_console = true;
+    mju_setLogConfig(log);
+    const DataHandle data(mj_makeData(s.model.get()));
+  };
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(make(), testing::ExitedWithCode(1), "needs 2 values in sensordata");
+}
+
+TEST_F(PluginConfig, AnAggregateThatCannotBeComputedIsACompileError) {
+  Layout layout = read_layout(layout_path());
+  layout.readout.aggregate = Aggregate::force;
+  write_layout(layout_path(), layout);
+  expect_error(sensor_extension("ball"), {"force"});
+}
+
+}  // namespace
+}  // namespace taxel

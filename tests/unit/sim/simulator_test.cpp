@@ -1,0 +1,199 @@
+// The sweep as a user runs it, and what it leaves behind.
+#include "core/sim/simulator.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/sweep_scene.h"
+#include "fixtures/sensor_scene.h"
+#include "fixtures/sweep_model.h"
+
+namespace taxel {
+namespace {
+
+bool operator==(const SimRow& a, const SimRow& b) {
+  return a.time == b.time && a.travel == b.travel && a.readings == b.readings && a.area == b.area &&
+         a.force_W == b.force_W && a.polygons == b.polygons && a.sensor_poses[0].p == b.sensor_poses[0].p &&
+         a.sensor_poses[0].q == b.sensor_poses[0].q;
+}
+
+/// One whole sweep, shared by the tests.
+class Sweep : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    simulator_ = Simulator::make_sweep(test::fingertip_model(1e6), {});
+    while (!simulator_->finished()) {
+      simulator_->step();
+      ++steps_;
+      if (simulator_->row_due()) rows_.push_back(simulator_->row());
+    }
+  }
+  static void TearDownTestSuite() {
+    simulator_.reset();
+    rows_.clear();
+  }
+  static double peak(std::size_t taxel) {
+    double largest = 0;
+    for (const SimRow& row : rows_) largest = std::max(largest, row.readings[0][taxel]);
+    return largest;
+  }
+  static std::unique_ptr<Simulator> simulator_;
+  static std::vector<SimRow> rows_;
+  static int steps_;
+};
+std::unique_ptr<Simulator> Sweep::simulator_;
+std::vector<SimRow> Sweep::rows_;
+int Sweep::steps_ = 0;
+
+TEST_F(Sweep, HasARowForEveryTenthOfAMillimetre) {
+  EXPECT_EQ(steps_, 2401);
+  ASSERT_EQ(rows_.size(), 241u);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    EXPECT_NEAR(rows_[i].travel, 1e-4 * static_cast<double>(i), 1e-15);
+    EXPECT_NEAR(rows_[i].time, 0.01 * static_cast<double>(i), 1e-9);
+  }
+  EXPECT_EQ(rows_[0].travel, 0);
+  EXPECT_EQ(rows_[0].force_W[0], dvec3(0));
+}
+
+TEST_F(Sweep, PadMiddleAndTipRespondOnBothSidesAndNobodyElse) {
+  double largest = 0;
+  for (std::size_t k = 0; k < 12; ++k) largest = std::max(largest, peak(k));
+  for (std::size_t k = 0; k < 12; ++k)
+    EXPECT_EQ(peak(k) > 0.05 * largest, k == 3 || k == 4 || k == 9 || k == 10) << "taxel " << k;
+  for (const auto& [pad, tip] : {std::pair(3u, 4u), std::pair(9u, 10u)}) {
+    EXPECT_GT(peak(tip), 2 * peak(pad));
+    EXPECT_LT(peak(tip), 7 * peak(pad));
+  }
+}
+
+TEST_F(Sweep, FingerFollowsTheMocapBody) {
+  const Pose first = rows_.front().sensor_poses[0], last = rows_.back().sensor_poses[0];
+  EXPECT_NEAR(last.p.x - first.p.x, 0.024, 1e-4);
+  for (const SimRow& row : rows_) EXPECT_NEAR(row.sensor_poses[0].p.z, first.p.z, 1e-4);
+  EXPECT_NEAR(simulator_->mocap_pos().x - first.p.x, 0.024, 1e-12);
+  EXPECT_GT(rows_.back().force_W[0].z, 0.1);
+  // Sliding on the top: friction near mu = 0.5 against the motion.
+  EXPECT_NEAR(rows_.back().force_W[0].x, -0.5 * rows_.back().force_W[0].z, 0.02 * rows_.back().force_W[0].z);
+}
+
+TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
+  simulator_->reset();
+  EXPECT_FALSE(simulator_->finished());
+  for (std::size_t i = 0; i < 130;) {
+    simulator_->step();
+    if (simulator_->row_due()) {
+      ASSERT_TRUE(simulator_->row() == rows_[i]) << "row " << i;
+      ++i;
+    }
+  }
+}
+
+TEST_F(Sweep, AnotherSimulatorRepeatsBitForBit) {
+  const auto other = Simulator::make_sweep(test::fingertip_model(1e6), {});
+  for (std::size_t i = 0; i < 130;) {
+    other->step();
+    if (other->row_due()) {
+      ASSERT_TRUE(other->row() == rows_[i]) << "row " << i;
+      ++i;
+    }
+  }
+}
+
+TEST_F(Sweep, ExportedFolderRepeatsBitForBitInPlainMujoco) {
+  test::SensorScene plain;
+  simulator_->export_scene(plain.folder / "sweep");
+  const std::filesystem::path moved = plain.folder / "moved";  // the folder runs elsewhere
+  std::filesystem::rename(plain.folder / "sweep", moved);
+  char reason[1000] = "";
+  plain.model.reset(mj_loadXML((moved / "scene.xml").c_str(), nullptr, reason, sizeof reason));
+  ASSERT_NE(plain.model, nullptr) << reason;
+  plain.data.reset(mj_makeData(plain.model.get()));
+  EXPECT_TRUE(plain.sensor().warnings().empty());
+  simulator_->reset();
+  double largest = 0;
+  for (int n = 0; n < 1300; ++n) {
+    simulator_->step();
+    for (int i = 0; i < 3; ++i) plain.data->mocap_pos[i] = simulator_->mocap_pos()[i];
+    const dquat q = simulator_->mocap_quat();
+    const std::array<double, 4> quat{q.w, q.x, q.y, q.z};
+    std::copy(quat.begin(), quat.end(), plain.data->mocap_quat);
+    plain.step();
+    const std::vector<double> readings = simulator_->row().readings[0];
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      ASSERT_EQ(plain.data->sensordata[k], readings[k]) << "step " << n << " taxel " << k;
+      largest = std::max(largest, readings[k]);
+    }
+  }
+  EXPECT_GT(largest, 1000);
+}
+
+TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
+  // What `taxel read` does: the contact at the recorded pose, computed anew.
+  const SensorModelPtr& model = simulator_->scene()->sensors[0];
+  const HydroBodyPtr box = make_body({ShapeType::box, dvec3(0.025), nullptr, 0}, {}, "box");
+  ContactSurface surface;
+  IntersectWorkspace workspace;
+  SensorReading reading;
+  for (const std::size_t i : {0u, 90u, 130u, 240u}) {
+    intersect(*model->body, *box, rows_[i].sensor_poses[0], Pose{{1, 0, 0, 0}, dvec3(0.025, 0, 0.025)}, surface, workspace);
+    const ContactSurface* surfaces[] = {&surface};
+    read_sensor(*model, surfaces, reading);
+    EXPECT_EQ(reading.values, rows_[i].readings[0]) << "row " << i;
+    EXPECT_EQ(surface.area(), rows_[i].area[0]);
+  }
+}
+
+TEST_F(Sweep, FrameTellsTheWholeStep) {
+  simulator_->reset();
+  SimFrame before;
+  simulator_->fill_frame(before);
+  EXPECT_EQ(before.step, 0u);
+  ASSERT_EQ(before.geom_poses.size(), before.scene->geoms.size());
+  EXPECT_NEAR(before.sensors[0].X_WM.p.x, rows_[0].sensor_poses[0].p.x, 1e-12);  // there before the first step
+  for (int n = 0; n < 1200; ++n) simulator_->step();
+  SimFrame frame;
+  simulator_->fill_frame(frame);
+  const SimRow row = simulator_->row();
+  EXPECT_EQ(frame.step, 1200u);
+  EXPECT_EQ(frame.time, row.time);
+  EXPECT_EQ(frame.travel, row.travel);
+  EXPECT_EQ(frame.sensors[0].readings, row.readings[0]);
+  EXPECT_EQ(frame.sensors[0].hits.size(), frame.scene->sensors[0]->rays.size());
+  ASSERT_EQ(frame.sensors[0].surfaces.size(), 1u);
+  EXPECT_GT(frame.sensors[0].surfaces[0].polygons.size(), 10u);
+  ASSERT_EQ(frame.scene->geoms.size(), 2u);
+  EXPECT_EQ(frame.scene->geoms[0].name, kObjectGeom);
+  EXPECT_EQ(frame.scene->geoms[0].sensor, -1);
+  EXPECT_EQ(frame.scene->geoms[1].sensor, 0);
+  EXPECT_NEAR(frame.scene->duration, 2.4, 1e-12);
+  ASSERT_EQ(frame.scene->path_W.size(), 2u);
+  EXPECT_NEAR(frame.scene->path_W[1].x, 0.012, 1e-12);
+}
+
+TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
+  SweepScenario scenario;
+  scenario.before = 0.001;
+  scenario.past = 0.00033;
+  scenario.speed = 0.0071;
+  scenario.record_every = 0.00017;
+  const auto simulator = Simulator::make_sweep(test::fingertip_model(1e5), scenario);
+  int rows = 0;
+  double travel = -1;
+  while (!simulator->finished()) {
+    simulator->step();
+    if (!simulator->row_due()) continue;
+    const double now = simulator->row().travel;
+    EXPECT_GE(now, 0.00017 * rows - 1e-12);
+    EXPECT_LT(now, 0.00017 * rows + 0.0071 * 0.001);
+    EXPECT_GT(now, travel);
+    travel = now;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 8);  // 0, 0.17, ... 1.19 mm
+  EXPECT_DOUBLE_EQ(simulator->row().travel, 0.00133);
+}
+
+}  // namespace
+}  // namespace taxel
