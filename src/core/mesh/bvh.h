@@ -51,7 +51,8 @@ class Bvh {
  private:
   struct Split;
   [[nodiscard]] Split best_split(std::span<const Aabb> boxes, const Node& node) const;
-  void try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi, Split& best) const;
+  void try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi,
+                Split& best) const;
   std::int32_t partition(std::span<const Aabb> boxes, const Node& node, const Split& split);
 
   std::vector<Node> nodes_;

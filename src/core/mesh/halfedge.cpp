@@ -1,8 +1,9 @@
 #include "core/mesh/halfedge.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <numeric>
+#include <array>
 
+#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/edge_sides.h"
 
 namespace taxel {
@@ -18,28 +19,19 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using OmMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
-  return i;
-}
-
 /// Corners of faces (3 face + corner) gathered into fans: one number per fan of faces around one vertex.
 class Fans {
  public:
-  explicit Fans(std::size_t corner_count) : parent_(corner_count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Fans(std::size_t corner_count) : corners_(corner_count) {}
   /// Two sides of one edge belong together: so do the corners at its ends.
   void join(const EdgeSide& s, const EdgeSide& t) {
-    unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
-    unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
+    corners_.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
+    corners_.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
   }
-  int of(int face, int corner) { return find_root(parent_, 3 * face + corner); }
+  int of(int face, int corner) { return corners_.find(3 * face + corner); }
 
  private:
-  void unite(int a, int b) {
-    const int root_a = find_root(parent_, a), root_b = find_root(parent_, b);
-    parent_[at(std::max(root_a, root_b))] = std::min(root_a, root_b);
-  }
-  std::vector<int> parent_;
+  DisjointSets corners_;
 };
 
 /// The OpenMesh mesh: one vertex per fan, faces in order.

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstdint>
-#include <numeric>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/mesh/disjoint_sets.h"
 
 namespace taxel {
 namespace {
@@ -32,26 +30,18 @@ void check_input(const std::vector<dvec3>& vertices, const std::vector<ivec3>& f
   }
 }
 
-/// Root of the tree that holds i; flattens the path on the way.
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
-  return i;
-}
-
 /// Connected shells over shared vertices, numbered by their first face. Returns how many there are.
 int find_shells(int vertex_count, const std::vector<ivec3>& faces, std::vector<int>& shell_of_face) {
-  std::vector<int> parent(at(vertex_count));
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(at(vertex_count));
   for (const ivec3& f : faces) {
-    const int a = find_root(parent, f.x);
-    parent[at(find_root(parent, f.y))] = a;
-    parent[at(find_root(parent, f.z))] = a;
+    sets.unite(f.x, f.y);
+    sets.unite(f.x, f.z);
   }
   std::vector<int> number(at(vertex_count), -1);
   shell_of_face.resize(faces.size());
   int count = 0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    int& shell = number[at(find_root(parent, faces[f].x))];
+    int& shell = number[at(sets.find(faces[f].x))];
     if (shell < 0) shell = count++;
     shell_of_face[f] = shell;
   }
