@@ -53,7 +53,7 @@ void check_shells(const TriMesh& mesh, const std::string& file, Problems& proble
   if (mesh.closed() && extract_shells(mesh, outer).volume() < 0) {
     problems.push_back({file, "", Severity::warning, "mesh_inverted",
                         fmt::format("the volume is negative ({:.6g} m^3): the normals point inward", mesh.volume()),
-                        "flip the faces, or give a negative scale on one axis to mirror it"});
+                        "flip the winding of its faces"});
   }
   std::vector<int> faces(at(mesh.shell_count()), 0);
   for (const int s : mesh.shell_of_face()) ++faces[at(s)];
