@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/hydro/medial_field.h"
+#include "core/hydro/round_mesh.h"
 #include "core/mesh/primitives.h"
 
 namespace taxel {
@@ -73,24 +75,21 @@ double edge_length(const Shape& shape) {
   return 0.1 * extent;
 }
 
-/// The surface of any bounded shape; round ones tessellated and scaled to their true volume, so that forces have no
-/// first-order error of the facets.
+/// The surface of any bounded shape; round ones tessellated.
 TriMeshPtr surface_mesh(const Shape& shape) {
   const double r = shape.size[0], half = shape.size[1], edge = edge_length(shape);
-  const auto scaled = [](const TriMesh& mesh, double volume) {
-    return std::make_shared<const TriMesh>(scaled_to_volume(mesh, volume));
-  };
+  const auto share = [](TriMesh mesh) { return std::make_shared<const TriMesh>(std::move(mesh)); };
   switch (shape.type) {
     case ShapeType::sphere:
-      return scaled(make_sphere(r, edge), 4.0 / 3.0 * kPi * r * r * r);
+      return share(make_round_sphere(r, edge));
     case ShapeType::capsule:
-      return scaled(make_capsule(r, half, edge), kPi * r * r * (2.0 * half + 4.0 / 3.0 * r));
-    case ShapeType::ellipsoid:
-      return scaled(make_ellipsoid(shape.size, edge), 4.0 / 3.0 * kPi * shape.size.x * shape.size.y * shape.size.z);
+      return share(make_round_capsule(r, half, edge));
     case ShapeType::cylinder:
-      return scaled(make_cylinder(r, half, edge), 2.0 * kPi * r * r * half);
+      return share(make_round_cylinder(r, half, edge));
+    case ShapeType::ellipsoid:
+      return share(make_round_ellipsoid(shape.size, edge));
     case ShapeType::box:
-      return std::make_shared<const TriMesh>(make_box(shape.size));
+      return share(make_box(shape.size));
     default:
       return shape.mesh;
   }
@@ -110,6 +109,22 @@ TriMeshPtr skin_of(const TriMeshPtr& mesh) {
   return std::make_shared<const TriMesh>(extract_shells(*mesh, outer));
 }
 
+PressureFieldPtr make_medial_field(const Shape& shape, double modulus) {
+  const double r = shape.size[0], half = shape.size[1], edge = edge_length(shape);
+  switch (shape.type) {
+    case ShapeType::sphere:
+      return make_sphere_field(r, modulus, edge);
+    case ShapeType::capsule:
+      return make_capsule_field(r, half, modulus, edge);
+    case ShapeType::cylinder:
+      return make_cylinder_field(r, half, modulus, edge);
+    case ShapeType::ellipsoid:
+      return make_ellipsoid_field(shape.size, modulus, edge);
+    default:
+      return make_box_field(shape.size, modulus);
+  }
+}
+
 PressureFieldPtr make_field(const Shape& shape, const Material& material) {
   const bool is_mesh = shape.type == ShapeType::mesh;
   if (material.field == FieldKind::star) return make_star_field(skin_of(surface_mesh(shape)), material.modulus);
@@ -117,9 +132,9 @@ PressureFieldPtr make_field(const Shape& shape, const Material& material) {
     const TriMeshPtr skin = skin_of(surface_mesh(shape));
     return make_pad_field(skin, material.modulus, pad_thickness(*skin, material));
   }
-  if (material.field != FieldKind::tets && shape.type == ShapeType::sphere)
-    return make_sphere_field(shape.size[0], material.modulus, edge_length(shape));
-  throw Error(fmt::format("a soft {} with this kind of pressure field is not supported", to_string(shape.type)));
+  if (material.field == FieldKind::tets || is_mesh)
+    throw Error(fmt::format("a {} with this kind of pressure field is not supported", to_string(shape.type)));
+  return make_medial_field(shape, material.modulus);
 }
 
 HydroBody make(const Shape& shape, const Material& material) {

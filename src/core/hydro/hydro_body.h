@@ -42,7 +42,9 @@ struct Shape {
   double resolution = 0;  ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
 };
 
-/// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated.
+/// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated
+/// and scaled to their true volume. Soft meshes get a pad on their outer shells (thickness 0: an eighth of the smallest
+/// extent) or a star; soft primitives their medial-axis field, but a pad where the material says pad and a thickness.
 /// Throws Error that names what is not supported or out of range (size <= 0, pad on an open mesh, ...).
 HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name);
 

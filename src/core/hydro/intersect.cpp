@@ -31,6 +31,7 @@ bool box_meets(const Aabb& box_B, const RigidTransform& X_AB, const Aabb& other,
 
 /// Whether an edge of the polygon lies in a face of the tet that belongs to a pad's rigid core.
 bool ends_at_core(const PressureField& field, const Tet& tet, const ClippedPolygon& polygon) {
+  if (!field.report().core) return false;
   constexpr double kOnPlane = 1e-9;  // of the tet's size
   for (int i = 0; i < 4; ++i) {
     if ((polygon.cut_by & (1u << i)) == 0 || tet.neighbour[i] >= 0 || field.is_skin(tet, i)) continue;

@@ -49,10 +49,11 @@ PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness) 
   for (int v = 0; v < mesh->vertex_count(); ++v) vertices.push_back(shape.inner_position(v));
   std::vector<ivec4> tets;
   FieldReport report;
+  report.core = true;
   double limited_area = 0, bare_area = 0;
   int bare = 0, first_bare = -1;
   for (int f = 0; f < mesh->face_count(); ++f) {
-    const PadShape::FaceTets face_tets = shape.tets(f);
+    const PrismTets face_tets = shape.tets(f);
     tets.insert(tets.end(), face_tets.tets.begin(), face_tets.tets.begin() + face_tets.count);
     if (face_tets.count == 0) {
       bare_area += mesh->face_areas()[at(f)];

@@ -112,29 +112,9 @@ bool PadShape::can_be_filled(int face) const {
   return true;
 }
 
-/// Three tets: their diagonals go from the lower number's skin vertex to the higher number's inner one, so that
-/// neighbours cut the quad between them alike. Those that a pinched corner flattens are left out.
-PadShape::FaceTets PadShape::prism(int face) const {
-  int a = mesh_.faces()[at(face)].x, b = mesh_.faces()[at(face)].y, c = mesh_.faces()[at(face)].z;
-  while (a > b || a > c) {  // turn the lowest number to the front: keeps the orientation
-    const int first = a;
-    a = b;
-    b = c;
-    c = first;
-  }
-  const int ia = inner(a), ib = inner(b), ic = inner(c);
-  const std::array<ivec4, 3> all =
-      b < c ? std::array<ivec4, 3>{ivec4(a, c, b, ic), ivec4(a, b, ib, ic), ivec4(a, ia, ic, ib)}
-            : std::array<ivec4, 3>{ivec4(a, c, b, ib), ivec4(a, ic, c, ib), ivec4(a, ia, ic, ib)};
-  FaceTets kept;
-  for (const ivec4& t : all) {
-    bool flat = false;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = i + 1; j < 4; ++j) flat = flat || t[i] == t[j];
-    }
-    if (!flat) kept.tets[at(kept.count++)] = t;
-  }
-  return kept;
+PrismTets PadShape::prism(int face) const {
+  const ivec3& f = mesh_.faces()[at(face)];
+  return split_prism(f, {inner(f.x), inner(f.y), inner(f.z)});
 }
 
 /// Whether every tet has at least `part` of the prism's third, taken with the shortest offset around the face.
@@ -144,7 +124,7 @@ bool PadShape::well_shaped(int face, double part) const {
     const int v = mesh_.faces()[at(face)][c];
     if (!pinched_[at(v)]) h = std::min(h, offset_[at(v)]);
   }
-  const FaceTets prism_tets = prism(face);
+  const PrismTets prism_tets = prism(face);
   for (int i = 0; i < prism_tets.count; ++i) {
     const ivec4& t = prism_tets.tets[at(i)];
     const dvec3 o = position(t[0]);
@@ -185,8 +165,8 @@ int PadShape::pinch_folded() {
   return count;
 }
 
-PadShape::FaceTets PadShape::tets(int face) const {
-  return can_be_filled(face) && well_shaped(face, kFoldedVolume) ? prism(face) : FaceTets{};
+PrismTets PadShape::tets(int face) const {
+  return can_be_filled(face) && well_shaped(face, kFoldedVolume) ? prism(face) : PrismTets{};
 }
 
 }  // namespace taxel

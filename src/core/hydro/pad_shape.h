@@ -1,9 +1,8 @@
 // Where the inner vertices of a pad lie, and the tets between them and the skin.
 #pragma once
 
-#include <array>
-
 #include "core/hydro/pad_directions.h"
+#include "core/hydro/prism.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
@@ -12,11 +11,6 @@ namespace taxel {
 /// thickness allows. Vertices of the skin have their numbers in the mesh; inner ones follow: v + vertex_count().
 class PadShape {
  public:
-  struct FaceTets {
-    std::array<ivec4, 3> tets;
-    int count = 0;  ///< 3; less where corners are pinched; 0 where the face has no pad
-  };
-
   /// Cost: some closest-point queries per vertex.
   PadShape(const MeshIndex& index, double thickness);
 
@@ -25,8 +19,9 @@ class PadShape {
   [[nodiscard]] const PadDirection& direction(int v) const { return inward_[at(v)]; }
   /// Whether the offset is shorter than the thickness asks for.
   [[nodiscard]] bool limited(int v) const { return offset_[at(v)] < 0.999 * full_[at(v)]; }
-  /// Tets of positive volume, in skin and inner vertex numbers.
-  [[nodiscard]] FaceTets tets(int face) const;
+  /// Tets of positive volume, in skin and inner vertex numbers: three; fewer where corners are pinched, none where the
+  /// face has no pad.
+  [[nodiscard]] PrismTets tets(int face) const;
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -35,7 +30,7 @@ class PadShape {
   [[nodiscard]] int inner(int v) const { return pinched_[at(v)] ? v : v + mesh_.vertex_count(); }
   [[nodiscard]] double own_depth(int v, double h) const;
   [[nodiscard]] bool can_be_filled(int face) const;
-  [[nodiscard]] FaceTets prism(int face) const;
+  [[nodiscard]] PrismTets prism(int face) const;
   [[nodiscard]] bool well_shaped(int face, double part) const;
   void set_offset(int v);
   void smooth();

@@ -30,6 +30,7 @@ struct FieldReport {
   int zero_gradient = 0;
   double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
   double stiffness_cv = 0;                ///< variation of |g| over the skin, area weighted
+  bool core = false;                      ///< the field ends on a rigid core (pads)
   std::vector<std::string> notes;
 };
 
@@ -50,8 +51,7 @@ class PressureField {
   [[nodiscard]] double max_pressure() const { return max_pressure_; }
   [[nodiscard]] double size() const { return size_; }  ///< diagonal of the bounds: the scale of tolerances [m]
   [[nodiscard]] const FieldReport& report() const { return report_; }
-  /// Whether the face opposite to this corner lies on the skin: at the boundary, with no pressure at its vertices. The
-  /// boundary's other faces are those of a pad's rigid core.
+  /// Whether the face opposite to this corner lies on the skin: at the boundary, with no pressure at its vertices.
   [[nodiscard]] bool is_skin(const Tet& tet, int corner) const;
 
  private:

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/hydro/pressure_field.h"
-#include "core/mesh/primitives.h"
+#include "core/hydro/round_mesh.h"
 
 namespace taxel {
 namespace {
@@ -50,8 +50,7 @@ PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus) {
 PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_length) {
   require_positive(radius, "radius of a soft sphere");
   require_positive(modulus, "modulus of a soft sphere");
-  const double volume = 4.0 / 3.0 * kPi * radius * radius * radius;
-  return make_cone_field(scaled_to_volume(make_sphere(radius, edge_length), volume), dvec3(0), modulus);
+  return make_cone_field(make_round_sphere(radius, edge_length), dvec3(0), modulus);
 }
 
 }  // namespace taxel

@@ -57,6 +57,21 @@ TEST(Clip, ATriangleInASharedPlaneIsCountedOnce) {
               0.5 * std::sqrt(2.0) * (0.8 * 0.7 - 0.6 * 0.1), 1e-14);
 }
 
+TEST(Clip, TheLowerTetHoldsASharedPlane) {
+  const Triangle diagonal{dvec3(-1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 0)};
+  ClippedPolygon polygon;
+  for (int t = 0; t < 6; ++t) {
+    const Tet& tet = cube().tets()[static_cast<std::size_t>(t)];
+    clip_triangle(diagonal, tet, t, polygon);
+    if (polygon.count == 0) continue;
+    for (int i = 0; i < 4; ++i) {
+      const dvec3& n = tet.normal[static_cast<std::size_t>(i)];
+      const bool in_plane = std::abs(n.x + n.y) + std::abs(n.z) < 1e-14;  // x = y
+      EXPECT_TRUE(!in_plane || tet.neighbour[i] > t);
+    }
+  }
+}
+
 TEST(Clip, ATriangleARoundingAwayFromASharedPlaneIsCountedOnce) {
   for (const double noise : {1e-17, 1e-16, 3e-16, 1e-15, 1e-12}) {
     for (int corner = 0; corner < 6; ++corner) {

@@ -32,6 +32,12 @@ TEST(MakeBody, RoundRigidShapesHaveTheirTrueVolume) {
   EXPECT_EQ(mesh_of(*make_simple_body(ShapeType::box, s)).face_count(), 12);
 }
 
+TEST(MakeBody, ACylinderKeepsItsLength) {
+  const TriMesh& mesh = mesh_of(*make_simple_body(ShapeType::cylinder, dvec3(0.01, 0.2, 0)));
+  EXPECT_EQ(mesh.bounds().hi.z, 0.2);
+  EXPECT_EQ(mesh.bounds().lo.z, -0.2);
+}
+
 TEST(MakeBody, ResolutionIsTheLongestEdge) {
   const auto faces = [](double edge) {
     return mesh_of(*make_simple_body(ShapeType::capsule, dvec3(0.01, 0.02, 0), {}, edge)).face_count();

@@ -7,6 +7,7 @@
 #include "core/hydro/pressure_field.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
+#include "fixtures/field_checks.h"
 
 namespace taxel {
 namespace {
@@ -70,6 +71,9 @@ void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_
   EXPECT_GE(covered(*field, mesh->area()), 1 - bare - 1e-9);
   EXPECT_EQ(report.notes.empty(), bare == 0);
   EXPECT_LE(field->max_pressure(), kModulus);
+  expect_sound(*field, bare > 0 ? 1e-11 : 1e-13);
+  // Neighbouring prisms share their sides: open are the skin and the core only.
+  EXPECT_TRUE(bare > 0 || boundary_faces(*field) == 2 * mesh->face_count());
   EXPECT_LT(overlap(*field), 2e-3);
   double area = 0, mean = 0;
   for (const Tet& tet : field->tets()) {

@@ -5,60 +5,16 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/mesh/primitives.h"
+#include "fixtures/field_checks.h"
 #include "fixtures/slab_field.h"
 
 namespace taxel {
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-double distance(const Tet& tet, int face, const dvec3& x) {
-  return glm::dot(tet.normal[at(face)], x) + tet.offset[at(face)];
-}
-
-/// What the kernel builds on.
-void expect_sound(const PressureField& field) {
-  const double size = field.size();
-  for (int t = 0; t < static_cast<int>(field.tets().size()); ++t) {
-    const Tet& tet = field.tets()[at(t)];
-    std::array<dvec3, 4> x;
-    for (int i = 0; i < 4; ++i) x[at(i)] = field.vertices()[at(tet.vertices[i])];
-    ASSERT_GT(glm::dot(glm::cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0]), 0) << t;
-    for (int i = 0; i < 4; ++i) {
-      ASSERT_NEAR(glm::length(tet.normal[at(i)]), 1, 1e-14);
-      ASSERT_GT(distance(tet, i, x[at(i)]), 0);
-      for (int k = 1; k < 4; ++k) ASSERT_NEAR(distance(tet, i, x[at((i + k) % 4)]), 0, 1e-14 * size);
-      const double p = field.vertex_pressure()[at(tet.vertices[i])];
-      ASSERT_NEAR(glm::dot(tet.gradient, x[at(i)]) + tet.constant, p, 1e-13 * glm::length(tet.gradient) * size);
-      ASSERT_GE(p, 0);
-      if (tet.neighbour[i] < 0) continue;
-      const Tet& other = field.tets()[at(tet.neighbour[i])];
-      int back = -1;
-      for (int k = 0; k < 4; ++k) back = other.neighbour[k] == t ? k : back;
-      ASSERT_GE(back, 0);
-      ASSERT_EQ(other.normal[at(back)], -tet.normal[at(i)]);  // to the last bit
-      ASSERT_EQ(other.offset[at(back)], -tet.offset[at(i)]);
-    }
-  }
-}
-
-double volume(const PressureField& field) {
-  double sum = 0;
-  for (const Tet& tet : field.tets()) {
-    const dvec3& o = field.vertices()[at(tet.vertices[0])];
-    sum += glm::dot(glm::cross(field.vertices()[at(tet.vertices[1])] - o, field.vertices()[at(tet.vertices[2])] - o),
-                    field.vertices()[at(tet.vertices[3])] - o) /
-           6;
-  }
-  return sum;
-}
-
 TEST(PressureField, PlanesGradientsAndNeighboursAreSound) {
   const PressureFieldPtr slab = make_slab_field({0.02, 0.03}, 0.01, {3, 2, 2}, 1e7);
   expect_sound(*slab);
-  EXPECT_NEAR(volume(*slab), 4 * 0.02 * 0.03 * 0.01, 1e-18);
+  EXPECT_NEAR(field_volume(*slab), 4 * 0.02 * 0.03 * 0.01, 1e-18);
   EXPECT_EQ(slab->report().tets, 3 * 2 * 2 * 6);
   EXPECT_NEAR(slab->report().stiffness_cv, 0, 1e-6);
   EXPECT_NEAR(slab->max_pressure(), 1e5, 1e-9);
@@ -111,7 +67,7 @@ TEST(PressureField, BadInputIsNamed) {
 TEST(StarField, OfASphereIsItsMedialAxisField) {
   const PressureFieldPtr sphere = make_sphere_field(0.02, 1e5, 0.004);
   expect_sound(*sphere);
-  EXPECT_NEAR(volume(*sphere), 4.0 / 3 * kPi * 8e-6, 1e-12);  // scaled to the true volume
+  EXPECT_NEAR(field_volume(*sphere), 4.0 / 3 * kPi * 8e-6, 1e-12);  // scaled to the true volume
   EXPECT_EQ(sphere->report().inverted, 0);
   EXPECT_LT(sphere->report().stiffness_cv, 0.01);
   EXPECT_EQ(sphere->max_pressure(), 1e5);
@@ -123,7 +79,7 @@ TEST(StarField, ReportsHowUnevenItIs) {
   expect_sound(*field);
   EXPECT_EQ(field->report().inverted, 0);
   EXPECT_GT(field->report().stiffness_cv, 0.1);
-  EXPECT_NEAR(volume(*field), capsule->volume(), 1e-10 * capsule->volume());
+  EXPECT_NEAR(field_volume(*field), capsule->volume(), 1e-10 * capsule->volume());
   // A dent that cannot be seen from the centroid turns tets over.
   TriMesh ball = make_icosphere(0.01, 3);
   std::vector<dvec3> vertices = ball.vertices();

@@ -1,0 +1,91 @@
+#include "core/hydro/medial_field.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/hydro/prism.h"
+#include "core/hydro/round_mesh.h"
+#include "core/mesh/primitives.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A tet whose volume is a smaller part of its skin edge cubed lies in the medial axis: it is flat.
+constexpr double kFlat = 1e-9;
+
+void require_modulus(double modulus) {
+  if (!(modulus > 0) || !std::isfinite(modulus))
+    throw Error(fmt::format("modulus of a soft body must be positive, not {}", modulus));
+}
+
+bool is_flat(const std::vector<dvec3>& x, const ivec4& t) {
+  const dvec3& o = x[at(t[0])];
+  const dvec3 a = x[at(t[1])] - o, b = x[at(t[2])] - o, c = x[at(t[3])] - o;
+  const double size = std::max({glm::length(a), glm::length(b), glm::length(c)});
+  return std::abs(glm::dot(glm::cross(a, b), c)) <= kFlat * size * size * size;
+}
+
+/// Prisms from the skin, p = 0, to the points of the medial axis that its vertices belong to, p = E. Vertices that
+/// belong to one point share it.
+template <class AxisPoint>
+PressureFieldPtr fill_to_axis(const TriMesh& skin, double modulus, const AxisPoint& axis_point) {
+  require_modulus(modulus);
+  std::vector<dvec3> vertices = skin.vertices();
+  std::vector<int> inner;
+  std::map<std::tuple<double, double, double>, int> numbers;
+  for (const dvec3& v : skin.vertices()) {
+    const dvec3 p = axis_point(v) + 0.0;  // + 0 makes -0 and 0 one number
+    const auto [entry, fresh] = numbers.try_emplace({p.x, p.y, p.z}, static_cast<int>(vertices.size()));
+    if (fresh) vertices.push_back(p);
+    inner.push_back(entry->second);
+  }
+  std::vector<double> pressure(vertices.size(), modulus);
+  std::fill_n(pressure.begin(), skin.vertices().size(), 0.0);
+  std::vector<ivec4> tets;
+  for (const ivec3& f : skin.faces()) {
+    const PrismTets prism = split_prism(f, {inner[at(f.x)], inner[at(f.y)], inner[at(f.z)]});
+    for (int i = 0; i < prism.count; ++i) {
+      if (!is_flat(vertices, prism.tets[at(i)])) tets.push_back(prism.tets[at(i)]);
+    }
+  }
+  return std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
+                                               FieldReport{});
+}
+
+}  // namespace
+
+PressureFieldPtr make_box_field(const dvec3& half_size, double modulus) {
+  const dvec3 core = half_size - std::min({half_size.x, half_size.y, half_size.z});
+  return fill_to_axis(make_box(half_size), modulus, [&](const dvec3& v) { return glm::clamp(v, -core, core); });
+}
+
+PressureFieldPtr make_capsule_field(double radius, double half_length, double modulus, double edge_length) {
+  const TriMesh skin = make_round_capsule(radius, half_length, edge_length);
+  return fill_to_axis(skin, modulus,
+                      [&](const dvec3& v) { return dvec3(0, 0, std::clamp(v.z, -half_length, half_length)); });
+}
+
+PressureFieldPtr make_cylinder_field(double radius, double half_length, double modulus, double edge_length) {
+  if (radius > half_length) {
+    throw Error(
+        fmt::format("a soft cylinder of radius {} > half length {} has no medial-axis field here; give it a pad",
+                    radius, half_length));
+  }
+  const double core = half_length - radius;
+  const TriMesh skin = make_round_cylinder(radius, half_length, edge_length);
+  return fill_to_axis(skin, modulus, [&](const dvec3& v) { return dvec3(0, 0, std::clamp(v.z, -core, core)); });
+}
+
+PressureFieldPtr make_ellipsoid_field(const dvec3& semi_axes, double modulus, double edge_length) {
+  const TriMesh skin = make_round_ellipsoid(semi_axes, edge_length);
+  return fill_to_axis(skin, modulus, [](const dvec3&) { return dvec3(0); });
+}
+
+}  // namespace taxel
