@@ -211,6 +211,15 @@ const std::shared_ptr<const SimScene>& Simulator::scene() const {
   return impl_->shown;
 }
 
+std::vector<std::string> Simulator::warnings() const {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
+    const HydroInstance& sensor = impl_->sensor(i);
+    for (const std::string& text : sensor.warnings()) all.push_back("sensor \"" + sensor.config().name + "\": " + text);
+  }
+  return all;
+}
+
 SimRow Simulator::row() const {
   const Impl& s = *impl_;
   SimRow row;

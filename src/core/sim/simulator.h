@@ -33,6 +33,9 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
+  /// What the sensors have to say about the scene: another mesh than the layout's, contacts doubled by MuJoCo's own, ...
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
   void step();   ///< one mj_step; then row() and frame() tell of the state that was evaluated
   void reset();  ///< back to the start, bit for bit
   [[nodiscard]] bool finished() const;   ///< the scenario's path has been run

@@ -7,6 +7,7 @@
 
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/xml_attributes.h"
 
 namespace taxel {
 namespace {
@@ -25,22 +26,6 @@ std::string one_line(const std::string& text) {
   std::string joined;
   for (const std::string& line : lines) joined += (joined.empty() ? "" : "; ") + line;
   return joined;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
 }
 
 void compile(CompiledScene& scene, const mjVFS* vfs, const std::string& name) {
@@ -121,8 +106,8 @@ CompiledScene load_scene(const fs::path& scene_file, const std::string& layout, 
   <sensor><plugin name="taxels" plugin="{}" instance="attached taxels"/></sensor>
 </mujoco>
 )",
-                                      escaped(file.filename().string()), kPluginName,
-                                      escaped(fs::absolute(layout, ignored).string()), escaped(geom), kPluginName);
+                                      xml_escaped(file.filename().string()), kPluginName,
+                                      xml_escaped(fs::absolute(layout, ignored).string()), xml_escaped(geom), kPluginName);
   Vfs vfs;
   vfs.add(overlay.string(), xml);
   CompiledScene scene = parse_and_compile(overlay.string(), vfs.get(), name);

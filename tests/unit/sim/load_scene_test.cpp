@@ -1,0 +1,155 @@
+// Users' scenes: with sensors of their own, with a layout attached, wrong ones, and moved elsewhere.
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/sim/model/geometry.h"
+#include "core/sim/scene/loaded_scene.h"
+#include "core/sim/simulator.h"
+#include "fixtures/sensor_scene.h"
+
+namespace taxel {
+namespace {
+
+using test::key;
+using test::sensor_extension;
+using test::SensorScene;
+
+constexpr const char* kBall = R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1'/>
+      <body name='b' pos='0 0 0.0195'><freejoint/><geom name='ball' type='mesh' mesh='ball'/></body>
+      <body pos='0.2 0 0.01'><freejoint/><geom name='box' type='box' size='.01 .01 .01'/></body></worldbody>)";
+
+class LoadScene : public testing::Test {
+ protected:
+  void SetUp() override { s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5}); }
+  std::filesystem::path write(const std::string& xml) {
+    write_file_atomically(s.folder / "scene.xml", "<mujoco>" + xml + "</mujoco>");
+    return s.folder / "scene.xml";
+  }
+  std::string layout() const { return (s.folder / "ball.taxels.json").string(); }
+  static std::string error_of(const std::function<void()>& body) {
+    try {
+      body();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+  SensorScene s;
+};
+
+TEST_F(LoadScene, WithItsOwnSensors) {
+  const auto simulator = Simulator::load(write(sensor_extension("ball", key("others", "floor")) + kBall));
+  ASSERT_EQ(simulator->scene()->sensors.size(), 1u);
+  EXPECT_EQ(simulator->scene()->sensor_geoms[0], "ball");
+  EXPECT_EQ(simulator->scene()->geoms.size(), 3u);
+  EXPECT_TRUE(simulator->scene()->geoms[0].plane);
+  EXPECT_EQ(simulator->scene()->duration, 0);
+  for (int n = 0; n < 100; ++n) simulator->step();
+  EXPECT_TRUE(simulator->row_due());
+  EXPECT_FALSE(simulator->finished());
+  EXPECT_GT(simulator->row().readings[0][0], 0);
+}
+
+TEST_F(LoadScene, AnAttachedLayoutCarriesTheBallInPlaceOfMujocosContact) {
+  const std::filesystem::path scene = write(kBall);
+  const auto simulator = Simulator::load(scene, layout(), "ball");
+  for (int n = 0; n < 1000; ++n) simulator->step();
+  const SimRow row = simulator->row();
+  // the mesh of this icosphere at MuJoCo's default density
+  const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
+  EXPECT_NEAR(row.force_W[0].z, weight, 0.01 * weight);
+  EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];
+}
+
+TEST_F(LoadScene, ExclusionTakesAwayNoOtherContact) {
+  // A second geom on the sensor's body touches the floor by MuJoCo's contact, which must stay: then the pair is reported.
+  std::string scene = kBall;
+  scene.replace(scene.find("mesh='ball'/>"), 13, "mesh='ball'/><geom name='leg' type='sphere' size='.005' pos='.03 0 -.0145'/>");
+  register_sensor_plugin();
+  const CompiledScene compiled = load_scene(write(scene), layout(), "ball");
+  const DataHandle data(mj_makeData(compiled.model.get()));
+  mj_step(compiled.model.get(), data.get());
+  bool leg_touches = false, box_excluded = true;
+  for (int c = 0; c < data->ncon; ++c) {
+    const std::string a = geom_name(*compiled.model, data->contact[c].geom[0]);
+    const std::string b = geom_name(*compiled.model, data->contact[c].geom[1]);
+    leg_touches |= (a == "floor" && b == "leg") || (a == "leg" && b == "floor");
+    box_excluded &= !(a == "ball" && b == "box");
+  }
+  EXPECT_TRUE(leg_touches);
+  EXPECT_TRUE(box_excluded);
+  EXPECT_EQ(compiled.model->nexclude, 0);  // nor ball and box: the leg may meet the box
+}
+
+TEST_F(LoadScene, TheSceneGoesOnWhereItFindsItsFilesFromAnywhere) {
+  std::filesystem::create_directory(s.folder / "meshes");
+  std::filesystem::rename(s.folder / "ball.obj", s.folder / "meshes/ball.obj");
+  save_mesh(s.folder / "ball.obj", make_sphere(0.02, 0.008));  // for the layout
+  const std::filesystem::path scene = write("<compiler meshdir='meshes'/>" + std::string(kBall));
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(s.folder.parent_path());
+  const std::string error = error_of([&] { Simulator::load(s.folder.filename() / "scene.xml", layout(), "ball"); });
+  std::filesystem::current_path(before);
+  EXPECT_EQ(error, "no error");
+}
+
+TEST_F(LoadScene, AMovedCopyRepeatsBitForBit) {
+  const auto original = Simulator::load(write(sensor_extension("ball", key("others", "floor")) + kBall));
+  original->export_scene(s.folder / "copy");
+  for (const char* name : {"ball.obj", "ball.taxels.json", "scene.xml"}) std::filesystem::remove(s.folder / name);
+  std::filesystem::rename(s.folder / "copy", s.folder / "moved");
+  const auto copy = Simulator::load(s.folder / "moved/scene.xml");
+  double largest = 0;
+  for (int n = 0; n < 200; ++n) {
+    original->step();
+    copy->step();
+    ASSERT_EQ(copy->row().readings, original->row().readings) << n;
+    largest = std::max(largest, copy->row().readings[0][0]);
+  }
+  EXPECT_GT(largest, 0);
+}
+
+TEST_F(LoadScene, AMovedCopyOfAnAttachedLayoutRunsToo) {
+  const auto original = Simulator::load(write(kBall), layout(), "ball");
+  original->export_scene(s.folder / "copy");
+  const auto copy = Simulator::load(s.folder / "copy/scene.xml");
+  for (int n = 0; n < 200; ++n) {
+    original->step();
+    copy->step();
+  }
+  EXPECT_NEAR(copy->row().force_W[0].z, original->row().force_W[0].z, 1e-6);
+  EXPECT_TRUE(copy->warnings().empty());
+}
+
+TEST_F(LoadScene, MistakesNameTheFileAndTheReason) {
+  const std::string scene = (s.folder / "scene.xml").string();
+  EXPECT_EQ(error_of([&] { Simulator::load(s.folder / "none.xml"); }), (s.folder / "none.xml").string() + ": no such file");
+  write("<worldbody><geom type='globe'/></worldbody>");
+  std::string error = error_of([&] { Simulator::load(scene); });
+  EXPECT_TRUE(error.starts_with(scene + ": ")) << error;
+  EXPECT_TRUE(has(error, "globe") || has(error, "type")) << error;
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+  write(kBall);
+  error = error_of([&] { Simulator::load(scene, layout(), "bull"); });
+  EXPECT_TRUE(error.starts_with(scene + ": ")) << error;
+  EXPECT_TRUE(has(error, "geom") && has(error, "\"bull\"")) << error;
+  error = error_of([&] { Simulator::load(scene, (s.folder / "nothing.json").string(), "ball"); });
+  EXPECT_TRUE(has(error, "nothing.json")) << error;
+  error = error_of([&] { Simulator::load(scene, layout(), ""); });
+  EXPECT_TRUE(has(error, "go together")) << error;
+}
+
+TEST_F(LoadScene, AnUnstableSceneStopsWithItsTime) {
+  const auto simulator = Simulator::load(
+      write("<worldbody><body><joint type='slide' stiffness='-1e7'/><geom size='.1'/></body></worldbody>"
+            "<keyframe><key qpos='0'/></keyframe>"));
+  const std::string error = error_of([&] {
+    for (int n = 0; n < 2000; ++n) simulator->step();
+  });
+  EXPECT_TRUE(has(error, "unstable at")) << error;
+}
+
+}  // namespace
+}  // namespace taxel

@@ -1,0 +1,159 @@
+// The simulation's thread: commands in, frames out, the clock obeyed or ignored.
+#include "core/sim/sim_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "core/sim/pacing.h"
+#include "core/sim/simulator.h"
+#include "fixtures/sweep_model.h"
+
+namespace taxel {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Waits for a frame that satisfies the condition; null after ten seconds.
+SimFramePtr await(SimThread& thread, const std::function<bool(const SimFrame&)>& condition) {
+  const auto end = std::chrono::steady_clock::now() + 10s;
+  while (std::chrono::steady_clock::now() < end) {
+    const SimFramePtr frame = thread.newest_frame();
+    if (frame != nullptr && condition(*frame)) return frame;
+    std::this_thread::sleep_for(1ms);
+  }
+  return nullptr;
+}
+
+class Thread : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
+  static void TearDownTestSuite() { model_.reset(); }
+  void load(const SweepScenario& scenario = {}) { thread_.send(LoadSweepCommand{model_, scenario}); }
+  static SensorModelPtr model_;
+  SimThread thread_;
+};
+SensorModelPtr Thread::model_;
+
+TEST_F(Thread, StepsExactlyWhenTold) {
+  thread_.set_clock_driven(false);
+  load();
+  thread_.send(PlayCommand{});
+  thread_.send(StepCommand{1300});
+  const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.step == 1300; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_TRUE(frame->playing);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock goes on, the simulation does not
+  // the same as the plain loop
+  const auto simulator = Simulator::make_sweep(model_, {});
+  std::vector<TraceRow> rows;
+  for (int n = 0; n < 1300; ++n) {
+    simulator->step();
+    if (simulator->row_due()) rows.push_back({simulator->row().time, simulator->row().travel, simulator->row().readings[0]});
+  }
+  EXPECT_EQ(frame->sensors[0].readings, simulator->row().readings[0]);
+  ASSERT_EQ(frame->trace->size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ((*frame->trace)[i].readings, rows[i].readings);
+}
+
+TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
+  SweepScenario scenario;
+  scenario.before = scenario.past = 0.001;
+  thread_.set_clock_driven(false);
+  load(scenario);
+  thread_.send(PlayCommand{});
+  thread_.send(StepCommand{100000});
+  SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.finished; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_FALSE(frame->playing);
+  EXPECT_EQ(frame->step, 201u);
+  EXPECT_EQ(frame->trace->size(), 21u);
+  thread_.send(PlayCommand{});
+  frame = await(thread_, [](const SimFrame& f) { return f.playing; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->step, 0u);
+  EXPECT_TRUE(frame->trace->empty());
+}
+
+TEST_F(Thread, ClockDrivesItAtTheWantedSpeed) {
+  load();
+  thread_.send(SpeedCommand{0.5});
+  thread_.send(PlayCommand{});
+  ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.playing; }), nullptr);
+  const auto begin = std::chrono::steady_clock::now();
+  const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.time >= 0.15; });
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_GE(wall, 0.8 * 0.3);  // never faster; slower on a busy machine
+  EXPECT_GT(frame->measured_speed, 0);
+  thread_.send(PauseCommand{});
+  const SimFramePtr paused = await(thread_, [](const SimFrame& f) { return !f.playing; });
+  ASSERT_NE(paused, nullptr);
+  std::this_thread::sleep_for(30ms);
+  EXPECT_EQ(thread_.newest_frame(), nullptr);
+}
+
+TEST_F(Thread, ResetGoesBackAndForgetsTheTrace) {
+  thread_.set_clock_driven(false);
+  load();
+  thread_.send(StepCommand{50});
+  ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.step == 50; }), nullptr);
+  thread_.send(ResetCommand{});
+  const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.step == 0; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_TRUE(frame->trace->empty());
+  EXPECT_EQ(frame->time, 0);
+}
+
+TEST_F(Thread, ASceneThatDoesNotLoadIsToldAndTheOldOneStays) {
+  thread_.set_clock_driven(false);
+  load();
+  thread_.send(StepCommand{3});
+  ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.step == 3; }), nullptr);
+  thread_.send(LoadSceneCommand{"no_such_scene.xml"});
+  const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return !f.error.empty(); });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_NE(frame->error.find("no_such_scene.xml"), std::string::npos);
+  EXPECT_EQ(frame->step, 3u);
+  thread_.send(StepCommand{1});
+  EXPECT_NE(await(thread_, [](const SimFrame& f) { return f.step == 4; }), nullptr);
+}
+
+TEST_F(Thread, WithoutASceneThereIsAnEmptyFrame) {
+  thread_.send(PlayCommand{});
+  const SimFramePtr frame = await(thread_, [](const SimFrame&) { return true; });
+  ASSERT_NE(frame, nullptr);
+  ASSERT_NE(frame->scene, nullptr);
+  EXPECT_TRUE(frame->scene->geoms.empty());
+  EXPECT_FALSE(frame->playing);
+}
+
+TEST_F(Thread, NobodyReadingTheFramesDoesNotStopIt) {
+  load();
+  thread_.send(SpeedCommand{1000});
+  thread_.send(PlayCommand{});
+  std::this_thread::sleep_for(200ms);  // far more frames than are ever read
+  thread_.send(PauseCommand{});
+  const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return !f.playing; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_GT(frame->step, 20u);
+}
+
+TEST(Pacing, AsksForAStepWhenItIsDueAndForgivesWhatCannotBeCaughtUp) {
+  Pacing pacing;
+  pacing.restart(100.0, 2.0);  // twice as fast as the clock
+  EXPECT_DOUBLE_EQ(pacing.wait(100.0), 0.0);
+  pacing.advance(0.01, 100.0);
+  EXPECT_NEAR(pacing.wait(100.0), 0.005, 1e-12);
+  EXPECT_LE(pacing.wait(100.0051), 0.0);
+  for (int n = 1; n < 200; ++n) pacing.advance(0.01, 100.0 + 0.005 * n);
+  EXPECT_NEAR(pacing.measured_speed(100.0 + 0.005 * 199), 2.0, 0.03);
+  pacing.advance(0.01, 150.0);  // fifty seconds lost
+  EXPECT_GE(pacing.wait(150.0), -0.06);
+}
+
+}  // namespace
+}  // namespace taxel
