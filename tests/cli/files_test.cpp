@@ -109,6 +109,10 @@ TEST(Mesh, ReportsAndRepairs) {
   const Json fixed = taxel_json({"mesh", "fixed.obj"}, folder);
   EXPECT_EQ(fixed["notes"], Json::array());
   EXPECT_EQ(fixed["volume"], mesh["volume"]);
+  const Json mirrored = taxel_json({"mesh", "--scale", "1,1,-3", "t.obj"}, folder);
+  EXPECT_NEAR(mirrored["volume"].get<double>(), 0.5, 1e-15);  // the winding follows the mirror
+  expect_refusal(taxel({"mesh", "t.obj", "--scale", "1,2"}, folder),
+                 "taxel: mesh: --scale: must be one number or three, is 1,2");
 }
 
 TEST(Check, ListsEveryProblemWithItsPointer) {

@@ -96,7 +96,7 @@ TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMesh) {
 }
 
 TEST(Sweep, ReadOnARowsPosesGivesThatRowExactly) {
-  for (const std::size_t row : {0U, 105U, 125U, 180U, 240U}) expect_row_again(shared_sweep(), row);
+  for (const std::size_t row : {0U, 125U, 240U}) expect_row_again(shared_sweep(), row);
 }
 
 TEST(Sweep, ReadOnARowsPosesGivesThatRowExactlyOnTheRealMesh) {

@@ -59,7 +59,7 @@ Command add_check(CLI::App& parent, CommonOptions& common) {
   app->add_option("FILE", *files,
                   "Files to check; exit status 1 when one has an error or a warning, 2 when one cannot be read")
       ->required()
-      ->type_name("FILE");
+      ->option_text("(required)");
   return {app, [files](Console& console) { return run(*files, console); }};
 }
 

@@ -28,7 +28,7 @@ CLI::App* add_command(CLI::App& parent, CommonOptions& common, const std::string
   app->add_option("--threads", common.threads,
                   "At most this many threads (default: all cores); results do not depend on it")
       ->check(CLI::Range(1, 4096))
-      ->type_name("N");
+      ->option_text("N");
   app->footer("Lengths in metres, forces in newtons, pressures in pascals, angles in degrees where said.\nExample: " +
               example);
   return app;

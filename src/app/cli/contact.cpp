@@ -68,15 +68,14 @@ Command add_contact(CLI::App& parent, CommonOptions& common) {
                               "taxel contact sphere_on_plane.json --polygons surface.csv --repeat 100");
   app->add_option("CASE", options->file, "Contact case: two shapes or layouts, materials, poses, velocities (JSON)")
       ->required()
-      ->type_name("FILE");
+      ->option_text("(required)");
   app->add_option("--polygons", options->polygons,
                   "Write the contact surface: one polygon each with vertices [m], pressures [Pa], normal, area [m^2], "
                   "tet, face; .json or .csv")
       ->type_name("FILE");
   app->add_option("--repeat", options->repeat, "Compute it this often; `microseconds` is the median")
       ->check(CLI::Range(1, 1000000))
-      ->capture_default_str()
-      ->type_name("N");
+      ->option_text("N=1");
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 

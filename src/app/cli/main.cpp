@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    Console(common).result(chosen() == commands.end() ? app.help() : chosen()->app->help());
+    Console(common).result(chosen() == commands.end() ? app.help() : chosen()->app->help("taxel"));
     return kDone;
   } catch (const CLI::CallForVersion&) {
     Console(common).result(version_line() + "\n");

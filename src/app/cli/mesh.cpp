@@ -28,15 +28,27 @@ namespace {
 struct Options {
   std::string file;
   std::string out;
-  std::vector<double> scale{1.0};
+  std::string scale = "1";
 };
 
+/// "0.001", or three numbers such as "1,1,-1".
+dvec3 parse_scale(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    double number = 0;
+    if (!CLI::detail::lexical_cast(word, number) || !std::isfinite(number) || number == 0) {
+      throw Error("mesh", "--scale", fmt::format("must be one number or three, none of them 0, is {}", text));
+    }
+    numbers.push_back(number);
+  }
+  if (numbers.size() != 1 && numbers.size() != 3) {
+    throw Error("mesh", "--scale", fmt::format("must be one number or three, is {}", text));
+  }
+  return numbers.size() == 3 ? dvec3(numbers[0], numbers[1], numbers[2]) : dvec3(numbers[0]);
+}
+
 int run(const Options& options, Console& console) {
-  if (options.scale.size() == 2) throw Error("mesh", "--scale takes one number or three");
-  const dvec3 scale =
-      options.scale.size() == 3 ? dvec3(options.scale[0], options.scale[1], options.scale[2]) : dvec3(options.scale[0]);
-  if (scale.x * scale.y * scale.z == 0) throw Error("mesh", "--scale must not be 0");
-  const LoadedMesh loaded = load_mesh(options.file, scale);
+  const LoadedMesh loaded = load_mesh(options.file, parse_scale(options.scale));
   if (!options.out.empty()) save_mesh(options.out, *loaded.mesh);
   console.result(console.json() ? mesh_json(loaded) : mesh_text(loaded));
   return kDone;
@@ -48,11 +60,9 @@ Command add_mesh(CLI::App& parent, CommonOptions& common) {
   const auto options = std::make_shared<Options>();
   CLI::App* app = add_command(parent, common, "mesh", "What a mesh is and what was repaired",
                               "taxel mesh finger.stl --scale 0.001 --out finger.obj");
-  app->add_option("FILE", options->file, "Mesh: .obj .stl .ply .off .gltf .glb")->required()->type_name("FILE");
-  app->add_option("--scale", options->scale, "Multiply coordinates by one number, or by three for x y z")
-      ->expected(1, 3)
-      ->check(finite())
-      ->type_name("X");
+  app->add_option("FILE", options->file, "Mesh: .obj .stl .ply .off .gltf .glb")->required()->option_text("(required)");
+  app->add_option("--scale", options->scale, "Multiply coordinates by one number, or by three: X,Y,Z (0.001 for mm)")
+      ->option_text("X=1");
   app->add_option("--out", options->out, "Write the repaired mesh: .obj .stl .off .glb")->type_name("FILE");
   return {app, [options](Console& console) { return run(*options, console); }};
 }

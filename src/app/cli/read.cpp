@@ -63,11 +63,11 @@ Command add_read(CLI::App& parent, CommonOptions& common) {
   CLI::App* app = add_command(parent, common, "read",
                               "The readings of a layout in one contact, with every aggregate and its samples",
                               "taxel read finger.taxels.json finger_on_box.json --json");
-  app->add_option("LAYOUT", options->layout, "Layout file (*.taxels.json)")->required()->type_name("FILE");
+  app->add_option("LAYOUT", options->layout, "Layout file (*.taxels.json)")->required()->option_text("(required)");
   app->add_option("CASE", options->file,
                   "Contact case (JSON); its `a` holds the pose of the layout's mesh-file frame, `b` what it touches")
       ->required()
-      ->type_name("FILE");
+      ->option_text("(required)");
   add_sampling(*app, options->sampling);
   return {app, [options](Console& console) { return run(*options, console); }};
 }

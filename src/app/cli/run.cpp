@@ -52,7 +52,7 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
   CLI::App* app = add_command(
       parent, common, "run", "Any MuJoCo scene, with the sensors it declares or a layout attached to a geom",
       "taxel run scene.xml --layout finger.taxels.json --geom fingertip --seconds 2 --out result");
-  app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->type_name("FILE");
+  app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->option_text("(required)");
   app->add_option("--layout", options->layout, "Attach this layout (*.taxels.json) ...")->type_name("FILE");
   app->add_option("--geom", options->geom, "... to the geom of this name")->type_name("NAME");
   app->add_option("--seconds", options->seconds, "How long to run [s]; a row every step")

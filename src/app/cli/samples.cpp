@@ -64,7 +64,7 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
   const auto options = std::make_shared<Options>();
   CLI::App* app = add_command(parent, common, "samples", "Samples and receptive fields of a layout",
                               "taxel samples finger.taxels.json --out samples.csv --fields fields.csv");
-  app->add_option("LAYOUT", options->layout, "Layout file (*.taxels.json)")->required()->type_name("FILE");
+  app->add_option("LAYOUT", options->layout, "Layout file (*.taxels.json)")->required()->option_text("(required)");
   app->add_option(
          "--out", options->out,
          "Write x,y,z,nx,ny,nz,face,area,id,used: position [m] and normal in the frame of the mesh file, face of "

@@ -46,9 +46,8 @@ std::string validate_text(const std::vector<ClosedFormCheck>& checks) {
 std::string validate_markdown(const std::vector<ClosedFormCheck>& checks) {
   std::string text =
       "# Validation\n\n"
-      "Contact against closed forms. Written by `taxel validate --markdown > docs/validation.md`; do not edit by hand. "
-      "Errors\n"
-      "are relative. The same numbers are tested in `tests/unit/project`, and through the program in `tests/cli`.\n";
+      "Contact against closed forms, relative errors. Written by `taxel validate --markdown > docs/validation.md`.\n"
+      "The same numbers are tested in `tests/unit/project`, and through the program in `tests/cli`.\n";
   for (const Formula& formula : kFormulas) {
     std::string setting;
     std::string rows;
@@ -61,10 +60,9 @@ std::string validate_markdown(const std::vector<ClosedFormCheck>& checks) {
     }
     if (rows.empty()) continue;
     text += fmt::format("\n## {}\n\n{}\n\nHere: {}.\n\n", formula.form, formula.text, setting);
-    text +=
-        "| quantity | unit | computed | exact | error | bound | within |\n| --- | --- | --- | --- | --- | --- | --- "
-        "|\n" +
-        rows;
+    text += "| quantity | unit | computed | exact | error | bound | within |\n";
+    text += "| --- | --- | --- | --- | --- | --- | --- |\n";
+    text += rows;
   }
   return text;
 }
