@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""The module in Python: plugin_test.py libtaxel_plugin.so FOLDER... (folders written by `taxel sweep`).
+
+All folders are replayed; the first, quick to load, serves the other tests.
+"""
+import copy
+import pickle
+import pathlib
+import sys
+import threading
+import unittest
+
+import mujoco
+import numpy as np
+
+import replay
+
+PLUGIN, FOLDERS = sys.argv[1], [pathlib.Path(folder) for folder in sys.argv[2:]]
+
+
+def over_the_box(model):
+    """A state in contact: the finger and its mocap body 13 mm on."""
+    data = mujoco.MjData(model)
+    data.mocap_pos[0, 0] += 0.013
+    data.qpos[0] += 0.013
+    return data
+
+
+def run(model, data, steps):
+    rows = []
+    for _ in range(steps):
+        data.mocap_pos[0, 0] += 1e-5
+        mujoco.mj_step(model, data)
+        rows.append(data.sensordata.copy())
+    return np.array(rows)
+
+
+class PluginTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = FOLDERS[0] / "scene.xml"
+        cls.model = mujoco.MjModel.from_xml_path(str(cls.scene))
+
+    def test_recorded_sweeps_come_out_again_to_the_last_digit(self):
+        for folder in FOLDERS:
+            with self.subTest(folder=folder.name):
+                recorded, replayed = replay.replay(folder)
+                self.assertEqual(len(recorded), 241)
+                self.assertGreater(recorded.max(), 1000)
+                np.testing.assert_array_equal(replayed, recorded)
+
+    def test_copies_go_on_as_the_original(self):
+        data = over_the_box(self.model)
+        self.assertGreater(run(self.model, data, 20).max(), 0)
+        twin = copy.copy(data)
+        np.testing.assert_array_equal(run(self.model, data, 20), run(self.model, twin, 20))
+        del data
+        run(self.model, twin, 5)
+
+    def test_pickled_data_works_beside_the_original(self):
+        data = over_the_box(self.model)
+        run(self.model, data, 20)
+        text = pickle.dumps(data)
+        other = pickle.loads(text)
+        readings = run(self.model, other, 5)
+        self.assertGreater(readings.max(), 0)
+        np.testing.assert_array_equal(run(self.model, data, 5), readings)
+        del data
+        run(self.model, other, 5)
+        del other
+
+    def test_several_threads_at_once(self):
+        expected = run(self.model, over_the_box(self.model), 30)
+        results = [None] * 3
+
+        def work(i):
+            results[i] = run(self.model, over_the_box(self.model), 30)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for result in results:
+            np.testing.assert_array_equal(result, expected)
+
+    def test_mistakes_are_python_errors_that_name_them(self):
+        text = self.scene.read_text()
+        cases = [('value="finger.taxels.json"', 'value="absent.taxels.json"', "absent.taxels.json"),
+                 ('key="geom" value="finger"', 'key="geom" value="thumb"', '"thumb"'),
+                 ('key="others"', 'key="other"', "other")]
+        for before, after, word in cases:
+            with self.subTest(word=word):
+                self.assertIn(before, text)
+                wrong = self.scene.with_name("wrong.xml")
+                wrong.write_text(text.replace(before, after))
+                with self.assertRaises(ValueError) as caught:
+                    mujoco.MjModel.from_xml_path(str(wrong))
+                wrong.unlink()
+                self.assertIn(word, str(caught.exception))
+
+    def test_energy_and_derivatives_can_be_asked_for(self):
+        data = over_the_box(self.model)
+        run(self.model, data, 50)
+        nv = self.model.nv
+        a = np.zeros((2 * nv, 2 * nv))
+        before = data.sensordata.copy()
+        mujoco.mjd_transitionFD(self.model, data, 1e-6, False, a, None, None, None)
+        self.assertTrue(np.isfinite(a).all())
+        np.testing.assert_array_equal(data.sensordata, before)
+
+
+if __name__ == "__main__":
+    mujoco.mj_loadPluginLibrary(PLUGIN)
+    unittest.main(argv=sys.argv[:1], verbosity=1)
