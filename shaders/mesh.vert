@@ -9,6 +9,8 @@ uniform mat4 world_from_mesh;
 uniform vec3 albedo;       // linear
 out vec3 shade;            // sRGB
 out float facing;          // cosine between normal and eye; negative: seen from inside
+out vec3 p_W;
+out float upward;
 
 // Irradiance on a matte surface with normal n, seen along v (towards the eye).
 vec3 irradiance(vec3 n, vec3 v) {
@@ -24,5 +26,7 @@ void main() {
   vec3 v = normalize(eye.xyz - p.xyz);
   facing = dot(n, v);
   shade = display(albedo * irradiance(facing < 0.0 ? -n : n, v));
+  p_W = p.xyz;
+  upward = n.z;
   gl_Position = clip_from_view * (view_from_world * p);
 }

@@ -25,7 +25,7 @@ std::string included_name(const std::string& line) {
 }
 
 void append(const ShaderReader& read, const std::string& name, ShaderSource& out) {
-  const auto number = out.files.size();
+  const auto before = static_cast<int>(out.files.size()) * kShaderFileLines;
   out.files.push_back(name);
   std::istringstream lines(read(name));
   std::string line;
@@ -34,21 +34,21 @@ void append(const ShaderReader& read, const std::string& name, ShaderSource& out
     if (included.empty()) {
       out.text += line + '\n';
       // #version must stay the first line of the whole
-      if (line.rfind("#version", 0) == 0) out.text += fmt::format("#line {} {}\n", n + 1, number);
+      if (line.rfind("#version", 0) == 0) out.text += fmt::format("#line {}\n", before + n + 1);
       continue;
     }
     if (std::find(out.files.begin(), out.files.end(), included) == out.files.end()) {
-      out.text += fmt::format("#line 1 {}\n", out.files.size());
+      out.text += fmt::format("#line {}\n", static_cast<int>(out.files.size()) * kShaderFileLines + 1);
       append(read, included, out);
     }
-    out.text += fmt::format("#line {} {}\n", n + 1, number);
+    out.text += fmt::format("#line {}\n", before + n + 1);
   }
 }
 
 /// Reads a number at `at` and moves past it; -1 when there is none.
 int read_number(const std::string& text, std::size_t& at) {
   int value = -1;
-  while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0 && value < 1000000) {
+  while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0 && value < 100'000'000) {
     value = std::max(value, 0) * 10 + (text[at++] - '0');
   }
   return value;
@@ -71,12 +71,12 @@ ShaderSource assemble_shader(const ShaderReader& read, const std::string& name) 
 ShaderMessage parse_shader_log(const std::string& log, const ShaderSource& source) {
   ShaderMessage message{source.files.empty() ? "" : source.files.front(), "", log};
   std::size_t at = 0;
-  const int file = read_number(log, at);
-  if (file < 0 || at >= log.size() || (log[at] != ':' && log[at] != '(')) return message;
+  if (read_number(log, at) < 0 || at >= log.size() || (log[at] != ':' && log[at] != '(')) return message;
   const int line = read_number(log, ++at);
   if (line < 0) return message;
-  if (static_cast<std::size_t>(file) < source.files.size()) message.file = source.files[static_cast<std::size_t>(file)];
-  message.where = fmt::format("line {}", line);
+  const auto file = static_cast<std::size_t>(line / kShaderFileLines);
+  if (file < source.files.size()) message.file = source.files[file];
+  message.where = fmt::format("line {}", line % kShaderFileLines);
   const auto text = log.find_first_not_of(" :)(0123456789", at);
   message.text = text == std::string::npos ? log : log.substr(text, log.find('\n', text) - text);
   return message;

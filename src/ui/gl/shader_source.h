@@ -15,13 +15,16 @@ std::string read_embedded_shader(const std::string& name);
 
 struct ShaderSource {
   std::string text;
-  std::vector<std::string> files;  ///< by the source string number that #line gives
+  std::vector<std::string> files;  ///< line numbers of file i begin after i * kShaderFileLines
 };
+/// #line's own number of a source string gets lost in some of Mesa's messages; the line number never does.
+inline constexpr int kShaderFileLines = 10000;
 
 /// Puts included files in place, once each. Throws Error for a missing file.
 ShaderSource assemble_shader(const ShaderReader& read, const std::string& name);
 
-/// What a GLSL compiler says ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12"; empty when not found.
+/// What a GLSL compiler says ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12", the latter empty when
+/// there is no number.
 struct ShaderMessage {
   std::string file, where, text;
 };

@@ -77,8 +77,8 @@ void draw_rays(const Canvas& canvas, const Section& section, const Look& look) {
 void draw_dots(const Canvas& canvas, const Section& section, const Look& look) {
   for (const Section::RayPiece& ray : section.rays) {
     if (!ray.hit) continue;
-    canvas.list.AddCircleFilled(canvas.at(ray.to), 3.4f, color(look.mark_outline, 1));
-    canvas.list.AddCircleFilled(canvas.at(ray.to), 2.4f, canvas.pressure_color(ray.pressure));
+    canvas.list.AddCircleFilled(canvas.at(ray.to), 2.8f, color(look.mark_outline, 0.6f));
+    canvas.list.AddCircleFilled(canvas.at(ray.to), 2.1f, canvas.pressure_color(ray.pressure));
   }
 }
 

@@ -79,6 +79,8 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   ground.make_shadow(floor, scene_bounds(input),
                      [&](const gl::Program& program) { meshes.draw_casters(program, list); });
 
+  meshes.make_shadow(sensors_of(input, cache), sensor_bounds(input));
+
   target->bind();
   glClearColor(0, 0, 0, 1);
   glClearDepth(1);
@@ -89,17 +91,17 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glEnable(GL_PROGRAM_POINT_SIZE);
   const bool keep_backdrop = software && !floor.filled;
   if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, segments);
-  meshes.draw_solids(list);
+  meshes.draw_solids(list, look);
   if (!keep_backdrop) {
     ground.draw_background(look);
     ground.draw(floor, camera, look, input.overlays.grid, segments);
   }
   ground.draw_shadow(floor, look);
-  meshes.draw_outlines(list.solids, camera, look.solid_outline, segments);
+  meshes.draw_outlines(list.solids, camera, segments);
   meshes.draw_skins(list, camera, look);
-  meshes.draw_outlines(list.skins, camera, look.skin_outline, segments);
+  meshes.draw_outlines(list.skins, camera, segments);
   if (input.overlays.wireframe) meshes.draw_wires(list, look, segments);
-  sensors.draw(input, camera, look, target->width(), target->height(), segments, points);
+  sensors.draw(input, camera, look, target->height(), segments, points);
 }
 
 void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look) {

@@ -11,6 +11,7 @@
 namespace taxel::ui {
 namespace {
 
+constexpr double kStub = 0.3;       // of the allowed depth: a miss
 constexpr double kLeastSine = 0.2;  // two directions span a plane when they differ by more than some 12 degrees
 
 /// The way the sensor is led; along the finger where nothing is.
@@ -89,7 +90,7 @@ void add_rays(const SensorView& view, double slab, Section& out) {
     if (wanted[i] == 0 || std::abs(out.plane.height(origin)) > slab) continue;
     const RayHit& hit = view.state->hits[i];
     const bool met = hit.surface >= 0;
-    const dvec3 end = X(ray.origin + (met ? hit.depth : ray.max_depth) * ray.direction);
+    const dvec3 end = X(ray.origin + (met ? hit.depth : kStub * ray.max_depth) * ray.direction);
     out.rays.push_back({out.plane.flat(origin), out.plane.flat(end), met, hit.pressure});
   }
 }
@@ -119,8 +120,9 @@ void add_objects(const SceneInput& input, Section& out) {
 
 }  // namespace
 
-std::vector<Section::Outline> join_outlines(const std::vector<std::pair<dvec3, dvec3>>& pieces, const SectionPlane& plane,
+std::vector<Section::Outline> join_outlines(std::vector<std::pair<dvec3, dvec3>> pieces, const SectionPlane& plane,
                                             const Pose& X_WG) {
+  std::erase_if(pieces, [](const auto& piece) { return piece.first == piece.second; });  // a corner on the plane
   const auto key = [](const dvec3& p) { return std::array<double, 3>{p.x, p.y, p.z}; };
   std::multimap<std::array<double, 3>, std::size_t> by_start;
   for (std::size_t i = 0; i < pieces.size(); ++i) by_start.emplace(key(pieces[i].first), i);

@@ -58,7 +58,7 @@ struct Section {
 Section make_section(const SceneInput& input, const SensorView& view, double slab);
 
 /// Joins pieces whose ends are equal bit by bit into outlines; the pieces of a closed mesh's cut become closed ones.
-std::vector<Section::Outline> join_outlines(const std::vector<std::pair<dvec3, dvec3>>& pieces, const SectionPlane& plane,
+std::vector<Section::Outline> join_outlines(std::vector<std::pair<dvec3, dvec3>> pieces, const SectionPlane& plane,
                                             const Pose& X_WG);
 
 }  // namespace taxel::ui

@@ -49,9 +49,14 @@ bool pressure_centroid(const SensorFrameState& state, dvec3& centroid) {
   return true;
 }
 
-Aabb scene_bounds(const SceneInput& input) {
+Aabb sensor_bounds(const SceneInput& input) {
   Aabb box;
   for (const SensorView& view : sensor_views(input)) box.include(posed_bounds(*view.model->mesh, view.X_WM));
+  return box;
+}
+
+Aabb scene_bounds(const SceneInput& input) {
+  Aabb box = sensor_bounds(input);
   if (!input.frame || !input.frame->scene) return box;
   const SimScene& scene = *input.frame->scene;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {

@@ -21,6 +21,9 @@ std::vector<SensorView> sensor_views(const SceneInput& input);
 /// Where the contact pushes: centroid of the pressure over all polygons of a sensor, frame M. False without contact.
 bool pressure_centroid(const SensorFrameState& state, dvec3& centroid);
 
+/// Box around the sensors. [m], world
+Aabb sensor_bounds(const SceneInput& input);
+
 /// Box around all that is drawn, planes left out. [m], world
 Aabb scene_bounds(const SceneInput& input);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <functional>
 #include <string>
 
 #include "core/base/math.h"
@@ -19,5 +19,8 @@ void write_picture(const std::string& name, const gl::RgbImage& image);
 
 /// The pixel that contains a position (from the upper left corner).
 std::array<int, 3> pixel_at(const gl::RgbImage& image, const dvec2& position);
+
+/// One window of ImGui that fills a picture; `draw` fills the window. Drawn several times, as ImGui needs.
+gl::RgbImage panel_picture(int width, int height, bool dark, const std::function<void()>& draw);
 
 }  // namespace taxel::test

@@ -1,61 +1,333 @@
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-
+#include "core/base/error.h"
+#include "ui/scene/color_map.h"
 #include "ui/scene/finger_scene.h"
 #include "ui/scene/picture.h"
+#include "ui/scene/scene_cast.h"
+#include "ui/scene/sensor_view.h"
 
-namespace taxel {
+namespace taxel::ui {
 namespace {
 
-TEST(SceneRenderer, DrawsTheSweep) {
-  test::context();
-  ui::SceneRenderer renderer;
-  const auto model = test::finger_model();
-  ui::SceneInput input = test::finger_input(test::finger_frame(model, 0.003));
-  renderer.render(input, test::finger_camera(), 800, 560);
-  test::write_picture("sweep_dark", renderer.picture());
-  input.dark = false;
-  renderer.render(input, test::finger_camera(), 800, 560);
-  test::write_picture("sweep_light", renderer.picture());
+constexpr int kWidth = 800, kHeight = 560;
+
+Overlays nothing() {
+  Overlays o;
+  o.rays = o.contact_surface = o.samples = o.taxels = o.taxel_labels = o.receptive_fields = o.path = o.grid = false;
+  return o;
 }
 
-TEST(SceneRenderer, DISABLED_FrameTime) {
-  test::context();
-  ui::SceneRenderer renderer;
-  const auto model = test::finger_model(16000);
-  std::vector<ui::SceneInput> inputs;
-  for (int i = 0; i < 4; ++i) inputs.push_back(test::finger_input(test::finger_frame(model, 0.002 + 0.0005 * i)));
-  fmt::print("faces {} samples {} rays {} polygons {}\n", model->mesh->face_count(), model->samples.size(), model->rays.size(),
-             inputs[2].frame->sensors[0].surfaces[0].polygons.size());
-  const auto run = [&](const std::string& name, auto change) {
-    if (getenv("ONLY") && name != getenv("ONLY")) return;
-    std::vector<double> ms;
-    const auto cpu0 = std::clock();
-    for (int i = 0; i < 60; ++i) {
-      ui::SceneInput input = inputs[static_cast<std::size_t>(i % 4)];
-      change(input.overlays);
-      const auto start = std::chrono::steady_clock::now();
-      renderer.render(input, test::finger_camera(), 800, 560);
-      glFinish();
-      ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    }
-    std::sort(ms.begin(), ms.end());
-    fmt::print("{:20} min {:6.2f} median {:6.2f} ms, cpu {:6.2f} ms\n", name, ms[0], ms[30], 1000.0 * static_cast<double>(std::clock() - cpu0) / CLOCKS_PER_SEC / 60);
+int largest_difference(const std::array<int, 3>& pixel, const glm::vec3& color) {
+  int worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    worst = std::max(worst, std::abs(pixel[static_cast<std::size_t>(i)] - static_cast<int>(std::lround(255 * color[i]))));
+  }
+  return worst;
+}
+
+int pixels_changed(const gl::RgbImage& a, const gl::RgbImage& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+    count += std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(i), a.rgb.begin() + static_cast<std::ptrdiff_t>(i + 3),
+                        b.rgb.begin() + static_cast<std::ptrdiff_t>(i))
+                 ? 0
+                 : 1;
+  }
+  return count;
+}
+
+/// Whether p lies in the polygon, seen along its normal.
+bool inside(const ContactSurface& surface, const ContactPolygon& polygon, const dvec3& p) {
+  for (int i = 0; i < polygon.count; ++i) {
+    const dvec3& a = surface.vertices[static_cast<std::size_t>(polygon.first + i)];
+    const dvec3& b = surface.vertices[static_cast<std::size_t>(polygon.first + (i + 1) % polygon.count)];
+    if (glm::dot(glm::cross(b - a, p - a), polygon.normal) < 0) return false;
+  }
+  return true;
+}
+
+/// Whether no other polygon lies before this one on the ray, nor one almost edge-on.
+bool is_first(const ContactSurface& surface, const ContactPolygon& polygon, const Ray& ray, double t) {
+  for (const ContactPolygon& other : surface.polygons) {
+    const double slope = glm::dot(ray.direction, other.normal);
+    const double t_other = glm::dot(other.centroid - ray.origin, other.normal) / slope;
+    if (&other != &polygon && t_other < t && inside(surface, other, ray.origin + t_other * ray.direction)) return false;
+  }
+  return std::abs(glm::dot(ray.direction, polygon.normal)) > 0.2;
+}
+
+/// Compares the pixel at each projected polygon with the colour of the pressure at the pixel's very middle.
+struct ContactCheck {
+  int compared = 0, worst = 0;
+};
+ContactCheck check_contact(const SceneInput& input, const Camera& camera, const gl::RgbImage& image) {
+  ContactCheck out;
+  const SensorFrameState& state = input.frame->sensors[0];
+  const ContactSurface& surface = state.surfaces[0];
+  for (const ContactPolygon& polygon : surface.polygons) {
+    const dvec3 projected = camera.project(state.X_WM * polygon.centroid, image.width, image.height);
+    const dvec2 middle(std::floor(projected.x) + 0.5, std::floor(projected.y) + 0.5);
+    if (middle.x < 0 || middle.y < 0 || middle.x >= image.width || middle.y >= image.height) continue;
+    const Ray ray = in_frame(state.X_WM, camera.pixel_ray(middle.x, middle.y, image.width, image.height));
+    const double t = glm::dot(polygon.centroid - ray.origin, polygon.normal) / glm::dot(ray.direction, polygon.normal);
+    const dvec3 p = ray.origin + t * ray.direction;
+    if (!inside(surface, polygon, p) || !is_first(surface, polygon, ray, t)) continue;
+    const double pressure = polygon.pressure + glm::dot(polygon.gradient, p - polygon.centroid);
+    ++out.compared;
+    out.worst = std::max(out.worst, largest_difference(test::pixel_at(image, middle),
+                                                       viridis((pressure - input.range.lo) / (input.range.hi - input.range.lo))));
+  }
+  return out;
+}
+
+class SceneRendererTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    test::context();
+    model_ = test::finger_model();
+    frame_ = test::finger_frame(model_, 0.003);
+  }
+  static void TearDownTestSuite() {
+    model_.reset();
+    frame_.reset();
+  }
+  gl::RgbImage draw(const SceneInput& input, const Camera& camera, int width = kWidth, int height = kHeight) {
+    renderer_.render(input, camera, width, height);
+    return renderer_.picture();
+  }
+  static Camera from_above() {
+    Camera camera = test::finger_camera();
+    camera.elevation_deg = 55;
+    camera.target = {-0.022, 0, 0};
+    camera.distance = 0.03;
+    return camera;
+  }
+
+  static SensorModelPtr model_;
+  static SimFramePtr frame_;
+  SceneRenderer renderer_;
+};
+SensorModelPtr SceneRendererTest::model_;
+SimFramePtr SceneRendererTest::frame_;
+
+TEST_F(SceneRendererTest, APolygonsPixelHasTheColourOfItsPressure) {
+  SceneInput input = test::finger_input(frame_);
+  input.overlays = nothing();
+  input.overlays.contact_surface = true;
+  auto frame = std::make_shared<SimFrame>(*frame_);
+  frame->sensors[0].force_W = dvec3(0);  // no arrow over it
+  input.frame = frame;
+  const ContactCheck alone = check_contact(input, from_above(), draw(input, from_above()));
+  EXPECT_GT(alone.compared, 150);
+  EXPECT_LE(alone.worst, 1);
+  // neither the skin before it nor rays and samples may tint it
+  input.overlays = Overlays{};
+  input.overlays.taxels = input.overlays.path = false;
+  const gl::RgbImage image = draw(input, from_above());
+  test::write_picture("contact_from_above", image);
+  const ContactCheck with_all = check_contact(input, from_above(), image);
+  EXPECT_EQ(with_all.compared, alone.compared);
+  EXPECT_LE(with_all.worst, 1);
+}
+
+TEST_F(SceneRendererTest, TheRangeDecidesTheColoursAndOutOfRangeIsClamped) {
+  SceneInput input = test::finger_input(frame_);
+  input.overlays = nothing();
+  input.overlays.contact_surface = true;
+  auto frame = std::make_shared<SimFrame>(*frame_);
+  frame->sensors[0].force_W = dvec3(0);
+  input.frame = frame;
+  input.range = {0.2 * input.range.hi, 0.5 * input.range.hi, false};
+  EXPECT_LE(check_contact(input, from_above(), draw(input, from_above())).worst, 1);
+}
+
+TEST_F(SceneRendererTest, SolidSkinHidesTheContactAndTransparentSkinShowsIt) {
+  SceneInput input = test::finger_input(frame_);
+  input.overlays = nothing();
+  input.overlays.contact_surface = true;
+  auto frame = std::make_shared<SimFrame>(*frame_);
+  frame->sensors[0].force_W = dvec3(0);
+  input.frame = frame;
+  input.overlays.sensor_transparent = false;
+  Camera above = from_above();
+  above.elevation_deg = 80;
+  EXPECT_GT(check_contact(input, above, draw(input, above)).worst, 50);
+  input.overlays.sensor_transparent = true;
+  EXPECT_LE(check_contact(input, above, draw(input, above)).worst, 1);
+  // the box is solid: from below nothing of the contact shines through
+  Camera below = from_above();
+  below.elevation_deg = -50;
+  EXPECT_GT(check_contact(input, below, draw(input, below)).worst, 50);
+}
+
+TEST_F(SceneRendererTest, TransparentSkinLetsTheBackgroundThroughSolidSkinDoesNot) {
+  SceneInput input;
+  input.document_model = model_;
+  input.overlays = nothing();
+  Camera camera;
+  camera.frame(model_->mesh->bounds());
+  const dvec2 middle(0.5 * kWidth, 0.5 * kHeight);
+  const auto dark_minus_light = [&](bool transparent) {
+    input.overlays.sensor_transparent = transparent;
+    input.dark = true;
+    const auto dark = test::pixel_at(draw(input, camera), middle);
+    input.dark = false;
+    const auto light = test::pixel_at(draw(input, camera), middle);
+    return light[1] - dark[1];
   };
-  using O = ui::Overlays;
-  run("all", [](O&) {});
-  run("no samples", [](O& o) { o.samples = false; });
-  run("no rays", [](O& o) { o.rays = false; });
-  run("no contact", [](O& o) { o.contact_surface = false; });
-  run("no taxels", [](O& o) { o.taxels = false; });
-  run("no rings", [](O& o) { o.receptive_fields = false; });
-  run("no grid", [](O& o) { o.grid = false; });
-  run("solid skin", [](O& o) { o.sensor_transparent = false; });
-  run("none", [](O& o) { o.samples = o.rays = o.contact_surface = o.taxels = o.receptive_fields = o.grid = o.path = false; });
+  EXPECT_GT(dark_minus_light(true), dark_minus_light(false) + 40);
+}
+
+TEST_F(SceneRendererTest, ASamplesPixelHasItsTaxelsColour) {
+  const auto sparse = test::finger_model(1500);
+  SceneInput input;
+  input.document_model = sparse;
+  input.overlays = nothing();
+  input.overlays.samples = true;
+  Camera camera;
+  camera.frame(sparse->mesh->bounds());
+  camera.azimuth_deg = -75;
+  for (const bool transparent : {true, false}) {
+    input.overlays.sensor_transparent = transparent;
+    const gl::RgbImage image = draw(input, camera);
+    test::write_picture(transparent ? "samples" : "samples_on_solid_skin", image);
+    int compared = 0;
+    for (std::size_t i = 0; i < sparse->samples.size(); ++i) {
+      const SurfaceSample& sample = sparse->samples[i];
+      const dvec3 to_eye = glm::normalize(camera.eye() - sample.position);
+      if (sparse->taxels_of_sample[i].empty() || glm::dot(sample.normal, to_eye) < 0.3) continue;
+      ++compared;
+      const auto pixel = test::pixel_at(image, dvec2(camera.project(sample.position, kWidth, kHeight)));
+      EXPECT_EQ(largest_difference(pixel, taxel_color(sparse->taxels_of_sample[i].front())), 0) << "sample " << i;
+    }
+    EXPECT_GT(compared, 150);
+  }
+}
+
+TEST_F(SceneRendererTest, ATaxelsCentreHasItsColour) {
+  SceneInput input;
+  input.document_model = model_;
+  Camera camera;
+  camera.frame(model_->mesh->bounds());
+  camera.azimuth_deg = -90;
+  const gl::RgbImage image = draw(input, camera);
+  test::write_picture("layout", image);
+  int compared = 0;
+  for (int k = 0; k < model_->taxel_count(); ++k) {
+    const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
+    if (glm::dot(taxel.normal, glm::normalize(camera.eye() - taxel.center)) < 0.2) continue;
+    ++compared;
+    const auto pixel = test::pixel_at(image, dvec2(camera.project(taxel.center, kWidth, kHeight)));
+    EXPECT_EQ(largest_difference(pixel, taxel_color(k)), 0) << "taxel " << k;
+  }
+  EXPECT_GE(compared, 6);
+}
+
+TEST_F(SceneRendererTest, EveryOverlayIsSeen) {
+  const SceneInput all = [&] {
+    SceneInput input = test::finger_input(frame_);
+    input.overlays.contact_edges = input.overlays.sample_normals = input.overlays.wireframe = true;
+    input.overlays.sensor_transparent = true;
+    return input;
+  }();
+  Camera camera = test::finger_camera();
+  camera.distance = 0.06;
+  const gl::RgbImage whole = draw(all, camera);
+  test::write_picture("everything", whole);
+  const std::vector<std::pair<const char*, bool Overlays::*>> parts{
+      {"sensor_transparent", &Overlays::sensor_transparent}, {"wireframe", &Overlays::wireframe},
+      {"rays", &Overlays::rays}, {"contact_surface", &Overlays::contact_surface},
+      {"contact_edges", &Overlays::contact_edges}, {"samples", &Overlays::samples},
+      {"sample_normals", &Overlays::sample_normals}, {"taxels", &Overlays::taxels},
+      {"receptive_fields", &Overlays::receptive_fields}, {"path", &Overlays::path}, {"grid", &Overlays::grid},
+      {"all_rays", &Overlays::all_rays}};
+  for (const auto& [name, member] : parts) {
+    SceneInput input = all;
+    input.overlays.*member = !(input.overlays.*member);
+    EXPECT_GT(pixels_changed(whole, draw(input, camera)), 60) << name;
+  }
+  SceneInput input = all;
+  input.selected_taxel = 3;
+  EXPECT_GT(pixels_changed(whole, draw(input, camera)), 200);
+}
+
+TEST_F(SceneRendererTest, TheSameInputGivesTheSameBytes) {
+  const SceneInput input = test::finger_input(frame_);
+  const Camera camera = test::finger_camera();
+  const gl::RgbImage first = draw(input, camera);
+  test::write_picture("sweep_dark", first);
+  Camera other = camera;
+  other.orbit(90, 20);
+  SceneInput light = input;
+  light.dark = false;
+  test::write_picture("sweep_light", draw(light, camera));
+  EXPECT_GT(pixels_changed(first, draw(input, other)), 10000);
+  EXPECT_EQ(draw(input, camera), first);  // nothing kept of the pictures between
+  SceneRenderer fresh;
+  fresh.render(input, camera, kWidth, kHeight);
+  EXPECT_EQ(fresh.picture(), first);
+}
+
+TEST_F(SceneRendererTest, FollowsTheSizeOfItsView) {
+  const SceneInput input = test::finger_input(frame_);
+  const gl::RgbImage first = draw(input, test::finger_camera());
+  const gl::RgbImage small = draw(input, test::finger_camera(), 333, 201);
+  EXPECT_EQ(small.width, 333);
+  EXPECT_EQ(small.height, 201);
+  EXPECT_EQ(small.rgb.size(), 3u * 333 * 201);
+  EXPECT_EQ(draw(input, test::finger_camera()), first);
+  EXPECT_NO_THROW(draw(input, test::finger_camera(), 0, -5));  // a view that is folded away
+  EXPECT_EQ(draw(input, test::finger_camera()), first);
+}
+
+TEST_F(SceneRendererTest, DrawsWithoutAnythingLoaded) {
+  SceneInput input;
+  const gl::RgbImage empty = draw(input, Camera{});
+  test::write_picture("empty", empty);
+  input.overlays.grid = false;
+  EXPECT_GT(pixels_changed(empty, draw(input, Camera{})), 2000);  // the grid was there
+}
+
+TEST_F(SceneRendererTest, APlaneGeomHidesWhatLiesBelowIt) {
+  auto scene = std::make_shared<SimScene>(*frame_->scene);
+  scene->geoms[0].plane = true;  // the box becomes the floor at its own pose
+  auto frame = std::make_shared<SimFrame>(*frame_);
+  frame->scene = scene;
+  frame->geom_poses[0] = {dquat(1, 0, 0, 0), dvec3(0, 0, 0)};
+  SceneInput input = test::finger_input(frame);
+  input.overlays = nothing();
+  input.overlays.path = true;  // 1.5 mm below the floor
+  const Camera camera = test::finger_camera();
+  const gl::RgbImage image = draw(input, camera);
+  input.overlays.grid = true;
+  test::write_picture("plane", draw(input, camera));
+  const dvec3 on_path = 0.5 * (scene->path_W[0] + scene->path_W[1]) - dvec3(0.008, 0, 0);
+  const auto pixel = test::pixel_at(image, dvec2(camera.project(on_path, kWidth, kHeight)));
+  EXPECT_LT(pixel[0], 140);              // dimmed red over the floor
+  EXPECT_GT(pixel[0], pixel[1] + 15);
+}
+
+TEST_F(SceneRendererTest, ABrokenShaderIsNamedWithItsLine) {
+  const auto broken = [](const std::string& file, const std::string& text) {
+    return [=](const std::string& name) { return name == file ? text : gl::read_embedded_shader(name); };
+  };
+  try {
+    const SceneRenderer r(broken("line.frag", "#version 450 core\nout vec4 c;\nvoid main() { c = nonsense; }\n"));
+    FAIL() << "compiled";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.file(), "line.frag");
+    EXPECT_EQ(e.where(), "line 3");
+    EXPECT_NE(e.message().find("nonsense"), std::string::npos);
+  }
+  try {
+    const SceneRenderer r(broken("color.glsl", "float half_of(float x) {\n  return 0.5 * y;\n}\n"));
+    FAIL() << "compiled";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.file(), "color.glsl") << e.what();
+    EXPECT_EQ(e.where(), "line 2");
+  }
 }
 
 }  // namespace
-}  // namespace taxel
+}  // namespace taxel::ui

@@ -1,14 +1,10 @@
 #include "ui/scene/draw/ground.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "ui/gl/state.h"
 
 namespace taxel::ui {
 namespace {
 
-constexpr int kShadowTexels = 96;
-constexpr double kShadowMargin = 0.35;  // around the casters, parts of their size
 constexpr double kShadowHeight = 0.22;  // parts of the casters' size at which the shadow is a third as dark
 constexpr float kShadeTowardEye = 1e-4f;  // the shadow before its ground
 constexpr int kFanVertices = 26;        // centre, 24 sides and the first again
@@ -42,59 +38,21 @@ double grid_cell(double camera_distance) { return std::pow(10.0, std::floor(std:
 GroundPass::GroundPass(const gl::ShaderReader& read)
     : background_(read, "screen.vert", "background.frag"),
       ground_(read, "ground"),
-      shadow_(read, "caster.vert", "shadow.frag"),
-      blur_(read, "screen.vert", "blur.frag"),
+      caster_(read, "caster.vert", "shadow.frag"),
       shade_(read, "shade"),
-      map_(GL_R8, kShadowTexels, kShadowTexels),
-      blurred_(GL_R8, kShadowTexels, kShadowTexels) {
-  glNamedFramebufferTexture(map_target_.id(), GL_COLOR_ATTACHMENT0, map_.id(), 0);
-  glNamedFramebufferTexture(blurred_target_.id(), GL_COLOR_ATTACHMENT0, blurred_.id(), 0);
-}
+      shadow_(read) {}
 
 void GroundPass::make_shadow(const Ground& ground, const Aabb& box_W,
                              const std::function<void(const gl::Program&)>& draw_casters) {
-  glBindFramebuffer(GL_FRAMEBUFFER, map_target_.id());
-  glViewport(0, 0, kShadowTexels, kShadowTexels);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-  shadow_box_ = glm::vec4(0);
-  if (box_W.empty()) return;
-
-  Aabb box;  // of the casters, in the ground's frame
-  const RigidTransform X_PW(ground.X_WP.inverse());
-  for (int i = 0; i < 8; ++i) {
-    box.include(X_PW({(i & 1) != 0 ? box_W.hi.x : box_W.lo.x, (i & 2) != 0 ? box_W.hi.y : box_W.lo.y,
-                      (i & 4) != 0 ? box_W.hi.z : box_W.lo.z}));
-  }
-  const double size = box.diagonal(), margin = kShadowMargin * size;
-  const dvec2 lo = dvec2(box.lo) - margin, hi = dvec2(box.hi) + margin;
-  shadow_box_ = glm::vec4(glm::vec2(lo), glm::vec2(hi - lo));
-
-  FrameUniforms frame;
-  frame.view_from_world = matrix(ground.X_WP.inverse());
-  frame.clip_from_view = glm::mat4(glm::ortho(lo.x, hi.x, lo.y, hi.y, -box.hi.z - size, -box.lo.z + size));
-  bind_frame(frame_, frame);
+  if (!shadow_.begin(ground.X_WP, box_W, 0)) return;
   const dvec3 up = ground.X_WP.rotate({0, 0, 1});
-  shadow_.set("ground", glm::vec4(glm::vec3(up), -glm::dot(up, ground.X_WP.p)));
-  shadow_.set("shadow_height", static_cast<float>(kShadowHeight * size));
+  caster_.set("plane", glm::vec4(glm::vec3(up), -glm::dot(up, ground.X_WP.p)));
+  caster_.set("shadow_height", static_cast<float>(kShadowHeight * shadow_.casters().diagonal()));
   gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
   glBlendEquation(GL_MAX);  // the lowest caster above each point decides
-  shadow_.use();
-  draw_casters(shadow_);
-
-  gl::apply({.depth = GL_ALWAYS, .depth_write = false});
-  constexpr float texel = 1.0f / kShadowTexels;
-  blur(map_, blurred_target_.id(), {texel, 0});
-  blur(blurred_, map_target_.id(), {0, texel});
-}
-
-void GroundPass::blur(const gl::Texture& from, GLuint to, const glm::vec2& direction) const {
-  glBindFramebuffer(GL_FRAMEBUFFER, to);
-  blur_.set("texel", direction);
-  blur_.use();
-  from.bind(0);
-  empty_.bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  caster_.use();
+  draw_casters(caster_);
+  shadow_.blur();
 }
 
 void GroundPass::draw_background(const Look& look) const {
@@ -123,14 +81,14 @@ void GroundPass::draw(const Ground& ground, const Camera& camera, const Look& lo
 }
 
 void GroundPass::draw_shadow(const Ground& ground, const Look& look) const {
-  if (shadow_box_.z <= 0) return;
+  if (shadow_.box().z <= 0) return;
   shade_.set("world_from_ground", matrix(ground.X_WP));
-  shade_.set("box", shadow_box_);
+  shade_.set("box", shadow_.box());
   shade_.set("toward_eye", kShadeTowardEye);
   shade_.set("strength", look.shadow);
   shade_.use();
   gl::apply({.depth_write = false, .blend = true});
-  map_.bind(0);
+  shadow_.bind(0);
   empty_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

@@ -3,13 +3,10 @@
 
 #include <functional>
 
-#include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
-#include "ui/gl/buffer.h"
 #include "ui/scene/camera.h"
-#include "ui/scene/draw/frame_uniforms.h"
 #include "ui/scene/draw/look.h"
 #include "ui/scene/draw/segments.h"
+#include "ui/scene/draw/top_view.h"
 
 namespace taxel::ui {
 
@@ -31,14 +28,9 @@ class GroundPass {
   void draw_shadow(const Ground& ground, const Look& look) const;
 
  private:
-  void blur(const gl::Texture& from, GLuint to, const glm::vec2& direction) const;
-
-  gl::Program background_, ground_, shadow_, blur_, shade_;
-  gl::Texture map_, blurred_;
-  gl::FramebufferHandle map_target_, blurred_target_;
-  gl::Buffer frame_;
+  gl::Program background_, ground_, caster_, shade_;
+  TopView shadow_;
   gl::VertexArray empty_;
-  glm::vec4 shadow_box_{0};
 };
 
 /// Spacing of the finer grid lines: the power of ten below a tenth of the distance. [m]

@@ -11,7 +11,7 @@ struct Look {
   glm::vec3 background_top, background_bottom;
   glm::vec4 plane_fill, grid_line;
   glm::vec3 axis_x, axis_y, axis_z;
-  float shadow;
+  float shadow, skin_shadow;  // darkest, on the ground and of sensors on other bodies
   // light, linear
   glm::vec3 key_direction;
   float key, headlight;

@@ -6,7 +6,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f;
-constexpr float kTowardEye = 0.0015f;  // edges in front of their faces
+constexpr float kTowardEye = 0.004f;   // edges in front of their faces
+constexpr double kShadowHeight = 0.14;  // of the sensors' size, at which their shadow is a third as dark
 
 }  // namespace
 
@@ -14,7 +15,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
   MeshList list;
   std::vector<MeshItem>& skins = input.overlays.sensor_transparent ? list.skins : list.solids;
   for (const SensorView& view : sensor_views(input)) {
-    skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo});
+    skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true});
   }
   if (!input.frame || !input.frame->scene) return list;
   const SimScene& scene = *input.frame->scene;
@@ -22,13 +23,39 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     const SceneGeom& geom = scene.geoms[i];
     if (!geom.mesh || geom.plane || geom.sensor >= 0) continue;
     const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
-    list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo});
+    list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline, false});
+  }
+  return list;
+}
+
+MeshList sensors_of(const SceneInput& input, MeshCache& cache) {
+  MeshList list;
+  for (const SensorView& view : sensor_views(input)) {
+    list.skins.push_back({&cache.get(view.model->mesh), view.X_WM, glm::vec3(0), glm::vec4(0), true});
   }
   return list;
 }
 
 MeshPass::MeshPass(const gl::ShaderReader& read)
-    : solid_(read, "mesh.vert", "solid.frag"), skin_(read, "mesh.vert", "skin.frag") {}
+    : solid_(read, "mesh.vert", "solid.frag"),
+      skin_(read, "mesh.vert", "skin.frag"),
+      caster_(read, "caster.vert", "height.frag"),
+      shadow_(read) {}
+
+void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
+  if (!shadow_.begin(Pose{}, box_W, 1)) return;
+  const Aabb& box = shadow_.casters();
+  const double range = box.diagonal();
+  caster_.set("plane", glm::vec4(0, 0, 1, -box.lo.z));
+  caster_.set("range", static_cast<float>(range));
+  gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
+  glBlendEquation(GL_MIN);
+  caster_.use();
+  draw_casters(caster_, sensors);
+  shadow_.blur();
+  solid_.set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
+  solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kShadowHeight * range)));
+}
 
 void MeshPass::draw_casters(const gl::Program& program, const MeshList& list) const {
   for (const auto* items : {&list.solids, &list.skins}) {
@@ -39,12 +66,15 @@ void MeshPass::draw_casters(const gl::Program& program, const MeshList& list) co
   }
 }
 
-void MeshPass::draw_solids(const MeshList& list) const {
+void MeshPass::draw_solids(const MeshList& list, const Look& look) const {
   gl::apply({});
+  const float strength = shadow_.box().z > 0 ? look.skin_shadow : 0.0f;
+  shadow_.bind(0);
   solid_.use();
   for (const MeshItem& item : list.solids) {
     solid_.set("world_from_mesh", matrix(item.X_WM));
     solid_.set("albedo", item.albedo);
+    solid_.set("strength", item.sensor ? 0.0f : strength);
     item.mesh->draw();
   }
 }
@@ -62,10 +92,9 @@ void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look
   }
 }
 
-void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, const glm::vec4& color,
-                             SegmentPass& segments) const {
-  const std::uint32_t rgba = pack(color);
+void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments) const {
   for (const MeshItem& item : items) {
+    const std::uint32_t rgba = pack(item.outline);
     const TriMesh& mesh = item.mesh->mesh();
     const std::vector<MeshEdge>& edges = item.mesh->edges();
     const VisibleEdges visible = visible_edges(mesh, edges, item.X_WM.inverse() * camera.eye());

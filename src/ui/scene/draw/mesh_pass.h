@@ -5,6 +5,7 @@
 #include "ui/scene/draw/gpu_mesh.h"
 #include "ui/scene/draw/look.h"
 #include "ui/scene/draw/segments.h"
+#include "ui/scene/draw/top_view.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::ui {
@@ -13,6 +14,8 @@ struct MeshItem {
   GpuMesh* mesh = nullptr;
   Pose X_WM;
   glm::vec3 albedo{0.5f};  ///< linear
+  glm::vec4 outline{0};    ///< sRGB
+  bool sensor = false;     ///< casts the sensors' shadow, so does not receive it
 };
 
 struct MeshList {
@@ -21,20 +24,24 @@ struct MeshList {
 
 /// All meshes of a picture; a sensor's geom is drawn from its model. Planes are the ground's.
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache);
+/// Of these, the sensors alone.
+MeshList sensors_of(const SceneInput& input, MeshCache& cache);
 
 class MeshPass {
  public:
   explicit MeshPass(const gl::ShaderReader& read);
   void draw_casters(const gl::Program& program, const MeshList& list) const;
-  void draw_solids(const MeshList& list) const;
+  /// What the sensors, within `box_W`, take away of the sky above the other bodies.
+  void make_shadow(const MeshList& sensors, const Aabb& box_W);
+  void draw_solids(const MeshList& list, const Look& look) const;
   void draw_skins(const MeshList& list, const Camera& camera, const Look& look) const;
   /// Creases and silhouettes.
-  void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, const glm::vec4& color,
-                     SegmentPass& segments) const;
+  void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments) const;
   void draw_wires(const MeshList& list, const Look& look, SegmentPass& segments) const;
 
  private:
-  gl::Program solid_, skin_;
+  gl::Program solid_, skin_, caster_;
+  TopView shadow_;
 };
 
 }  // namespace taxel::ui

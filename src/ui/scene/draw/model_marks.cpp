@@ -71,7 +71,7 @@ void append_sample_normals(const SensorModel& model, double length, std::uint32_
 
 double taxel_arrow_length(const SensorModel& model) { return kArrowPart * model.mesh->bounds().diagonal(); }
 
-TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards) {
+TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards, float size) {
   TaxelMarks out;
   const double length = taxel_arrow_length(*view.model);
   for (int k = 0; k < view.model->taxel_count(); ++k) {
@@ -82,7 +82,7 @@ TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards)
     const bool selected = k == view.selected_taxel;
     (selected ? out.selected_center : out.centers).push_back(point_mark(taxel.center, dvec3(0), 1.0, color));
     out.arrows.push_back(segment(taxel.center, taxel.center + length * normal,
-                                 selected ? kSelectedArrowWidth : kArrowWidth, color));
+                                 size * (selected ? kSelectedArrowWidth : kArrowWidth), color));
   }
   return out;
 }

@@ -40,12 +40,12 @@ class ModelMarks {
 /// Normals of the samples, as short lines (frame M).
 void append_sample_normals(const SensorModel& model, double length, std::uint32_t rgba, Segments& out);
 
-/// Centres and normal arrows of the taxels that face the eye, or of those that do not (frame M).
+/// Centres and normal arrows of the taxels that face the eye, or of those that do not (frame M). `size` scales widths.
 struct TaxelMarks {
   std::vector<PointMark> centers, selected_center;
   Segments arrows;
 };
-TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards);
+TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards, float size);
 
 /// Length of a taxel's arrow. [m]
 double taxel_arrow_length(const SensorModel& model);

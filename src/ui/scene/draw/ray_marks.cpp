@@ -3,7 +3,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr int kMaxHits = 700, kMaxMisses = 250;
+constexpr int kMaxHits = 700, kMaxSelectedHits = 350, kMaxMisses = 250;
 constexpr double kStub = 0.3;  // of the allowed depth
 constexpr float kHitWidth = 1.1f, kMissWidth = 1.0f;
 
@@ -44,7 +44,8 @@ RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range,
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (wanted[i] != 0) ++(hits[i].surface >= 0 ? hit_count : miss_count);
   }
-  const std::uint32_t hit_mask = thinning_mask(hit_count, kMaxHits), miss_mask = thinning_mask(miss_count, kMaxMisses);
+  const int most_hits = view.selected_taxel >= 0 && !all ? kMaxSelectedHits : kMaxHits;
+  const std::uint32_t hit_mask = thinning_mask(hit_count, most_hits), miss_mask = thinning_mask(miss_count, kMaxMisses);
   const std::uint32_t hit_color = pack(look.ray_hit), miss_color = pack(look.ray_miss);
   const double scale = range.hi > range.lo ? 1.0 / (range.hi - range.lo) : 0.0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {

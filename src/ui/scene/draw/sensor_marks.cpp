@@ -8,13 +8,15 @@ namespace {
 
 // How far marks are drawn before the surface they lie on, in parts of their depth.
 constexpr float kOnSkin = 0.004f, kOnContact = 0.003f, kBeforeContact = 0.005f;
-constexpr float kHiddenDim = 0.28f;
+constexpr float kHiddenDim = 0.28f, kHiddenRayDim = 0.55f;
+constexpr float kBeforeSkin = 0.02f;  // taxels, which stick out
 constexpr double kSamplePart = 0.5;  // of the distance between samples
 constexpr double kSmallestSample = 2.6, kLargestSample = 8.0;  // [pixel]
-constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 4.5f;
-constexpr float kForceWidth = 5, kPathWidth = 2.2f;
-constexpr double kForceScale = 0.02;    // [m/N]
-constexpr double kForceLongest = 1.0;   // of the mesh's diagonal
+constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
+constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
+constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f;
+constexpr double kForceScale = 0.012;   // [m/N]
+constexpr double kForceLongest = 0.8;   // of the mesh's diagonal
 
 dvec3 eye_in(const SensorView& view, const Camera& camera) { return view.X_WM.inverse() * camera.eye(); }
 
@@ -28,7 +30,7 @@ const ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look
   return *marks;
 }
 
-void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look& look, int /*width*/, int height,
+void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look& look, int height,
                        SegmentPass& segments, PointPass& points) {
   const double pixels = 0.5 * height / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
   const Scene scene{input, camera, look, pixels, segments, points};
@@ -38,13 +40,16 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     draw_fields(scene, view);
   }
   for (const SensorView& view : views) {
-    if (view.state != nullptr) draw_contact(scene, view);
+    if (view.state == nullptr) continue;
+    const bool selected = view.selected_taxel >= 0;
+    if (input.overlays.rays && !selected) draw_rays(scene, view);
+    draw_contact(scene, view);
+    if (input.overlays.rays && selected) draw_rays(scene, view);
   }
   draw_path(scene);
   for (const SensorView& view : views) {
-    if (view.state != nullptr && input.overlays.rays) draw_rays(scene, view);
     if (input.overlays.taxels) draw_taxels(scene, view, true);
-    if (view.state != nullptr) draw_force(scene, view);
+    if (view.state != nullptr && input.overlays.contact_surface) draw_force(scene, view);
   }
 }
 
@@ -79,40 +84,51 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
 void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
   if (!scene.input.overlays.contact_surface) return;
   std::vector<SurfaceVertex> triangles;
-  Segments edges;
+  Segments edges, rim;
   for (const ContactSurface& surface : view.state->surfaces) {
     append_triangles(surface, triangles);
+    append_rim(surface, scene.input.range, rim);
     if (scene.input.overlays.contact_edges) append_edges(surface, 1.0f, pack(glm::vec4(0, 0, 0, 0.55f)), edges);
   }
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact, .depth_write = true};
+  scene.segments.draw_lines(rim, {.world_from_model = state.world_from_model, .toward_eye = kOnContact});
   surfaces_.draw(triangles, scene.input.range.lo, scene.input.range.hi, state);
   state.toward_eye = kBeforeContact;
   state.depth_write = false;
   scene.segments.draw_lines(edges, state);
 }
 
+/// Rays of all responding taxels go behind the contact surface, so that nothing tints its colours; those of a selected
+/// taxel are what one wants to see, and go before it. What solid bodies hide is dimmed.
 void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
   const RayMarks rays = ray_marks(view, scene.input.overlays.all_rays, scene.input.range, scene.look);
-  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact};
+  MarkState state{.world_from_model = matrix(view.X_WM)};
   MarkState behind = state;
   behind.hidden = true;
-  behind.dim = kHiddenDim;
+  behind.dim = kHiddenRayDim;
+  PointStyle dots{.diameter = kDotDiameter};
+  if (view.selected_taxel >= 0) {
+    dots = {.diameter = kSelectedDotDiameter, .outline = scene.look.mark_outline, .outline_width = 0.6f};
+  }
   scene.segments.draw_lines(rays.hits, behind);
   scene.segments.draw_lines(rays.misses, state);
   scene.segments.draw_lines(rays.hits, state);
+  scene.points.draw(rays.dots, dots, behind);
   state.toward_eye = kBeforeContact;
-  scene.points.draw(rays.dots, {.diameter = kDotDiameter}, state);
+  scene.points.draw(rays.dots, dots, state);
 }
 
 void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {
-  const TaxelMarks marks = taxel_marks(view, eye_in(view, scene.camera), towards);
+  const double arrow = taxel_arrow_length(*view.model) * scene.pixels_per_metre;
+  const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
+  const TaxelMarks marks = taxel_marks(view, eye_in(view, scene.camera), towards, size);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
   if (!towards) state.dim = kHiddenDim;
   scene.segments.draw_arrows(marks.arrows, state, scene.look.mark_outline);
-  state.toward_eye = 2 * kOnSkin;
-  PointStyle style{.diameter = kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f};
+  state.toward_eye = kBeforeSkin;
+  PointStyle style{.diameter = size * kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f * size};
   scene.points.draw(marks.centers, style, state);
-  style = {.diameter = kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f};
+  style = {.diameter = size * kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f * size};
   scene.points.draw(marks.selected_center, style, state);
 }
 

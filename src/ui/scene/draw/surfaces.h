@@ -9,6 +9,7 @@
 #include "ui/gl/texture.h"
 #include "ui/scene/draw/mark_state.h"
 #include "ui/scene/draw/segments.h"
+#include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {
 
@@ -21,6 +22,9 @@ struct SurfaceVertex {
 void append_triangles(const ContactSurface& surface, std::vector<SurfaceVertex>& out);
 /// The outline of each polygon.
 void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba, Segments& out);
+/// The rim, where a soft body's pressure ends at nothing, as lines in the colours of their pressures: drawn before the
+/// triangles, which cover their inner half, they smooth its steps.
+void append_rim(const ContactSurface& surface, const PressureRange& range, Segments& out);
 
 class SurfacePass {
  public:

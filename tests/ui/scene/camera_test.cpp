@@ -1,0 +1,134 @@
+#include "ui/scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr int kWidth = 800, kHeight = 560;
+
+Camera random_camera(int number) {
+  const CounterRng rng(7, static_cast<std::uint64_t>(number));
+  Camera camera;
+  camera.target = {rng.uniform(0) - 0.5, rng.uniform(1) - 0.5, rng.uniform(2) - 0.5};
+  camera.azimuth_deg = 360 * rng.uniform(3) - 180;
+  camera.elevation_deg = 178 * rng.uniform(4) - 89;
+  camera.distance = 0.01 + rng.uniform(5);
+  camera.fov_deg = 20 + 60 * rng.uniform(6);
+  return camera;
+}
+
+TEST(Camera, PixelRayIsTheInverseOfProject) {
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = random_camera(i);
+    const CounterRng rng(8, static_cast<std::uint64_t>(i));
+    const dvec2 pixel(kWidth * rng.uniform(0), kHeight * rng.uniform(1));
+    const Ray ray = camera.pixel_ray(pixel.x, pixel.y, kWidth, kHeight);
+    EXPECT_NEAR(glm::length(ray.direction), 1.0, 1e-14);
+    const double t = camera.distance * (0.1 + 3 * rng.uniform(2));
+    const dvec3 back = camera.project(ray.origin + t * ray.direction, kWidth, kHeight);
+    EXPECT_NEAR(back.x, pixel.x, 1e-8);
+    EXPECT_NEAR(back.y, pixel.y, 1e-8);
+    EXPECT_GT(back.z, 0);
+  }
+}
+
+TEST(Camera, ProjectAgreesWithTheMatricesThatGlGets) {
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = random_camera(i);
+    const CounterRng rng(9, static_cast<std::uint64_t>(i));
+    const Ray ray = camera.pixel_ray(kWidth * rng.uniform(0), kHeight * rng.uniform(1), kWidth, kHeight);
+    const dvec3 p = ray.origin + camera.distance * (0.5 + rng.uniform(2)) * ray.direction;
+    const glm::dvec4 clip =
+        camera.projection(static_cast<double>(kWidth) / kHeight) * camera.view() * glm::dvec4(p, 1);
+    const dvec3 pixel = camera.project(p, kWidth, kHeight);
+    EXPECT_NEAR(0.5 * kWidth * (1 + clip.x / clip.w), pixel.x, 1e-8);
+    EXPECT_NEAR(0.5 * kHeight * (1 - clip.y / clip.w), pixel.y, 1e-8);
+    EXPECT_NEAR(clip.w, pixel.z, 1e-9);
+    EXPECT_GT(clip.z, -clip.w);  // not cut by the near plane
+    EXPECT_LT(clip.z, clip.w);
+  }
+}
+
+TEST(Camera, TheTargetIsInTheMiddleAndZPointsUp) {
+  for (int i = 0; i < 50; ++i) {
+    const Camera camera = random_camera(i);
+    const dvec3 middle = camera.project(camera.target, kWidth, kHeight);
+    EXPECT_NEAR(middle.x, 0.5 * kWidth, 1e-9);
+    EXPECT_NEAR(middle.y, 0.5 * kHeight, 1e-9);
+    EXPECT_NEAR(middle.z, camera.distance, 1e-12);
+    const dvec3 above = camera.project(camera.target + 0.01 * camera.distance * dvec3(0, 0, 1), kWidth, kHeight);
+    EXPECT_NEAR(above.x, middle.x, 1e-9);
+    EXPECT_LT(above.y, middle.y);  // rows run downward
+  }
+}
+
+TEST(Camera, OrbitChangesOnlyTheAnglesAndStopsBeforeThePoles) {
+  Camera camera = random_camera(1);
+  const Camera before = camera;
+  camera.orbit(120, -35);
+  EXPECT_NE(camera.azimuth_deg, before.azimuth_deg);
+  EXPECT_NE(camera.elevation_deg, before.elevation_deg);
+  camera.azimuth_deg = before.azimuth_deg;
+  camera.elevation_deg = before.elevation_deg;
+  EXPECT_EQ(camera, before);
+  camera.orbit(0, 1e6);
+  EXPECT_LT(camera.elevation_deg, 90);
+  EXPECT_TRUE(is_finite(camera.eye()));
+  camera.orbit(1e6, -1e7);
+  EXPECT_GT(camera.elevation_deg, -90);
+  EXPECT_LE(std::abs(camera.azimuth_deg), 180);
+}
+
+TEST(Camera, PanMovesThePointUnderThePointerWithIt) {
+  for (int i = 0; i < 50; ++i) {
+    Camera camera = random_camera(i);
+    const dvec3 point = camera.target;  // at the target's depth, so that it follows exactly
+    camera.pan(37, -21, kHeight);
+    const dvec3 pixel = camera.project(point, kWidth, kHeight);
+    EXPECT_NEAR(pixel.x, 0.5 * kWidth + 37, 1e-8);
+    EXPECT_NEAR(pixel.y, 0.5 * kHeight - 21, 1e-8);
+  }
+}
+
+TEST(Camera, HorizontalPanKeepsTheHeight) {
+  Camera camera = random_camera(3);
+  const double z = camera.target.z;
+  camera.pan(10, 40, kHeight, true);
+  EXPECT_NEAR(camera.target.z, z, 1e-15);
+}
+
+TEST(Camera, ZoomMultipliesTheDistanceAndIsUndoneByItsOpposite) {
+  Camera camera = random_camera(4);
+  const Camera before = camera;
+  camera.zoom(3);
+  EXPECT_LT(camera.distance, before.distance);
+  camera.zoom(-3);
+  EXPECT_NEAR(camera.distance, before.distance, 1e-12);
+  camera.zoom(1e4);
+  EXPECT_GT(camera.distance, 0);
+}
+
+TEST(Camera, FrameShowsTheWholeBox) {
+  for (int i = 0; i < 50; ++i) {
+    Camera camera = random_camera(i);
+    const Aabb box{{-0.01, -0.02, 0.003}, {0.02, 0.05, 0.04}};
+    camera.frame(box);
+    for (int k = 0; k < 8; ++k) {
+      const dvec3 corner((k & 1) != 0 ? box.hi.x : box.lo.x, (k & 2) != 0 ? box.hi.y : box.lo.y,
+                         (k & 4) != 0 ? box.hi.z : box.lo.z);
+      const dvec3 pixel = camera.project(corner, kWidth, kHeight);
+      EXPECT_GT(pixel.z, 0);
+      EXPECT_TRUE(pixel.x > 0 && pixel.x < kWidth && pixel.y > 0 && pixel.y < kHeight);
+    }
+  }
+  Camera camera;
+  const Camera before = camera;
+  camera.frame(Aabb{});
+  EXPECT_EQ(camera, before);
+}
+
+}  // namespace
+}  // namespace taxel::ui

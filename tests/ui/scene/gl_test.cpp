@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "ui/gl/framebuffer.h"
+#include "ui/gl/shader_source.h"
+#include "ui/scene/picture.h"
+
+namespace taxel::gl {
+namespace {
+
+TEST(Framebuffer, ReadsTheTopRowFirst) {
+  test::context();
+  const Framebuffer target(5, 3);
+  target.bind();
+  glClearColor(0, 0, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(1, 2, 2, 1);  // GL counts rows from below
+  glClearColor(1, 0.2f, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+  const RgbImage image = target.read();
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 5; ++x) {
+      const bool marked = y == 0 && (x == 1 || x == 2);
+      const std::array<int, 3> expected = marked ? std::array{255, 51, 0} : std::array{0, 0, 255};
+      EXPECT_EQ(test::pixel_at(image, dvec2(x, y)), expected) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Framebuffer, MultisamplingIsResolved) {
+  test::context();
+  const Framebuffer target(4, 4, 4);
+  target.bind();
+  glClearColor(0, 1, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  target.resolve();
+  EXPECT_EQ(test::pixel_at(target.read(), dvec2(2, 2)), (std::array{0, 255, 0}));
+}
+
+TEST(ShaderSource, IncludesOnceAndKeepsFilesAndLines) {
+  const auto read = [](const std::string& name) -> std::string {
+    if (name == "a") return "#version 450 core\n#include \"b\"\n#include \"c\"\nlast\n";
+    if (name == "b") return "in b\n";
+    if (name == "c") return "#include \"b\"\nin c\n";
+    throw Error(name, "no such shader");
+  };
+  const ShaderSource source = assemble_shader(read, "a");
+  EXPECT_EQ(source.files, (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(source.text,
+            "#version 450 core\n#line 2\n#line 10001\nin b\n#line 3\n#line 20001\n#line 20002\nin c\n#line 4\nlast\n");
+  EXPECT_THROW(assemble_shader(read, "missing"), Error);
+  EXPECT_THROW(read_embedded_shader("missing.vert"), Error);
+}
+
+TEST(ShaderSource, UnderstandsTheMessagesOfMesaAndNvidia) {
+  const ShaderSource source{"", {"line.frag", "color.glsl"}};
+  const ShaderMessage mesa = parse_shader_log("0:10012(5): error: `y' undeclared\n0:3(1): error: more\n", source);
+  EXPECT_EQ(mesa.file, "color.glsl");
+  EXPECT_EQ(mesa.where, "line 12");
+  EXPECT_EQ(mesa.text, "error: `y' undeclared");
+  const ShaderMessage nvidia = parse_shader_log("0(7) : error C1503: undefined variable \"y\"", source);
+  EXPECT_EQ(nvidia.file, "line.frag");
+  EXPECT_EQ(nvidia.where, "line 7");
+  EXPECT_EQ(nvidia.text, "error C1503: undefined variable \"y\"");
+  const ShaderMessage other = parse_shader_log("Link failed", source);
+  EXPECT_EQ(other.file, "line.frag");
+  EXPECT_EQ(other.where, "");
+  EXPECT_EQ(other.text, "Link failed");
+}
+
+}  // namespace
+}  // namespace taxel::gl

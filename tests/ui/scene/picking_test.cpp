@@ -1,0 +1,166 @@
+#include "ui/scene/picking.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/scene/finger_scene.h"
+#include "ui/scene/gizmo.h"
+#include "ui/scene/scene_labels.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr int kWidth = 800, kHeight = 560;
+
+class PickingTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    model_ = test::finger_model(4000);
+    frame_ = test::finger_frame(model_, 0.003);
+  }
+  static void TearDownTestSuite() {
+    model_.reset();
+    frame_.reset();
+  }
+  static SceneInput layout_input() {
+    SceneInput input;
+    input.document_model = model_;
+    return input;
+  }
+  static Camera layout_camera() {
+    Camera camera;
+    camera.frame(model_->mesh->bounds());
+    camera.azimuth_deg = -90;
+    camera.elevation_deg = 5;
+    return camera;
+  }
+  static SensorModelPtr model_;
+  static SimFramePtr frame_;
+};
+SensorModelPtr PickingTest::model_;
+SimFramePtr PickingTest::frame_;
+
+TEST_F(PickingTest, FindsTheTaxelUnderThePointer) {
+  const Camera camera = layout_camera();
+  int found = 0;
+  for (int k = 0; k < model_->taxel_count(); ++k) {
+    const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
+    const dvec3 pixel = camera.project(taxel.center, kWidth, kHeight);
+    const auto picked = pick(layout_input(), camera, pixel.x + 3, pixel.y - 2, kWidth, kHeight);
+    if (glm::dot(taxel.normal, camera.eye() - taxel.center) <= 0) {
+      EXPECT_FALSE(picked && picked->taxel == k);  // on the far side
+      continue;
+    }
+    ++found;
+    ASSERT_TRUE(picked);
+    EXPECT_EQ(picked->taxel, k);
+    EXPECT_EQ(picked->sensor, 0);
+    EXPECT_EQ(picked->position_W, taxel.center);
+  }
+  EXPECT_GE(found, 6);
+}
+
+TEST_F(PickingTest, FindsTheSampleUnderThePointer) {
+  const Camera camera = layout_camera();
+  SceneInput input = layout_input();
+  input.overlays.taxels = false;
+  for (std::size_t i = 0; i < model_->samples.size(); i += 97) {
+    const SurfaceSample& sample = model_->samples[i];
+    if (glm::dot(sample.normal, glm::normalize(camera.eye() - sample.position)) < 0.3) continue;
+    const dvec3 pixel = camera.project(sample.position, kWidth, kHeight);
+    const auto picked = pick(input, camera, pixel.x, pixel.y, kWidth, kHeight);
+    ASSERT_TRUE(picked);
+    EXPECT_EQ(picked->sample, static_cast<int>(i));
+    EXPECT_LT(glm::length(picked->position_W - sample.position), 1e-9);
+  }
+}
+
+TEST_F(PickingTest, FindsThePolygonAndItsPressure) {
+  const SceneInput input = [] {
+    SceneInput in = test::finger_input(frame_);
+    in.overlays.taxels = false;
+    return in;
+  }();
+  Camera camera = test::finger_camera();
+  camera.elevation_deg = 55;
+  camera.distance = 0.03;
+  const SensorFrameState& state = frame_->sensors[0];
+  for (std::size_t i = 0; i < state.surfaces[0].polygons.size(); i += 7) {
+    const ContactPolygon& polygon = state.surfaces[0].polygons[i];
+    const dvec3 pixel = camera.project(state.X_WM * polygon.centroid, kWidth, kHeight);
+    const auto picked = pick(input, camera, pixel.x, pixel.y, kWidth, kHeight);
+    ASSERT_TRUE(picked);
+    EXPECT_EQ(picked->polygon, static_cast<int>(i));
+    EXPECT_EQ(picked->surface, 0);
+    EXPECT_NEAR(picked->pressure, polygon.pressure, 1e-6 * input.range.hi);
+  }
+  camera.elevation_deg = -50;  // the box stands before it
+  const dvec3 pixel = camera.project(state.X_WM * state.surfaces[0].polygons[0].centroid, kWidth, kHeight);
+  const auto below = pick(input, camera, pixel.x, pixel.y, kWidth, kHeight);
+  ASSERT_TRUE(below);
+  EXPECT_EQ(below->polygon, -1);
+}
+
+TEST_F(PickingTest, FindsOtherBodiesAndNothingOnTheBackground) {
+  const SceneInput input = test::finger_input(frame_);
+  const Camera camera = test::finger_camera();
+  const dvec3 corner = camera.project({0.02, -0.024, 0}, kWidth, kHeight);
+  const auto box = pick(input, camera, corner.x, corner.y, kWidth, kHeight);
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->geom_name, "box");
+  EXPECT_EQ(box->sensor, -1);
+  EXPECT_NEAR(box->position_W.z, 0, 1e-12);
+  EXPECT_NEAR(glm::length(box->position_W - dvec3(0.02, -0.024, 0)), 0, 1e-9);
+  EXPECT_FALSE(pick(input, camera, 5, 5, kWidth, kHeight));
+}
+
+TEST_F(PickingTest, LabelsStandPastTheArrowsAndKnowWhatHidesThem) {
+  const Camera camera = layout_camera();
+  const auto labels = scene_labels(layout_input(), camera, kWidth, kHeight);
+  ASSERT_EQ(static_cast<int>(labels.size()), model_->taxel_count());
+  for (const SceneLabel& label : labels) {
+    const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(label.taxel)];
+    EXPECT_EQ(label.text, std::to_string(taxel.id));
+    EXPECT_EQ(label.occluded, glm::dot(taxel.normal, camera.eye() - taxel.center) <= 0);
+    const dvec3 center = camera.project(taxel.center, kWidth, kHeight);
+    const dvec3 outward = camera.project(taxel.center + 1e-4 * taxel.normal, kWidth, kHeight);
+    EXPECT_GT(glm::dot(label.pixel - dvec2(center), dvec2(outward - center)), 0);
+  }
+  SceneInput hidden = layout_input();
+  hidden.overlays.taxel_labels = false;
+  EXPECT_TRUE(scene_labels(hidden, camera, kWidth, kHeight).empty());
+
+  // from behind the box, it hides the taxels at the tip, though they face the eye
+  Camera below = test::finger_camera();
+  below.azimuth_deg = 0;
+  below.elevation_deg = -60;
+  below.target = {0, 0, -0.02};
+  below.distance = 0.2;
+  int facing_but_hidden = 0;
+  for (const SceneLabel& label : scene_labels(test::finger_input(frame_), below, kWidth, kHeight)) {
+    const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(label.taxel)];
+    const Pose& X_WM = frame_->sensors[0].X_WM;
+    const bool facing = glm::dot(X_WM.rotate(taxel.normal), below.eye() - X_WM * taxel.center) > 0;
+    if (facing && label.occluded) ++facing_but_hidden;
+  }
+  EXPECT_GE(facing_but_hidden, 1);
+}
+
+TEST(Gizmo, AClickOnABallLooksFromItsAxis) {
+  Camera camera;
+  camera.target = {0.1, 0.2, 0.3};
+  for (const GizmoBall& ball : gizmo_balls(camera, kWidth, kHeight)) {
+    const int hit = gizmo_hit(camera, ball.pixel.x, ball.pixel.y, kWidth, kHeight);
+    EXPECT_EQ(hit, ball.axis);
+    Camera turned = camera;
+    look_from_axis(turned, hit);
+    const dvec3 direction = glm::normalize(turned.eye() - turned.target);
+    EXPECT_GT((ball.positive() ? 1 : -1) * direction[ball.axis / 2], 0.9999);
+    EXPECT_EQ(turned.target, camera.target);
+    EXPECT_EQ(turned.distance, camera.distance);
+    EXPECT_EQ(gizmo_balls(turned, kWidth, kHeight).back().axis, ball.axis);  // now nearest
+  }
+  EXPECT_EQ(gizmo_hit(camera, 0.5 * kWidth, 0.5 * kHeight, kWidth, kHeight), -1);
+}
+
+}  // namespace
+}  // namespace taxel::ui

@@ -1,0 +1,141 @@
+#include "ui/scene/section.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/primitives.h"
+#include "core/mesh/slice.h"
+#include "ui/panels/section_panel.h"
+#include "ui/scene/color_map.h"
+#include "ui/scene/finger_scene.h"
+#include "ui/scene/picture.h"
+
+namespace taxel::ui {
+namespace {
+
+class SectionTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    model_ = test::finger_model(8000);
+    frame_ = test::finger_frame(model_, 0.003);
+  }
+  static void TearDownTestSuite() {
+    model_.reset();
+    frame_.reset();
+  }
+  static Section section(int taxel) {
+    SceneInput input = test::finger_input(frame_);
+    input.selected_taxel = taxel;
+    return make_section(input, sensor_views(input).front(), 2e-4);
+  }
+  static dvec3 lift(const SectionPlane& plane, const dvec2& p) { return plane.origin_W + p.x * plane.x + p.y * plane.y; }
+  static SensorModelPtr model_;
+  static SimFramePtr frame_;
+};
+SensorModelPtr SectionTest::model_;
+SimFramePtr SectionTest::frame_;
+
+TEST_F(SectionTest, PlaneHoldsTheTaxelItsNormalAndTheTravel) {
+  const SensorFrameState& state = frame_->sensors[0];
+  for (int k = 0; k < model_->taxel_count(); ++k) {
+    const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
+    const Section s = section(k);
+    EXPECT_NEAR(glm::length(s.plane.origin_W - state.X_WM * taxel.center), 0, 1e-15);
+    EXPECT_NEAR(glm::dot(s.plane.z, state.X_WM.rotate(taxel.normal)), 0, 1e-12);
+    EXPECT_NEAR(s.plane.z.x, 0, 1e-12);  // the travel is along x
+    EXPECT_GT(s.plane.x.x, 0);           // and runs to the right
+    EXPECT_NEAR(glm::dot(glm::cross(s.plane.x, s.plane.y), s.plane.z), 1, 1e-12);
+    EXPECT_EQ(s.radius, taxel.radius);
+  }
+}
+
+TEST_F(SectionTest, ClosedBodiesGiveClosedOutlinesOfTheRightArea) {
+  // a box cut across its middle; a sphere cut at a height gives the circle of that height
+  const SectionPlane level{{0, 0, 0.3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const auto area = [&](const TriMesh& mesh) {
+    const auto outlines = join_outlines(slice_mesh(mesh, level.origin_W, level.z), level, Pose{});
+    EXPECT_EQ(outlines.size(), 1u);
+    EXPECT_TRUE(outlines.front().closed);
+    double twice = 0;
+    const auto& p = outlines.front().points;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const dvec2 a = p[i], b = p[(i + 1) % p.size()];
+      twice += a.x * b.y - a.y * b.x;
+    }
+    return 0.5 * twice;
+  };
+  EXPECT_NEAR(area(make_box({1, 2, 3})), 8.0, 1e-12);
+  EXPECT_NEAR(area(make_icosphere(1, 5)), kPi * (1 - 0.09), 0.01);
+}
+
+TEST_F(SectionTest, ContactPiecesLieOnTheSurfaceWithItsPressure) {
+  const SensorFrameState& state = frame_->sensors[0];
+  const Section s = section(-1);
+  ASSERT_GT(s.contact.size(), 5u);
+  double length = 0;
+  for (const auto& piece : s.contact) {
+    length += glm::length(piece.b - piece.a);
+    const dvec3 p_M = state.X_WM.inverse() * lift(s.plane, piece.a);
+    double best = std::numeric_limits<double>::infinity();
+    for (const ContactPolygon& polygon : state.surfaces[0].polygons) {
+      if (std::abs(glm::dot(p_M - polygon.centroid, polygon.normal)) > 1e-9) continue;
+      const double pressure = polygon.pressure + glm::dot(polygon.gradient, p_M - polygon.centroid);
+      best = std::min(best, std::abs(pressure - piece.pressure_a));
+    }
+    EXPECT_LT(best, 1e-6 * state.surfaces[0].max_pressure());
+  }
+  EXPECT_GT(length, 0.003);  // some millimetres of contact
+}
+
+TEST_F(SectionTest, RaysEndOnTheContactOrAreStubs) {
+  const Section s = section(-1);
+  int hits = 0;
+  for (const auto& ray : s.rays) {
+    if (!ray.hit) {
+      EXPECT_EQ(ray.pressure, 0);
+      continue;
+    }
+    ++hits;
+    EXPECT_GE(ray.pressure, 0);
+    EXPECT_LT(std::abs(lift(s.plane, ray.to).z), 2e-5);  // on the box's top, or its edge
+  }
+  EXPECT_GT(hits, 3);
+  for (const auto& sample : s.samples) EXPECT_LT(sample.taxel, model_->taxel_count());
+}
+
+TEST_F(SectionTest, WithoutASimulationItCutsTheLayout) {
+  SceneInput input;
+  input.document_model = model_;
+  const Section s = make_section(input, sensor_views(input).front(), 2e-4);
+  EXPECT_EQ(s.skin.size(), 1u);
+  EXPECT_TRUE(s.objects.empty());
+  EXPECT_TRUE(s.rays.empty());
+  EXPECT_NEAR(std::abs(s.plane.z.x), 1, 1e-12);  // the finger's plane of symmetry
+}
+
+TEST_F(SectionTest, ThePanelShowsTheContactInItsColours) {
+  SceneInput input = test::finger_input(frame_);
+  input.overlays.rays = false;
+  SectionState state;
+  for (const bool dark : {true, false}) {
+    input.dark = dark;
+    const gl::RgbImage image = test::panel_picture(420, 320, dark, [&] { section_panel(input, state); });
+    test::write_picture(dark ? "section_dark" : "section_light", image);
+    const glm::vec3 brightest = viridis(0.95);
+    int near_top = 0;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const auto p = test::pixel_at(image, dvec2(x, y));
+        const glm::vec3 c = glm::vec3(p[0], p[1], p[2]) / 255.0f;
+        if (glm::length(c - brightest) < 0.12f) ++near_top;
+      }
+    }
+    EXPECT_GT(near_top, 3);
+  }
+  input.selected_taxel = 3;
+  input.overlays.rays = true;
+  test::write_picture("section_taxel", test::panel_picture(420, 320, false, [&] { section_panel(input, state); }));
+  EXPECT_NO_THROW(test::panel_picture(300, 200, true, [&] { section_panel(SceneInput{}, state); }));
+}
+
+}  // namespace
+}  // namespace taxel::ui
