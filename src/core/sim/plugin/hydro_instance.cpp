@@ -173,6 +173,15 @@ bool HydroInstance::fresh(const mjModel& m, const mjData& d) {
   return equal;
 }
 
+void HydroInstance::note_pressed_through() {
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    if (touched_[i].at_core || slots_[sensed_].pairs[i].surface.at_core == 0) continue;
+    touched_[i].at_core = true;
+    warnings_.push_back(fmt::format("geom \"{}\" presses through the skin to its rigid core: pressure is missing there",
+                                    touched_[i].body->name));
+  }
+}
+
 void HydroInstance::note_mujoco_contacts(const mjModel& m, const mjData& d) {
   for (int c = 0; c < d.ncon; ++c) {
     const mjContact& contact = d.contact[c];
@@ -195,6 +204,7 @@ void HydroInstance::sense(const mjModel& m, mjData& d) {
       e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
   }
   sensed_ = latest_;
+  note_pressed_through();
   if (config_.apply) note_mujoco_contacts(m, d);
   surfaces_.clear();
   for (const PairState& pair : slots_[sensed_].pairs) surfaces_.push_back(&pair.surface);

@@ -23,6 +23,7 @@ struct TouchedGeom {
   PairProperties properties;
   double radius = 0;        ///< of the bounding sphere about the geom's origin; 0: plane [m]
   bool mujoco_too = false;  ///< MuJoCo's own contact of the pair was seen: reported once
+  bool at_core = false;     ///< the geom was seen to press through to the pad's core: reported once
 };
 
 /// A pair in one state.
@@ -78,6 +79,7 @@ class HydroInstance {
  private:
   void compile_others(const mjModel& m);
   void compare_with_model(const mjModel& m);
+  void note_pressed_through();
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
   [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
