@@ -58,7 +58,7 @@ TEST(PoissonDisk, CountIsExactOnEveryShape) {
   EXPECT_TRUE(sample_surface(fingertip(), 0, 5).empty());
 }
 
-TEST(PoissonDisk, OpenMeshesAndSinglesTrianglesAreSampled) {
+TEST(PoissonDisk, OpenMeshesAndSliversAreSampled) {
   const TriMesh one({dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0)}, {ivec3(0, 1, 2)});
   for (const int count : {1, 5, 500}) expect_valid(one, sample_surface(one, count, 1), count);
   const TriMesh sliver({dvec3(0), dvec3(1, 0, 0), dvec3(0.5, 1e-7, 0)}, {ivec3(0, 1, 2)});
@@ -73,8 +73,8 @@ TEST(PoissonDisk, SamplesAreEven) {
     int count;
     double rho_min, area_cv;
   };
-  const Case cases[] = {{"fingertip", fingertip(), 1000, 0.75, 0.13},
-                        {"fingertip", fingertip(), 6000, 0.75, 0.13},
+  const Case cases[] = {{"fingertip", fingertip(), 1000, 0.78, 0.10},
+                        {"fingertip", fingertip(), 6000, 0.78, 0.10},
                         {"sphere", make_icosphere(0.01, 4), 1000, 0.78, 0.10},
                         {"sphere", make_icosphere(0.01, 4), 6000, 0.78, 0.10},
                         {"box", make_box(dvec3(0.01, 0.008, 0.015)), 1000, 0.75, 0.13},

@@ -86,7 +86,7 @@ TEST(ReceptiveField, AnglesOfExactlyTheLimitAreOutside) {
   Layout layout;
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
   layout.receptive_field.max_angle_deg = 90.0;
-  const std::vector<SurfaceSample> samples = {{dvec3(0), dvec3(0, 1e-3, -1), 0, 1.0},
+  const std::vector<SurfaceSample> samples = {{dvec3(0), dvec3(0, 1, 0), 0, 1.0},
                                               {dvec3(0.5, 0, 0), dvec3(0, 1, 1e-3), 0, 1.0},
                                               {dvec3(1, 0, 0), dvec3(0, 0, 1), 0, 1.0},
                                               {dvec3(std::nextafter(1.0, 2.0), 0, 0), dvec3(0, 0, 1), 0, 1.0}};

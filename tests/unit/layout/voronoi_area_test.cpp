@@ -41,21 +41,21 @@ TEST(VoronoiArea, CoincidentSamplesGiveAllToTheFirst) {
   EXPECT_EQ(samples[1].area, 0.0);
 }
 
+// Two samples above, one below between them: in space it would be the nearest one for the middle of the upper side too.
 TEST(VoronoiArea, OppositeWallsDoNotShare) {
-  const TriMesh plate = make_box(dvec3(1.0, 1.0, 1e-4));
-  std::vector<SurfaceSample> samples;
-  for (int face = 0; face < plate.face_count(); ++face) {
-    const dvec3 n = plate.face_normals()[static_cast<std::size_t>(face)];
-    if (std::abs(n.z) > 0.5) samples.push_back({dvec3(0.01 * n.z, 0, 1e-4 * n.z), n, face, 0.0});
-  }
-  ASSERT_EQ(samples.size(), 4U);
-  samples.erase(samples.begin() + 1, samples.begin() + 2);
-  std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.normal.z < b.normal.z; });
-  samples.erase(samples.begin() + 1);
-  ASSERT_LT(samples[0].normal.z * samples[1].normal.z, 0.0);
+  const double h = 1e-4;
+  const TriMesh plate = make_box(dvec3(1.0, 1.0, h));
+  const auto sample = [&](double x, double side) {
+    int face = 0;
+    while (plate.face_normals()[static_cast<std::size_t>(face)].z * side < 0.5) ++face;
+    return SurfaceSample{dvec3(x, 0, side * h), dvec3(0, 0, side), face, 0.0};
+  };
+  std::vector<SurfaceSample> samples = {sample(-0.5, 1), sample(0.5, 1), sample(0, -1)};
   assign_voronoi_areas(plate, samples);
-  EXPECT_NEAR(samples[0].area, 4.0, 0.01);  // its own side each, not the half that is nearer in space
-  EXPECT_NEAR(samples[1].area, 4.0, 0.01);
+  const double rims = 8.0 * h;
+  EXPECT_NEAR(samples[0].area, 2.0, rims);
+  EXPECT_NEAR(samples[1].area, 2.0, rims);
+  EXPECT_NEAR(samples[2].area, 4.0, rims);
 }
 
 TEST(VoronoiArea, EqualsACountOfPoints) {
