@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "core/layout/layout_json.h"
 
@@ -56,6 +57,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
   SimFrame frame;
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t cpu_start = std::clock();
   for (long step = 0; step != last && !simulator.finished(); ++step) {
     simulator.step();
     recording.mocap.push_back({simulator.mocap_quat(), simulator.mocap_pos()});
@@ -66,6 +68,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   }
   console.progress(1);
   cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  cost.cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   return recording;
 }
 

@@ -12,6 +12,7 @@ struct RunCost {
   long steps = 0;
   double simulated = 0;  ///< [s]
   double wall = 0;       ///< spent in steps and rows [s]
+  double cpu = 0;        ///< the same as processor time: what remains on a machine that is busy otherwise [s]
 };
 
 /// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due.

@@ -39,8 +39,10 @@ std::string recording_text(const RecordingReport& report) {
   std::string text = head_text(report);
   const std::vector<SensorSummary> sensors = summarize(report.recording);
   for (std::size_t i = 0; i < sensors.size(); ++i) text += sensor_text(sensors[i], report.recording.sensors[i]);
-  text += fmt::format(
-      "{:.2f} s for samples and contact model; {:.2f} s for {:.3f} s simulated ({:.2f} times real time)\n",
+  const RunCost& cost = report.cost;
+  text += fmt::format("{:.2f} s for samples and contact model\n", report.model_seconds);
+  text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",
+                      cost.wall, cost.cpu, cost.simulated, cost.simulated / cost.wall); {:.2f} s for {:.3f} s simulated ({:.2f} times real time)\n",
       report.model_seconds, report.cost.wall, report.cost.simulated, report.cost.simulated / report.cost.wall);
   if (!report.files.empty()) text += fmt::format("wrote {}: {}\n", report.folder, fmt::join(report.files, " "));
   return text;

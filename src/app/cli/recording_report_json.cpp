@@ -67,6 +67,7 @@ std::string recording_json(const RecordingReport& report) {
   json["model_seconds"] = report.model_seconds;
   json["simulated_seconds"] = report.cost.simulated;
   json["wall_seconds"] = report.cost.wall;
+  json["cpu_seconds"] = report.cost.cpu;
   json["real_time_factor"] = report.cost.simulated / report.cost.wall;
   json["files"] = report.files;
   return text_of(json);
