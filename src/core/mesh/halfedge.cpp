@@ -46,6 +46,8 @@ OpenMesh::VertexHandle add_vertex(Built& built, const TriMesh& mesh, int vertex)
   return built.mesh.add_vertex({p.x, p.y, p.z});
 }
 
+/// Around one vertex of one fan the faces lie in a row or in a ring, each joined to the next across an edge that both
+/// pass in opposite directions. So no side is ever taken twice, and OpenMesh accepts every face.
 Built build(const TriMesh& mesh, Fans& fans) {
   Built built;
   std::vector<OpenMesh::VertexHandle> vertex_of_fan(3 * at(mesh.face_count()));
@@ -55,16 +57,6 @@ Built build(const TriMesh& mesh, Fans& fans) {
       OpenMesh::VertexHandle& handle = vertex_of_fan[at(fans.of(f, c))];
       if (!handle.is_valid()) handle = add_vertex(built, mesh, mesh.faces()[at(f)][c]);
       corners[at(c)] = handle;
-    }
-    // A fan that closes on itself through a bad edge can still offer a taken side: such a face stands alone.
-    bool taken = false;
-    for (int c = 0; c < 3; ++c) {
-      const auto side = built.mesh.find_halfedge(corners[at(c)], corners[at((c + 1) % 3)]);
-      taken = taken || (side.is_valid() && !built.mesh.is_boundary(side));
-      taken = taken || !built.mesh.is_boundary(corners[at(c)]);
-    }
-    if (taken) {
-      for (int c = 0; c < 3; ++c) corners[at(c)] = add_vertex(built, mesh, mesh.faces()[at(f)][c]);
     }
     built.mesh.add_face(corners[0], corners[1], corners[2]);
   }
@@ -78,29 +70,41 @@ double dihedral(const TriMesh& mesh, const MeshEdge& edge) {
   return std::atan2(glm::dot(glm::cross(left, right), along), glm::dot(left, right));
 }
 
-std::vector<MeshEdge> all_edges(const Built& built, const TriMesh& mesh) {
-  std::vector<MeshEdge> edges;
-  for (const OpenMesh::SmartEdgeHandle e : built.mesh.edges()) {
-    const OpenMesh::SmartHalfedgeHandle h = e.h0().is_boundary() ? e.h1() : e.h0();
-    MeshEdge edge{built.vertex_of[at(h.from().idx())], built.vertex_of[at(h.to().idx())], h.face().idx(),
-                  h.opp().face().idx(), 0.0};
-    if (edge.right >= 0) edge.dihedral = dihedral(mesh, edge);
-    edges.push_back(edge);
-  }
-  return edges;
+int corner_of(const TriMesh& mesh, int face, int vertex) {
+  const ivec3& ids = mesh.faces()[at(face)];
+  return ids.x == vertex ? 0 : ids.y == vertex ? 1 : 2;
 }
 
-std::vector<ivec3> all_neighbours(const Built& built, const TriMesh& mesh) {
+/// Two of the faces at a non-manifold edge may lie in the same fans at both of its ends: there too nothing is joined.
+std::vector<ivec3> all_neighbours(const Built& built, const TriMesh& mesh, const std::vector<BadEdge>& cuts) {
   std::vector<ivec3> neighbours(mesh.faces().size(), ivec3(-1));
-  for (const OpenMesh::SmartFaceHandle f : built.mesh.faces()) {
-    const ivec3& ids = mesh.faces()[at(f.idx())];
-    for (const OpenMesh::SmartHalfedgeHandle h : f.halfedges()) {
-      const int from = built.vertex_of[at(h.from().idx())];
-      const int corner = ids.x == from ? 0 : ids.y == from ? 1 : 2;
-      neighbours[at(f.idx())][corner] = h.opp().face().idx();
+  for (const OpenMesh::SmartHalfedgeHandle h : built.mesh.halfedges()) {
+    if (h.is_boundary()) continue;
+    const int face = h.face().idx();
+    neighbours[at(face)][corner_of(mesh, face, built.vertex_of[at(h.from().idx())])] = h.opp().face().idx();
+  }
+  for (const BadEdge& cut : cuts) {
+    for (const int face : cut.faces) {
+      const int a = corner_of(mesh, face, cut.a), b = corner_of(mesh, face, cut.b);
+      neighbours[at(face)][(a + 1) % 3 == b ? a : b] = -1;
     }
   }
   return neighbours;
+}
+
+std::vector<MeshEdge> all_edges(const Built& built, const TriMesh& mesh, const std::vector<ivec3>& neighbours) {
+  std::vector<MeshEdge> edges;
+  for (const OpenMesh::SmartEdgeHandle e : built.mesh.edges()) {
+    for (const OpenMesh::SmartHalfedgeHandle h : {e.h0(), e.h1()}) {
+      if (h.is_boundary()) continue;
+      MeshEdge edge{built.vertex_of[at(h.from().idx())], built.vertex_of[at(h.to().idx())], h.face().idx(), -1, 0.0};
+      edge.right = neighbours[at(edge.left)][corner_of(mesh, edge.left, edge.a)];
+      if (edge.right >= 0) edge.dihedral = dihedral(mesh, edge);
+      edges.push_back(edge);
+      if (edge.right >= 0) break;  // both sides are said
+    }
+  }
+  return edges;
 }
 
 }  // namespace
@@ -123,8 +127,8 @@ HalfEdges::HalfEdges(const TriMesh& mesh) {
     }
   });
   const Built built = build(mesh, fans);
-  edges_ = all_edges(built, mesh);
-  neighbours_ = all_neighbours(built, mesh);
+  neighbours_ = all_neighbours(built, mesh, nonmanifold_);
+  edges_ = all_edges(built, mesh, neighbours_);
   rings_.resize(mesh.vertices().size());
   std::vector<int> fan_count(mesh.vertices().size(), 0);
   for (const OpenMesh::SmartVertexHandle v : built.mesh.vertices()) {

@@ -50,7 +50,7 @@ void check_edges(const TriMesh& mesh, const std::string& file, Problems& problem
 
 void check_shells(const TriMesh& mesh, const std::string& file, Problems& problems) {
   const std::vector<int> outer = outer_shells(mesh);
-  if (mesh.closed() && extract_shells(mesh, outer).volume() < 0) {
+  if (mesh.closed() && mesh.volume() < 0) {
     problems.push_back({file, "", Severity::warning, "mesh_inverted",
                         fmt::format("the volume is negative ({:.6g} m^3): the normals point inward", mesh.volume()),
                         "flip the winding of its faces"});

@@ -139,6 +139,22 @@ TEST(BadMesh, EveryCutOfABinaryStlIsAnError) {
   for (std::size_t size = 1; size < bytes.size(); size += 37) message_of(folder.write("b.stl", bytes.substr(0, size)));
 }
 
+TEST(BadMesh, EveryCutOfABinaryPlyIsAnError) {
+  const TempFolder folder;
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::size_t header = bytes.size();
+  const float points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const int corners[3] = {0, 1, 2};
+  bytes.append(reinterpret_cast<const char*>(points), sizeof points);
+  bytes += '\3';
+  bytes.append(reinterpret_cast<const char*>(corners), sizeof corners);
+  EXPECT_EQ(load_mesh(folder.write("whole.ply", bytes)).mesh->face_count(), 1);
+  for (std::size_t size = header; size < bytes.size(); ++size)
+    EXPECT_NE(message_of(folder.write("cut.ply", bytes.substr(0, size))).find("cut off"), std::string::npos);
+}
+
 /// Any change of a few bytes either loads or is an Error; nothing else may happen.
 void expect_no_crash(const TempFolder& folder, const std::string& name, std::uint64_t seed) {
   save_mesh(folder / name, make_icosphere(1, 0));

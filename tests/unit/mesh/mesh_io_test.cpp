@@ -74,6 +74,16 @@ TEST(MeshIo, ObjReadsEveryFormOfAFace) {
   EXPECT_NEAR(loaded.mesh->volume(), 1.0 / 6.0, 1e-15);
 }
 
+TEST(MeshIo, ObjCountsNegativeIndicesFromTheVerticesSoFar) {
+  const TempFolder folder;
+  const auto path =
+      folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nv 9 8 9\nv 8 9 9\nf -3 -2 -1\n");
+  const TriMesh mesh = *load_mesh(path).mesh;
+  EXPECT_EQ(mesh.face_count(), 2);
+  EXPECT_EQ(mesh.vertex(0, 1), dvec3(1, 0, 0));
+  EXPECT_EQ(mesh.vertex(1, 0), dvec3(9, 9, 9));
+}
+
 TEST(MeshIo, OffReadsCommentsColoursAndPolygons) {
   const TempFolder folder;
   const auto path =
@@ -181,6 +191,15 @@ TEST(MeshIo, ScaleIsAppliedAndAMirrorKeepsNormalsOutward) {
   EXPECT_NEAR(mirrored.volume(), 96, 1e-12);
   const TriMesh turned = *load_mesh(folder / "a.off", {-1, -1, 1}).mesh;
   EXPECT_NEAR(turned.volume(), 48, 1e-12);
+}
+
+TEST(MeshIo, ZerosHaveNoSign) {
+  const TempFolder folder;
+  const auto path = folder.write("a.obj", "v 0 0 0\nv 1 -0 0\nv 0 1 0\nf 1 2 3\n");
+  const TriMesh mirrored = *load_mesh(path, {-1, -1, -1}).mesh;
+  for (const dvec3& v : mirrored.vertices()) {
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(v[i] != 0 || !std::signbit(v[i]));
+  }
 }
 
 TEST(MeshIo, RepairsAreNoted) {

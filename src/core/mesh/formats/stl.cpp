@@ -14,24 +14,19 @@ namespace {
 constexpr std::size_t kHeader = 84;    // 80 bytes of comment, the number of triangles
 constexpr std::size_t kTriangle = 50;  // normal, three corners (12 floats), two bytes of attributes
 
-std::uint32_t triangle_count(std::string_view bytes) {
-  std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + 80, sizeof count);
-  return count;
-}
-
-/// Many binary files begin with "solid" too: the size decides; a text has no zero bytes.
+/// Many binary files begin with "solid" too, but a text has no zero bytes, and the number of triangles has one.
 bool is_ascii(std::string_view bytes) {
-  if (bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * std::size_t{triangle_count(bytes)}) return false;
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && bytes.substr(begin).starts_with("solid") &&
-         bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+         bytes.substr(0, kHeader).find('\0') == std::string_view::npos;
 }
 
 PolygonSoup read_binary(std::string_view bytes, const std::string& file) {
   if (bytes.size() < kHeader)
     throw Error(file, fmt::format("is not an STL file: {} bytes, the header alone has {}", bytes.size(), kHeader));
-  const std::size_t count = triangle_count(bytes);
+  std::uint32_t stored = 0;
+  std::memcpy(&stored, bytes.data() + kHeader - sizeof stored, sizeof stored);
+  const std::size_t count = stored;
   if (bytes.size() < kHeader + kTriangle * count) {
     throw Error(file, fmt::format("is cut off or not an STL file: {} triangles need {} bytes, there are {}", count,
                                   kHeader + kTriangle * count, bytes.size()));
