@@ -11,13 +11,23 @@ namespace taxel {
 
 struct PlayCommand {};
 struct PauseCommand {};
-struct StepCommand { int steps = 1; };
+struct StepCommand {
+  int steps = 1;
+};
 struct ResetCommand {};
-struct SpeedCommand { double factor = 1.0; };                 ///< multiples of real time
-struct LoadSweepCommand { SensorModelPtr model; SweepScenario scenario; };
-struct LoadSceneCommand { std::string file; };                ///< MJCF with its own sensors
+struct SpeedCommand {
+  double factor = 1.0;
+};  ///< multiples of real time
+struct LoadSweepCommand {
+  SensorModelPtr model;
+  SweepScenario scenario;
+};
+struct LoadSceneCommand {
+  std::string file;
+};  ///< MJCF with its own sensors
 struct QuitCommand {};
 
-using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand, LoadSceneCommand, QuitCommand>;
+using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
+                                LoadSceneCommand, QuitCommand>;
 
 }  // namespace taxel

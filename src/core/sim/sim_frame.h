@@ -42,27 +42,28 @@ struct SimScene {
 
 /// One sensor in one step.
 struct SensorFrameState {
-  Pose X_WM;                              ///< mesh-file frame in the world
-  std::vector<double> readings;           ///< exactly what stands in sensordata
-  dvec3 force_W{0};                       ///< contact force on the sensor [N]
-  std::vector<ContactSurface> surfaces;   ///< frame M
-  std::vector<RayHit> hits;               ///< parallel to model->rays
+  Pose X_WM;                             ///< mesh-file frame in the world
+  std::vector<double> readings;          ///< exactly what stands in sensordata
+  dvec3 force_W{0};                      ///< contact force on the sensor [N]
+  std::vector<ContactSurface> surfaces;  ///< frame M
+  std::vector<RayHit> hits;              ///< parallel to model->rays
 };
 
 struct SimFrame {
   std::shared_ptr<const SimScene> scene;
   std::uint64_t step = 0;
-  double time = 0;                        ///< of the state that was evaluated [s]
-  double travel = 0;                      ///< of the mocap body [m]
+  double time = 0;    ///< of the state that was evaluated [s]
+  double travel = 0;  ///< of the mocap body [m]
   bool playing = false;
-  bool finished = false;                  ///< the scenario is over
-  double speed = 1.0;                     ///< wanted, in multiples of real time
-  double measured_speed = 0;              ///< reached lately
-  std::vector<Pose> geom_poses;           ///< X_WG parallel to scene->geoms
+  bool finished = false;         ///< the scenario is over
+  double speed = 1.0;            ///< wanted, in multiples of real time
+  double measured_speed = 0;     ///< reached lately
+  std::vector<Pose> geom_poses;  ///< X_WG parallel to scene->geoms
   std::vector<SensorFrameState> sensors;
-  std::shared_ptr<const std::vector<TraceRow>> trace;  ///< all rows so far (copied when a row is added, at most 30 times a second)
-  std::uint64_t loads = 0;                ///< scenes asked for so far, whether built or refused
-  std::string error;                      ///< why the simulation stopped, or the last scene was refused; empty: fine
+  std::shared_ptr<const std::vector<TraceRow>>
+      trace;                ///< all rows so far (copied when a row is added, at most 30 times a second)
+  std::uint64_t loads = 0;  ///< scenes asked for so far, whether built or refused
+  std::string error;        ///< why the simulation stopped, or the last scene was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

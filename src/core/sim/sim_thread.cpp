@@ -43,8 +43,8 @@ struct SimThread::Impl {
   Pacing pacing;
   bool running = true, playing = false, by_clock = true;
   double speed = 1.0;
-  std::string error;        // why stepping stopped
-  std::string refused;      // why the last scene was not loaded; the one before goes on
+  std::string error;    // why stepping stopped
+  std::string refused;  // why the last scene was not loaded; the one before goes on
   std::uint64_t loads = 0;
   std::vector<TraceRow> rows;
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();

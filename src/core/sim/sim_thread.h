@@ -15,8 +15,8 @@ class SimThread {
   SimThread(const SimThread&) = delete;
   SimThread& operator=(const SimThread&) = delete;
 
-  void send(SimCommand command);       ///< never blocks
-  SimFramePtr newest_frame();          ///< newest since the last call, or null
+  void send(SimCommand command);  ///< never blocks
+  SimFramePtr newest_frame();     ///< newest since the last call, or null
   /// For headless pictures and tests: steps exactly when told (StepCommand), never by the clock.
   void set_clock_driven(bool on);
 

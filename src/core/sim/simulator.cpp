@@ -56,18 +56,18 @@ void prepare_mujoco() {
 }  // namespace
 
 struct Simulator::Impl {
-  std::string title;                // file of the scene, for messages
+  std::string title;  // file of the scene, for messages
   CompiledScene compiled;
   DataHandle data;
   std::optional<SweepPath> sweep;
-  std::vector<int> instances;       // of taxel.sensor
-  std::vector<int> drawn;           // geoms of scene->geoms
+  std::vector<int> instances;             // of taxel.sensor
+  std::vector<int> drawn;                 // geoms of scene->geoms
   std::shared_ptr<const SimScene> shown;  // what does not change
-  int mocap = -1;                   // the first mocap body's number, -1: none
+  int mocap = -1;                         // the first mocap body's number, -1: none
   dvec3 mocap_start{0};
 
-  std::uint64_t steps = 0;          // made so far
-  double time = 0, travel = 0;      // of the state evaluated last
+  std::uint64_t steps = 0;      // made so far
+  double time = 0, travel = 0;  // of the state evaluated last
   bool row_due = false;
 
   [[nodiscard]] const mjModel& m() const { return *compiled.model; }

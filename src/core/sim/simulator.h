@@ -15,11 +15,11 @@ namespace taxel {
 /// A row of results, evaluated at `time` (the state before the step's integration).
 struct SimRow {
   double time = 0, travel = 0;
-  std::vector<dvec3> force_W;             ///< per sensor: contact force on it
-  std::vector<double> area;               ///< per sensor [m^2]
-  std::vector<int> polygons;              ///< per sensor
+  std::vector<dvec3> force_W;                 ///< per sensor: contact force on it
+  std::vector<double> area;                   ///< per sensor [m^2]
+  std::vector<int> polygons;                  ///< per sensor
   std::vector<std::vector<double>> readings;  ///< per sensor: its part of sensordata
-  std::vector<Pose> sensor_poses;         ///< X_WM per sensor
+  std::vector<Pose> sensor_poses;             ///< X_WM per sensor
 };
 
 class Simulator {
@@ -28,18 +28,20 @@ class Simulator {
   static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const SweepScenario& scenario);
   /// Any MJCF with the sensors it declares; `layout` with `geom` attaches one more (both empty: none).
   /// Throws Error that names the file and MuJoCo's reason.
-  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene, const std::string& layout = "", const std::string& geom = "");
+  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene, const std::string& layout = "",
+                                         const std::string& geom = "");
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  /// What the sensors have to say about the scene: another mesh than the layout's, contacts doubled by MuJoCo's own, ...
+  /// What the sensors have to say about the scene: another mesh than the layout's, contacts doubled by MuJoCo's own,
+  /// ...
   [[nodiscard]] std::vector<std::string> warnings() const;
 
-  void step();   ///< one mj_step; then row() and frame() tell of the state that was evaluated
-  void reset();  ///< back to the start, bit for bit
-  [[nodiscard]] bool finished() const;   ///< the scenario's path has been run
-  [[nodiscard]] bool row_due() const;    ///< the step just made belongs to a recorded row
+  void step();                          ///< one mj_step; then row() and frame() tell of the state that was evaluated
+  void reset();                         ///< back to the start, bit for bit
+  [[nodiscard]] bool finished() const;  ///< the scenario's path has been run
+  [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
   [[nodiscard]] SimRow row() const;
   void fill_frame(SimFrame& frame) const;
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;

@@ -117,8 +117,8 @@ TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
   double largest = 0;
   for (int n = 0; n < 100; ++n) {
     s.step();
-    // What acts on the box, taken to the same point, is the reverse of what acts on the ball. Both are free bodies: their
-    // generalized forces are force and torque about their own origin (the torque in the body's frame).
+    // What acts on the box, taken to the same point, is the reverse of what acts on the ball. Both are free bodies:
+    // their generalized forces are force and torque about their own origin (the torque in the body's frame).
     const dvec3 on_ball(d.qfrc_passive[6], d.qfrc_passive[7], d.qfrc_passive[8]);
     const dvec3 on_box(d.qfrc_passive[0], d.qfrc_passive[1], d.qfrc_passive[2]);
     EXPECT_LE(glm::length(on_ball + on_box), 1e-12 * glm::length(on_ball));
@@ -136,7 +136,8 @@ TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
 TEST(ContactDynamics, TwoFingersPinchingABoxShareItEvenly) {
   // Two sensors press a free box from both sides: each instance's forces know of the other's.
   SensorScene s;
-  for (const char* name : {"left", "right"}) s.add_sensor(name, make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});
+  for (const char* name : {"left", "right"})
+    s.add_sensor(name, make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});
   const std::string extension =
       R"(<extension><plugin plugin="taxel.sensor"><instance name="left"><config key="layout" value="left.taxels.json"/>
       <config key="geom" value="left"/><config key="others" value="box"/></instance><instance name="right">

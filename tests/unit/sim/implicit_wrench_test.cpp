@@ -14,8 +14,7 @@ constexpr double kMass = 0.1, kStep = 1e-3;
 /// Friction of a point mass pressed on with `normal` newtons: t = -(2/pi) mu N atan(v/vs) v/|v|.
 Traction point_friction(const Twist& V, double mu_normal) {
   const double v = glm::length(V.linear);
-  const double factor =
-      v > 0 ? 2 / kPi * mu_normal * std::atan(v / kSlipSpeed) / v : 2 / kPi * mu_normal / kSlipSpeed;
+  const double factor = v > 0 ? 2 / kPi * mu_normal * std::atan(v / kSlipSpeed) / v : 2 / kPi * mu_normal / kSlipSpeed;
   Traction t;
   for (std::size_t i = 0; i < 3; ++i) t.secant[i][i] = factor;
   t.wrench.force = -factor * V.linear;
@@ -46,8 +45,8 @@ TEST(ImplicitWrench, PointFrictionMatchesBisectionFromRestToFastSliding) {
   const double mu_normal = 0.5;  // stops up to h mu N/m = 5 mm/s
   for (const double v_free : {1e-7, 1e-5, 1e-3, 4.9e-3, 5.0e-3, 5.1e-3, 1e-2, 1.0}) {
     for (const double v_now : {0.0, v_free, 10.0}) {
-      const ImplicitWrench solved = solve_implicit_wrench(
-          free_point(v_now, v_free), [&](const Twist& V) { return point_friction(V, mu_normal); });
+      const ImplicitWrench solved = solve_implicit_wrench(free_point(v_now, v_free),
+                                                          [&](const Twist& V) { return point_friction(V, mu_normal); });
       EXPECT_TRUE(solved.converged);
       EXPECT_LE(solved.evaluations, 20);
       EXPECT_NEAR(solved.V_end.linear.x, bisected(v_free, mu_normal), 1e-6 * v_free) << v_free << " from " << v_now;
@@ -69,8 +68,7 @@ TEST(ImplicitWrench, SlidingBlockStopsWithoutTurningBack) {
 TEST(ImplicitWrench, ImmovableBodiesKeepTheirTwist) {
   ImplicitStep step = free_point(0.2, 0.3);
   step.inverse_inertia = {};
-  const ImplicitWrench solved =
-      solve_implicit_wrench(step, [](const Twist& V) { return point_friction(V, 0.5); });
+  const ImplicitWrench solved = solve_implicit_wrench(step, [](const Twist& V) { return point_friction(V, 0.5); });
   EXPECT_TRUE(solved.converged);
   EXPECT_EQ(solved.V_end.linear, dvec3(0.3, 0, 0));
   EXPECT_NEAR(solved.wrench.force.x, point_friction({dvec3(0.3, 0, 0), dvec3(0)}, 0.5).wrench.force.x, 1e-12);
@@ -113,7 +111,8 @@ TEST(ImplicitWrench, SolvesTheEquationOfARealSurface) {
         return k < 3 ? a[static_cast<int>(k)] : b[static_cast<int>(k) - 3];
       };
       double impulse = 0;
-      for (std::size_t j = 0; j < 6; ++j) impulse += step.timestep * step.inverse_inertia[i][j] * at(w.force, w.torque, j);
+      for (std::size_t j = 0; j < 6; ++j)
+        impulse += step.timestep * step.inverse_inertia[i][j] * at(w.force, w.torque, j);
       const double scale = i < 3 ? 1 : step.length;
       const double free = at(step.V_free.linear, step.V_free.angular, i);
       error += std::pow(scale * (at(solved.V_end.linear, solved.V_end.angular, i) - free - impulse), 2);

@@ -64,9 +64,11 @@ TEST_F(LoadScene, AnAttachedLayoutCarriesTheBallInPlaceOfMujocosContact) {
 }
 
 TEST_F(LoadScene, ExclusionTakesAwayNoOtherContact) {
-  // A second geom on the sensor's body touches the floor by MuJoCo's contact, which must stay: then the pair is reported.
+  // A second geom on the sensor's body touches the floor by MuJoCo's contact, which must stay: then the pair is
+  // reported.
   std::string scene = kBall;
-  scene.replace(scene.find("mesh='ball'/>"), 13, "mesh='ball'/><geom name='leg' type='sphere' size='.005' pos='.03 0 -.0145'/>");
+  scene.replace(scene.find("mesh='ball'/>"), 13,
+                "mesh='ball'/><geom name='leg' type='sphere' size='.005' pos='.03 0 -.0145'/>");
   register_sensor_plugin();
   const CompiledScene compiled = load_scene(write(scene), layout(), "ball");
   const DataHandle data(mj_makeData(compiled.model.get()));
@@ -125,7 +127,8 @@ TEST_F(LoadScene, AMovedCopyOfAnAttachedLayoutRunsToo) {
 
 TEST_F(LoadScene, MistakesNameTheFileAndTheReason) {
   const std::string scene = (s.folder / "scene.xml").string();
-  EXPECT_EQ(error_of([&] { Simulator::load(s.folder / "none.xml"); }), (s.folder / "none.xml").string() + ": no such file");
+  EXPECT_EQ(error_of([&] { Simulator::load(s.folder / "none.xml"); }),
+            (s.folder / "none.xml").string() + ": no such file");
   write("<worldbody><geom type='globe'/></worldbody>");
   std::string error = error_of([&] { Simulator::load(scene); });
   EXPECT_TRUE(error.starts_with(scene + ": ")) << error;

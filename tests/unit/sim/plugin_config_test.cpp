@@ -1,4 +1,5 @@
-// What a scene may say to the plugin, and what it hears when it is wrong: every mistake is a compile error that names it.
+// What a scene may say to the plugin, and what it hears when it is wrong: every mistake is a compile error that names
+// it.
 #include <gtest/gtest.h>
 
 #include "fixtures/sensor_scene.h"
@@ -30,7 +31,8 @@ class PluginConfig : public testing::Test {
   void expect_error(const std::string& extension, const std::vector<std::string>& words) {
     compile(extension);
     EXPECT_EQ(s.model, nullptr);
-    for (const std::string& word : words) EXPECT_NE(s.error.find(word), std::string::npos) << word << " in: " << s.error;
+    for (const std::string& word : words)
+      EXPECT_NE(s.error.find(word), std::string::npos) << word << " in: " << s.error;
   }
   std::string layout_path() const { return (s.folder / "ball.taxels.json").string(); }
 
@@ -65,7 +67,8 @@ TEST_F(PluginConfig, MistakesAreCompileErrorsThatNameThem) {
   expect_error(with(layout + geom + key("materials", "{\"box\": {\"colour\": 1}}")), {"/box/colour"});
   expect_error(with(layout + geom + key("materials", "{\"bax\": {}}")), {"materials", "\"bax\""});
   expect_error(with(layout + geom + key("materials", "{")), {"materials", "line 1"});
-  expect_error(with(layout + geom + key("others", "box") + key("materials", "{\"box\": {\"modulus\": 1e5, \"field\": \"pad\", \"thickness\": 0.002}}")),
+  expect_error(with(layout + geom + key("others", "box") +
+                    key("materials", "{\"box\": {\"modulus\": 1e5, \"field\": \"pad\", \"thickness\": 0.002}}")),
                {"box", "both soft"});
   expect_error(with(layout + geom + key("taxels", "1")), {"taxels", "layout"});
   expect_error(with(geom + key("taxels", "many")), {"taxels", "many"});

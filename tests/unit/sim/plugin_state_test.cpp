@@ -108,8 +108,8 @@ TEST_F(PluginState, SensorIsRightWherePassiveForcesAreOff) {
   DataHandle other(mj_makeData(s.model.get()));
   mj_forward(s.model.get(), other.get());
   EXPECT_GT(with[0], 0);
-  EXPECT_EQ(other->sensordata[0], with[0]);                                              // reading
-  EXPECT_EQ(other->sensordata[s.model->nsensordata - 1], with.back());                   // area
+  EXPECT_EQ(other->sensordata[0], with[0]);                             // reading
+  EXPECT_EQ(other->sensordata[s.model->nsensordata - 1], with.back());  // area
   for (int i = 0; i < s.model->nv; ++i) EXPECT_EQ(other->qfrc_passive[i], 0);
   // and it follows the state
   other->qpos[2] += 0.0005;
@@ -134,7 +134,9 @@ TEST_F(PluginState, UnderRungeKuttaTheReadingBelongsToTheStartOfTheStep) {
     push_along(*probe, n);
     mj_forward(s.model.get(), probe.get());
     mj_step(s.model.get(), s.data.get());
-    EXPECT_EQ(std::memcmp(s.data->sensordata, probe->sensordata, sizeof(mjtNum) * static_cast<std::size_t>(s.model->nsensordata)), 0);
+    EXPECT_EQ(std::memcmp(s.data->sensordata, probe->sensordata,
+                          sizeof(mjtNum) * static_cast<std::size_t>(s.model->nsensordata)),
+              0);
     EXPECT_EQ(find_sensor(*s.data, 0)->sensed().X_WM.p, find_sensor(*probe, 0)->sensed().X_WM.p);
     EXPECT_EQ(find_sensor(*s.data, 0)->reading().values[0], s.data->sensordata[0]);
   }

@@ -52,7 +52,8 @@ TEST_F(Thread, StepsExactlyWhenTold) {
   std::vector<TraceRow> rows;
   for (int n = 0; n < 1300; ++n) {
     simulator->step();
-    if (simulator->row_due()) rows.push_back({simulator->row().time, simulator->row().travel, simulator->row().readings[0]});
+    if (simulator->row_due())
+      rows.push_back({simulator->row().time, simulator->row().travel, simulator->row().readings[0]});
   }
   EXPECT_EQ(frame->sensors[0].readings, simulator->row().readings[0]);
   ASSERT_EQ(frame->trace->size(), rows.size());

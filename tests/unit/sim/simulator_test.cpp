@@ -137,7 +137,8 @@ TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
   IntersectWorkspace workspace;
   SensorReading reading;
   for (const std::size_t i : {0u, 90u, 130u, 240u}) {
-    intersect(*model->body, *box, rows_[i].sensor_poses[0], Pose{{1, 0, 0, 0}, dvec3(0.025, 0, 0.025)}, surface, workspace);
+    intersect(*model->body, *box, rows_[i].sensor_poses[0], Pose{{1, 0, 0, 0}, dvec3(0.025, 0, 0.025)}, surface,
+              workspace);
     const ContactSurface* surfaces[] = {&surface};
     read_sensor(*model, surfaces, reading);
     EXPECT_EQ(reading.values, rows_[i].readings[0]) << "row " << i;

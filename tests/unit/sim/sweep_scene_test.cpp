@@ -31,7 +31,7 @@ TEST_F(SweepSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
   EXPECT_NEAR(distal.z, -std::sin(30 * kPi / 180), 1e-12);
   EXPECT_GT(distal.x, 0);  // forward, over the edge
   EXPECT_NEAR(distal.y, 0, 1e-12);
-  EXPECT_LT(pad.z, 0);     // facing the box's top
+  EXPECT_LT(pad.z, 0);                               // facing the box's top
   EXPECT_NEAR(glm::cross(distal, pad).y, 1, 1e-12);  // the width axis lies along the edge
   dvec3 lowest(0, 0, 1);
   Aabb box;

@@ -11,8 +11,9 @@ TEST(XmlAttributes, ChangesOnlyWhatItIsTold) {
     if (a.tag == "mesh" && a.name == "file" && a.value == "old.obj") return "new & \"better\".obj";
     return std::nullopt;
   });
-  EXPECT_EQ(changed,
-            "<a>\n  <mesh name=\"m\" file=\"new &amp; &quot;better&quot;.obj\"/>\n  <texture file=\"old.obj\"/><b/></a>\n");
+  EXPECT_EQ(
+      changed,
+      "<a>\n  <mesh name=\"m\" file=\"new &amp; &quot;better&quot;.obj\"/>\n  <texture file=\"old.obj\"/><b/></a>\n");
   EXPECT_EQ(change_attributes(xml, [](const XmlAttribute&) { return std::nullopt; }), xml);
 }
 

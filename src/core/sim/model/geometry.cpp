@@ -6,8 +6,12 @@
 namespace taxel {
 namespace {
 
-dvec3 vec3(const mjtNum* p) { return {p[0], p[1], p[2]}; }
-dquat quat(const mjtNum* q) { return {q[0], q[1], q[2], q[3]}; }
+dvec3 vec3(const mjtNum* p) {
+  return {p[0], p[1], p[2]};
+}
+dquat quat(const mjtNum* q) {
+  return {q[0], q[1], q[2], q[3]};
+}
 
 std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind) {
   const char* name = mj_id2name(&m, type, id);
@@ -16,8 +20,12 @@ std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind)
 
 }  // namespace
 
-std::string geom_name(const mjModel& m, int geom) { return object_name(m, mjOBJ_GEOM, geom, "geom"); }
-std::string body_name(const mjModel& m, int body) { return object_name(m, mjOBJ_BODY, body, "body"); }
+std::string geom_name(const mjModel& m, int geom) {
+  return object_name(m, mjOBJ_GEOM, geom, "geom");
+}
+std::string body_name(const mjModel& m, int body) {
+  return object_name(m, mjOBJ_BODY, body, "body");
+}
 
 Pose geom_pose(const mjModel& m, const mjData& d, int geom) {
   const int body = m.geom_bodyid[geom];
@@ -48,12 +56,24 @@ Shape geom_shape(const mjModel& m, int geom) {
   const dvec3 size = vec3(m.geom_size + 3 * geom);
   shape.size = size;
   switch (m.geom_type[geom]) {
-    case mjGEOM_PLANE: shape.type = ShapeType::plane; break;
-    case mjGEOM_SPHERE: shape.type = ShapeType::sphere; break;
-    case mjGEOM_CAPSULE: shape.type = ShapeType::capsule; break;
-    case mjGEOM_ELLIPSOID: shape.type = ShapeType::ellipsoid; break;
-    case mjGEOM_CYLINDER: shape.type = ShapeType::cylinder; break;
-    case mjGEOM_BOX: shape.type = ShapeType::box; break;
+    case mjGEOM_PLANE:
+      shape.type = ShapeType::plane;
+      break;
+    case mjGEOM_SPHERE:
+      shape.type = ShapeType::sphere;
+      break;
+    case mjGEOM_CAPSULE:
+      shape.type = ShapeType::capsule;
+      break;
+    case mjGEOM_ELLIPSOID:
+      shape.type = ShapeType::ellipsoid;
+      break;
+    case mjGEOM_CYLINDER:
+      shape.type = ShapeType::cylinder;
+      break;
+    case mjGEOM_BOX:
+      shape.type = ShapeType::box;
+      break;
     case mjGEOM_MESH:
       shape.type = ShapeType::mesh;
       shape.mesh = std::make_shared<const TriMesh>(compiled_mesh(m, geom));

@@ -20,8 +20,8 @@ std::string body_name(const mjModel& m, int body);
 Pose geom_pose(const mjModel& m, const mjData& d, int geom);
 
 /// X_GM: from the frame of the mesh file (after scaling) to that of the compiled geom. MuJoCo moves meshes to their
-/// centre and principal axes: R(mesh_quat) v + mesh_pos = scale * file, v being the compiled vertex. Identity for a geom
-/// without a mesh. `refpos` and `refquat` of an asset are not in the model and must be left at their defaults.
+/// centre and principal axes: R(mesh_quat) v + mesh_pos = scale * file, v being the compiled vertex. Identity for a
+/// geom without a mesh. `refpos` and `refquat` of an asset are not in the model and must be left at their defaults.
 Pose mesh_file_pose(const mjModel& m, int geom);
 
 /// The triangles of a mesh geom, frame G; vertices at one place welded, faces without area dropped.

@@ -13,17 +13,23 @@ TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
   switch (m.geom_type[geom]) {
     case mjGEOM_PLANE: {  // half sizes, 0 for infinite: then as large as the scene
       const double x = size.x > 0 ? size.x : 2 * m.stat.extent, y = size.y > 0 ? size.y : 2 * m.stat.extent;
-      return std::make_shared<const TriMesh>(
-          std::vector<dvec3>{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}}, std::vector<ivec3>{{0, 1, 2}, {0, 2, 3}});
+      return std::make_shared<const TriMesh>(std::vector<dvec3>{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}},
+                                             std::vector<ivec3>{{0, 1, 2}, {0, 2, 3}});
     }
-    case mjGEOM_SPHERE: return std::make_shared<const TriMesh>(make_sphere(size.x, edge));
-    case mjGEOM_CAPSULE: return std::make_shared<const TriMesh>(make_capsule(size.x, size.y, edge));
-    case mjGEOM_CYLINDER: return std::make_shared<const TriMesh>(make_cylinder(size.x, size.y, edge));
+    case mjGEOM_SPHERE:
+      return std::make_shared<const TriMesh>(make_sphere(size.x, edge));
+    case mjGEOM_CAPSULE:
+      return std::make_shared<const TriMesh>(make_capsule(size.x, size.y, edge));
+    case mjGEOM_CYLINDER:
+      return std::make_shared<const TriMesh>(make_cylinder(size.x, size.y, edge));
     case mjGEOM_ELLIPSOID:
       return std::make_shared<const TriMesh>(make_ellipsoid(size, 0.2 * std::min({size.x, size.y, size.z})));
-    case mjGEOM_BOX: return std::make_shared<const TriMesh>(make_box(size));
-    case mjGEOM_MESH: return std::make_shared<const TriMesh>(compiled_mesh(m, geom));
-    default: return nullptr;
+    case mjGEOM_BOX:
+      return std::make_shared<const TriMesh>(make_box(size));
+    case mjGEOM_MESH:
+      return std::make_shared<const TriMesh>(compiled_mesh(m, geom));
+    default:
+      return nullptr;
   }
 }
 

@@ -10,15 +10,23 @@ constexpr double kRoundTolerance = 1e-6;
 
 using Active = ContactForceWorkspace::Active;
 
-std::size_t size(int n) { return static_cast<std::size_t>(n); }
+std::size_t size(int n) {
+  return static_cast<std::size_t>(n);
+}
 
 std::array<double, 6> stack(const Wrench& w) {
   return {w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
 }
 
-PairState& state_of(Active& a) { return a.instance->latest().pairs[a.pair]; }
-int sensor_body(const mjModel& m, const Active& a) { return m.geom_bodyid[a.instance->config().geom]; }
-int other_body(const mjModel& m, const Active& a) { return m.geom_bodyid[a.instance->touched()[a.pair].geom]; }
+PairState& state_of(Active& a) {
+  return a.instance->latest().pairs[a.pair];
+}
+int sensor_body(const mjModel& m, const Active& a) {
+  return m.geom_bodyid[a.instance->config().geom];
+}
+int other_body(const mjModel& m, const Active& a) {
+  return m.geom_bodyid[a.instance->touched()[a.pair].geom];
+}
 
 bool asleep(const mjModel& m, const mjData& d, int body) {
   return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
@@ -68,8 +76,7 @@ void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late
   work.acceleration.resize(size(m.nv));
   mjtNum* f = work.force.data();
   mj_rne(&m, &d, 0, f);
-  for (int i = 0; i < m.nv; ++i)
-    f[i] = d.qfrc_passive[i] + d.qfrc_applied[i] + late_forces[size(i)] - f[i];
+  for (int i = 0; i < m.nv; ++i) f[i] = d.qfrc_passive[i] + d.qfrc_applied[i] + late_forces[size(i)] - f[i];
   for (int b = 1; b < m.nbody; ++b) {
     const mjtNum* x = d.xfrc_applied + 6 * b;
     if (std::any_of(x, x + 6, [](mjtNum v) { return v != 0; })) mj_applyFT(&m, &d, x, x + 3, d.xipos + 3 * b, b, f);
@@ -114,8 +121,7 @@ void apply(const mjModel& m, mjData& d, Active& a) {
   const mjtNum f[3] = {force.x, force.y, force.z}, t[3] = {torque.x, torque.y, torque.z};
   const mjtNum minus_f[3] = {-force.x, -force.y, -force.z}, minus_t[3] = {-torque.x, -torque.y, -torque.z};
   if (!asleep(m, d, sensor_body(m, a))) mj_applyFT(&m, &d, f, t, origin, sensor_body(m, a), d.qfrc_passive);
-  if (!asleep(m, d, other_body(m, a)))
-    mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
+  if (!asleep(m, d, other_body(m, a))) mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
   keep_awake(m, d, sensor_body(m, a));
   keep_awake(m, d, other_body(m, a));
 }

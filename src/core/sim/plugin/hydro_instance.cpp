@@ -190,9 +190,10 @@ void HydroInstance::note_mujoco_contacts(const mjModel& m, const mjData& d) {
       const bool ours = std::minmax(contact.geom[0], contact.geom[1]) == std::minmax(config_.geom, t.geom);
       if (!ours || t.mujoco_too) continue;
       t.mujoco_too = true;
-      warnings_.push_back(fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
-                                      "set contype and conaffinity to 0 and name the geom in \"others\"",
-                                      geom_name(m, config_.geom), geom_name(m, t.geom)));
+      warnings_.push_back(
+          fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
+                      "set contype and conaffinity to 0 and name the geom in \"others\"",
+                      geom_name(m, config_.geom), geom_name(m, t.geom)));
     }
   }
 }

@@ -2,8 +2,8 @@
 //
 // A pair's wrench is w(V) = elastic(V) - S(V) V (hydro/traction.h), stiff in V: explicit friction needs steps below
 // pi vs/(mu g), 0.06 ms. The step itself, with everything but this wrench known, moves the pair's relative twist to
-// V_free + h A w, A = J M^-1 J^T being the inverse inertia that the contact feels. Both together are one equation in six
-// unknowns, V = V_free + h A w(V), solved here.
+// V_free + h A w, A = J M^-1 J^T being the inverse inertia that the contact feels. Both together are one equation in
+// six unknowns, V = V_free + h A w(V), solved here.
 #pragma once
 
 #include <functional>

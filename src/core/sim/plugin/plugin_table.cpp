@@ -27,8 +27,12 @@ struct alignas(64) Slot {
 /// plugin_data holds the pointer mixed with the address of its mjData. A bitwise copy of an mjData (Python's pickle)
 /// carries the entry of the original: read through another address it gives no aligned user-space pointer, and the
 /// copy neither uses nor frees what is not its own.
-std::uintptr_t seal_key(const mjData& d) { return mix64(reinterpret_cast<std::uintptr_t>(&d)); }
-std::uintptr_t seal(const mjData& d, const Slot* slot) { return reinterpret_cast<std::uintptr_t>(slot) ^ seal_key(d); }
+std::uintptr_t seal_key(const mjData& d) {
+  return mix64(reinterpret_cast<std::uintptr_t>(&d));
+}
+std::uintptr_t seal(const mjData& d, const Slot* slot) {
+  return reinterpret_cast<std::uintptr_t>(slot) ^ seal_key(d);
+}
 Slot* unseal(const mjData& d, std::uintptr_t sealed) {
   const std::uintptr_t address = sealed ^ seal_key(d);
   const bool plausible = sealed != 0 && address != 0 && address % alignof(Slot) == 0 && address >> 48 == 0;

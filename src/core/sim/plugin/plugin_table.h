@@ -15,8 +15,8 @@ inline constexpr const char* kPluginName = "taxel.sensor";
 /// copy (the plugin module): then that one is used, and find_sensor() must not be.
 bool register_sensor_plugin();
 
-/// The sensor of instance `instance` in `d`; null when it is not one of ours, or when `d` is a bitwise copy (as pickling
-/// makes) whose sensors live in another mjData.
+/// The sensor of instance `instance` in `d`; null when it is not one of ours, or when `d` is a bitwise copy (as
+/// pickling makes) whose sensors live in another mjData.
 HydroInstance* find_sensor(const mjData& d, int instance);
 
 /// Instances of `taxel.sensor` in the model, ascending.

@@ -98,7 +98,8 @@ CompiledScene load_scene(const fs::path& scene_file, const std::string& layout, 
   if (layout.empty()) return parse_and_compile(file.string(), nullptr, name);
   // The overlay pretends to lie beside the scene, so that relative names in the scene keep their meaning.
   const fs::path overlay = file.parent_path() / (file.stem().string() + "+taxels.xml");
-  const std::string xml = fmt::format(R"(<mujoco>
+  const std::string xml =
+      fmt::format(R"(<mujoco>
   <include file="{}"/>
   <extension><plugin plugin="{}"><instance name="attached taxels">
     <config key="layout" value="{}"/><config key="geom" value="{}"/>
@@ -106,8 +107,8 @@ CompiledScene load_scene(const fs::path& scene_file, const std::string& layout, 
   <sensor><plugin name="taxels" plugin="{}" instance="attached taxels"/></sensor>
 </mujoco>
 )",
-                                      xml_escaped(file.filename().string()), kPluginName,
-                                      xml_escaped(fs::absolute(layout, ignored).string()), xml_escaped(geom), kPluginName);
+                  xml_escaped(file.filename().string()), kPluginName,
+                  xml_escaped(fs::absolute(layout, ignored).string()), xml_escaped(geom), kPluginName);
   Vfs vfs;
   vfs.add(overlay.string(), xml);
   CompiledScene scene = parse_and_compile(overlay.string(), vfs.get(), name);

@@ -11,7 +11,7 @@
 namespace taxel {
 
 struct CompiledScene {
-  SpecHandle spec;    ///< what `model` was compiled from
+  SpecHandle spec;  ///< what `model` was compiled from
   ModelHandle model;
 };
 
@@ -19,7 +19,8 @@ struct CompiledScene {
 CompiledScene compile_scene(const std::string& xml, const std::vector<SceneFile>& files, const std::string& name);
 
 /// Compiles a user's scene. With `layout` (a file) and `geom`, a `taxel.sensor` on that geom is added, and MuJoCo's
-/// own contact of the bodies it touches is excluded where that takes away no other contact. Throws Error naming the file.
+/// own contact of the bodies it touches is excluded where that takes away no other contact. Throws Error naming the
+/// file.
 CompiledScene load_scene(const std::filesystem::path& scene, const std::string& layout, const std::string& geom);
 
 /// The scene as files that can be moved together: assets and layouts copied beside scene.xml. Throws Error.

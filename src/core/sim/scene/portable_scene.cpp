@@ -37,10 +37,14 @@ void copy_assets(const CompiledScene& scene, mjtObj type, const std::string& tag
 Renamed copy_all_assets(const CompiledScene& scene, SceneFiles& out) {
   const mjModel& m = *scene.model;
   Renamed renamed;
-  copy_assets(scene, mjOBJ_MESH, "mesh", m.mesh_pathadr, [](auto* e) { return mjs_asMesh(e)->file; }, out, renamed);
-  copy_assets(scene, mjOBJ_HFIELD, "hfield", m.hfield_pathadr, [](auto* e) { return mjs_asHField(e)->file; }, out, renamed);
-  copy_assets(scene, mjOBJ_SKIN, "skin", m.skin_pathadr, [](auto* e) { return mjs_asSkin(e)->file; }, out, renamed);
-  copy_assets(scene, mjOBJ_TEXTURE, "texture", m.tex_pathadr, [](auto* e) { return mjs_asTexture(e)->file; }, out, renamed);
+  copy_assets(
+      scene, mjOBJ_MESH, "mesh", m.mesh_pathadr, [](auto* e) { return mjs_asMesh(e)->file; }, out, renamed);
+  copy_assets(
+      scene, mjOBJ_HFIELD, "hfield", m.hfield_pathadr, [](auto* e) { return mjs_asHField(e)->file; }, out, renamed);
+  copy_assets(
+      scene, mjOBJ_SKIN, "skin", m.skin_pathadr, [](auto* e) { return mjs_asSkin(e)->file; }, out, renamed);
+  copy_assets(
+      scene, mjOBJ_TEXTURE, "texture", m.tex_pathadr, [](auto* e) { return mjs_asTexture(e)->file; }, out, renamed);
   return renamed;
 }
 

@@ -15,8 +15,12 @@ constexpr const char* kFingerMesh = "finger.obj";
 constexpr const char* kLayoutFile = "finger.taxels.json";
 constexpr const char* kObjectMesh = "object.obj";
 
-std::string text(const dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
-std::string text(const dquat& q) { return fmt::format("{} {} {} {}", q.w, q.x, q.y, q.z); }
+std::string text(const dvec3& v) {
+  return fmt::format("{} {} {}", v.x, v.y, v.z);
+}
+std::string text(const dquat& q) {
+  return fmt::format("{} {} {} {}", q.w, q.x, q.y, q.z);
+}
 
 void check(const SweepScenario& s) {
   const auto positive = [](double value, const char* name) {
@@ -62,19 +66,21 @@ struct Object {
   double top = 0;
 };
 Object make_object(const SweepScenario& s, std::vector<SceneFile>& files) {
-  const std::string common =
-      R"(contype="0" conaffinity="0" friction="0.5 0.005 0.0001" rgba="0.55 0.6 0.68 1"/>)";
+  const std::string common = R"(contype="0" conaffinity="0" friction="0.5 0.005 0.0001" rgba="0.55 0.6 0.68 1"/>)";
   if (s.object.empty()) {
     const double half = 0.5 * s.box_size;
-    return {"", fmt::format(R"(<geom name="{}" type="box" size="{}" pos="{}" {})", kObjectGeom, text(dvec3(half)),
-                            text(dvec3(half, 0, half)), common), s.box_size};
+    return {"",
+            fmt::format(R"(<geom name="{}" type="box" size="{}" pos="{}" {})", kObjectGeom, text(dvec3(half)),
+                        text(dvec3(half, 0, half)), common),
+            s.box_size};
   }
   const TriMeshPtr mesh = load_mesh(s.object).mesh;
   const Aabb& box = mesh->bounds();
   files.push_back({kObjectMesh, obj_text(*mesh)});
   return {fmt::format("\n    <mesh name=\"{}\" file=\"{}\" inertia=\"shell\"/>", kObjectGeom, kObjectMesh),
           fmt::format(R"(<geom name="{0}" type="mesh" mesh="{0}" pos="{1}" {2})", kObjectGeom,
-                      text(dvec3(-box.lo.x, -box.center().y, -box.lo.z)), common), box.extent().z};
+                      text(dvec3(-box.lo.x, -box.center().y, -box.lo.z)), common),
+          box.extent().z};
 }
 
 std::string inertial(const TriMesh& skin, double mass) {
@@ -140,8 +146,8 @@ SweepScene build_sweep_scene(const SensorModel& model, const SweepScenario& scen
   const Object object = make_object(scenario, scene.files.files);
   scene.lowest_start_W = {-scenario.before, 0, object.top - scenario.depth};
   scene.distance = scenario.before + scenario.past;
-  scene.X_start = place_finger(model.skin->mesh(), finger_orientation(model.layout.frame, scenario.tilt_deg),
-                               scene.lowest_start_W);
+  scene.X_start =
+      place_finger(model.skin->mesh(), finger_orientation(model.layout.frame, scenario.tilt_deg), scene.lowest_start_W);
   const auto xml = [&](const std::string& key, const std::string& value) {
     return scene_xml(model, scenario, scene.X_start, object,
                      fmt::format(R"(<config key="{}" value="{}"/>)", key, value));

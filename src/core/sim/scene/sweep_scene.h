@@ -13,12 +13,12 @@
 namespace taxel {
 
 struct SweepScene {
-  SceneFiles files;          ///< scene.xml names the layout file
-  std::string hosted_xml;    ///< the same, for a program that hands the compiled sensor over
-  Pose X_start;              ///< of the mocap body and the finger's mesh-file frame, world
-  dvec3 lowest_start_W{0};   ///< the finger's lowest point there
+  SceneFiles files;         ///< scene.xml names the layout file
+  std::string hosted_xml;   ///< the same, for a program that hands the compiled sensor over
+  Pose X_start;             ///< of the mocap body and the finger's mesh-file frame, world
+  dvec3 lowest_start_W{0};  ///< the finger's lowest point there
   dvec3 direction_W{1, 0, 0};
-  double distance = 0;       ///< of the path [m]
+  double distance = 0;  ///< of the path [m]
 };
 
 /// Names of the sweep's geoms.

@@ -34,7 +34,8 @@ std::optional<char> numbered(std::string_view entity) {
 std::string xml_escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    const auto* entity = std::find_if(kEntities.begin(), kEntities.end(), [&](const Entity& e) { return e.character == c; });
+    const auto* entity =
+        std::find_if(kEntities.begin(), kEntities.end(), [&](const Entity& e) { return e.character == c; });
     if (entity != kEntities.end()) {
       out += entity->text;
     } else if (c == '\n' || c == '\t' || c == '\r') {
@@ -52,7 +53,8 @@ std::string xml_unescaped(const std::string& text) {
     const std::size_t end = text[at] == '&' ? text.find(';', at) : std::string::npos;
     const std::string_view entity =
         end == std::string::npos ? std::string_view() : std::string_view(text).substr(at, end - at + 1);
-    const auto* known = std::find_if(kEntities.begin(), kEntities.end(), [&](const Entity& e) { return e.text == entity; });
+    const auto* known =
+        std::find_if(kEntities.begin(), kEntities.end(), [&](const Entity& e) { return e.text == entity; });
     if (known != kEntities.end()) {
       out += known->character;
       at = end + 1;
