@@ -42,8 +42,7 @@ std::string recording_text(const RecordingReport& report) {
   const RunCost& cost = report.cost;
   text += fmt::format("{:.2f} s for samples and contact model\n", report.model_seconds);
   text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",
-                      cost.wall, cost.cpu, cost.simulated, cost.simulated / cost.wall); {:.2f} s for {:.3f} s simulated ({:.2f} times real time)\n",
-      report.model_seconds, report.cost.wall, report.cost.simulated, report.cost.simulated / report.cost.wall);
+                      cost.wall, cost.cpu, cost.simulated, cost.simulated / cost.wall);
   if (!report.files.empty()) text += fmt::format("wrote {}: {}\n", report.folder, fmt::join(report.files, " "));
   return text;
 }
