@@ -11,6 +11,7 @@
 namespace taxel::ui {
 namespace {
 
+constexpr float kLeastStep = 0.5f;  // [pixel]
 constexpr float kContactWidth = 4.0f, kOutlineWidth = 1.5f, kRayWidth = 1.0f;
 constexpr double kZoomPerNotch = 1.15, kMostZoom = 50, kLeastZoom = 0.2;
 constexpr int kColorSteps = 64;  // a contact piece is cut so that no part spans more than this part of the colour map
@@ -38,13 +39,20 @@ struct Canvas {
 ImU32 color(const glm::vec3& rgb, float alpha) { return to_u32({rgb.x, rgb.y, rgb.z, alpha}); }
 ImU32 color(const glm::vec4& rgba, float alpha) { return to_u32({rgba.x, rgba.y, rgba.z, rgba.w * alpha}); }
 
-void draw_outlines(const Canvas& canvas, const std::vector<Section::Outline>& outlines, ImU32 fill, ImU32 line) {
+/// `hole`: what shows in a cavity.
+void draw_outlines(const Canvas& canvas, const std::vector<Section::Outline>& outlines, ImU32 fill, ImU32 hole,
+                   ImU32 line) {
   std::vector<ImVec2> points;
   for (const Section::Outline& outline : outlines) {
     points.clear();
-    for (const dvec2& p : outline.points) points.push_back(canvas.at(p));
+    for (const dvec2& p : outline.points) {  // slivers would upset ImGui's triangulation
+      const ImVec2 at = canvas.at(p);
+      if (points.empty() || std::hypot(at.x - points.back().x, at.y - points.back().y) > kLeastStep) points.push_back(at);
+    }
     const int count = static_cast<int>(points.size());
-    if (outline.closed && count > 2) canvas.list.AddConcavePolyFilled(points.data(), count, fill);
+    if (count < 2) continue;
+    if (outline.area > 0) std::reverse(points.begin(), points.end());  // ImGui fills what it sees clockwise
+    if (outline.closed && count > 2) canvas.list.AddConcavePolyFilled(points.data(), count, outline.area > 0 ? fill : hole);
     canvas.list.AddPolyline(points.data(), count, line, kOutlineWidth, outline.closed ? ImDrawFlags_Closed : 0);
   }
 }
@@ -133,19 +141,21 @@ void draw_section(const Canvas& canvas, const Section& section) {
   const Look& ink = look(canvas.input.dark);
   const Palette& colors = palette(canvas.input.dark);
   canvas.list.PushClipRect(canvas.corner, {canvas.corner.x + canvas.size.x, canvas.corner.y + canvas.size.y}, true);
-  draw_outlines(canvas, section.objects, to_u32(colors.dim, 0.22f), to_u32(colors.dim));
+  draw_outlines(canvas, section.objects, to_u32(colors.dim, 0.22f), to_u32(colors.panel), to_u32(colors.dim));
   if (canvas.input.overlays.path && section.path.size() == 2) {
     canvas.list.AddLine(canvas.at(section.path[0]), canvas.at(section.path[1]), color(ink.path, 0.9f), 1.5f);
   }
-  draw_outlines(canvas, section.skin, color(ink.skin_fill, 1), color(ink.skin_outline, 1));
+  draw_outlines(canvas, section.skin, color(ink.skin_fill, 1), to_u32(colors.panel), color(ink.skin_outline, 1));
   if (canvas.input.overlays.rays) draw_rays(canvas, section, ink);
   draw_contact(canvas, section);
   if (canvas.input.overlays.rays) draw_dots(canvas, section, ink);
   draw_taxel(canvas, section, ink);
   draw_scale(canvas, colors);
   const float line = ImGui::GetTextLineHeight();
-  canvas.list.AddText({canvas.corner.x + 0.5f * line, canvas.corner.y + 0.4f * line}, to_u32(colors.dim),
-                      section.title.c_str());
+  const ImVec2 at(canvas.corner.x + 0.5f * line, canvas.corner.y + 0.4f * line);
+  const ImVec2 extent = ImGui::CalcTextSize(section.title.c_str());
+  canvas.list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + extent.x + 4, at.y + extent.y + 2}, to_u32(colors.panel, 0.8f), 3);
+  canvas.list.AddText(at, to_u32(colors.dim), section.title.c_str());
   canvas.list.PopClipRect();
 }
 

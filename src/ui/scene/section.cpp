@@ -12,6 +12,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kStub = 0.3;       // of the allowed depth: a miss
+constexpr double kSameSide = 1e-9;  // of the sensor's size
 constexpr double kLeastSine = 0.2;  // two directions span a plane when they differ by more than some 12 degrees
 
 /// The way the sensor is led; along the finger where nothing is.
@@ -55,16 +56,32 @@ SectionPlane section_plane(const SceneInput& input, const SensorView& view) {
   return plane_through(view.X_WM * middle, width, travel);
 }
 
-/// A convex polygon's cut: where its outline changes sides.
+/// Of a polygon, positive counter-clockwise (shoelace formula).
+double enclosed_area(const std::vector<dvec2>& p) {
+  double twice = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const dvec2& a = p[i];
+    const dvec2& b = p[i + 1 < p.size() ? i + 1 : 0];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * twice;
+}
+
+/// A convex polygon's cut: where its outline changes sides. Corners within `tolerance` of the plane count as on it, so
+/// that neighbours, each with corners of its own, agree on which side they lie.
 void cut_polygon(const ContactSurface& surface, const ContactPolygon& polygon, const SectionPlane& plane,
-                 const Pose& X_WM, std::vector<Section::ContactPiece>& out) {
+                 const Pose& X_WM, double tolerance, std::vector<Section::ContactPiece>& out) {
+  const auto height = [&](const dvec3& p) {
+    const double h = plane.height(p);
+    return std::abs(h) <= tolerance ? 0.0 : h;
+  };
   Section::ContactPiece piece;
   int ends = 0;
   for (int i = 0; i < polygon.count && ends < 2; ++i) {
     const auto a = static_cast<std::size_t>(polygon.first + i);
     const auto b = static_cast<std::size_t>(polygon.first + (i + 1 < polygon.count ? i + 1 : 0));
     const dvec3 p = X_WM * surface.vertices[a], q = X_WM * surface.vertices[b];
-    const double hp = plane.height(p), hq = plane.height(q);
+    const double hp = height(p), hq = height(q);
     if ((hp < 0) == (hq < 0)) continue;
     const double s = hp / (hp - hq);
     (ends == 0 ? piece.a : piece.b) = plane.flat(p + s * (q - p));
@@ -145,6 +162,7 @@ std::vector<Section::Outline> join_outlines(std::vector<std::pair<dvec3, dvec3>>
         if (used[it->second] == 0) next = it->second;
       }
     }
+    if (outline.closed) outline.area = enclosed_area(outline.points);
     out.push_back(std::move(outline));
   };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -165,8 +183,11 @@ Section make_section(const SceneInput& input, const SensorView& view, double sla
   add_objects(input, out);
   add_samples(view, slab, out);
   if (view.state != nullptr) {
+    const double tolerance = kSameSide * view.model->mesh->bounds().diagonal();
     for (const ContactSurface& surface : view.state->surfaces) {
-      for (const ContactPolygon& p : surface.polygons) cut_polygon(surface, p, out.plane, view.X_WM, out.contact);
+      for (const ContactPolygon& p : surface.polygons) {
+        cut_polygon(surface, p, out.plane, view.X_WM, tolerance, out.contact);
+      }
     }
     add_rays(view, slab, out);
   }

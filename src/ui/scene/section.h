@@ -22,8 +22,9 @@ struct Section {
     dvec2 a{0}, b{0};
   };
   struct Outline {
-    std::vector<dvec2> points;  ///< in order
+    std::vector<dvec2> points;  ///< in order, the body on the left
     bool closed = false;
+    double area = 0;  ///< enclosed, negative around a hole [m^2]; 0 when open
   };
   struct ContactPiece {
     dvec2 a{0}, b{0};

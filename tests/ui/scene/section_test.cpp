@@ -55,16 +55,14 @@ TEST_F(SectionTest, ClosedBodiesGiveClosedOutlinesOfTheRightArea) {
     const auto outlines = join_outlines(slice_mesh(mesh, level.origin_W, level.z), level, Pose{});
     EXPECT_EQ(outlines.size(), 1u);
     EXPECT_TRUE(outlines.front().closed);
-    double twice = 0;
-    const auto& p = outlines.front().points;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const dvec2 a = p[i], b = p[(i + 1) % p.size()];
-      twice += a.x * b.y - a.y * b.x;
-    }
-    return 0.5 * twice;
+    return outlines.front().area;
   };
   EXPECT_NEAR(area(make_box({1, 2, 3})), 8.0, 1e-12);
   EXPECT_NEAR(area(make_icosphere(1, 5)), kPi * (1 - 0.09), 0.01);
+  TriMesh box = make_box({1, 1, 1});
+  std::vector<ivec3> inward = box.faces();
+  for (ivec3& f : inward) std::swap(f[1], f[2]);
+  EXPECT_NEAR(area(TriMesh(box.vertices(), inward)), -4.0, 1e-12);  // a cavity
 }
 
 TEST_F(SectionTest, ContactPiecesLieOnTheSurfaceWithItsPressure) {

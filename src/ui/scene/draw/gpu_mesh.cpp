@@ -34,6 +34,20 @@ void GpuMesh::draw_sorted(const glm::vec3& direction) {
   glDrawElements(GL_TRIANGLES, sorted_buffer_.count(), GL_UNSIGNED_INT, nullptr);
 }
 
+const gl::Buffer& GpuMesh::wires(float width, std::uint32_t rgba) {
+  if (wires_ && wire_rgba_ == rgba) return *wires_;
+  Segments lines;
+  lines.reserve(edges_.size());
+  for (const MeshEdge& e : edges_) {
+    lines.push_back(segment(mesh_->vertices()[static_cast<std::size_t>(e.a)],
+                            mesh_->vertices()[static_cast<std::size_t>(e.b)], width, rgba));
+  }
+  wires_.emplace();
+  wires_->upload(std::span<const Segment>(lines), GL_STATIC_DRAW);
+  wire_rgba_ = rgba;
+  return *wires_;
+}
+
 GpuMesh& MeshCache::get(const TriMeshPtr& mesh) {
   Entry& entry = entries_[mesh.get()];
   if (!entry.mesh) entry.mesh = std::make_unique<GpuMesh>(mesh);

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 
 #include "core/mesh/tri_mesh.h"
 #include "ui/gl/buffer.h"
+#include "ui/scene/draw/segments.h"
 #include "ui/scene/geometry/mesh_edges.h"
 
 namespace taxel::ui {
@@ -19,6 +22,8 @@ class GpuMesh {
   void draw() const;
   /// Faces from back to front as seen along `direction` (frame of the mesh).
   void draw_sorted(const glm::vec3& direction);
+  /// All edges as segments of that colour; made when first asked for.
+  const gl::Buffer& wires(float width, std::uint32_t rgba);
 
  private:
   TriMeshPtr mesh_;
@@ -27,6 +32,8 @@ class GpuMesh {
   std::vector<std::uint32_t> indices_, sorted_;
   gl::Buffer vertex_buffer_, index_buffer_, sorted_buffer_;
   gl::VertexArray vertex_array_, sorted_array_;
+  std::optional<gl::Buffer> wires_;
+  std::uint32_t wire_rgba_ = 0;
 };
 
 /// Keeps what was drawn lately; what a whole picture did not use is dropped.

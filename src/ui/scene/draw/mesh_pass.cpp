@@ -113,15 +113,10 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
 }
 
 void MeshPass::draw_wires(const MeshList& list, const Look& look, SegmentPass& segments) const {
-  const std::uint32_t rgba = pack(look.wire);
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
-      Segments lines;
-      for (const MeshEdge& e : item.mesh->edges()) {
-        lines.push_back(segment(item.mesh->mesh().vertices()[static_cast<std::size_t>(e.a)],
-                                item.mesh->mesh().vertices()[static_cast<std::size_t>(e.b)], kWireWidth, rgba));
-      }
-      segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
+      segments.draw_lines(item.mesh->wires(kWireWidth, pack(look.wire)),
+                          {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
     }
   }
 }
