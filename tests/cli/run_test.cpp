@@ -1,0 +1,90 @@
+// `taxel run` on scenes that are not ours: a layout attached to a geom, and two sensors that a scene declares.
+#include <algorithm>
+#include <sstream>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// A folder with the fingertip's mesh and a coarse layout on it.
+fs::path folder_with_layout() {
+  const fs::path folder = test_folder();
+  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
+  changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "fingertip.obj"},
+                                         {"op": "replace", "path": "/sampling/density", "value": 1e6}])"));
+  return folder;
+}
+
+/// A finger lying pad down, pressed 1 mm into a plane; its skin reaches from 7.1 mm below to 8.4 mm above its axis.
+std::string finger_body(const std::string& name, double x) {
+  std::ostringstream xml;
+  xml << "<body pos=\"" << x << " 0 0.0061\" quat=\"0.70710678 0.70710678 0 0\"><geom name=\"" << name
+      << "\" type=\"mesh\" mesh=\"tip\" contype=\"0\" conaffinity=\"0\"/></body>";
+  return xml.str();
+}
+
+std::string scene(const std::string& extension, const std::string& bodies, const std::string& sensors) {
+  return "<mujoco>" + extension + "<asset><mesh name=\"tip\" file=\"fingertip.obj\"/></asset><worldbody>" +
+         "<geom name=\"floor\" type=\"plane\" size=\"1 1 0.1\"/>" + bodies + "</worldbody>" + sensors + "</mujoco>";
+}
+
+TEST(Run, AttachesALayoutToAGeom) {
+  const fs::path folder = folder_with_layout();
+  // contype 1 against the plane: the sensor touches what its geom would collide with
+  std::string xml = scene("", finger_body("tip", 0), "");
+  const auto swap = [&](const std::string& from, const std::string& to) {
+    xml.replace(xml.find(from), from.size(), to);
+  };
+  swap("contype=\"0\" conaffinity=\"0\"", "contype=\"1\" conaffinity=\"1\"");
+  swap("<geom name=\"tip\"", "<freejoint/><geom name=\"tip\"");
+  write_text(folder / "scene.xml", xml);
+  const Json run = taxel_json(
+      {"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "tip", "--seconds", "0.01", "--out", "out"},
+      folder);
+  EXPECT_EQ(run["rows"], run["steps"]);
+  EXPECT_EQ(run["sensors"][0]["geom"], "tip");
+  const Table table = read_csv(folder / "out" / "readings.csv");
+  ASSERT_GE(table.at("area").size(), 5U);
+  EXPECT_GT(table.at("force_z").front(), 0.01);
+  EXPECT_GT(table.at("area").front(), 1e-6);
+  double pad = 0, side = 0;
+  for (const int id : {0, 3, 6, 9}) pad += table.at("taxel_" + std::to_string(id)).front();
+  for (const int id : {1, 2, 7, 8}) side += table.at("taxel_" + std::to_string(id)).front();
+  EXPECT_GT(pad, 10 * side);
+  // the folder that was written stands for itself; MuJoCo writes its XML with rounded numbers
+  const Json again = taxel_json({"run", "out/scene.xml", "--seconds", "0.01"}, folder);
+  const double force = run["sensors"][0]["largest_force"];
+  EXPECT_NEAR(again["sensors"][0]["largest_force"].get<double>(), force, 1e-9 * force);
+}
+
+TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {
+  const fs::path folder = folder_with_layout();
+  const auto instance = [](const std::string& geom) {
+    return "<instance name=\"" + geom +
+           "\"><config key=\"layout\" value=\"changed.taxels.json\"/><config key=\"geom\" value=\"" + geom +
+           "\"/><config key=\"others\" value=\"floor\"/></instance>";
+  };
+  const auto sensor = [](const std::string& geom) {
+    return "<plugin plugin=\"taxel.sensor\" instance=\"" + geom + "\"/>";
+  };
+  write_text(folder / "scene.xml", scene("<extension><plugin plugin=\"taxel.sensor\">" + instance("thumb") +
+                                             instance("index") + "</plugin></extension>",
+                                         finger_body("thumb", 0) + finger_body("index", 0.1),
+                                         "<sensor>" + sensor("thumb") + sensor("index") + "</sensor>"));
+  const Json run = taxel_json({"run", (folder / "scene.xml").string(), "--seconds", "0.004", "--out", "out"}, folder);
+  EXPECT_EQ(run["sensors"].size(), 2U);
+  const Table table = read_csv(folder / "out" / "readings.csv");
+  EXPECT_EQ(table.size(), 2U + 2U * (5U + 12U));
+  EXPECT_GT(table.at("thumb/force_z").front(), 0.01);
+  // the same finger beside itself reads the same, but for the rounding of its place
+  EXPECT_NEAR(table.at("thumb/taxel_3").front(), table.at("index/taxel_3").front(),
+              1e-6 * table.at("thumb/taxel_3").front());
+  const auto arrays = parse_npz(file_text(folder / "out" / "readings.npz"));
+  EXPECT_EQ(arrays.at("sensor_geoms").texts(), (std::vector<std::string>{"thumb", "index"}));
+  EXPECT_EQ(arrays.at("index/readings").shape, (std::vector<std::size_t>{table.at("time").size(), 12}));
+}
+
+}  // namespace
+}  // namespace taxel::test
