@@ -71,7 +71,7 @@ constexpr std::array kGestures = {
     Gesture{kEverywhere, "Right-drag", "Pan (Shift: keep the height)"},
     Gesture{kEverywhere, "Wheel, middle-drag", "Zoom"},
     Gesture{kEverywhere, "Right double-click", "Centre on the point"},
-    Gesture{kEverywhere, "Click", "Select a taxel in view, bars, plot legend or table"},
+    Gesture{kEverywhere, "Click", "Select a taxel (view, table, bars, legend)"},
     Gesture{kEverywhere, "Drop a file", "Open a layout, a mesh or a MuJoCo scene"},
 };
 

@@ -122,6 +122,7 @@ void set_spacing(ImGuiStyle& style, float scale) {
   style.TabBarBorderSize = 0;
   style.TabBarOverlineSize = 2;
   style.DockingSeparatorSize = 3;
+  style.DockingNodeHasCloseButton = false;
   style.WindowMenuButtonPosition = ImGuiDir_None;
   style.WindowTitleAlign = ImVec2(0.0f, 0.5f);
   style.ScaleAllSizes(scale);

@@ -33,7 +33,8 @@ constexpr double kPaceWindow = 0.5;
 /// The least upper end of the pressure range [Pa].
 constexpr double kLeastRange = 1000;
 /// Where the cameras look from at first.
-constexpr double kAzimuthDeg = -60, kElevationDeg = 22, kLayoutAzimuthDeg = -55;
+constexpr double kSweepCloseness = 0.7;
+constexpr double kAzimuthDeg = -108, kElevationDeg = 15, kLayoutAzimuthDeg = -60;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -114,6 +115,12 @@ void Studio::run_by_clock() {
 
 void Studio::run_by_frames() {
   const ScriptStage stage = script_stage();
+  for (int i = 0; i < kSettlingPictures; ++i) {  // so that a script's first line finds the window complete
+    act_on(session_.update());
+    draw_picture(kScriptFrame);
+  }
+  pace_ = {};
+  draws_at_dump_ = ui_.view.draws;
   for (int frame = 0; !quit_; ++frame) {
     window_->take_events(0);  // keeps a real window alive; its own input does not count here
     act_on(session_.update());
@@ -165,7 +172,10 @@ void Studio::frame_cameras() {
   for (const ui::Mode each : {ui::Mode::layout, ui::Mode::simulate}) {
     ui_.mode = each;
     const Aabb box = ui::scene_box(ui_, input_);
-    if (!box.empty()) ui_.camera().frame(box);
+    if (box.empty()) continue;
+    ui_.camera().frame(box);
+    // The box around a whole path is larger than what there is to see at any time.
+    if (each == ui::Mode::simulate && input_.sweep) ui_.camera().distance *= kSweepCloseness;
   }
   ui_.mode = mode;
 }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "ui/theme.h"
+#include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
 
 namespace taxel::ui {
@@ -78,16 +79,13 @@ void draw_start_card(UiState& ui) {
   ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
-  ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
   ImGui::TextUnformatted("Drop a mesh or a layout here");
   ImGui::PopFont();
   ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   MuJoCo XML");
   ImGui::Spacing();
-  if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) {
-    ui.dialog.open = ui.dialog.wants_focus = true;
-    ui.ask(ListFolder{ui.dialog.folder});
-  }
+  if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui);
   ImGui::SameLine();
   if (button(ui, "Fingertip sweep", ImVec2(11 * ImGui::GetFontSize(), 0))) ui.ask(OpenFingertipSweep{});
   if (!ui.saved.recent.empty()) {

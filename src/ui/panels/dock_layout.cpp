@@ -8,7 +8,7 @@ namespace taxel::ui {
 namespace {
 
 /// Parts of the width and height at 1280 x 800 and at larger sizes alike.
-constexpr float kBottom = 0.33f, kLeft = 0.19f, kRight = 0.245f, kOutliner = 0.36f, kBars = 0.36f, kPlot = 0.56f;
+constexpr float kBottom = 0.33f, kLeft = 0.20f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f, kPlot = 0.56f;
 
 void arrange(ImGuiID space, ImVec2 size) {
   ImGui::DockBuilderRemoveNode(space);

@@ -89,12 +89,12 @@ void draw_sampling(UiState& ui, const SensorModel& model) {
   const ModelSummary& s = ui.summary;
   const Layout& layout = model.layout;
   const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
-  property("Density", fmt::format("{:.3g} / m\u00b2", layout.sampling.density));
+  property("Density", fmt::format("{:.4g} / mm\u00b2", 1e-6 * layout.sampling.density));
   property("Seed", std::to_string(layout.sampling.seed));
   property("Samples", grouped(static_cast<long long>(model.samples.size())));
   property("Used", fmt::format("{} ({:.1f} %)", grouped(s.used_samples), 100.0 * s.used_samples / total));
   property("Shared", fmt::format("{} ({:.1f} %)", grouped(s.shared_samples), 100.0 * s.shared_samples / total));
-  property("Uncovered skin", fmt::format("{:.0f} mm\u00b2", 1e6 * (s.skin_area - s.used_area)));
+  property("Uncovered skin", in_mm2(s.skin_area - s.used_area));
   property("Largest angle", fmt::format("{:g}\u00b0", layout.receptive_field.max_angle_deg));
   property("Reading is", name_of(layout.readout.aggregate));
   end_properties();
@@ -114,7 +114,6 @@ void draw_material(UiState& ui, const Layout& layout) {
 void draw_scene(UiState& ui, const UiInput& input) {
   if (!input.frame || !input.frame->scene || !header(ui, "Scene") || !begin_properties("scene")) return;
   const SimScene& scene = *input.frame->scene;
-  if (!scene.title.empty()) property("Scene", scene.title);
   property("Geoms", std::to_string(scene.geoms.size()));
   property("Time step", fmt::format("{:g} ms", 1e3 * scene.timestep));
   if (scene.duration > 0) property("Duration", fmt::format("{:.2f} s", scene.duration));
@@ -126,7 +125,7 @@ void draw_scene(UiState& ui, const UiInput& input) {
       area += surface.area();
       largest = std::max(largest, surface.max_pressure());
     }
-    property("Contact area", fmt::format("{:.2f} mm\u00b2", 1e6 * area));
+    property("Contact area", in_mm2(area));
     property("Largest pressure", in_kpa(largest));
   }
   end_properties();

@@ -41,7 +41,8 @@ void draw_menu_bar(UiState& ui, const UiInput& input) {
   for (const char* menu : std::array{"File", "Mode", "Simulation", "View", "Panels", "Help"})
     draw_menu(ui, input, menu);
   const std::string version = "Taxel Studio " + input.version;
-  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(version.c_str()).x - ImGui::GetStyle().WindowPadding.x);
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(version.c_str()).x, ImGui::GetCursorScreenPos().y});
   ImGui::TextDisabled("%s", version.c_str());
   ImGui::EndMainMenuBar();
 }

@@ -27,8 +27,8 @@ void draw_sensor(UiState& ui, const SensorModel& model, const std::string& name)
   const bool open = ImGui::TreeNodeEx(name.c_str(), kOpenNode);
   ui.widgets.note_item(name);
   if (!open) return;
-  const std::string shells = model.mesh->shell_count() > 1 ? fmt::format(", {} shells", model.mesh->shell_count()) : "";
-  leaf("Mesh", fmt::format("{} triangles{}", grouped(model.mesh->face_count()), shells));
+  leaf("Mesh", fmt::format("{} triangles", grouped(model.mesh->face_count())));
+  if (model.mesh->shell_count() > 1) leaf("Shells", std::to_string(model.mesh->shell_count()));
   leaf("Taxels", std::to_string(model.taxel_count()));
   leaf("Samples", grouped(static_cast<long long>(model.samples.size())));
   leaf("Rays", grouped(static_cast<long long>(model.rays.size())));

@@ -51,7 +51,7 @@ void draw_message_counter(UiState& ui, const UiInput& input) {
     return std::count_if(ui.messages.begin(), ui.messages.end(),
                          [&](const Message& m) { return m.severity == severity; });
   };
-  const std::string text = fmt::format("{} errors   {} warnings   {} notes", count(Severity::error),
+  const std::string text = fmt::format("errors {}    warnings {}    notes {}", count(Severity::error),
                                        count(Severity::warning), count(Severity::note));
   const Palette& colors = palette(ui.saved.dark);
   const ImVec4& color = count(Severity::error) > 0     ? colors.error

@@ -60,10 +60,10 @@ void draw_table(UiState& ui, const UiInput& input, const SensorModel& model) {
   constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("taxels", 4, kFlags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("Id", ImGuiTableColumnFlags_WidthStretch, 0.21f);
-  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch, 0.34f);
-  ImGui::TableSetupColumn("Samples", ImGuiTableColumnFlags_WidthStretch, 0.25f);
-  ImGui::TableSetupColumn("kPa", ImGuiTableColumnFlags_WidthStretch, 0.2f);
+  ImGui::TableSetupColumn("Id", ImGuiTableColumnFlags_WidthStretch, 0.20f);
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch, 0.42f);
+  ImGui::TableSetupColumn("Samples", ImGuiTableColumnFlags_WidthStretch, 0.21f);
+  ImGui::TableSetupColumn("kPa", ImGuiTableColumnFlags_WidthStretch, 0.17f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (int column = 0; column < 4; ++column) {
     ImGui::TableSetColumnIndex(column);
@@ -89,7 +89,11 @@ void draw_taxel_table(UiState& ui, const UiInput& input) {
   if (begin_panel(ui, kTaxelsTitle, &ui.saved.panels.taxels)) {
     const SensorModelPtr model = input.shown_model(ui);
     if (model && model->taxel_count() > 0) {
+      ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+      ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
       draw_table(ui, input, *model);
+      ImGui::PopStyleVar();
+      ImGui::PopFont();
     } else {
       ImGui::TextDisabled(model ? "This layout has no taxels." : "Nothing is open.");
     }

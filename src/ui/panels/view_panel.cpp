@@ -8,7 +8,6 @@
 
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
-#include "ui/scene/gizmo.h"
 #include "ui/scene/scene_labels.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
@@ -111,16 +110,21 @@ void draw_labels(const UiState& ui, ImDrawList& list) {
   }
 }
 
+bool shows_pressure(const UiState& ui, const UiInput& input) {
+  return ui.mode == Mode::simulate && input.sensor(ui) != nullptr;
+}
+
+LegendPlace legend_place(const UiState& ui) {
+  const float line = ImGui::GetFontSize(), margin = 0.7f * line;
+  return {{ui.view.rect.x1 - margin, ui.view.rect.y0 + margin},
+          std::min(17 * line, ui.view.rect.height() - 2 * margin)};
+}
+
 void draw_over_scene(UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_labels(ui, list);
-  draw_heading(ui, input, list);
-  if (ui.mode == Mode::simulate && input.sensor(ui) != nullptr) {
-    const float line = ImGui::GetFontSize();
-    const auto below_gizmo = static_cast<float>(2 * (kGizmoMargin + kGizmoReach + kGizmoBallRadius));
-    draw_pressure_legend(ui, {ui.view.rect.x1 - 0.8f * line, ui.view.rect.y0 + below_gizmo},
-                         std::min(17 * line, ui.view.rect.height() - below_gizmo - line));
-  }
+  if (input.model || input.frame) draw_heading(ui, input, list);
+  if (shows_pressure(ui, input)) draw_pressure_legend(ui, legend_place(ui));
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
 }
@@ -139,7 +143,8 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
     ui.view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width), corner.y + static_cast<float>(height)};
     constexpr auto kButtons =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-    ImGui::SetNextItemAllowOverlap();
+    if (shows_pressure(ui, input)) place_range_button(ui, legend_place(ui));
+    ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("##view", size, kButtons);
     ui.widgets.note_item("View");
     handle_view_mouse(ui, input);

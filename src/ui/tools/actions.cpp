@@ -123,12 +123,18 @@ void add_message(UiState& ui, Severity severity, std::string text, double now) {
   ui.messages.push_back(std::move(message));
 }
 
+void open_dialog(UiState& ui) {
+  ui.dialog.open = ui.dialog.wants_focus = true;
+  ui.dialog.path.clear();
+  ui.dialog.filter.clear();
+  ui.ask(ListFolder{ui.dialog.folder});
+}
+
 void perform(Action action, UiState& ui, const UiInput& input) {
   if (!is_enabled(action, ui, input) || perform_on_interface(action, ui)) return;
   switch (action) {
     case Action::open_file:
-      ui.dialog.open = ui.dialog.wants_focus = true;
-      ui.ask(ListFolder{ui.dialog.folder});
+      open_dialog(ui);
       break;
     case Action::open_sweep:
       ui.ask(OpenFingertipSweep{});

@@ -18,6 +18,9 @@ void handle_keys(UiState& ui, const UiInput& input);
 /// Selects a taxel, or none with -1, and clears it where it is out of range.
 void select_taxel(UiState& ui, int taxel);
 
+/// The file dialog, with empty fields.
+void open_dialog(UiState& ui);
+
 void add_message(UiState& ui, Severity severity, std::string text, double now);
 
 }  // namespace taxel::ui

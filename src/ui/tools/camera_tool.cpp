@@ -117,8 +117,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
     if (left) look_from_axis(ui.camera(), axis);
     return;
   }
-  const bool pointer_moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-  const bool resting = !ImGui::IsAnyMouseDown() && !pointer_moved;
+  const bool resting = !ImGui::IsAnyMouseDown() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip);
   if (!left && !centre && !resting) return;
   const double reach = kReach * static_cast<double>(ui.saved.scale);
   const std::optional<Pick> under =

@@ -15,6 +15,12 @@ std::string in_mm(const dvec3& p, int digits) {
   return fmt::format("{:.{}f}, {:.{}f}, {:.{}f} mm", 1e3 * p.x, digits, 1e3 * p.y, digits, 1e3 * p.z, digits);
 }
 
+std::string in_mm2(double square_metres) {
+  constexpr double kLarge = 0.01;  // [m^2]
+  if (square_metres >= kLarge) return fmt::format("{:.4g} cm\u00b2", 1e4 * square_metres);
+  return fmt::format("{:.{}f} mm\u00b2", 1e6 * square_metres, square_metres < 1e-4 ? 2 : 0);
+}
+
 std::string in_kpa(double pascals) {
   return fmt::format("{:.2f} kPa", 1e-3 * pascals);
 }

@@ -67,11 +67,11 @@ void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, f
   const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
   const std::string id = std::to_string(bar.id), value = kpa_number(bar.value);
   if (small_width(id) <= x1 - x0) {
-    small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 3}, to_u32(colors.text), id);
+    small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 6}, to_u32(colors.text), id);
   }
   const bool quiet = bar.value <= 0;
   if (small_width(value) <= x1 - x0 + 2) {
-    small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 3 + line},
+    small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 6 + line},
                to_u32(quiet ? colors.dim : colors.text, quiet ? 0.7f : 1.0f), value);
   }
 }
@@ -89,7 +89,7 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, ImVec2 
   if (values.empty()) return -1;
   double peak = 0;
   for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
-  const Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - 2.4f * line, origin.y + 0.6f * line,
+  const Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - 2.6f * line, origin.y + 0.6f * line,
                   peak > 0 ? nice_ceiling(peak) : 1000.0};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors);
@@ -98,6 +98,7 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, ImVec2 
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
     draw_bar(ui, list, axis, x0, x1, values[i], static_cast<int>(i) == selected);
+    list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(static_cast<int>(i)), 1);
     draw_bar_texts(list, colors, axis, x0, x1, values[i]);
     if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
     ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_kpa(values[i].value).c_str(),

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
@@ -25,6 +27,27 @@ void draw_color_bar(ImDrawList& list, ImVec2 lo, ImVec2 hi) {
   }
 }
 
+float legend_width() {
+  return 5.6f * ImGui::GetFontSize();
+}
+
+Rect range_button(const LegendPlace& place) {
+  const float line = ImGui::GetFontSize(), bottom = place.corner.y + place.height;
+  return {place.corner.x - legend_width() + 0.3f * line, bottom - 1.7f * line, place.corner.x - 0.3f * line,
+          bottom - 0.3f * line};
+}
+
+void draw_range_state(const UiState& ui, ImDrawList& list, const Rect& button) {
+  const Palette& colors = palette(ui.saved.dark);
+  const char* state = ui.range.automatic ? "AUTO" : "LOCKED";
+  const bool hovered = ImGui::IsMouseHoveringRect({button.x0, button.y0}, {button.x1, button.y1});
+  list.AddRectFilled({button.x0, button.y0}, {button.x1, button.y1}, to_u32(hovered ? colors.accent : colors.raised),
+                     ImGui::GetStyle().FrameRounding);
+  const ImVec2 size = ImGui::CalcTextSize(state);
+  list.AddText({std::round(button.center_x() - 0.5f * size.x), std::round(button.center_y() - 0.5f * size.y)},
+               to_u32(ui.range.automatic ? colors.text : colors.warning), state);
+}
+
 }  // namespace
 
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha) {
@@ -38,15 +61,24 @@ ImU32 taxel_color_u32(int index, float alpha) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
 }
 
-void draw_pressure_legend(UiState& ui, ImVec2 corner, float height) {
+void place_range_button(UiState& ui, const LegendPlace& place) {
+  const Rect button = range_button(place);
+  ImGui::SetCursorScreenPos({button.x0, button.y0});
+  if (ImGui::InvisibleButton("##range", {button.width(), button.height()})) ui.range.automatic = !ui.range.automatic;
+  ui.widgets.note_item("Range");
+  tooltip(ui.range.automatic ? "The range follows the largest pressure of the run. Click to lock it."
+                             : "The range is locked. Click to let it follow the largest pressure.");
+}
+
+void draw_pressure_legend(const UiState& ui, const LegendPlace& place) {
   const Palette& colors = palette(ui.saved.dark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float line = ImGui::GetFontSize(), width = 5.6f * line, pad = 0.5f * line;
-  const ImVec2 lo(corner.x - width, corner.y), hi(corner.x, corner.y + height);
+  const float line = ImGui::GetFontSize(), pad = 0.5f * line;
+  const ImVec2 lo(place.corner.x - legend_width(), place.corner.y), hi(place.corner.x, place.corner.y + place.height);
   list.AddRectFilled(lo, hi, to_u32(colors.panel, 0.82f), ImGui::GetStyle().FrameRounding);
   list.AddText({lo.x + pad, lo.y + 0.35f * line}, to_u32(colors.text), "Pressure");
   list.AddText({lo.x + pad, lo.y + 1.4f * line}, to_u32(colors.dim), "kPa");
-  const ImVec2 bar_lo(lo.x + pad, lo.y + 2.9f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.4f * line);
+  const ImVec2 bar_lo(lo.x + pad, lo.y + 3.0f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.5f * line);
   draw_color_bar(list, bar_lo, bar_hi);
   constexpr int kTicks = 4;
   for (int i = 0; i <= kTicks; ++i) {
@@ -56,19 +88,7 @@ void draw_pressure_legend(UiState& ui, ImVec2 corner, float height) {
     const std::string text = fmt::format("{:.4g}", 1e-3 * (ui.range.lo + t * (ui.range.hi - ui.range.lo)));
     list.AddText({bar_hi.x + 0.5f * line, std::round(y - 0.5f * line)}, to_u32(colors.text), text.c_str());
   }
-  const char* state = ui.range.automatic ? "AUTO" : "LOCKED";
-  const ImVec2 button_lo(lo.x + 0.3f * line, hi.y - 1.65f * line), button_size(width - 0.6f * line, 1.4f * line);
-  ImGui::SetCursorScreenPos(button_lo);
-  if (ImGui::InvisibleButton("##range", button_size)) ui.range.automatic = !ui.range.automatic;
-  ui.widgets.note_item("Range");
-  const ImVec4& face = ImGui::IsItemHovered() ? colors.accent : colors.raised;
-  list.AddRectFilled(button_lo, {button_lo.x + button_size.x, button_lo.y + button_size.y}, to_u32(face),
-                     ImGui::GetStyle().FrameRounding);
-  const float text_width = ImGui::CalcTextSize(state).x;
-  list.AddText({std::round(button_lo.x + 0.5f * (button_size.x - text_width)), std::round(button_lo.y + 0.2f * line)},
-               to_u32(ui.range.automatic ? colors.text : colors.warning), state);
-  tooltip(ui.range.automatic ? "The range follows the largest pressure of the run. Click to lock it."
-                             : "The range is locked. Click to let it follow the largest pressure.");
+  draw_range_state(ui, list, range_button(place));
 }
 
 }  // namespace taxel::ui

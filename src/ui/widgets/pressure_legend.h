@@ -7,8 +7,15 @@
 
 namespace taxel::ui {
 
-/// Draws the legend with its upper right corner at `corner`: viridis, ticks in kPa, AUTO or LOCKED (a click switches).
-void draw_pressure_legend(UiState& ui, ImVec2 corner, float height);
+/// The legend's place: upper right corner and height. It shows viridis, ticks in kPa, AUTO or LOCKED.
+struct LegendPlace {
+  ImVec2 corner;
+  float height = 0;
+};
+
+/// The button that switches AUTO and LOCKED; to be placed before what the legend covers, so that it gets the click.
+void place_range_button(UiState& ui, const LegendPlace& place);
+void draw_pressure_legend(const UiState& ui, const LegendPlace& place);
 
 /// Colour of a pressure in the shared range.
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha = 1.0f);

@@ -1,0 +1,166 @@
+// Hands and keys: what an event changes, and that it changes nothing else.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/mesh/closest_point.h"
+#include "core/mesh/mesh_io.h"
+#include "studio_program.h"
+
+namespace taxel::test {
+namespace {
+
+std::string idle() {
+  return R"({"do": "wait_idle"})";
+}
+std::string dump(const std::string& file) {
+  return R"({"do": "dump_state", "file": ")" + file + R"("})";
+}
+std::string key(const std::string& name) {
+  return R"({"event": "key", "key": ")" + name + R"("})";
+}
+std::string click(const std::string& at) {
+  return R"({"event": "click", "at": )" + at + "}";
+}
+std::string widget(const std::string& label) {
+  return R"({"widget": ")" + label + R"("})";
+}
+
+const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json";
+
+/// What a gesture in the view may not touch.
+Json untouched(Json state) {
+  for (const char* part : {"camera", "clicks", "taxels", "samples", "polygons", "pace"}) state.erase(part);
+  return state;
+}
+
+TEST(Camera, AScriptedOrbitChangesOnlyTheCamera) {
+  const StudioProgram studio;
+  studio.play({R"({"do": "wait_time", "time": 1.1})", key("Space"), idle(),
+               R"({"event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
+               R"({"event": "mouse_down", "at": [500, 300]})", idle(), R"({"event": "mouse_move", "at": [580, 340]})",
+               idle(), R"({"event": "mouse_up"})", R"({"event": "mouse_move", "at": [500, 300]})", idle(),
+               dump("after.json")});
+  const Json before = studio.state("before.json"), after = studio.state("after.json");
+  EXPECT_NE(before["camera"]["azimuth_deg"], after["camera"]["azimuth_deg"]);
+  EXPECT_NE(before["camera"]["elevation_deg"], after["camera"]["elevation_deg"]);
+  EXPECT_EQ(before["camera"]["target"], after["camera"]["target"]);
+  EXPECT_EQ(before["camera"]["distance"], after["camera"]["distance"]);
+  EXPECT_EQ(untouched(before), untouched(after));
+}
+
+TEST(Camera, WheelZoomsAndRightDragPans) {
+  const StudioProgram studio;
+  studio.play({R"({"frame": 5, "event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
+               R"({"event": "wheel", "at": [500, 300], "y": 2})", idle(), dump("zoomed.json"),
+               R"({"event": "mouse_down", "button": "right", "at": [500, 300]})", idle(),
+               R"({"event": "mouse_move", "at": [560, 330]})", idle(), R"({"event": "mouse_up", "button": "right"})",
+               idle(), dump("panned.json"), key("Home"), idle(), dump("framed.json")},
+              {kLayout});
+  const Json before = studio.state("before.json")["camera"], zoomed = studio.state("zoomed.json")["camera"];
+  const Json panned = studio.state("panned.json")["camera"], framed = studio.state("framed.json")["camera"];
+  EXPECT_LT(zoomed["distance"], before["distance"]);
+  EXPECT_EQ(zoomed["target"], before["target"]);
+  EXPECT_NE(panned["target"], zoomed["target"]);
+  EXPECT_EQ(panned["distance"], zoomed["distance"]);
+  EXPECT_NE(framed["target"], panned["target"]);
+  EXPECT_GT(framed["distance"], zoomed["distance"]);
+}
+
+TEST(Camera, RightDoubleClickLooksAtTheMesh) {
+  const StudioProgram studio;
+  studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(),
+               R"({"event": "double_click", "button": "right", "at": [600, 330]})", idle(), dump("state.json")});
+  const Json camera = studio.state("state.json")["camera"];
+  const LoadedMesh mesh = load_mesh(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj");
+  const dvec3 target(camera["target"][0], camera["target"][1], camera["target"][2]);
+  EXPECT_LT(MeshIndex(mesh.mesh).closest_point(target).distance, 1e-6);
+  EXPECT_NE(target, mesh.mesh->bounds().center()) << "it was framed before";
+}
+
+TEST(Clicks, TwoWithinOneFrameAreTwoClicksAndADoubleClick) {
+  const StudioProgram studio;
+  studio.play({R"({"frame": 4, "event": "click", "at": [500, 300]})",
+               R"({"frame": 4, "event": "click", "at": [500, 300]})", idle(), dump("twice.json"),
+               R"({"frame": 80, "event": "click", "at": [500, 300]})", idle(), dump("thrice.json")});
+  EXPECT_EQ(studio.state("twice.json")["clicks"]["left"], 2);
+  EXPECT_EQ(studio.state("twice.json")["clicks"]["left_double"], 1);
+  EXPECT_EQ(studio.state("thrice.json")["clicks"]["left"], 3);
+  EXPECT_EQ(studio.state("thrice.json")["clicks"]["left_double"], 1) << "a later click is one of its own";
+}
+
+TEST(Clicks, TwoOnASwitchWithinOneFrameSwitchTwice) {
+  const StudioProgram studio;
+  const std::string wire = click(widget("Toolbar/Wire"));
+  studio.play(
+      {wire, idle(), dump("once.json"), wire, wire, idle(), dump("thrice.json"), wire, idle(), dump("four.json")});
+  EXPECT_TRUE(studio.state("once.json")["overlays"]["wireframe"]);
+  EXPECT_TRUE(studio.state("thrice.json")["overlays"]["wireframe"]);
+  EXPECT_FALSE(studio.state("four.json")["overlays"]["wireframe"]);
+}
+
+TEST(Selection, ByViewTableAndBarAndClearedByEscape) {
+  const StudioProgram studio;
+  studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(), click(R"({"taxel": 3})"), idle(),
+               dump("view.json"), R"({"event": "key", "key": "2", "mods": ["ctrl"]})", idle(), click(widget("Taxel 5")),
+               idle(), dump("table.json"), key("Esc"), idle(), dump("cleared.json")});
+  EXPECT_EQ(studio.state("view.json")["selection"]["taxel"], 3);
+  EXPECT_EQ(studio.state("table.json")["selection"]["taxel"], 5);
+  EXPECT_TRUE(studio.state("cleared.json")["selection"]["taxel"].is_null());
+}
+
+TEST(Transport, SpaceRightBackspaceAndSpeed) {
+  const StudioProgram studio;
+  studio.play({R"({"frame": 10, "event": "key", "key": "Space"})", idle(), dump("paused.json"), key("Right"),
+               key("Right"), idle(), dump("stepped.json"), key("-"), idle(), key("Space"),
+               R"({"do": "wait_time", "time": 0.5})", dump("slow.json"), key("Backspace"), idle(), dump("reset.json")});
+  const Json paused = studio.state("paused.json")["simulation"], stepped = studio.state("stepped.json")["simulation"];
+  EXPECT_FALSE(paused["playing"]);
+  EXPECT_EQ(stepped["step"], paused["step"].get<int>() + 2);
+  EXPECT_EQ(studio.state("slow.json")["simulation"]["speed"], 0.5);
+  EXPECT_TRUE(studio.state("slow.json")["simulation"]["playing"]);
+  EXPECT_LT(studio.state("reset.json")["simulation"]["time"], 0.2);
+}
+
+TEST(Transport, RunAfterTheEndBeginsAnew) {
+  const StudioProgram studio;
+  studio.play({R"({"do": "wait_idle"})", key("="), key("="), key("="), key("="), idle(),
+               R"({"frame": 20, "do": "dump_state", "file": "end.json"})", click(widget("Run")), idle(),
+               dump("again.json")});
+  const Json end = studio.state("end.json")["simulation"], again = studio.state("again.json")["simulation"];
+  EXPECT_TRUE(end["finished"]);
+  EXPECT_FALSE(end["playing"]);
+  EXPECT_TRUE(again["playing"]);
+  EXPECT_LT(again["time"], end["time"]);
+  EXPECT_LT(again["rows"], end["rows"]);
+}
+
+TEST(Keys, BelongToATextFieldFirst) {
+  const StudioProgram studio;
+  studio.play({R"({"event": "key", "key": "o", "mods": ["ctrl"]})", idle(), dump("before.json"), key("w"),
+               R"({"event": "text", "text": "w"})", idle(), dump("after.json")});
+  EXPECT_EQ(studio.state("before.json")["overlays"], studio.state("after.json")["overlays"]);
+}
+
+TEST(Keys, SpaceStillPlaysAfterAButtonWasClicked) {
+  const StudioProgram studio;
+  studio.play({R"({"frame": 5, "event": "click", "at": {"widget": "Toolbar/Wire"}})", idle(), key("Space"), idle(),
+               dump("state.json")});
+  EXPECT_TRUE(studio.state("state.json")["overlays"]["wireframe"]) << "not switched back by Space";
+  EXPECT_FALSE(studio.state("state.json")["simulation"]["playing"]);
+}
+
+TEST(Sweep, ParametersOfTheInspectorRunANewSweep) {
+  const StudioProgram studio;
+  studio.play({idle(), R"({"event": "mouse_move", "at": {"widget": "Inspector/Material"}})",
+               R"({"event": "wheel", "y": -30})", idle(),
+               R"({"event": "double_click", "at": {"widget": "Inspector/Tilt"}})", idle(),
+               R"({"event": "text", "text": "30"})", key("Enter"), idle(), dump("before.json"),
+               click(widget("Run with these")), idle(), dump("after.json")});
+  EXPECT_NE(studio.state("before.json")["simulation"]["sensors"][0]["quaternion"],
+            studio.state("after.json")["simulation"]["sensors"][0]["quaternion"]);
+  EXPECT_LT(studio.state("after.json")["simulation"]["time"], studio.state("before.json")["simulation"]["time"]);
+}
+
+}  // namespace
+}  // namespace taxel::test

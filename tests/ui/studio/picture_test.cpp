@@ -1,0 +1,200 @@
+// The picture shows the numbers: bars, polygons and samples have the pixels that their values ask for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "studio_program.h"
+
+namespace taxel::test {
+namespace {
+
+const std::string kPicture = R"({"do": "screenshot", "file": "picture.png"})";
+const std::string kDump = R"({"do": "dump_state", "file": "state.json"})";
+
+std::string toggle(const std::string& label) {
+  return R"({"event": "click", "at": {"widget": "Toolbar/)" + label + R"("}})";
+}
+std::string idle() {
+  return R"({"do": "wait_idle"})";
+}
+
+/// The sweep at 1.2 s, paused, with only the named overlays left on.
+std::vector<std::string> at_mid_sweep(const std::vector<std::string>& to_switch_off) {
+  std::vector<std::string> script{R"({"do": "wait_time", "time": 1.2})", R"({"event": "key", "key": "Space"})", idle()};
+  for (const std::string& label : to_switch_off) {
+    script.push_back(toggle(label));
+    script.push_back(idle());
+  }
+  script.push_back(R"({"event": "mouse_move", "at": [5, 5]})");  // no tooltip over the view
+  script.insert(script.end(), {idle(), kPicture, kDump});
+  return script;
+}
+
+TEST(Bars, HaveTheHeightAndTheColourOfTheReadings) {
+  const StudioProgram studio;
+  studio.play(at_mid_sweep({}));
+  const Json state = studio.state("state.json");
+  const Picture picture = studio.picture("picture.png");
+  const Json& bars = state["bars"];
+  const Json& readings = state["simulation"]["readings"];
+  ASSERT_EQ(bars.size(), readings.size());
+  int risen = 0;
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    EXPECT_EQ(bars[i]["value"], readings[i]);
+    const double top = bars[i]["top"], axis = bars[i]["axis_height"], height = bars[i]["height"];
+    EXPECT_NEAR(height, axis * readings[i].get<double>() / top, 0.01);
+    if (height < 4) continue;
+    ++risen;
+    const Json& rect = bars[i]["rect"];
+    const double middle = 0.5 * (rect[0].get<double>() + rect[2].get<double>());
+    const auto inside = picture.pixel(middle, rect[3].get<double>() - 0.5 * height);
+    const auto above = picture.pixel(middle, rect[1].get<double>() - 6);
+    EXPECT_NE(inside, above) << "taxel " << bars[i]["taxel"];
+    EXPECT_EQ(inside, picture.pixel(middle, rect[1].get<double>() + 3)) << "filled up to its top";
+  }
+  EXPECT_GE(risen, 2);
+}
+
+/// Rows of readings.csv by step (1 ms each).
+std::map<int, std::vector<double>> sweep_rows(const std::filesystem::path& csv) {
+  std::map<int, std::vector<double>> rows;
+  std::istringstream text(file_text(csv));
+  std::string line;
+  std::getline(text, line);
+  while (std::getline(text, line)) {
+    std::vector<double> values;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+    rows[static_cast<int>(std::lround(1e3 * values[0]))] = values;
+  }
+  return rows;
+}
+
+TEST(Bars, AreTheReadingsOfTheCommandLine) {
+#ifdef TAXEL_PROGRAM
+  const StudioProgram studio;
+  const Outcome sweep = run_program(TAXEL_PROGRAM, {"sweep", "--out", "sweep", "--quiet"}, studio.folder());
+  ASSERT_EQ(sweep.status, 0) << sweep.err;
+  const auto rows = sweep_rows(studio.folder() / "sweep" / "readings.csv");
+  std::vector<std::string> script;
+  for (int k = 0; k < 12; ++k) {  // stop somewhere in the contact, then step until a row is due
+    if (k == 0)
+      script.insert(script.end(), {R"({"do": "wait_time", "time": 1.1})", R"({"event": "key", "key": "Space"})"});
+    script.push_back(R"({"event": "key", "key": "Right"})");
+    script.push_back(idle());
+    script.push_back(R"({"do": "dump_state", "file": "step)" + std::to_string(k) + R"(.json"})");
+  }
+  studio.play(script);
+  int compared = 0;
+  for (int k = 0; k < 12; ++k) {
+    const Json state = studio.state("step" + std::to_string(k) + ".json");
+    const auto row = rows.find(static_cast<int>(std::lround(1e3 * state["simulation"]["time"].get<double>())));
+    if (row == rows.end()) continue;
+    ++compared;
+    const std::vector<double> expected(row->second.end() - 12, row->second.end());
+    std::vector<double> bars;
+    for (const Json& bar : state["bars"]) bars.push_back(bar["value"]);
+    EXPECT_EQ(bars, expected) << "to the last digit";
+  }
+  EXPECT_GE(compared, 1);
+#else
+  GTEST_SKIP() << "the command line is not built";
+#endif
+}
+
+/// Part of the marks that face the eye within the view and have their colour in the picture.
+double right_colour(const Picture& picture, const Json& marks, bool facing_only, int tolerance, int& looked_at) {
+  int right = 0;
+  looked_at = 0;
+  for (const Json& mark : marks) {
+    if (!mark["inside"].get<bool>() || (facing_only && !mark["facing"].get<bool>())) continue;
+    ++looked_at;
+    right += color_distance(picture.pixel(mark["pixel"][0], mark["pixel"][1]), mark["color"]) <= tolerance ? 1 : 0;
+  }
+  return looked_at > 0 ? static_cast<double>(right) / looked_at : 0.0;
+}
+
+/// Turns the view so that the contact is seen from above and fills it: the pressure changes little within a pixel.
+std::vector<std::string> close_up(std::vector<std::string> script) {
+  const std::vector<std::string> gestures{R"({"event": "click", "at": {"widget": "Taxel 10"}})",
+                                          idle(),
+                                          R"({"event": "key", "key": "."})",
+                                          idle(),
+                                          R"({"event": "mouse_down", "at": [500, 300]})",
+                                          idle(),
+                                          R"({"event": "mouse_move", "at": [520, 320]})",
+                                          idle(),
+                                          R"({"event": "mouse_move", "at": [520, 420]})",
+                                          idle(),
+                                          R"({"event": "mouse_up"})",
+                                          idle()};
+  script.insert(script.begin() + 3, gestures.begin(), gestures.end());
+  return script;
+}
+
+TEST(ContactSurface, APolygonsPixelHasTheColourOfItsPressure) {
+  const StudioProgram studio;
+  studio.play(close_up(at_mid_sweep({"Rays", "Samples", "Taxels", "Fields", "Path"})));
+  const Json state = studio.state("state.json");
+  int looked_at = 0;
+  const double right = right_colour(studio.picture("picture.png"), state["polygons"], false, 4, looked_at);
+  EXPECT_GT(looked_at, 30);
+  EXPECT_GT(right, 0.75) << "the force arrow hides some";
+}
+
+TEST(Samples, ASamplesPixelHasItsTaxelsColour) {
+  const StudioProgram studio;
+  studio.play(at_mid_sweep({"Rays", "Contact", "Taxels", "Fields", "Path"}));
+  const Json state = studio.state("state.json");
+  int looked_at = 0;
+  const double right = right_colour(studio.picture("picture.png"), state["samples"], true, 2, looked_at);
+  EXPECT_GT(looked_at, 50);
+  EXPECT_GT(right, 0.85) << "discs of neighbouring taxels overlap at their border";
+}
+
+TEST(Picture, TheSamePressureHasTheSameColourInTwoFrames) {
+  const StudioProgram studio;
+  auto script = close_up(at_mid_sweep({"Rays", "Samples", "Taxels", "Fields", "Path"}));
+  script.insert(script.end(),
+                {R"({"event": "click", "at": {"widget": "Range"}})", idle(), R"({"event": "key", "key": "Space"})",
+                 R"({"do": "wait_time", "time": 1.6})", R"({"event": "key", "key": "Space"})", idle(),
+                 R"({"event": "mouse_move", "at": [5, 5]})", idle(), R"({"do": "screenshot", "file": "second.png"})",
+                 R"({"do": "dump_state", "file": "second.json"})"});
+  studio.play(script);
+  const Json first = studio.state("state.json"), second = studio.state("second.json");
+  EXPECT_FALSE(second["range"]["automatic"]);
+  EXPECT_EQ(first["range"]["largest"], second["range"]["largest"]);
+  int looked_at = 0;
+  EXPECT_GT(right_colour(studio.picture("second.png"), second["polygons"], false, 4, looked_at), 0.75);
+}
+
+TEST(Picture, TheSameScriptGivesTheSameBytes) {
+  const StudioProgram studio;
+  const std::vector<std::string> script{R"({"frame": 5, "event": "click", "at": {"taxel": 11}})",
+                                        R"({"frame": 6, "event": "mouse_down", "at": [600, 300]})",
+                                        R"({"frame": 8, "event": "mouse_move", "at": [660, 320]})",
+                                        R"({"frame": 9, "event": "mouse_up"})",
+                                        R"({"do": "wait_time", "time": 1.0})",
+                                        kPicture};
+  studio.play(script);
+  const std::string first = file_text(studio.folder() / "picture.png");
+  studio.play(script);
+  EXPECT_EQ(first, file_text(studio.folder() / "picture.png"));
+}
+
+TEST(Picture, FramesPerSecondWhileTheContactMoves) {
+  const StudioProgram studio;
+  studio.play({R"({"do": "wait_time", "time": 0.9})", kDump, R"({"do": "wait_time", "time": 1.7})",
+               R"({"do": "dump_state", "file": "moving.json"})"});
+  const Json pace = studio.state("moving.json")["pace"];
+  EXPECT_EQ(pace["pictures"], pace["scene_draws"]) << "each picture showed another contact";
+  RecordProperty("frames_per_second", std::to_string(pace["frames_per_second"].get<double>()));
+  std::printf("%.1f pictures per second at 1280 x 800 while the contact moves, 20 simulation steps each\n",
+              pace["frames_per_second"].get<double>());
+  EXPECT_GT(pace["frames_per_second"], 2) << "far below what any machine should reach";
+}
+
+}  // namespace
+}  // namespace taxel::test

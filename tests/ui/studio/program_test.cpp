@@ -1,0 +1,119 @@
+// The program itself: options, scripts that are wrong, a real window, settings.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "studio_program.h"
+#include "ui/keymap.h"
+
+namespace taxel::test {
+namespace {
+
+TEST(Options, ListBindingsPrintsEveryKeyOfTheTable) {
+  const StudioProgram studio;
+  const Outcome outcome = run_program(STUDIO_PROGRAM, {"--list-bindings"}, studio.folder());
+  EXPECT_EQ(outcome.status, 0);
+  for (const ui::Binding& b : ui::bindings()) {
+    if (b.chord == 0) continue;
+    EXPECT_NE(outcome.out.find(ui::chord_name(b.chord)), std::string::npos) << b.label;
+    EXPECT_NE(outcome.out.find(b.label), std::string::npos);
+  }
+}
+
+TEST(Options, BadUsageIsOneLineAndTwo) {
+  const StudioProgram studio;
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--no-such-option"},
+                                                    {"--size", "12"},
+                                                    {"--size", "0x0"},
+                                                    {"--frames", "-3"},
+                                                    {"--headless", "--script", "missing.jsonl"},
+                                                    {"--headless", "--shader-dir", "nowhere"}}) {
+    const Outcome outcome = run_program(STUDIO_PROGRAM, arguments, studio.folder());
+    EXPECT_EQ(outcome.status, 2) << arguments.back();
+    EXPECT_EQ(outcome.err.rfind("taxelstudio: ", 0), 0U) << outcome.err;
+  }
+}
+
+TEST(Options, ScreenshotAndStateWithoutAScript) {
+  const StudioProgram studio;
+  const Outcome outcome = run_program(
+      STUDIO_PROGRAM,
+      {"--headless", "--frames", "4", "--size", "900x600", "--screenshot", "a.png", "--dump-state", "a.json"},
+      studio.folder());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Picture picture = studio.picture("a.png");
+  EXPECT_EQ(picture.width, 900);
+  EXPECT_EQ(picture.height, 600);
+  EXPECT_EQ(studio.state("a.json")["pace"]["pictures"], 4);
+}
+
+TEST(Options, APictureThatCannotBeWrittenIsAnError) {
+  const StudioProgram studio;
+  const Outcome outcome = run_program(
+      STUDIO_PROGRAM, {"--headless", "--frames", "1", "--screenshot", "no/such/folder/a.png"}, studio.folder());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("no/such/folder/a.png"), std::string::npos) << outcome.err;
+}
+
+TEST(Script, ErrorsNameTheLineAndExitWithTwo) {
+  const StudioProgram studio;
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"{\"frame\": 1", "line 2: is no JSON object"},
+      {R"({"event": "click", "do": "quit"})", "line 2: needs either"},
+      {R"({"event": "leap"})", "line 2: does not know the event \"leap\""},
+      {R"({"do": "leap"})", "line 2: does not know the command"},
+      {R"({"event": "click", "at": [1]})", "line 2: needs 2 numbers"},
+      {R"({"event": "click", "at": {"widget": "No Such Button"}})", "line 2: no widget \"No Such Button\""},
+      {R"({"event": "click", "at": {"taxel": 77}})", "line 2: there is no taxel 77"},
+      {R"({"event": "click", "at": {"world": [0, 0, 50]}})", "line 2: the point is outside"},
+      {R"({"event": "key", "key": "Leap"})", "line 2: does not know the key"},
+      {R"({"event": "key", "key": "a", "colour": 1})", "line 2: does not know \"colour\""},
+      {R"({"do": "expect", "pointer": "/mode", "equals": "layout"})", "line 2: expected /mode"},
+      {R"({"do": "expect", "pointer": "/no/such", "equals": 1})", "line 2: expected /no/such"},
+  };
+  for (const auto& [line, message] : bad) {
+    const Outcome outcome = studio.run({R"({"frame": 1, "do": "wait_idle"})", line});
+    EXPECT_EQ(outcome.status, 2) << line;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << line << " -> " << outcome.err;
+  }
+}
+
+TEST(Script, ExpectationsThatHoldPass) {
+  const StudioProgram studio;
+  studio.play({R"({"frame": 3, "do": "expect", "pointer": "/mode", "equals": "simulate"})",
+               R"({"do": "expect", "pointer": "/simulation/time", "least": 0.02, "most": 0.2})",
+               R"({"do": "expect", "pointer": "/document/name", "contains": "ingertip"})",
+               R"({"event": "resize", "width": 1000, "height": 700})", R"({"do": "wait_idle"})",
+               R"({"do": "screenshot", "file": "a.png"})", R"({"event": "close"})", R"({"frame": 900, "do": "quit"})"});
+  EXPECT_EQ(studio.picture("a.png").width, 1000);
+}
+
+TEST(RealWindow, DrawsTheSweepByTheClock) {
+  if (std::system("command -v xvfb-run > /dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
+  const StudioProgram studio;
+  const Outcome outcome =
+      run_program("/usr/bin/env",
+                  {"XDG_CONFIG_HOME=" + studio.folder().string(), "xvfb-run", "-a", "-s", "-screen 0 1400x900x24",
+                   STUDIO_PROGRAM, "--frames", "60", "--screenshot", "window.png", "--dump-state", "window.json"},
+                  studio.folder());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(studio.picture("window.png").width, 1280);
+  EXPECT_EQ(studio.picture("window.png").height, 800);
+  const Json state = studio.state("window.json");
+  EXPECT_TRUE(state["messages"].empty()) << state["messages"].dump();
+  EXPECT_GT(state["simulation"]["time"], 0.1);
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "settings.json"));
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "window.ini"));
+  std::printf("%.1f pictures per second in a real window\n", state["pace"]["frames_per_second"].get<double>());
+}
+
+TEST(RealWindow, WithoutADisplayOneLineSaysSo) {
+  const StudioProgram studio;
+  const Outcome outcome = run_program(
+      "/usr/bin/env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", STUDIO_PROGRAM, "--frames", "1"}, studio.folder());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--headless"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace taxel::test

@@ -1,0 +1,66 @@
+#include "studio_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace taxel::test {
+
+std::array<int, 3> Picture::pixel(double x, double y) const {
+  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+  if (column < 0 || row < 0 || column >= width || row >= height)
+    throw std::out_of_range("pixel outside of the picture");
+  const unsigned char* p =
+      &rgb[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column))];
+  return {p[0], p[1], p[2]};
+}
+
+StudioProgram::StudioProgram() {
+  const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests",
+                         std::string(info.test_suite_name()) + "." + info.name());
+}
+
+Outcome StudioProgram::run(const std::vector<std::string>& lines, const std::vector<std::string>& arguments) const {
+  std::string script;
+  for (const std::string& line : lines) script += line + "\n";
+  write_text(folder_ / "script.jsonl", script);
+  std::vector<std::string> all{"--headless", "--script", "script.jsonl"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return run_program(STUDIO_PROGRAM, all, folder_);
+}
+
+Outcome StudioProgram::play(const std::vector<std::string>& lines, const std::vector<std::string>& arguments) const {
+  Outcome outcome = run(lines, arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome;
+}
+
+Json StudioProgram::state(const std::string& file) const {
+  return Json::parse(file_text(folder_ / file));
+}
+
+Picture StudioProgram::picture(const std::string& file) const {
+  Picture picture;
+  int channels = 0;
+  unsigned char* pixels = stbi_load((folder_ / file).c_str(), &picture.width, &picture.height, &channels, 3);
+  if (pixels == nullptr) throw std::runtime_error("no picture " + file);
+  picture.rgb.assign(pixels, pixels + 3 * picture.width * picture.height);
+  stbi_image_free(pixels);
+  return picture;
+}
+
+int color_distance(const std::array<int, 3>& pixel, const Json& color) {
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(pixel[i] - 255.0 * color[i].get<double>()));
+  return static_cast<int>(std::ceil(largest));
+}
+
+}  // namespace taxel::test

@@ -1,0 +1,91 @@
+// Tables and helpers of the interface, without a window.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "ui/keymap.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/widget_registry.h"
+
+namespace taxel::ui {
+namespace {
+
+TEST(Keymap, NoKeyMeansTwoThingsInOneContext) {
+  for (const Context context : {Context::layout, Context::simulate}) {
+    std::map<int, std::string> seen;
+    for (const Binding& b : bindings()) {
+      if (b.chord == 0 || (b.context != Context::everywhere && b.context != context)) continue;
+      EXPECT_TRUE(seen.emplace(b.chord, b.label).second)
+          << chord_name(b.chord) << ": " << b.label << " and " << seen[b.chord];
+    }
+  }
+}
+
+TEST(Keymap, EveryActionStandsOnceAndCanBeReached) {
+  std::set<Action> seen;
+  for (const Binding& b : bindings()) {
+    EXPECT_TRUE(seen.insert(b.action).second) << b.label;
+    EXPECT_TRUE(b.chord != 0 || b.menu != nullptr) << b.label;
+    EXPECT_EQ(&binding_of(b.action), &b);
+  }
+}
+
+TEST(Keymap, SwitchesTurnWhatTheyName) {
+  const UiInput input;
+  for (const Binding& b : bindings()) {
+    UiState ui;
+    const bool before = is_checked(b.action, ui);
+    perform(b.action, ui, input);
+    if (is_checked(b.action, ui) == before) continue;
+    perform(b.action, ui, input);
+    EXPECT_EQ(is_checked(b.action, ui), before) << b.label;
+  }
+}
+
+TEST(Speed, GoesInOctavesAndStops) {
+  EXPECT_EQ(next_speed(1, true), 2);
+  EXPECT_EQ(next_speed(1, false), 0.5);
+  EXPECT_EQ(next_speed(16, true), 16);
+  EXPECT_EQ(next_speed(1.0 / 16, false), 1.0 / 16);
+}
+
+TEST(Format, NiceCeilingIsTheNextRoundNumber) {
+  EXPECT_EQ(nice_ceiling(1), 1);
+  EXPECT_EQ(nice_ceiling(1.01), 1.5);
+  EXPECT_EQ(nice_ceiling(8.1), 10);
+  EXPECT_EQ(nice_ceiling(7490), 8000);
+  EXPECT_EQ(nice_ceiling(0), 0);
+  for (double value = 1e-6; value < 1e9; value *= 1.37) {
+    EXPECT_GE(nice_ceiling(value), value);
+    EXPECT_LE(nice_ceiling(value), 1.5 * value * (1 + 1e-12));
+  }
+}
+
+TEST(Format, NumbersAsPeopleReadThem) {
+  EXPECT_EQ(grouped(7), "7");
+  EXPECT_EQ(grouped(1234), "1 234");
+  EXPECT_EQ(grouped(-1234567), "-1 234 567");
+  EXPECT_EQ(grouped(-123), "-123");
+  EXPECT_EQ(kpa_number(7523), "7.52");
+  EXPECT_EQ(kpa_number(9996), "10.0");
+  EXPECT_EQ(kpa_number(123456), "123");
+  EXPECT_EQ(in_mm(0.0061), "6.10 mm");
+}
+
+TEST(Widgets, TheOneOnTopIsFound) {
+  WidgetRegistry widgets;
+  widgets.note("Toolbar", "Run", {0, 0, 10, 10});
+  widgets.note("Simulation", "Run", {20, 0, 30, 10});
+  EXPECT_EQ(widgets.find("Run")->panel, "Simulation");
+  EXPECT_EQ(widgets.find("Toolbar/Run")->rect.x1, 10);
+  EXPECT_EQ(widgets.find("Toolbar/Walk"), nullptr);
+  EXPECT_EQ(widgets.find("bar/Run"), nullptr);
+  widgets.begin_frame();
+  EXPECT_EQ(widgets.find("Run"), nullptr);
+}
+
+}  // namespace
+}  // namespace taxel::ui
