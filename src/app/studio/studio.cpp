@@ -101,7 +101,8 @@ void Studio::run_by_clock() {
     act_on(news);
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
     if (!news.messages.empty() || news.opened) pictures_due_ = kSettlingPictures;
-    if (news.new_frame || waited) pictures_due_ = std::max(pictures_due_, 1);
+    const bool counted = options_.frames > 0;  // a number of pictures was asked for, whether anything moves or not
+    if (news.new_frame || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
     if (pictures_due_ == 0) {
       last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
       continue;
