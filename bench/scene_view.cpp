@@ -1,4 +1,5 @@
-// Time of one picture of the 3-D view while the contact moves, and what its parts cost: 800 x 560 pixels, 16000 samples.
+// Time of one picture of the 3-D view while the contact moves, and what its parts cost: 800 x 560 pixels, 16000
+// samples.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
@@ -32,14 +33,18 @@ void draw_view(benchmark::State& state, const Change& change) {
 using ui::Camera;
 using ui::Overlays;
 
-void BM_view(benchmark::State& s) { draw_view(s, [](Overlays&, Camera&, int) {}); }
+void BM_view(benchmark::State& s) {
+  draw_view(s, [](Overlays&, Camera&, int) {});
+}
 void BM_view_orbiting(benchmark::State& s) {
   draw_view(s, [](Overlays&, Camera& camera, int n) { camera.orbit(n % 100, 0); });
 }
 void BM_view_without_samples(benchmark::State& s) {
   draw_view(s, [](Overlays& o, Camera&, int) { o.samples = false; });
 }
-void BM_view_without_rays(benchmark::State& s) { draw_view(s, [](Overlays& o, Camera&, int) { o.rays = false; }); }
+void BM_view_without_rays(benchmark::State& s) {
+  draw_view(s, [](Overlays& o, Camera&, int) { o.rays = false; });
+}
 void BM_view_without_rings(benchmark::State& s) {
   draw_view(s, [](Overlays& o, Camera&, int) { o.receptive_fields = false; });
 }

@@ -5,9 +5,12 @@ uniform sampler2D source;
 uniform vec2 texel;  // one step, in texture coordinates
 out vec4 color;
 
+float at(vec2 p) { return textureLod(source, p, 0.0).r; }
+
 void main() {
-  float sum = 0.2270270 * textureLod(source, uv, 0.0).r;
-  sum += 0.3162162 * (textureLod(source, uv + 1.3846154 * texel, 0.0).r + textureLod(source, uv - 1.3846154 * texel, 0.0).r);
-  sum += 0.0702703 * (textureLod(source, uv + 3.2307692 * texel, 0.0).r + textureLod(source, uv - 3.2307692 * texel, 0.0).r);
+  vec2 near = 1.3846154 * texel, far = 3.2307692 * texel;
+  float sum = 0.2270270 * at(uv);
+  sum += 0.3162162 * (at(uv + near) + at(uv - near));
+  sum += 0.0702703 * (at(uv + far) + at(uv - far));
   color = vec4(sum);
 }

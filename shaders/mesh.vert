@@ -1,5 +1,6 @@
 #version 450 core
-// Light is worked out per vertex: on matte bodies nobody sees the difference, and a software renderer needs half the time.
+// Light is worked out per vertex: on matte bodies nobody sees the difference, and a software renderer takes half the
+// time.
 #include "frame.glsl"
 #include "color.glsl"
 

@@ -5,12 +5,13 @@ in vec3 p_W;
 in float upward;            // cosine between normal and the vertical
 uniform sampler2D heights;  // lowest point of the sensors, seen from above
 uniform vec4 heights_box;   // low corner and 1 / size [m], [1/m]
-uniform vec3 heights_scale; // height of 0 [m], range of 0..1 [m], 1 / height at which the shadow is a third as dark [1/m]
+uniform vec3 heights_scale; // height of 0 [m], range of 0..1 [m], 1 / (height at which it is a third as dark) [1/m]
 uniform float strength;
 out vec4 color;
 
 void main() {
-  float above = heights_scale.x + heights_scale.y * textureLod(heights, (p_W.xy - heights_box.xy) * heights_box.zw, 0.0).r;
+  vec2 uv = (p_W.xy - heights_box.xy) * heights_box.zw;
+  float above = heights_scale.x + heights_scale.y * textureLod(heights, uv, 0.0).r;
   float dark = exp(-max(above - p_W.z, 0.0) * heights_scale.z) * max(upward, 0.0);
   color = vec4(shade * (1.0 - strength * dark), 1.0);
 }

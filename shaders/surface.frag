@@ -9,6 +9,7 @@ out vec4 color;                 // premultiplied
 void main() {
   float x = 255.0 * clamp((p - range.x) * range.y, 0.0, 1.0);
   int i = min(int(x), 254);
-  vec3 rgb = mix(texelFetch(color_table, ivec2(i, 0), 0).rgb, texelFetch(color_table, ivec2(i + 1, 0), 0).rgb, x - float(i));
+  vec3 below = texelFetch(color_table, ivec2(i, 0), 0).rgb, above = texelFetch(color_table, ivec2(i + 1, 0), 0).rgb;
+  vec3 rgb = mix(below, above, x - float(i));
   color = vec4(rgb, 1.0) * dim;
 }

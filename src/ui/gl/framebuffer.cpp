@@ -12,7 +12,8 @@ namespace {
 void check_complete(GLuint framebuffer, int width, int height) {
   const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
-  throw Error(fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
+  throw Error(
+      fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
 }
 
 }  // namespace
@@ -65,7 +66,8 @@ RgbImage read_pixels(GLuint framebuffer, int width, int height) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
   for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {  // GL's first row is the lowest
     const auto a = image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * top;
-    std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row), image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * bottom);
+    std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row),
+                     image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * bottom);
   }
   return image;
 }

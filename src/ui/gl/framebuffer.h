@@ -29,8 +29,8 @@ class Framebuffer {
   Texture color_;
   Texture depth_;
   std::optional<Texture> multisampled_;
-  FramebufferHandle target_;                    ///< drawn into
-  std::optional<FramebufferHandle> resolved_;   ///< of color_, where target_ is multisampled
+  FramebufferHandle target_;                   ///< drawn into
+  std::optional<FramebufferHandle> resolved_;  ///< of color_, where target_ is multisampled
 };
 
 /// Reads the colour of a framebuffer of GL (0: the window's).

@@ -31,21 +31,31 @@ inline GLuint create_buffer() {
   glCreateBuffers(1, &id);
   return id;
 }
-inline void delete_buffer(GLuint id) { glDeleteBuffers(1, &id); }
+inline void delete_buffer(GLuint id) {
+  glDeleteBuffers(1, &id);
+}
 inline GLuint create_vertex_array() {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   return id;
 }
-inline void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
+inline void delete_vertex_array(GLuint id) {
+  glDeleteVertexArrays(1, &id);
+}
 inline GLuint create_framebuffer() {
   GLuint id = 0;
   glCreateFramebuffers(1, &id);
   return id;
 }
-inline void delete_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
-inline GLuint create_program() { return glCreateProgram(); }
-inline void delete_program(GLuint id) { glDeleteProgram(id); }
+inline void delete_framebuffer(GLuint id) {
+  glDeleteFramebuffers(1, &id);
+}
+inline GLuint create_program() {
+  return glCreateProgram();
+}
+inline void delete_program(GLuint id) {
+  glDeleteProgram(id);
+}
 }  // namespace detail
 
 using BufferHandle = Handle<detail::create_buffer, detail::delete_buffer>;

@@ -33,9 +33,9 @@ EGLDisplay device_display() {
 
 EGLContext create_context(EGLDisplay display) {
   constexpr std::array<EGLint, 5> config_wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
-  constexpr std::array<EGLint, 7> context_wanted{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  constexpr std::array<EGLint, 7> context_wanted{
+      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint configs = 0;
   if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
@@ -66,9 +66,10 @@ OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
     if (impl_->display != EGL_NO_DISPLAY) impl_->context = create_context(impl_->display);
   }
   if (impl_->context == EGL_NO_CONTEXT) {
-    throw Error(fmt::format("no OpenGL 4.5 without a display: EGL offers neither a surfaceless platform nor a device "
-                            "that has it (EGL error 0x{:x}); install Mesa's EGL (libegl-mesa0, libgl1-mesa-dri)",
-                            eglGetError()));
+    throw Error(
+        fmt::format("no OpenGL 4.5 without a display: EGL offers neither a surfaceless platform nor a device "
+                    "that has it (EGL error 0x{:x}); install Mesa's EGL (libegl-mesa0, libgl1-mesa-dri)",
+                    eglGetError()));
   }
   make_current();
 }

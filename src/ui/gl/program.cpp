@@ -55,8 +55,12 @@ Program::Program(const ShaderReader& read, const std::string& vertex_name, const
   glDetachShader(handle_.id(), fragment.id());
 }
 
-void Program::set(const char* name, int value) const { glProgramUniform1i(handle_.id(), location(name), value); }
-void Program::set(const char* name, float value) const { glProgramUniform1f(handle_.id(), location(name), value); }
+void Program::set(const char* name, int value) const {
+  glProgramUniform1i(handle_.id(), location(name), value);
+}
+void Program::set(const char* name, float value) const {
+  glProgramUniform1f(handle_.id(), location(name), value);
+}
 void Program::set(const char* name, const glm::vec2& value) const {
   glProgramUniform2fv(handle_.id(), location(name), 1, glm::value_ptr(value));
 }

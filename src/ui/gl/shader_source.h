@@ -23,8 +23,8 @@ inline constexpr int kShaderFileLines = 10000;
 /// Puts included files in place, once each. Throws Error for a missing file.
 ShaderSource assemble_shader(const ShaderReader& read, const std::string& name);
 
-/// What a GLSL compiler says ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12", the latter empty when
-/// there is no number.
+/// What a GLSL compiler says ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12", the latter empty
+/// when there is no number.
 struct ShaderMessage {
   std::string file, where, text;
 };

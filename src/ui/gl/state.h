@@ -6,10 +6,10 @@
 namespace taxel::gl {
 
 struct DrawState {
-  GLenum depth = GL_LEQUAL;   ///< test; GL_ALWAYS: none
+  GLenum depth = GL_LEQUAL;  ///< test; GL_ALWAYS: none
   bool depth_write = true;
-  bool blend = false;         ///< premultiplied over
-  GLenum cull = GL_NONE;      ///< GL_BACK, GL_FRONT
+  bool blend = false;     ///< premultiplied over
+  GLenum cull = GL_NONE;  ///< GL_BACK, GL_FRONT
 };
 
 inline void enable(GLenum what, bool on) {

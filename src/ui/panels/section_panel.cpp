@@ -36,8 +36,12 @@ struct Canvas {
   }
 };
 
-ImU32 color(const glm::vec3& rgb, float alpha) { return to_u32({rgb.x, rgb.y, rgb.z, alpha}); }
-ImU32 color(const glm::vec4& rgba, float alpha) { return to_u32({rgba.x, rgba.y, rgba.z, rgba.w * alpha}); }
+ImU32 color(const glm::vec3& rgb, float alpha) {
+  return to_u32({rgb.x, rgb.y, rgb.z, alpha});
+}
+ImU32 color(const glm::vec4& rgba, float alpha) {
+  return to_u32({rgba.x, rgba.y, rgba.z, rgba.w * alpha});
+}
 
 /// `hole`: what shows in a cavity.
 void draw_outlines(const Canvas& canvas, const std::vector<Section::Outline>& outlines, ImU32 fill, ImU32 hole,
@@ -47,12 +51,14 @@ void draw_outlines(const Canvas& canvas, const std::vector<Section::Outline>& ou
     points.clear();
     for (const dvec2& p : outline.points) {  // slivers would upset ImGui's triangulation
       const ImVec2 at = canvas.at(p);
-      if (points.empty() || std::hypot(at.x - points.back().x, at.y - points.back().y) > kLeastStep) points.push_back(at);
+      if (points.empty() || std::hypot(at.x - points.back().x, at.y - points.back().y) > kLeastStep)
+        points.push_back(at);
     }
     const int count = static_cast<int>(points.size());
     if (count < 2) continue;
     if (outline.area > 0) std::reverse(points.begin(), points.end());  // ImGui fills what it sees clockwise
-    if (outline.closed && count > 2) canvas.list.AddConcavePolyFilled(points.data(), count, outline.area > 0 ? fill : hole);
+    if (outline.closed && count > 2)
+      canvas.list.AddConcavePolyFilled(points.data(), count, outline.area > 0 ? fill : hole);
     canvas.list.AddPolyline(points.data(), count, line, kOutlineWidth, outline.closed ? ImDrawFlags_Closed : 0);
   }
 }
@@ -76,17 +82,19 @@ void draw_rays(const Canvas& canvas, const Section& section, const Look& look) {
     canvas.list.AddLine(canvas.at(ray.from), canvas.at(ray.to), color(ray.hit ? look.ray_hit : look.ray_miss, 1),
                         kRayWidth);
   }
+  const float radius = std::clamp(static_cast<float>(0.4 * section.spacing * canvas.pixels), 0.8f, 2.2f);
   for (const Section::SamplePoint& sample : section.samples) {
     const ImU32 c = sample.taxel < 0 ? color(look.unused_sample, 1) : color(taxel_color(sample.taxel), 1);
-    canvas.list.AddCircleFilled(canvas.at(sample.at), sample.taxel < 0 ? 1.2f : 2.2f, c);
+    canvas.list.AddCircleFilled(canvas.at(sample.at), sample.taxel < 0 ? 0.6f * radius : radius, c);
   }
 }
 
 void draw_dots(const Canvas& canvas, const Section& section, const Look& look) {
+  const float radius = std::clamp(static_cast<float>(0.5 * section.spacing * canvas.pixels), 1.0f, 2.4f);
   for (const Section::RayPiece& ray : section.rays) {
     if (!ray.hit) continue;
-    canvas.list.AddCircleFilled(canvas.at(ray.to), 2.8f, color(look.mark_outline, 0.6f));
-    canvas.list.AddCircleFilled(canvas.at(ray.to), 2.1f, canvas.pressure_color(ray.pressure));
+    canvas.list.AddCircleFilled(canvas.at(ray.to), 1.3f * radius, color(look.mark_outline, 0.6f));
+    canvas.list.AddCircleFilled(canvas.at(ray.to), radius, canvas.pressure_color(ray.pressure));
   }
 }
 
@@ -154,7 +162,8 @@ void draw_section(const Canvas& canvas, const Section& section) {
   const float line = ImGui::GetTextLineHeight();
   const ImVec2 at(canvas.corner.x + 0.5f * line, canvas.corner.y + 0.4f * line);
   const ImVec2 extent = ImGui::CalcTextSize(section.title.c_str());
-  canvas.list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + extent.x + 4, at.y + extent.y + 2}, to_u32(colors.panel, 0.8f), 3);
+  canvas.list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + extent.x + 4, at.y + extent.y + 2},
+                            to_u32(colors.panel, 0.8f), 3);
   canvas.list.AddText(at, to_u32(colors.dim), section.title.c_str());
   canvas.list.PopClipRect();
 }

@@ -24,11 +24,15 @@ Basis basis(const Camera& camera) {
   return {right, glm::cross(back, right), back};
 }
 
-double half_height(const Camera& camera) { return std::tan(0.5 * glm::radians(camera.fov_deg)); }
+double half_height(const Camera& camera) {
+  return std::tan(0.5 * glm::radians(camera.fov_deg));
+}
 
 }  // namespace
 
-dvec3 Camera::eye() const { return target + distance * basis(*this).back; }
+dvec3 Camera::eye() const {
+  return target + distance * basis(*this).back;
+}
 
 glm::dmat4 Camera::view() const {
   const Basis b = basis(*this);
@@ -66,8 +70,7 @@ Ray Camera::pixel_ray(double x, double y, int width, int height) const {
 
 void Camera::orbit(double dx_pixels, double dy_pixels) {
   azimuth_deg = std::remainder(azimuth_deg - kDegreesPerPixel * dx_pixels, 360.0);
-  elevation_deg =
-      std::clamp(elevation_deg + kDegreesPerPixel * dy_pixels, -kElevationLimitDeg, kElevationLimitDeg);
+  elevation_deg = std::clamp(elevation_deg + kDegreesPerPixel * dy_pixels, -kElevationLimitDeg, kElevationLimitDeg);
 }
 
 void Camera::pan(double dx_pixels, double dy_pixels, int height, bool horizontal) {

@@ -9,16 +9,17 @@
 namespace taxel::ui {
 
 struct Camera {
-  dvec3 target{0, 0, 0};       ///< [m], world
-  double azimuth_deg = 135;    ///< direction from target to eye, about +z from +x
-  double elevation_deg = 25;   ///< above the horizon, (-90, 90)
-  double distance = 0.15;      ///< eye to target [m]
-  double fov_deg = 40;         ///< vertical
+  dvec3 target{0, 0, 0};      ///< [m], world
+  double azimuth_deg = 135;   ///< direction from target to eye, about +z from +x
+  double elevation_deg = 25;  ///< above the horizon, (-90, 90)
+  double distance = 0.15;     ///< eye to target [m]
+  double fov_deg = 40;        ///< vertical
 
   [[nodiscard]] dvec3 eye() const;
   [[nodiscard]] glm::dmat4 view() const;
   [[nodiscard]] glm::dmat4 projection(double aspect) const;  ///< near and far follow the distance
-  /// Pixel (from the top left corner of a w x h view) of a world point; z is the depth in front of the eye, <= 0 behind it.
+  /// Pixel (from the top left corner of a w x h view) of a world point; z is the depth in front of the eye, <= 0 behind
+  /// it.
   [[nodiscard]] dvec3 project(const dvec3& p_W, int width, int height) const;
   /// The world ray through a pixel.
   [[nodiscard]] Ray pixel_ray(double x, double y, int width, int height) const;

@@ -15,7 +15,8 @@ std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, int width, int height
     const dvec3 d = (axis % 2 == 0 ? 1.0 : -1.0) * view[axis / 2];  // right, up, towards the eye
     balls[static_cast<std::size_t>(axis)] = {axis, center + kGizmoReach * dvec2(d.x, -d.y), d.z};
   }
-  std::stable_sort(balls.begin(), balls.end(), [](const GizmoBall& a, const GizmoBall& b) { return a.toward < b.toward; });
+  std::stable_sort(balls.begin(), balls.end(),
+                   [](const GizmoBall& a, const GizmoBall& b) { return a.toward < b.toward; });
   return balls;
 }
 

@@ -9,15 +9,15 @@ namespace taxel::ui {
 
 /// One ball of the gizmo: the end of +x, -x, +y, -y, +z or -z.
 struct GizmoBall {
-  int axis = 0;          ///< 0..5 in that order
-  dvec2 pixel{0};        ///< centre, from the upper left corner of the view
-  double toward = 0;     ///< -1 away from the eye .. +1 towards it
+  int axis = 0;       ///< 0..5 in that order
+  dvec2 pixel{0};     ///< centre, from the upper left corner of the view
+  double toward = 0;  ///< -1 away from the eye .. +1 towards it
   [[nodiscard]] bool positive() const { return axis % 2 == 0; }
 };
 
-inline constexpr double kGizmoReach = 34;       ///< from the middle to the balls [pixel]
-inline constexpr double kGizmoBallRadius = 9;   ///< [pixel]
-inline constexpr double kGizmoMargin = 16;      ///< to the edges of the view [pixel]
+inline constexpr double kGizmoReach = 34;      ///< from the middle to the balls [pixel]
+inline constexpr double kGizmoBallRadius = 9;  ///< [pixel]
+inline constexpr double kGizmoMargin = 16;     ///< to the edges of the view [pixel]
 
 dvec2 gizmo_center(int width, int height);
 /// All six, farthest first: the order of drawing.

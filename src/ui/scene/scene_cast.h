@@ -9,8 +9,8 @@
 namespace taxel::ui {
 
 struct GeomHit {
-  int geom = -1;     ///< in scene->geoms
-  double t = 0;      ///< along the ray [m]
+  int geom = -1;  ///< in scene->geoms
+  double t = 0;   ///< along the ray [m]
 };
 
 /// First geom that the ray meets, sensors left out. Every triangle of the geoms whose box it meets is tested.

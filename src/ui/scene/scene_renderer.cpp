@@ -133,8 +133,14 @@ void SceneRenderer::render(const SceneInput& input, const Camera& camera, int wi
   impl_->last = std::move(key);
 }
 
-unsigned SceneRenderer::texture() const { return impl_->target ? impl_->target->texture() : 0; }
-gl::RgbImage SceneRenderer::picture() const { return impl_->target ? impl_->target->read() : gl::RgbImage{}; }
-bool SceneRenderer::software() const { return impl_->software; }
+unsigned SceneRenderer::texture() const {
+  return impl_->target ? impl_->target->texture() : 0;
+}
+gl::RgbImage SceneRenderer::picture() const {
+  return impl_->target ? impl_->target->read() : gl::RgbImage{};
+}
+bool SceneRenderer::software() const {
+  return impl_->software;
+}
 
 }  // namespace taxel::ui

@@ -26,24 +26,24 @@ struct Overlays {
   bool rays = true;                // [Y]
   bool contact_surface = true;     // [C]
   bool contact_edges = false;
-  bool samples = true;             // [P]
-  bool sample_normals = false;     // [N]
-  bool taxels = true;              // centre and normal arrow
+  bool samples = true;          // [P]
+  bool sample_normals = false;  // [N]
+  bool taxels = true;           // centre and normal arrow
   bool taxel_labels = true;
-  bool receptive_fields = true;    // ring on the surface
-  bool path = true;                // red line
+  bool receptive_fields = true;  // ring on the surface
+  bool path = true;              // red line
   bool grid = true;
-  bool all_rays = false;           // else only those of the selected taxel (of all responding ones when none is)
+  bool all_rays = false;  // else only those of the selected taxel (of all responding ones when none is)
   bool operator==(const Overlays&) const = default;
 };
 
 struct SceneInput {
-  SimFramePtr frame;               ///< null: only grid and background
-  SensorModelPtr document_model;   ///< when there is no simulation: the layout alone at the origin; may be null
+  SimFramePtr frame;              ///< null: only grid and background
+  SensorModelPtr document_model;  ///< when there is no simulation: the layout alone at the origin; may be null
   Overlays overlays;
   PressureRange range;
   int selected_sensor = 0;
-  int selected_taxel = -1;         ///< index in layout order, -1: none
+  int selected_taxel = -1;  ///< index in layout order, -1: none
   bool dark = true;
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };
@@ -61,9 +61,9 @@ class SceneRenderer {
   /// Multisampled only on hardware renderers. Does nothing when input, camera and size are those of the last call.
   /// Leaves the framebuffer that was bound, bound; other GL state as it happens to be.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
-  [[nodiscard]] unsigned texture() const;  ///< GL name of the colour texture of the last render
+  [[nodiscard]] unsigned texture() const;      ///< GL name of the colour texture of the last render
   [[nodiscard]] gl::RgbImage picture() const;  ///< pixels of the last render, top row first
-  [[nodiscard]] bool software() const;     ///< llvmpipe or the like
+  [[nodiscard]] bool software() const;         ///< llvmpipe or the like
 
  private:
   struct Impl;

@@ -85,7 +85,8 @@ void cut_polygon(const ContactSurface& surface, const ContactPolygon& polygon, c
     if ((hp < 0) == (hq < 0)) continue;
     const double s = hp / (hp - hq);
     (ends == 0 ? piece.a : piece.b) = plane.flat(p + s * (q - p));
-    (ends == 0 ? piece.pressure_a : piece.pressure_b) = surface.pressure[a] + s * (surface.pressure[b] - surface.pressure[a]);
+    (ends == 0 ? piece.pressure_a : piece.pressure_b) =
+        surface.pressure[a] + s * (surface.pressure[b] - surface.pressure[a]);
     ++ends;
   }
   if (ends == 2) out.push_back(piece);
@@ -191,6 +192,8 @@ Section make_section(const SceneInput& input, const SensorView& view, double sla
     }
     add_rays(view, slab, out);
   }
+  const auto samples = static_cast<double>(std::max<std::size_t>(view.model->samples.size(), 1));
+  out.spacing = std::sqrt(view.model->skin->mesh().area() / samples);
   out.size = 0.55 * view.model->mesh->bounds().diagonal();
   out.focus = out.plane.flat(view.X_WM * view.model->mesh->bounds().center());
   out.title = "along the finger";

@@ -12,7 +12,9 @@ namespace taxel::ui {
 struct SectionPlane {
   dvec3 origin_W{0};
   dvec3 x{1, 0, 0}, y{0, 0, 1}, z{0, -1, 0};
-  [[nodiscard]] dvec2 flat(const dvec3& p_W) const { return {glm::dot(p_W - origin_W, x), glm::dot(p_W - origin_W, y)}; }
+  [[nodiscard]] dvec2 flat(const dvec3& p_W) const {
+    return {glm::dot(p_W - origin_W, x), glm::dot(p_W - origin_W, y)};
+  }
   [[nodiscard]] double height(const dvec3& p_W) const { return glm::dot(p_W - origin_W, z); }
 };
 
@@ -44,14 +46,15 @@ struct Section {
   std::string title;
   std::vector<Outline> skin, objects;
   std::vector<ContactPiece> contact;
-  std::vector<RayPiece> rays;        ///< of samples near the plane, projected into it
+  std::vector<RayPiece> rays;  ///< of samples near the plane, projected into it
   std::vector<SamplePoint> samples;
-  std::vector<dvec2> path;           ///< two points or none
-  int taxel = -1;                    ///< the plane goes through its centre; layout order
-  dvec2 center{0}, normal{0};        ///< of that taxel
-  double radius = 0;                 ///< of its receptive field [m]
-  dvec2 focus{0};                    ///< what to look at: the taxel, else the contact, else the skin's middle
-  double size = 0;                   ///< around the focus, half width [m]
+  std::vector<dvec2> path;     ///< two points or none
+  int taxel = -1;              ///< the plane goes through its centre; layout order
+  dvec2 center{0}, normal{0};  ///< of that taxel
+  double radius = 0;           ///< of its receptive field [m]
+  dvec2 focus{0};              ///< what to look at: the taxel, else the contact, else the skin's middle
+  double spacing = 0;          ///< between samples, about [m]
+  double size = 0;             ///< around the focus, half width [m]
 };
 
 /// The cut of a sensor: through the selected taxel along its normal, else through the contact's pressure centroid along

@@ -8,11 +8,11 @@
 namespace taxel::ui {
 
 struct SensorView {
-  int index = 0;                             ///< of the sensor
-  SensorModelPtr model;                      ///< never null
-  const SensorFrameState* state = nullptr;   ///< null: a layout alone
+  int index = 0;                            ///< of the sensor
+  SensorModelPtr model;                     ///< never null
+  const SensorFrameState* state = nullptr;  ///< null: a layout alone
   Pose X_WM;
-  int selected_taxel = -1;                   ///< -1: none, or in another sensor
+  int selected_taxel = -1;  ///< -1: none, or in another sensor
 };
 
 /// The pointers live as long as `input.frame`.

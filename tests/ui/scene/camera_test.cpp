@@ -41,8 +41,7 @@ TEST(Camera, ProjectAgreesWithTheMatricesThatGlGets) {
     const CounterRng rng(9, static_cast<std::uint64_t>(i));
     const Ray ray = camera.pixel_ray(kWidth * rng.uniform(0), kHeight * rng.uniform(1), kWidth, kHeight);
     const dvec3 p = ray.origin + camera.distance * (0.5 + rng.uniform(2)) * ray.direction;
-    const glm::dvec4 clip =
-        camera.projection(static_cast<double>(kWidth) / kHeight) * camera.view() * glm::dvec4(p, 1);
+    const glm::dvec4 clip = camera.projection(static_cast<double>(kWidth) / kHeight) * camera.view() * glm::dvec4(p, 1);
     const dvec3 pixel = camera.project(p, kWidth, kHeight);
     EXPECT_NEAR(0.5 * kWidth * (1 + clip.x / clip.w), pixel.x, 1e-8);
     EXPECT_NEAR(0.5 * kHeight * (1 - clip.y / clip.w), pixel.y, 1e-8);

@@ -45,10 +45,10 @@ TEST(ColorMap, ViridisGetsSteadilyLighter) {
 
 TEST(ColorMap, TaxelsStayApartForTheColourBlind) {
   // Machado, Oliveira, Fernandes 2009, severity 1, rows
-  const glm::dmat3 protan =
-      glm::transpose(glm::dmat3(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998));
-  const glm::dmat3 deutan =
-      glm::transpose(glm::dmat3(0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881));
+  const glm::dmat3 protan = glm::transpose(
+      glm::dmat3(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998));
+  const glm::dmat3 deutan = glm::transpose(
+      glm::dmat3(0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881));
   for (const glm::dmat3& eye : {glm::dmat3(1), protan, deutan}) {
     for (int i = 0; i < 24; ++i) {
       for (int j = 0; j < i; ++j) {

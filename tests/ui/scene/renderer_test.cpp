@@ -21,7 +21,8 @@ Overlays nothing() {
 int largest_difference(const std::array<int, 3>& pixel, const glm::vec3& color) {
   int worst = 0;
   for (int i = 0; i < 3; ++i) {
-    worst = std::max(worst, std::abs(pixel[static_cast<std::size_t>(i)] - static_cast<int>(std::lround(255 * color[i]))));
+    worst =
+        std::max(worst, std::abs(pixel[static_cast<std::size_t>(i)] - static_cast<int>(std::lround(255 * color[i]))));
   }
   return worst;
 }
@@ -29,10 +30,11 @@ int largest_difference(const std::array<int, 3>& pixel, const glm::vec3& color) 
 int pixels_changed(const gl::RgbImage& a, const gl::RgbImage& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
-    count += std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(i), a.rgb.begin() + static_cast<std::ptrdiff_t>(i + 3),
-                        b.rgb.begin() + static_cast<std::ptrdiff_t>(i))
-                 ? 0
-                 : 1;
+    count +=
+        std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(i), a.rgb.begin() + static_cast<std::ptrdiff_t>(i + 3),
+                   b.rgb.begin() + static_cast<std::ptrdiff_t>(i))
+            ? 0
+            : 1;
   }
   return count;
 }
@@ -75,8 +77,9 @@ ContactCheck check_contact(const SceneInput& input, const Camera& camera, const 
     if (!inside(surface, polygon, p) || !is_first(surface, polygon, ray, t)) continue;
     const double pressure = polygon.pressure + glm::dot(polygon.gradient, p - polygon.centroid);
     ++out.compared;
-    out.worst = std::max(out.worst, largest_difference(test::pixel_at(image, middle),
-                                                       viridis((pressure - input.range.lo) / (input.range.hi - input.range.lo))));
+    out.worst = std::max(out.worst,
+                         largest_difference(test::pixel_at(image, middle),
+                                            viridis((pressure - input.range.lo) / (input.range.hi - input.range.lo))));
   }
   return out;
 }
@@ -236,11 +239,17 @@ TEST_F(SceneRendererTest, EveryOverlayIsSeen) {
   const gl::RgbImage whole = draw(all, camera);
   test::write_picture("everything", whole);
   const std::vector<std::pair<const char*, bool Overlays::*>> parts{
-      {"sensor_transparent", &Overlays::sensor_transparent}, {"wireframe", &Overlays::wireframe},
-      {"rays", &Overlays::rays}, {"contact_surface", &Overlays::contact_surface},
-      {"contact_edges", &Overlays::contact_edges}, {"samples", &Overlays::samples},
-      {"sample_normals", &Overlays::sample_normals}, {"taxels", &Overlays::taxels},
-      {"receptive_fields", &Overlays::receptive_fields}, {"path", &Overlays::path}, {"grid", &Overlays::grid},
+      {"sensor_transparent", &Overlays::sensor_transparent},
+      {"wireframe", &Overlays::wireframe},
+      {"rays", &Overlays::rays},
+      {"contact_surface", &Overlays::contact_surface},
+      {"contact_edges", &Overlays::contact_edges},
+      {"samples", &Overlays::samples},
+      {"sample_normals", &Overlays::sample_normals},
+      {"taxels", &Overlays::taxels},
+      {"receptive_fields", &Overlays::receptive_fields},
+      {"path", &Overlays::path},
+      {"grid", &Overlays::grid},
       {"all_rays", &Overlays::all_rays}};
   for (const auto& [name, member] : parts) {
     SceneInput input = all;
@@ -304,7 +313,7 @@ TEST_F(SceneRendererTest, APlaneGeomHidesWhatLiesBelowIt) {
   test::write_picture("plane", draw(input, camera));
   const dvec3 on_path = 0.5 * (scene->path_W[0] + scene->path_W[1]) - dvec3(0.008, 0, 0);
   const auto pixel = test::pixel_at(image, dvec2(camera.project(on_path, kWidth, kHeight)));
-  EXPECT_LT(pixel[0], 140);              // dimmed red over the floor
+  EXPECT_LT(pixel[0], 140);  // dimmed red over the floor
   EXPECT_GT(pixel[0], pixel[1] + 15);
 }
 

@@ -27,7 +27,9 @@ class SectionTest : public ::testing::Test {
     input.selected_taxel = taxel;
     return make_section(input, sensor_views(input).front(), 2e-4);
   }
-  static dvec3 lift(const SectionPlane& plane, const dvec2& p) { return plane.origin_W + p.x * plane.x + p.y * plane.y; }
+  static dvec3 lift(const SectionPlane& plane, const dvec2& p) {
+    return plane.origin_W + p.x * plane.x + p.y * plane.y;
+  }
   static SensorModelPtr model_;
   static SimFramePtr frame_;
 };

@@ -8,9 +8,14 @@ struct Stroke {
   int letter;
   dvec2 a, b;
 };
-constexpr std::array<Stroke, 8> kStrokes{{{0, {-0.75, -1}, {0.75, 1}}, {0, {-0.75, 1}, {0.75, -1}},
-                                          {1, {-0.75, 1}, {0, 0.05}}, {1, {0.75, 1}, {0, 0.05}}, {1, {0, 0.05}, {0, -1}},
-                                          {2, {-0.7, 1}, {0.7, 1}}, {2, {0.7, 1}, {-0.7, -1}}, {2, {-0.7, -1}, {0.7, -1}}}};
+constexpr std::array<Stroke, 8> kStrokes{{{0, {-0.75, -1}, {0.75, 1}},
+                                          {0, {-0.75, 1}, {0.75, -1}},
+                                          {1, {-0.75, 1}, {0, 0.05}},
+                                          {1, {0.75, 1}, {0, 0.05}},
+                                          {1, {0, 0.05}, {0, -1}},
+                                          {2, {-0.7, 1}, {0.7, 1}},
+                                          {2, {0.7, 1}, {-0.7, -1}},
+                                          {2, {-0.7, -1}, {0.7, -1}}}};
 
 }  // namespace
 
@@ -32,7 +37,9 @@ void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, 
       const std::array<Segment, 1> shaft{segment(middle, p, 2.2f, pack(shaded))};
       segments.draw_lines(shaft, flat);
     } else {
-      style = {.diameter = static_cast<float>(1.6 * kGizmoBallRadius), .outline = glm::vec4(shaded, 1), .outline_width = 1.5f};
+      style = {.diameter = static_cast<float>(1.6 * kGizmoBallRadius),
+               .outline = glm::vec4(shaded, 1),
+               .outline_width = 1.5f};
       mark.rgba = pack(glm::mix(look.background_top, shaded, 0.35f));
     }
     points.draw(std::span<const PointMark>(&mark, 1), style, flat);

@@ -9,6 +9,7 @@
 namespace taxel::ui {
 
 /// Draws over what is there. The frame must be pixel_frame(width, height).
-void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, int width, int height);
+void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, int width,
+                int height);
 
 }  // namespace taxel::ui

@@ -5,10 +5,10 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kShadowHeight = 0.22;  // parts of the casters' size at which the shadow is a third as dark
+constexpr double kShadowHeight = 0.22;    // parts of the casters' size at which the shadow is a third as dark
 constexpr float kShadeTowardEye = 1e-4f;  // the shadow before its ground
-constexpr int kFanVertices = 26;        // centre, 24 sides and the first again
-constexpr double kGridReach = 6.0;      // camera distances
+constexpr int kFanVertices = 26;          // centre, 24 sides and the first again
+constexpr double kGridReach = 6.0;        // camera distances
 
 /// The axes of the ground, fading away from `target` (ground frame) like the grid.
 void draw_axes(const Ground& ground, const dvec3& target, double reach, const Look& look, SegmentPass& segments) {
@@ -33,7 +33,9 @@ void draw_axes(const Ground& ground, const dvec3& target, double reach, const Lo
 
 }  // namespace
 
-double grid_cell(double camera_distance) { return std::pow(10.0, std::floor(std::log10(0.1 * camera_distance))); }
+double grid_cell(double camera_distance) {
+  return std::pow(10.0, std::floor(std::log10(0.1 * camera_distance)));
+}
 
 GroundPass::GroundPass(const gl::ShaderReader& read)
     : background_(read, "screen.vert", "background.frag"),

@@ -22,7 +22,8 @@ class GroundPass {
 
   /// Draws the shadow of whatever `draw_casters(program)` draws with the given program (uniform world_from_mesh) into
   /// the shadow texture. `box_W` bounds the casters. Leaves another framebuffer and frame bound.
-  void make_shadow(const Ground& ground, const Aabb& box_W, const std::function<void(const gl::Program&)>& draw_casters);
+  void make_shadow(const Ground& ground, const Aabb& box_W,
+                   const std::function<void(const gl::Program&)>& draw_casters);
   void draw_background(const Look& look) const;
   void draw(const Ground& ground, const Camera& camera, const Look& look, bool grid, SegmentPass& segments) const;
   void draw_shadow(const Ground& ground, const Look& look) const;

@@ -36,7 +36,7 @@ const Look kDark{
     .skin_outline = rgba(0xE9DDD2, 0.75f),
     .solid_outline = rgba(0xC6CFDA, 0.55f),
     .mark_outline = rgba(0x0E1116, 0.90f),
-    .unused_sample = rgba(0xC4B8AE, 0.28f),
+    .unused_sample = rgba(0xC4B8AE, 0.16f),
     .ray_hit = rgba(0xF4F7FB, 0.55f),
     .ray_miss = rgba(0xAEB8C6, 0.16f),
     .path = rgba(0xFF3B46, 1.0f),
@@ -67,7 +67,7 @@ const Look kLight{
     .skin_outline = rgba(0x5A4A40, 0.85f),
     .solid_outline = rgba(0x2A3038, 0.85f),
     .mark_outline = rgba(0x1A1E24, 0.90f),
-    .unused_sample = rgba(0x6E5F55, 0.30f),
+    .unused_sample = rgba(0x6E5F55, 0.20f),
     .ray_hit = rgba(0x10151C, 0.50f),
     .ray_miss = rgba(0x3A4452, 0.16f),
     .path = rgba(0xE01B2A, 1.0f),
@@ -78,11 +78,14 @@ const Look kLight{
 
 }  // namespace
 
-const Look& look(bool dark) { return dark ? kDark : kLight; }
+const Look& look(bool dark) {
+  return dark ? kDark : kLight;
+}
 
 glm::vec3 linear_from_srgb(const glm::vec3& srgb) {
   glm::vec3 out;
-  for (int i = 0; i < 3; ++i) out[i] = srgb[i] <= 0.04045f ? srgb[i] / 12.92f : std::pow((srgb[i] + 0.055f) / 1.055f, 2.4f);
+  for (int i = 0; i < 3; ++i)
+    out[i] = srgb[i] <= 0.04045f ? srgb[i] / 12.92f : std::pow((srgb[i] + 0.055f) / 1.055f, 2.4f);
   return out;
 }
 

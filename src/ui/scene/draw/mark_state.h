@@ -11,11 +11,11 @@ namespace taxel::ui {
 /// How a batch of marks is drawn.
 struct MarkState {
   glm::mat4 world_from_model{1};
-  float toward_eye = 0;    ///< drawn nearer by this part of its depth, at the same pixel
+  float toward_eye = 0;  ///< drawn nearer by this part of its depth, at the same pixel
   bool depth_test = true;
-  bool hidden = false;     ///< only where something nearer stands in front
+  bool hidden = false;  ///< only where something nearer stands in front
   bool depth_write = false;
-  float dim = 1;           ///< multiplies alpha
+  float dim = 1;  ///< multiplies alpha
 };
 
 /// Sends the uniforms that all their shaders share, and sets depth and blending.

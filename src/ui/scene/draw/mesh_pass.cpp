@@ -6,8 +6,16 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f;
-constexpr float kTowardEye = 0.004f;   // edges in front of their faces
+constexpr float kSeenThrough = 0.3f;    // of the alpha of lines that shine through
+constexpr double kGrazing = 0.03;       // of the skin's size: how far before its outline a ray may touch it
+constexpr float kTowardEye = 0.004f;    // edges in front of their faces
 constexpr double kShadowHeight = 0.14;  // of the sensors' size, at which their shadow is a third as dark
+
+/// Whether the skin stands clearly before a point of its own outline.
+bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
+  const double distance = glm::length(p - eye), nearer = distance - kGrazing * skin.mesh().bounds().diagonal();
+  return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
+}
 
 }  // namespace
 
@@ -15,7 +23,8 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
   MeshList list;
   std::vector<MeshItem>& skins = input.overlays.sensor_transparent ? list.skins : list.solids;
   for (const SensorView& view : sensor_views(input)) {
-    skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true});
+    skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true,
+                     input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
   }
   if (!input.frame || !input.frame->scene) return list;
   const SimScene& scene = *input.frame->scene;
@@ -23,7 +32,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     const SceneGeom& geom = scene.geoms[i];
     if (!geom.mesh || geom.plane || geom.sensor >= 0) continue;
     const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
-    list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline, false});
+    list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline});
   }
   return list;
 }
@@ -94,20 +103,24 @@ void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look
 
 void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments) const {
   for (const MeshItem& item : items) {
-    const std::uint32_t rgba = pack(item.outline);
     const TriMesh& mesh = item.mesh->mesh();
     const std::vector<MeshEdge>& edges = item.mesh->edges();
-    const VisibleEdges visible = visible_edges(mesh, edges, item.X_WM.inverse() * camera.eye());
+    const dvec3 eye = item.X_WM.inverse() * camera.eye();
+    const VisibleEdges visible = visible_edges(mesh, edges, eye);
+    const std::uint32_t full = pack(item.outline);
+    const std::uint32_t dim = pack(glm::vec4(glm::vec3(item.outline), kSeenThrough * item.outline.a));
     Segments lines;
-    const auto add = [&](const std::vector<int>& numbers, float width) {
-      for (const int i : numbers) {
-        const MeshEdge& e = edges[static_cast<std::size_t>(i)];
-        lines.push_back(segment(mesh.vertices()[static_cast<std::size_t>(e.a)],
-                                mesh.vertices()[static_cast<std::size_t>(e.b)], width, rgba));
-      }
-    };
-    add(visible.creases, kCreaseWidth);
-    add(visible.outline, kOutlineWidth);
+    const auto vertex = [&](int v) { return mesh.vertices()[static_cast<std::size_t>(v)]; };
+    for (const int i : visible.creases) {
+      const MeshEdge& e = edges[static_cast<std::size_t>(i)];
+      lines.push_back(segment(vertex(e.a), vertex(e.b), kCreaseWidth, item.transparent != nullptr ? dim : full));
+    }
+    for (const int i : visible.outline) {
+      const MeshEdge& e = edges[static_cast<std::size_t>(i)];
+      const bool behind =
+          item.transparent != nullptr && lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b)));
+      lines.push_back(segment(vertex(e.a), vertex(e.b), kOutlineWidth, behind ? dim : full));
+    }
     segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
   }
 }

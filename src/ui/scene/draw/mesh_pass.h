@@ -13,9 +13,10 @@ namespace taxel::ui {
 struct MeshItem {
   GpuMesh* mesh = nullptr;
   Pose X_WM;
-  glm::vec3 albedo{0.5f};  ///< linear
-  glm::vec4 outline{0};    ///< sRGB
-  bool sensor = false;     ///< casts the sensors' shadow, so does not receive it
+  glm::vec3 albedo{0.5f};                  ///< linear
+  glm::vec4 outline{0};                    ///< sRGB
+  bool sensor = false;                     ///< casts the sensors' shadow, so does not receive it
+  const MeshIndex* transparent = nullptr;  ///< the skin itself where it is; null: solid
 };
 
 struct MeshList {

@@ -9,7 +9,9 @@ constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // of a sample of the s
 constexpr float kRingWidth = 1.6f, kSelectedRingWidth = 2.8f, kArrowWidth = 2.6f, kSelectedArrowWidth = 4.0f;
 constexpr double kArrowPart = 0.11;  // of the mesh's diagonal
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 bool contains(const std::vector<int>& values, int value) {
   return std::find(values.begin(), values.end(), value) != values.end();
@@ -69,7 +71,9 @@ void append_sample_normals(const SensorModel& model, double length, std::uint32_
   }
 }
 
-double taxel_arrow_length(const SensorModel& model) { return kArrowPart * model.mesh->bounds().diagonal(); }
+double taxel_arrow_length(const SensorModel& model) {
+  return kArrowPart * model.mesh->bounds().diagonal();
+}
 
 TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards, float size) {
   TaxelMarks out;

@@ -4,7 +4,8 @@ namespace taxel::ui {
 
 PointMark point_mark(const dvec3& position, const dvec3& normal, double size, std::uint32_t rgba) {
   PointMark mark{glm::vec3(position), {}, rgba};
-  for (int i = 0; i < 3; ++i) mark.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
+  for (int i = 0; i < 3; ++i)
+    mark.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
   mark.normal[3] = static_cast<std::int8_t>(std::lround(127 * std::clamp(size, 0.0, 1.0)));
   return mark;
 }

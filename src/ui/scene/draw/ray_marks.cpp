@@ -9,7 +9,9 @@ constexpr float kHitWidth = 1.1f, kMissWidth = 1.0f;
 
 /// Spreads ray numbers evenly over 32 bits, so that the rays below a power of two are a spread-out subset
 /// (Knuth 6.4, multiplicative hashing with the golden ratio).
-std::uint32_t spread(int ray) { return (static_cast<std::uint32_t>(ray) * 2654435769u) >> 8; }
+std::uint32_t spread(int ray) {
+  return (static_cast<std::uint32_t>(ray) * 2654435769u) >> 8;
+}
 
 /// Smallest power of two by which `count` rays must be thinned to stay below `most`, as a mask.
 std::uint32_t thinning_mask(int count, int most) {

@@ -23,7 +23,9 @@ using Segments = std::vector<Segment>;
 
 /// sRGB 0..1 with alpha as four bytes.
 std::uint32_t pack(const glm::vec4& rgba);
-inline std::uint32_t pack(const glm::vec3& rgb) { return pack(glm::vec4(rgb, 1)); }
+inline std::uint32_t pack(const glm::vec3& rgb) {
+  return pack(glm::vec4(rgb, 1));
+}
 
 inline Segment segment(const dvec3& a, const dvec3& b, float width, std::uint32_t rgba) {
   return {glm::vec3(a), width, glm::vec3(b), rgba};

@@ -9,16 +9,18 @@ namespace {
 // How far marks are drawn before the surface they lie on, in parts of their depth.
 constexpr float kOnSkin = 0.004f, kOnContact = 0.003f, kBeforeContact = 0.005f;
 constexpr float kHiddenDim = 0.28f, kHiddenRayDim = 0.55f;
-constexpr float kBeforeSkin = 0.02f;  // taxels, which stick out
-constexpr double kSamplePart = 0.5;  // of the distance between samples
-constexpr double kSmallestSample = 2.6, kLargestSample = 8.0;  // [pixel]
+constexpr float kBeforeSkin = 0.02f;                           // taxels, which stick out
+constexpr double kSamplePart = 0.5;                            // of the distance between samples
+constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
 constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f;
-constexpr double kForceScale = 0.012;   // [m/N]
-constexpr double kForceLongest = 0.8;   // of the mesh's diagonal
+constexpr double kForceScale = 0.012;  // [m/N]
+constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
-dvec3 eye_in(const SensorView& view, const Camera& camera) { return view.X_WM.inverse() * camera.eye(); }
+dvec3 eye_in(const SensorView& view, const Camera& camera) {
+  return view.X_WM.inverse() * camera.eye();
+}
 
 }  // namespace
 

@@ -14,8 +14,8 @@ class SensorMarks {
   explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read) {}
 
   /// Exact colours over the lit picture of `height` pixels; the frame's perspective must be bound.
-  void draw(const SceneInput& input, const Camera& camera, const Look& look, int height,
-            SegmentPass& segments, PointPass& points);
+  void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
+            PointPass& points);
 
  private:
   struct Scene {  // of one picture

@@ -29,8 +29,8 @@ void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba
 }
 
 void append_rim(const ContactSurface& surface, const PressureRange& range, Segments& out) {
-  constexpr double kLow = 0.05;    // of the largest pressure: edges below may belong to the rim
-  constexpr float kWidth = 1.6f;   // [pixel]
+  constexpr double kLow = 0.05;   // of the largest pressure: edges below may belong to the rim
+  constexpr float kWidth = 1.6f;  // [pixel]
   const double low = kLow * surface.max_pressure();
   const double scale = range.hi > range.lo ? 1.0 / (range.hi - range.lo) : 0.0;
   for (const ContactPolygon& polygon : surface.polygons) {
@@ -39,7 +39,8 @@ void append_rim(const ContactSurface& surface, const PressureRange& range, Segme
       const auto b = static_cast<std::size_t>(polygon.first + (i + 1 < polygon.count ? i + 1 : 0));
       if (surface.pressure[a] > low || surface.pressure[b] > low) continue;
       const double pressure = 0.5 * (surface.pressure[a] + surface.pressure[b]);
-      out.push_back(segment(surface.vertices[a], surface.vertices[b], kWidth, pack(viridis((pressure - range.lo) * scale))));
+      out.push_back(
+          segment(surface.vertices[a], surface.vertices[b], kWidth, pack(viridis((pressure - range.lo) * scale))));
     }
   }
 }

@@ -17,7 +17,7 @@ class TopView {
   void blur() const;
 
   void bind(GLuint unit) const { map_.bind(unit); }
-  [[nodiscard]] const glm::vec4& box() const { return box_; }  ///< low corner and size in P [m]; size 0: nothing
+  [[nodiscard]] const glm::vec4& box() const { return box_; }     ///< low corner and size in P [m]; size 0: nothing
   [[nodiscard]] const Aabb& casters() const { return casters_; }  ///< in P [m]
 
  private:

@@ -78,7 +78,8 @@ std::vector<RingPiece> field_ring(const TriMesh& mesh, const dvec3& center, doub
       if (!(to > from) || !t.contains(r * dvec2(std::cos(middle), std::sin(middle)))) continue;
       const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
       for (int k = 0; k < pieces; ++k) {
-        out.push_back({t.lift(from + (to - from) * k / pieces, r), t.lift(from + (to - from) * (k + 1) / pieces, r), f});
+        out.push_back(
+            {t.lift(from + (to - from) * k / pieces, r), t.lift(from + (to - from) * (k + 1) / pieces, r), f});
       }
     }
   }

@@ -5,7 +5,9 @@
 namespace taxel::ui {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -22,17 +24,16 @@ std::vector<MeshEdge> mesh_edges(const TriMesh& mesh, double crease_deg) {
       halves.push_back({a, b, f});
     }
   }
-  std::sort(halves.begin(), halves.end(), [](const Half& x, const Half& y) {
-    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
-  });
+  std::sort(halves.begin(), halves.end(),
+            [](const Half& x, const Half& y) { return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face); });
   const double smooth = std::cos(glm::radians(crease_deg));
   std::vector<MeshEdge> edges;
   for (std::size_t i = 0; i < halves.size();) {
     std::size_t end = i + 1;
     while (end < halves.size() && halves[end].a == halves[i].a && halves[end].b == halves[i].b) ++end;
     MeshEdge edge{halves[i].a, halves[i].b, halves[i].face, end - i > 1 ? halves[i + 1].face : -1, false};
-    edge.crease = end - i != 2 || glm::dot(mesh.face_normals()[at(edge.left)],
-                                           mesh.face_normals()[at(edge.right)]) < smooth;
+    edge.crease =
+        end - i != 2 || glm::dot(mesh.face_normals()[at(edge.left)], mesh.face_normals()[at(edge.right)]) < smooth;
     edges.push_back(edge);
     i = end;
   }

@@ -8,9 +8,9 @@
 namespace taxel::ui {
 
 struct MeshEdge {
-  int a = 0, b = 0;            ///< vertices, a < b
-  int left = -1, right = -1;   ///< faces; right is -1 at a border
-  bool crease = false;         ///< a border, or the faces meet at more than the crease angle
+  int a = 0, b = 0;           ///< vertices, a < b
+  int left = -1, right = -1;  ///< faces; right is -1 at a border
+  bool crease = false;        ///< a border, or the faces meet at more than the crease angle
 };
 
 /// Every edge once, ordered by (a, b). An edge of more than two faces keeps its first two and is a crease.
