@@ -1,0 +1,192 @@
+// The contact kernel behind plain C functions, so that Python can time it in the process that runs Drake. Poses are
+// seven numbers, x y z and the quaternion w x y z. A function that fails returns null or a negative number;
+// last_error() says why.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/hydro/hydro_body.h"
+#include "core/hydro/intersect.h"
+#include "core/hydro/traction.h"
+#include "core/mesh/mesh_io.h"
+#include "core/sensor/sensor_model.h"
+
+#define TAXEL_EXPORT __attribute__((visibility("default")))
+
+namespace {
+using namespace taxel;
+
+thread_local std::string error_text;
+
+struct Body {
+  HydroBodyPtr body;
+};
+
+/// Memory of one pair, kept from call to call as a simulation keeps it.
+struct Pair {
+  HydroBodyPtr a, b;
+  ContactSurface surface;
+  IntersectWorkspace workspace;
+};
+
+Pose pose_of(const double* v) {
+  return {dquat(v[3], v[4], v[5], v[6]), dvec3(v[0], v[1], v[2])};
+}
+
+template <class Make>
+Body* guarded(const Make& make) {
+  try {
+    return new Body{make()};
+  } catch (const std::exception& e) {
+    error_text = e.what();
+    return nullptr;
+  }
+}
+
+HydroBodyPtr soft_body(PressureFieldPtr field, double modulus) {
+  HydroBody body;
+  body.geometry = SoftBody{std::move(field)};
+  body.material.modulus = modulus;
+  body.name = "tets";
+  return std::make_shared<const HydroBody>(std::move(body));
+}
+
+/// Drake drops a polygon whose normal makes an angle of 5 pi/8 or more with the gradient of a body's pressure.
+constexpr double kDrakeFilterAngle = 5.0 * kPi / 8.0;
+
+const PressureField* field_of(const HydroBody& body) {
+  const auto* soft = std::get_if<SoftBody>(&body.geometry);
+  return soft == nullptr ? nullptr : soft->field.get();
+}
+
+/// Whether Drake's filter would drop this polygon because of A's field; the soft-soft surface has B's gradient only
+/// implicitly.
+bool drake_drops(const ContactPolygon& polygon, const PressureField& field_A) {
+  if (polygon.tet < 0) return false;
+  const dvec3 g = field_A.tets()[static_cast<std::size_t>(polygon.tet)].gradient;
+  return glm::dot(polygon.normal, g) <= std::cos(kDrakeFilterAngle) * glm::length(g);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// What one contact is, world frame; the force acts on A.
+struct TaxelContact {
+  double nanoseconds;  ///< of the fastest repetition
+  double polygons, area, max_pressure;
+  double force[3];
+  double centroid[3];  ///< of the area
+  double pressure_centroid[3];
+  double dropped_by_drake;  ///< polygons
+};
+
+TAXEL_EXPORT const char* taxel_last_error() {
+  return error_text.c_str();
+}
+
+/// Tets with a pressure at each vertex.
+TAXEL_EXPORT Body* taxel_tets(const double* vertices, int vertex_count, const int* tets, int tet_count,
+                              const double* pressure, double modulus) {
+  return guarded([&] {
+    std::vector<dvec3> x;
+    for (int i = 0; i < vertex_count; ++i) x.emplace_back(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+    std::vector<ivec4> t;
+    for (int i = 0; i < tet_count; ++i) t.emplace_back(tets[4 * i], tets[4 * i + 1], tets[4 * i + 2], tets[4 * i + 3]);
+    return soft_body(
+        std::make_shared<const PressureField>(std::move(x), std::move(t),
+                                              std::vector<double>(pressure, pressure + vertex_count), FieldReport{}),
+        modulus);
+  });
+}
+
+/// A primitive or, with type mesh, a file; modulus 0 is rigid.
+TAXEL_EXPORT Body* taxel_shape(int type, const double* size, const char* mesh_file, double resolution, int field,
+                               double modulus, double thickness) {
+  return guarded([&] {
+    Shape shape;
+    shape.type = static_cast<ShapeType>(type);
+    shape.size = dvec3(size[0], size[1], size[2]);
+    shape.resolution = resolution;
+    if (shape.type == ShapeType::mesh) shape.mesh = load_mesh(mesh_file).mesh;
+    Material material;
+    material.field = static_cast<FieldKind>(field);
+    material.modulus = modulus;
+    material.thickness = thickness;
+    return make_body(shape, material, "shape");
+  });
+}
+
+/// The soft body of a layout.
+TAXEL_EXPORT Body* taxel_layout(const char* file) {
+  return guarded([&] { return load_sensor_model(file)->body; });
+}
+
+TAXEL_EXPORT void taxel_free_body(Body* body) {
+  delete body;
+}
+
+/// Numbers of vertices and tets of a soft body; false for any other.
+TAXEL_EXPORT bool taxel_field_size(const Body* body, int* vertex_count, int* tet_count) {
+  const PressureField* field = field_of(*body->body);
+  if (field == nullptr) return false;
+  *vertex_count = static_cast<int>(field->vertices().size());
+  *tet_count = static_cast<int>(field->tets().size());
+  return true;
+}
+
+TAXEL_EXPORT void taxel_field(const Body* body, double* vertices, int* tets, double* pressure) {
+  const PressureField& field = *field_of(*body->body);
+  for (const dvec3& x : field.vertices()) {
+    for (int k = 0; k < 3; ++k) *vertices++ = x[k];
+  }
+  for (const Tet& tet : field.tets()) {
+    for (int k = 0; k < 4; ++k) *tets++ = tet.vertices[k];
+  }
+  std::copy(field.vertex_pressure().begin(), field.vertex_pressure().end(), pressure);
+}
+
+TAXEL_EXPORT Pair* taxel_pair(const Body* a, const Body* b) {
+  return new Pair{a->body, b->body, {}, {}};
+}
+
+TAXEL_EXPORT void taxel_free_pair(Pair* pair) {
+  delete pair;
+}
+
+/// The surface of a pair, computed `repeat` times. 0, or -1 where the kernel refuses the pair.
+TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* pose_b, int repeat, TaxelContact* out) {
+  const Pose X_WA = pose_of(pose_a), X_WB = pose_of(pose_b);
+  *out = {};
+  try {
+    for (int i = 0; i < repeat; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      intersect(*pair->a, *pair->b, X_WA, X_WB, pair->surface, pair->workspace);
+      const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+      out->nanoseconds = i == 0 ? time.count() : std::min(out->nanoseconds, time.count());
+    }
+  } catch (const std::exception& e) {
+    error_text = e.what();
+    return -1;
+  }
+  const ContactSurface& surface = pair->surface;
+  out->polygons = static_cast<double>(surface.polygons.size());
+  out->area = surface.area();
+  out->max_pressure = surface.max_pressure();
+  const PressureField* field = field_of(*pair->a);
+  dvec3 moment{0};
+  for (const ContactPolygon& polygon : surface.polygons) {
+    moment += polygon.area * polygon.centroid;
+    if (field != nullptr && drake_drops(polygon, *field)) out->dropped_by_drake += 1;
+  }
+  const auto write = [](const dvec3& v, double* to) { std::copy_n(&v[0], 3, to); };
+  if (surface.empty()) return 0;
+  write(X_WA.rotate(pressure_wrench(surface).force), out->force);
+  write(X_WA * (moment / out->area), out->centroid);
+  write(X_WA * pressure_centroid(surface), out->pressure_centroid);
+  return 0;
+}
+
+}  // extern "C"

@@ -1,0 +1,77 @@
+"""Our kernel, through the C functions of contact_library.cpp."""
+import ctypes
+import numpy as np
+
+SHAPES = ["plane", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "tets"]  # order of ShapeType
+FIELDS = ["pad", "medial_axis", "star", "tets"]  # order of FieldKind
+
+
+class Contact(ctypes.Structure):
+    _fields_ = [("nanoseconds", ctypes.c_double), ("polygons", ctypes.c_double), ("area", ctypes.c_double),
+                ("max_pressure", ctypes.c_double), ("force", ctypes.c_double * 3), ("centroid", ctypes.c_double * 3),
+                ("pressure_centroid", ctypes.c_double * 3), ("dropped_by_drake", ctypes.c_double)]
+
+
+class Refused(Exception):
+    """The kernel, or the maker of a body, says no; the message says why."""
+
+
+def _numbers(array, kind):
+    flat = np.ascontiguousarray(array, dtype=kind)
+    return flat, flat.ctypes.data_as(ctypes.c_void_p)
+
+
+class Library:
+    def __init__(self, path):
+        self.c = ctypes.CDLL(str(path))
+        pointer = ctypes.c_void_p
+        self.c.taxel_last_error.restype = ctypes.c_char_p
+        for name in ("taxel_tets", "taxel_shape", "taxel_layout", "taxel_pair"):
+            getattr(self.c, name).restype = pointer
+        self.c.taxel_field_size.restype = ctypes.c_bool
+
+    def _made(self, body):
+        if not body:
+            raise Refused(self.c.taxel_last_error().decode())
+        return ctypes.c_void_p(body)
+
+    def tets(self, vertices, tets, pressure, modulus):
+        x, x_at = _numbers(vertices, np.float64)
+        t, t_at = _numbers(tets, np.int32)
+        p, p_at = _numbers(pressure, np.float64)
+        return self._made(self.c.taxel_tets(x_at, len(vertices), t_at, len(tets), p_at, ctypes.c_double(modulus)))
+
+    def shape(self, kind, size=(), file="", resolution=0.0, field="medial_axis", modulus=0.0, thickness=0.0):
+        _, size_at = _numbers(list(size) + [0.0] * (3 - len(size)), np.float64)
+        number = ctypes.c_double
+        return self._made(self.c.taxel_shape(SHAPES.index(kind), size_at, str(file).encode(), number(resolution),
+                                             FIELDS.index(field), number(modulus), number(thickness)))
+
+    def layout(self, file):
+        return self._made(self.c.taxel_layout(str(file).encode()))
+
+    def field(self, body):
+        """Vertices (n, 3), tets (m, 4) and pressures (n) of a soft body."""
+        n, m = ctypes.c_int(), ctypes.c_int()
+        if not self.c.taxel_field_size(body, ctypes.byref(n), ctypes.byref(m)):
+            raise Refused("no tets: not a soft body")
+        x, t, p = np.empty((n.value, 3)), np.empty((m.value, 4), dtype=np.int32), np.empty(n.value)
+        self.c.taxel_field(body, *(a.ctypes.data_as(ctypes.c_void_p) for a in (x, t, p)))
+        return x, t, p
+
+    def pair(self, a, b):
+        return Pair(self, ctypes.c_void_p(self.c.taxel_pair(a, b)))
+
+
+class Pair:
+    def __init__(self, library, handle):
+        self.library, self.handle = library, handle
+
+    def contact(self, X_WA, X_WB, repeat=1):
+        """Poses are 7 numbers, x y z w x y z. The time is that of the fastest repetition, measured in C++."""
+        out = Contact()
+        a, a_at = _numbers(X_WA, np.float64)
+        b, b_at = _numbers(X_WB, np.float64)
+        if self.library.c.taxel_contact(self.handle, a_at, b_at, repeat, ctypes.byref(out)) != 0:
+            raise Refused(self.library.c.taxel_last_error().decode())
+        return out
