@@ -16,6 +16,7 @@ TEST(Help, EveryCommandShowsUnitsAndAnExample) {
     const Outcome outcome = taxel({command, "--help"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.out.find("\nExample: taxel " + std::string(command)), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\nUsage: taxel " + std::string(command) + " "), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err, "");
   }
   const std::string sweep = taxel({"sweep", "--help"}).out;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/version.h"
+#include "app/version/version.h"
 #include "core/base/error.h"
 
 namespace {
@@ -28,7 +28,7 @@ std::string usage_message(const CLI::App& app, const CLI::App& program, const CL
 int run(int argc, char** argv) {
   CLI::App app("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
                "taxel");
-  app.set_version_flag("--version", version_line());
+  app.set_version_flag("--version", version_line("taxel"));
   app.require_subcommand(1);
   app.footer(
       "`taxel COMMAND --help` shows a command's options, units and an example.\n"
@@ -46,7 +46,7 @@ int run(int argc, char** argv) {
     Console(common).result(chosen() == commands.end() ? app.help() : chosen()->app->help("taxel"));
     return kDone;
   } catch (const CLI::CallForVersion&) {
-    Console(common).result(version_line() + "\n");
+    Console(common).result(version_line("taxel") + "\n");
     return kDone;
   } catch (const CLI::ParseError& e) {
     if (chosen() == commands.end()) throw Error(usage_message(app, app, e));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/recorder.h"
-#include "app/cli/version.h"
+#include "app/version/version.h"
 #include "core/project/recording/summary.h"
 #include "core/project/scenario.h"
 #include "core/sensor/sensor_model.h"

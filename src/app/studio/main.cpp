@@ -8,6 +8,7 @@
 
 #include "app/studio/options.h"
 #include "app/studio/studio.h"
+#include "app/version/version.h"
 #include "ui/keymap.h"
 
 int main(int argc, char** argv) {
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
   if (parsed.exit_status) return *parsed.exit_status;
   const taxel::studio::Options& options = parsed.options;
   if (options.version) {
-    fmt::print("taxelstudio {} (Dear ImGui {}, ImPlot {})\n", TAXEL_VERSION, IMGUI_VERSION, IMPLOT_VERSION);
+    fmt::print("{}, Dear ImGui {}, ImPlot {}\n", taxel::version_line("taxelstudio"), IMGUI_VERSION, IMPLOT_VERSION);
     return 0;
   }
   if (options.list_bindings) {

@@ -47,7 +47,7 @@ ParsedOptions parse_options(int argc, char** argv) {
   app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");
-  app.add_flag("--version", o.version, "Print the version");
+  app.add_flag("--version", o.version, "Print the version, the commit and the libraries' versions");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/studio/settings.h"
+#include "app/version/version.h"
 #include "core/base/files.h"
 #include "ui/panels/interface.h"
 #include "ui/panels/messages.h"
@@ -72,7 +73,7 @@ Studio::Studio(const Options& options) : options_(options), session_(options.by_
   ui_.cameras[0].azimuth_deg = kLayoutAzimuthDeg;
   ui_.cameras[1].azimuth_deg = kAzimuthDeg;
   ui_.range.hi = kLeastRange;
-  input_.version = TAXEL_VERSION;
+  input_.version = versions().taxel;
   session_.open(options.file);
   last_picture_at_ = pace_window_at_ = Clock::now();
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 
 #include "studio_program.h"
 #include "ui/keymap.h"
@@ -32,6 +33,19 @@ TEST(Options, BadUsageIsOneLineAndTwo) {
     EXPECT_EQ(outcome.status, 2) << arguments.back();
     EXPECT_EQ(outcome.err.rfind("taxelstudio: ", 0), 0U) << outcome.err;
   }
+}
+
+TEST(Options, VersionNamesCommitAndMuJoCo) {
+  const StudioProgram studio;
+  const Outcome outcome = run_program(STUDIO_PROGRAM, {"--version"}, studio.folder());
+  EXPECT_EQ(outcome.status, 0);
+  const std::regex line(
+      R"(taxelstudio \d+\.\d+\.\d+, commit ([0-9a-f]{12}(-dirty)?|unknown), MuJoCo \d+\.\d+\.\d+, Dear ImGui .+\n)");
+  EXPECT_TRUE(std::regex_match(outcome.out, line)) << outcome.out;
+#ifdef TAXEL_PROGRAM
+  const std::string other = run_program(TAXEL_PROGRAM, {"--version"}, studio.folder()).out;
+  EXPECT_EQ(outcome.out.substr(12, outcome.out.find(", Dear") - 12), other.substr(6, other.size() - 7)) << "one build";
+#endif
 }
 
 TEST(Options, ScreenshotAndStateWithoutAScript) {

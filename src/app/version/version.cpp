@@ -1,9 +1,9 @@
-#include "app/cli/version.h"
+#include "app/version/version.h"
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
-namespace taxel::cli {
+namespace taxel {
 
 extern const char* const kGitCommit;  // written at build time
 
@@ -11,9 +11,9 @@ Versions versions() {
   return {TAXEL_VERSION, kGitCommit, mj_versionString()};
 }
 
-std::string version_line() {
+std::string version_line(const std::string& program) {
   const Versions v = versions();
-  return fmt::format("taxel {}, commit {}, MuJoCo {}", v.taxel, v.commit, v.mujoco);
+  return fmt::format("{} {}, commit {}, MuJoCo {}", program, v.taxel, v.commit, v.mujoco);
 }
 
-}  // namespace taxel::cli
+}  // namespace taxel

@@ -1,9 +1,9 @@
-// Which program this is: its version, the commit it was built from, the MuJoCo it runs with.
+// Which build this is: its version, the commit it was built from, the MuJoCo it runs with. For every program alike.
 #pragma once
 
 #include <string>
 
-namespace taxel::cli {
+namespace taxel {
 
 struct Versions {
   std::string taxel;  ///< "0.1.0"
@@ -14,6 +14,6 @@ struct Versions {
 Versions versions();
 
 /// One line: "taxel 0.1.0, commit 8d066bf12345, MuJoCo 4.0.1".
-std::string version_line();
+std::string version_line(const std::string& program);
 
-}  // namespace taxel::cli
+}  // namespace taxel
