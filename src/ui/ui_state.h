@@ -182,7 +182,7 @@ struct UiState {
 struct Performance {
   double fps = 0;               ///< pictures per second while the picture changes
   double simulation_speed = 0;  ///< multiples of real time
-  double step_seconds = 0;      ///< wall time of one simulation step; 0: unknown
+  double step_seconds = 0;      ///< mean wall time of one of the latest simulation steps [s]; 0: unknown
   bool by_clock = true;         ///< false: frames follow a script, and rates mean nothing
 };
 

@@ -1,8 +1,8 @@
 // `taxel run` on scenes that are not ours: a layout attached to a geom, and two sensors that a scene declares.
 #include <algorithm>
-#include <sstream>
 
 #include "cli/taxel_program.h"
+#include "fixtures/finger_scene_xml.h"
 
 namespace taxel::test {
 namespace {
@@ -17,29 +17,10 @@ fs::path folder_with_layout() {
   return folder;
 }
 
-/// A finger lying pad down, pressed 1 mm into a plane; its skin reaches from 7.1 mm below to 8.4 mm above its axis.
-std::string finger_body(const std::string& name, double x) {
-  std::ostringstream xml;
-  xml << "<body pos=\"" << x << " 0 0.0061\" quat=\"0.70710678 0.70710678 0 0\"><geom name=\"" << name
-      << "\" type=\"mesh\" mesh=\"tip\" contype=\"0\" conaffinity=\"0\"/></body>";
-  return xml.str();
-}
-
-std::string scene(const std::string& extension, const std::string& bodies, const std::string& sensors) {
-  return "<mujoco>" + extension + "<asset><mesh name=\"tip\" file=\"fingertip.obj\"/></asset><worldbody>" +
-         "<geom name=\"floor\" type=\"plane\" size=\"1 1 0.1\"/>" + bodies + "</worldbody>" + sensors + "</mujoco>";
-}
-
 TEST(Run, AttachesALayoutToAGeom) {
   const fs::path folder = folder_with_layout();
-  // contype 1 against the plane: the sensor touches what its geom would collide with
-  std::string xml = scene("", finger_body("tip", 0), "");
-  const auto swap = [&](const std::string& from, const std::string& to) {
-    xml.replace(xml.find(from), from.size(), to);
-  };
-  swap("contype=\"0\" conaffinity=\"0\"", "contype=\"1\" conaffinity=\"1\"");
-  swap("<geom name=\"tip\"", "<freejoint/><geom name=\"tip\"");
-  write_text(folder / "scene.xml", xml);
+  // the plane would collide with the finger: that is what the sensor touches
+  write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));
   const Json run = taxel_json(
       {"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "tip", "--seconds", "0.01", "--out", "out"},
       folder);
@@ -61,18 +42,8 @@ TEST(Run, AttachesALayoutToAGeom) {
 
 TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {
   const fs::path folder = folder_with_layout();
-  const auto instance = [](const std::string& geom) {
-    return "<instance name=\"" + geom +
-           "\"><config key=\"layout\" value=\"changed.taxels.json\"/><config key=\"geom\" value=\"" + geom +
-           "\"/><config key=\"others\" value=\"floor\"/></instance>";
-  };
-  const auto sensor = [](const std::string& geom) {
-    return "<plugin plugin=\"taxel.sensor\" instance=\"" + geom + "\"/>";
-  };
-  write_text(folder / "scene.xml", scene("<extension><plugin plugin=\"taxel.sensor\">" + instance("thumb") +
-                                             instance("index") + "</plugin></extension>",
-                                         finger_body("thumb", 0) + finger_body("index", 0.1),
-                                         "<sensor>" + sensor("thumb") + sensor("index") + "</sensor>"));
+  write_text(folder / "scene.xml", finger_scene(finger_body("thumb", 0) + finger_body("index", 0.1), {"thumb", "index"},
+                                                "changed.taxels.json"));
   const Json run = taxel_json({"run", (folder / "scene.xml").string(), "--seconds", "0.004", "--out", "out"}, folder);
   EXPECT_EQ(run["sensors"].size(), 2U);
   const Table table = read_csv(folder / "out" / "readings.csv");
@@ -84,6 +55,19 @@ TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {
   const auto arrays = parse_npz(file_text(folder / "out" / "readings.npz"));
   EXPECT_EQ(arrays.at("sensor_geoms").texts(), (std::vector<std::string>{"thumb", "index"}));
   EXPECT_EQ(arrays.at("index/readings").shape, (std::vector<std::size_t>{table.at("time").size(), 12}));
+}
+
+TEST(Run, WarnsOnceOfWhatTheSensorSees) {
+  const fs::path folder = folder_with_layout();
+  write_text(folder / "scene.xml",
+             finger_scene(finger_body("thumb", 0, true, "<freejoint/>") + finger_body("index", 0.1), {"thumb", "index"},
+                          "changed.taxels.json"));
+  const Outcome run = taxel({"run", "scene.xml", "--seconds", "0.02"}, folder);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err,
+            "taxel: warning: sensor \"thumb\": MuJoCo's own contact of geoms \"thumb\" and \"floor\" acts as well: "
+            "exclude the pair, or set contype and conaffinity to 0 and name the geom in \"others\"\n");
+  EXPECT_EQ(taxel({"run", "scene.xml", "--seconds", "0.02", "--quiet"}, folder).err, "");
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/error.h"
+
 namespace taxel::cli {
 
 /// Options that every command has.
@@ -25,14 +27,18 @@ class Console {
   /// A line for stderr; --quiet drops it.
   void note(const std::string& message);
   void warn(const std::string& message);
+  /// Notes and warnings that are not worth stopping for.
+  void tell(const Problems& problems);
   /// How far a long work is, in [0, 1]: a bar, only on a terminal. 1 clears it.
   void progress(double fraction);
 
  private:
+  void clear_bar();
+
   CommonOptions options_;
   spdlog::logger log_;
   bool terminal_ = false;
-  int shown_percent_ = -1;
+  int shown_percent_ = -1;  ///< of the bar that stands on the terminal; -1: none
 };
 
 /// The one line that ends a failed run: "taxel: ..." on stderr.

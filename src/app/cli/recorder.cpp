@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <set>
 
 #include "core/layout/layout_json.h"
 
@@ -48,6 +49,22 @@ RecordedRow take_row(const Simulator& simulator, std::int64_t step, SimFrame& fr
   return recorded;
 }
 
+/// What the sensors have to say, as soon as they know it, each once.
+class WarningsOfSensors {
+ public:
+  WarningsOfSensors(const Simulator& simulator, Console& console) : simulator_(simulator), console_(console) { tell(); }
+  void tell() {
+    for (std::string& text : simulator_.warnings()) {
+      if (const auto [at, fresh] = told_.insert(std::move(text)); fresh) console_.warn(*at);
+    }
+  }
+
+ private:
+  const Simulator& simulator_;
+  Console& console_;
+  std::set<std::string> told_;
+};
+
 }  // namespace
 
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost) {
@@ -56,10 +73,12 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   const double limit = seconds > 0 ? seconds : scene.duration;
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
   SimFrame frame;
+  WarningsOfSensors warnings(simulator, console);
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   for (long step = 0; step != last && !simulator.finished(); ++step) {
     simulator.step();
+    warnings.tell();
     recording.mocap.push_back({simulator.mocap_quat(), simulator.mocap_pos()});
     if (simulator.row_due()) recording.rows.push_back(take_row(simulator, step, frame));
     cost.steps = step + 1;

@@ -29,6 +29,7 @@ int run(const Options& options, Console& console) {
   if (scene.sensors.empty()) {
     throw Error(options.scene, "declares no taxel.sensor; attach a layout with --layout and --geom");
   }
+  for (const SensorModelPtr& model : scene.sensors) console.tell(model->problems);
   RunCost cost;
   const Recording recording = record(*simulator, options.seconds, console, cost);
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();
@@ -59,8 +60,10 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
       ->check(positive())
       ->capture_default_str()
       ->type_name("S");
-  app->add_option("--out", options->out,
-                  "Folder for readings.csv, readings.npz, sweep.json, scene.xml with its meshes and layouts")
+  app->add_option(
+         "--out", options->out,
+         "Folder for the files that `taxel sweep` writes: readings.csv, readings.npz, sweep.json (here: scene, seeds, "
+         "versions), scene.xml with its meshes and layouts")
       ->type_name("DIR");
   return {app, [options](Console& console) { return run(*options, console); }};
 }

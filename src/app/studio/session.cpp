@@ -112,7 +112,8 @@ void Session::step_once() {
 
 void Session::reset() {
   if (!frame_) return;
-  simulation_.send(ResetCommand{});
+  simulation_.send(ResetCommand{});  // which pauses
+  playing_ = false;
   unspent_ = 0;
   if (by_clock_ || frame_->step == 0) return;
   settle([](const SimFrame& frame) { return frame.step == 0 || !frame.error.empty(); });
@@ -183,10 +184,18 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   if (answers) pending_.reset();
   const bool stands = frame->scene && frame->scene->timestep > 0;
   if (!stands || frame->loads < least_load_) return;
+  tell_warnings(*frame, news);
   note_pressures(*frame);
   if (frame->finished) playing_ = false;
   frame_ = std::move(frame);
   news.new_frame = true;
+}
+
+/// What the sensors found out about the scene since the frame before.
+void Session::tell_warnings(const SimFrame& frame, SessionNews& news) {
+  for (const std::string& warning : frame.warnings) {
+    if (warned_.insert(warning).second) news.messages.emplace_back(Severity::warning, warning);
+  }
 }
 
 void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
@@ -197,6 +206,7 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   sweep_ = pending.sweep;
   scenario_ = pending.sweep ? pending.scenario : scenario_;
   simulates_document_ = true;
+  warned_.clear();
   unspent_ = 0;
   news.opened = ui::Mode::simulate;
   news.opened_file = document_->file;

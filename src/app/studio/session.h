@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,7 @@ class Session {
   void accept_document(Document document, SessionNews& news);
   void accept_frame(SimFramePtr frame, SessionNews& news);
   void accept_pending(const SimFrame& frame, SessionNews& news);
+  void tell_warnings(const SimFrame& frame, SessionNews& news);
   void build_scene(Pending pending);
   void drop_scene();
   void note_pressures(const SimFrame& frame);
@@ -90,6 +92,7 @@ class Session {
   std::vector<double> peaks_;  ///< of all sensors, one after the other [Pa]
   std::size_t rows_seen_ = 0;
   std::string last_error_;
+  std::set<std::string> warned_;  ///< warnings of the scene that were told
 };
 
 }  // namespace taxel::studio

@@ -201,7 +201,8 @@ Json pace_json(const ui::UiInput& input, const Pace& pace) {
           {"frames_per_second", pace.seconds > 0 ? pace.pictures / pace.seconds : 0.0},
           {"worst_seconds", pace.worst_seconds},
           {"scene_draws", pace.scene_draws},
-          {"simulation_speed", input.performance.simulation_speed}};
+          {"simulation_speed", input.performance.simulation_speed},
+          {"step_seconds", input.performance.step_seconds}};
 }
 
 }  // namespace

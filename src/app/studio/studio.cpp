@@ -207,6 +207,7 @@ void Studio::draw_picture(double seconds) {
   session_.fill(input_, ui_.selection.sensor);
   input_.performance.by_clock = options_.by_clock();
   input_.performance.simulation_speed = input_.frame ? input_.frame->measured_speed : 0.0;
+  input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
   draw_contents();
   carry_out_requests();
   const Clock::time_point now = Clock::now();

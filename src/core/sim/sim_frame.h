@@ -61,9 +61,11 @@ struct SimFrame {
   std::vector<Pose> geom_poses;  ///< X_WG parallel to scene->geoms
   std::vector<SensorFrameState> sensors;
   std::shared_ptr<const std::vector<TraceRow>>
-      trace;                ///< all rows so far (copied when a row is added, at most 30 times a second)
-  std::uint64_t loads = 0;  ///< scenes asked for so far, whether built or refused
-  std::string error;        ///< why the simulation stopped, or the last scene was refused; empty: fine
+      trace;                          ///< all rows so far (copied when a row is added, at most 30 times a second)
+  std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()
+  double step_seconds = 0;            ///< mean wall time of one of the latest steps [s]; 0: none was made
+  std::uint64_t loads = 0;            ///< scenes asked for so far, whether built or refused
+  std::string error;                  ///< why the simulation stopped, or the last scene was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

@@ -11,6 +11,7 @@
 #include "core/base/mailbox.h"
 #include "core/sim/pacing.h"
 #include "core/sim/simulator.h"
+#include "core/sim/step_time.h"
 
 namespace taxel {
 namespace {
@@ -48,6 +49,7 @@ struct SimThread::Impl {
   std::uint64_t loads = 0;
   std::vector<TraceRow> rows;
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
+  StepTime step_time;
   double last_frame = 0, last_trace = 0;
   bool changed = true;  // something to show since the last frame
 
@@ -136,7 +138,9 @@ bool SimThread::Impl::step_once() {
     return false;
   }
   try {
+    const Clock::time_point begin = Clock::now();
     simulator->step();
+    step_time.add(Clock::now() - begin);
   } catch (const std::exception& e) {
     error = e.what();
     set_playing(false);
@@ -172,6 +176,7 @@ void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& ma
   refused.clear();
   error.clear();
   rows.clear();
+  step_time = {};
   pacing.restart(seconds_since_epoch(), speed);
 }
 
@@ -216,12 +221,14 @@ void SimThread::Impl::publish(bool even_if_recent) {
   const auto frame = std::make_shared<SimFrame>();
   if (simulator != nullptr) {
     simulator->fill_frame(*frame);
+    frame->warnings = simulator->warnings();
   } else {
     frame->scene = std::make_shared<const SimScene>();
   }
   frame->playing = playing;
   frame->speed = speed;
   frame->measured_speed = playing ? pacing.measured_speed(now) : 0.0;
+  frame->step_seconds = step_time.mean_seconds();
   frame->trace = trace;
   frame->loads = loads;
   frame->error = error.empty() ? refused : error;

@@ -15,34 +15,38 @@ namespace taxel::ui {
 
 namespace {
 
-void item(const char* name, const std::string& value) {
+void item(UiState& ui, const char* name, const std::string& value) {
+  ImGui::BeginGroup();
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(0, 5);
   ImGui::TextUnformatted(value.c_str());
+  ImGui::EndGroup();
+  ui.widgets.note_item(fmt::format("{} {}", name, value));
   ImGui::SameLine(0, 1.3f * ImGui::GetFontSize());
 }
 
-void draw_rates(const UiInput& input) {
+/// Rates of the clock stay out of pictures that follow a script: those are the same every time.
+void draw_rates(UiState& ui, const UiInput& input) {
   const Performance& p = input.performance;
-  if (!p.by_clock) {
-    item("offscreen", "frame by frame");
+  if (p.by_clock) {
+    item(ui, "fps", fmt::format("{:.0f}", p.fps));
   } else {
-    item("fps", fmt::format("{:.0f}", p.fps));
-    item("speed", fmt::format("{:.2f} x real time", p.simulation_speed));
+    item(ui, "offscreen", "frame by frame");
   }
-  if (p.by_clock && p.step_seconds > 0) item("step", fmt::format("{:.2f} ms", 1e3 * p.step_seconds));
+  if (const std::string pace = pace_text(input); !pace.empty()) item(ui, "simulation", pace);
+  if (p.by_clock && p.step_seconds > 0) item(ui, "step", duration_text(p.step_seconds));
 }
 
-void draw_contact(const UiState& ui, const UiInput& input) {
+void draw_contact(UiState& ui, const UiInput& input) {
   if (!input.frame) return;
-  item("time", fmt::format("{:.3f} s", input.frame->time));
-  if (input.sweep) item("travel", in_mm(input.frame->travel, 1));
+  item(ui, "time", fmt::format("{:.3f} s", input.frame->time));
+  if (input.sweep) item(ui, "travel", in_mm(input.frame->travel, 1));
   const SensorFrameState* sensor = input.sensor(ui);
   if (sensor == nullptr) return;
   std::size_t polygons = 0;
   for (const ContactSurface& surface : sensor->surfaces) polygons += surface.polygons.size();
-  item("force", fmt::format("{:.3f} N", glm::length(sensor->force_W)));
-  item("polygons", grouped(static_cast<long long>(polygons)));
+  item(ui, "force", fmt::format("{:.3f} N", glm::length(sensor->force_W)));
+  item(ui, "polygons", grouped(static_cast<long long>(polygons)));
 }
 
 /// Counters at the right end; a click opens the list.
@@ -69,6 +73,13 @@ void draw_message_counter(UiState& ui, const UiInput& input) {
 
 }  // namespace
 
+std::string pace_text(const UiInput& input) {
+  if (!input.frame || !input.frame->scene) return "";
+  if (input.frame->finished) return "ended";
+  if (!input.playing) return "paused";
+  return input.performance.by_clock ? fmt::format("{:.2f} x real time", input.performance.simulation_speed) : "";
+}
+
 void draw_status_line(UiState& ui, const UiInput& input) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 3));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).background);
@@ -76,7 +87,7 @@ void draw_status_line(UiState& ui, const UiInput& input) {
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
   if (ImGui::BeginViewportSideBar("Status", ImGui::GetMainViewport(), ImGuiDir_Down, height, kFlags)) {
-    draw_rates(input);
+    draw_rates(ui, input);
     draw_contact(ui, input);
     draw_message_counter(ui, input);
   }

@@ -21,6 +21,12 @@ std::string in_mm2(double square_metres) {
   return fmt::format("{:.{}f} mm\u00b2", 1e6 * square_metres, square_metres < 1e-4 ? 2 : 0);
 }
 
+std::string duration_text(double seconds) {
+  constexpr double kMillisecond = 1e-3;  // [s]
+  if (seconds < 0.9995 * kMillisecond) return fmt::format("{:.0f} \u00b5s", 1e6 * seconds);
+  return fmt::format("{:.2f} ms", 1e3 * seconds);
+}
+
 std::string in_kpa(double pascals) {
   return fmt::format("{:.2f} kPa", 1e-3 * pascals);
 }

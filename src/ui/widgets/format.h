@@ -10,6 +10,7 @@ namespace taxel::ui {
 std::string in_mm(double metres, int digits = 2);        ///< "6.00 mm"
 std::string in_mm(const dvec3& metres, int digits = 2);  ///< "1.00, 2.00, 3.00 mm"
 std::string in_mm2(double square_metres);                ///< "94.2 mm\u00b2"; large areas in cm\u00b2
+std::string duration_text(double seconds);               ///< "312 \u00b5s", "1.24 ms": of a step
 std::string in_kpa(double pascals);                      ///< "12.34 kPa"; four significant digits at most
 std::string kpa_number(double pascals);                  ///< "12.3": short, for bars
 std::string grouped(long long count);                    ///< "12 345"

@@ -118,6 +118,13 @@ TEST(RealWindow, DrawsTheSweepByTheClock) {
   EXPECT_GT(state["simulation"]["time"], 0.1);
   EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "settings.json"));
   EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "window.ini"));
+  // the status line shows how fast it goes (a slow machine draws 60 pictures beyond the sweep's end) and what a step
+  // costs
+  const std::string widgets = state["widgets"].dump();
+  EXPECT_TRUE(std::regex_search(widgets, std::regex(R"x("simulation (\d+\.\d\d x real time|ended)")x"))) << widgets;
+  EXPECT_TRUE(std::regex_search(widgets, std::regex(R"x("step (\d+ µs|\d+\.\d\d ms)")x"))) << widgets;
+  EXPECT_GT(state["pace"]["step_seconds"], 1e-6);
+  EXPECT_LT(state["pace"]["step_seconds"], 1.0);
   std::printf("%.1f pictures per second in a real window\n", state["pace"]["frames_per_second"].get<double>());
 }
 

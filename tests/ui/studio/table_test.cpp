@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ui/keymap.h"
+#include "ui/panels/status_line.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/widget_registry.h"
@@ -73,6 +74,28 @@ TEST(Format, NumbersAsPeopleReadThem) {
   EXPECT_EQ(kpa_number(9996), "10.0");
   EXPECT_EQ(kpa_number(123456), "123");
   EXPECT_EQ(in_mm(0.0061), "6.10 mm");
+  EXPECT_EQ(duration_text(312.4e-6), "312 \u00b5s");
+  EXPECT_EQ(duration_text(0.9996e-3), "1.00 ms");
+  EXPECT_EQ(duration_text(0.01234), "12.34 ms");
+}
+
+TEST(Status, PaceIsShownOnlyWhileTheSimulationMoves) {
+  UiInput input;
+  input.playing = true;
+  input.performance.simulation_speed = 0.984;
+  EXPECT_EQ(pace_text(input), "") << "no simulation";
+  SimFrame frame;
+  frame.scene = std::make_shared<const SimScene>();
+  input.frame = std::make_shared<const SimFrame>(frame);
+  EXPECT_EQ(pace_text(input), "0.98 x real time");
+  input.performance.by_clock = false;
+  EXPECT_EQ(pace_text(input), "") << "a script sets the pace";
+  input.performance.by_clock = true;
+  input.playing = false;
+  EXPECT_EQ(pace_text(input), "paused");
+  frame.finished = true;
+  input.frame = std::make_shared<const SimFrame>(frame);
+  EXPECT_EQ(pace_text(input), "ended");
 }
 
 TEST(Widgets, TheOneOnTopIsFound) {

@@ -9,6 +9,7 @@
 
 #include "core/sim/pacing.h"
 #include "core/sim/simulator.h"
+#include "core/sim/step_time.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
@@ -45,6 +46,8 @@ TEST_F(Thread, StepsExactlyWhenTold) {
   const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.step == 1300; });
   ASSERT_NE(frame, nullptr);
   EXPECT_TRUE(frame->playing);
+  EXPECT_GT(frame->step_seconds, 1e-6);
+  EXPECT_LT(frame->step_seconds, 1.0);
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock goes on, the simulation does not
   // the same as the plain loop
@@ -141,6 +144,18 @@ TEST_F(Thread, NobodyReadingTheFramesDoesNotStopIt) {
   const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return !f.playing; });
   ASSERT_NE(frame, nullptr);
   EXPECT_GT(frame->step, 20u);
+}
+
+TEST(StepTime, IsTheMeanOfTheLatestSteps) {
+  StepTime time;
+  EXPECT_EQ(time.mean_seconds(), 0);
+  time.add(1ms);
+  time.add(2ms);
+  EXPECT_DOUBLE_EQ(time.mean_seconds(), 1.5e-3);
+  for (int n = 0; n < 1000; ++n) time.add(5ms);
+  EXPECT_DOUBLE_EQ(time.mean_seconds(), 5e-3) << "what lies further back is forgotten";
+  time.add(5ms + 256us);
+  EXPECT_DOUBLE_EQ(time.mean_seconds(), 5.001e-3);
 }
 
 TEST(Pacing, AsksForAStepWhenItIsDueAndForgivesWhatCannotBeCaughtUp) {
