@@ -84,6 +84,37 @@ TEST(Samples, TablesAgree) {
                   *load_mesh(fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/fingertip.obj").mesh);
 }
 
+/// In the file a triangle without area and a cavity come before the skin: neither is sensed, both are counted.
+TEST(Samples, FacesAreNumberedAsInTheFile) {
+  const fs::path folder = test_folder();
+  const double half = 0.01;
+  write_text(folder / "hollow.obj", box_obj(0.004, 1, false) + "f 1 1 2\n" + box_obj(half, 9, true));
+  Json layout = Json::parse(file_text(fingertip_layout()));
+  Json taxel = layout["taxels"][0];
+  taxel["center"] = {0, 0, half};
+  taxel["normal"] = {0, 0, 1};
+  layout["mesh"] = {{"file", "hollow.obj"}};
+  layout["taxels"] = Json::array({taxel});
+  write_text(folder / "hollow.taxels.json", layout.dump());
+  const Json summary = taxel_json({"samples", "hollow.taxels.json", "--quiet", "--out", "f.csv"}, folder);
+  EXPECT_NEAR(summary["area"].get<double>(), 24 * half * half, 1e-12) << "the skin alone";
+  const Table f = read_csv(folder / "f.csv");
+  std::set<int> faces;
+  for (std::size_t i = 0; i < f.at("x").size(); ++i) {
+    // two triangles on each side, in the order of box_obj: -z, +z, -y, +y, -x, +x
+    const int face = static_cast<int>(f.at("face")[i]), side = (face - 13) / 2;
+    ASSERT_GE(face, 13) << "12 of the cavity and one without area come first";
+    ASSERT_LT(face, 25);
+    faces.insert(face);
+    const char* normal = side < 2 ? "nz" : side < 4 ? "ny" : "nx";
+    const char* position = side < 2 ? "z" : side < 4 ? "y" : "x";
+    const double sign = side % 2 == 0 ? -1 : 1;
+    EXPECT_NEAR(f.at(normal)[i], sign, 1e-12) << "face " << face;
+    EXPECT_NEAR(f.at(position)[i], sign * half, 1e-12) << "face " << face;
+  }
+  EXPECT_EQ(faces.size(), 12U);
+}
+
 TEST(Samples, NoneLiesInTheCavityOfTheRealMesh) {
   SKIP_WITHOUT_REAL_DATA();
   const fs::path folder = test_folder();

@@ -62,6 +62,17 @@ fs::path changed_layout(const fs::path& folder, const Json& patch) {
   return path;
 }
 
+std::string box_obj(double half, int first, bool outward) {
+  std::ostringstream obj;
+  for (int c = 0; c < 8; ++c)
+    obj << "v " << (c & 1 ? half : -half) << ' ' << (c & 2 ? half : -half) << ' ' << (c & 4 ? half : -half) << '\n';
+  const int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                            {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (const auto& f : faces)
+    obj << "f " << f[0] + first << ' ' << f[outward ? 1 : 2] + first << ' ' << f[outward ? 2 : 1] + first << '\n';
+  return obj.str();
+}
+
 Table read_csv(const fs::path& path) {
   std::istringstream in(file_text(path));
   std::string line, field;

@@ -31,6 +31,11 @@ void expect_refusal(const Outcome& outcome, const std::string& line);
 std::filesystem::path fingertip_layout();
 std::filesystem::path changed_layout(const std::filesystem::path& folder, const Json& patch);
 
+/// OBJ text of a box of half size `half` whose first corner is the file's vertex `first` (from 1): two triangles on
+/// each side, in the order -z, +z, -y, +y, -x, +x, facing outward, or inward as the wall of a cavity. Corner 1 + 2
+/// bits: the corner at +x has bit 0 set, at +y bit 1, at +z bit 2.
+std::string box_obj(double half, int first = 1, bool outward = true);
+
 /// Columns of a CSV file by their heads.
 using Table = std::map<std::string, std::vector<double>>;
 Table read_csv(const std::filesystem::path& path);

@@ -1,5 +1,6 @@
 #include "app/cli/default_layout.h"
 
+#include <numeric>
 #include <string_view>
 
 #include "core/base/hash.h"
@@ -25,8 +26,11 @@ Source read_source(const std::string& layout_file) {
     const std::string name = "fingertip.taxels.json";
     const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
     PolygonSoup soup = read_obj(obj, "fingertip.obj");
+    std::vector<int> file_face_of(soup.triangles.size());
+    std::iota(file_face_of.begin(), file_face_of.end(), 0);
+    const auto mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
     return {parse_layout(std::string(embedded_file("assets/layouts/fingertip.taxels.json")), name),
-            {std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles)), sha256_hex(obj), {}},
+            {mesh, sha256_hex(obj), std::move(file_face_of), {}},
             name};
   }
   Source source{read_layout(layout_file), {}, layout_file};
@@ -37,16 +41,15 @@ Source read_source(const std::string& layout_file) {
 
 }  // namespace
 
-SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console) {
+SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console,
+                          std::vector<int>* file_face_of) {
   Source source = read_source(layout_file);
   source.layout.sampling.density = sampling.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = sampling.seed.value_or(source.layout.sampling.seed);
   const SensorModelPtr model = build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name);
   for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
-  for (const Problem& problem : model->problems) {
-    const std::string line = problem.file + ": " + problem.pointer + ": " + problem.message;
-    problem.severity == Severity::note ? console.note(line) : console.warn(line);
-  }
+  console.tell(model->problems);
+  if (file_face_of != nullptr) *file_face_of = std::move(source.mesh.file_face_of);
   return model;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "core/sensor/sensor_model.h"
@@ -10,6 +11,8 @@ namespace taxel::cli {
 
 /// Compiles `layout_file`, or the built-in fingertip where it is empty; density and seed are taken from `sampling`
 /// where given. Notes and warnings of the layout go to the console. Throws Error.
-SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console);
+/// `file_face_of` (optional) gets, for each face of the model's mesh, the number of its triangle in the mesh file.
+SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console,
+                          std::vector<int>* file_face_of = nullptr);
 
 }  // namespace taxel::cli

@@ -19,14 +19,15 @@ struct Options {
   SamplingOptions sampling;
 };
 
-std::string samples_csv(const SensorModel& model) {
+/// `file_face_of`: for each face of the model's mesh its number in the file.
+std::string samples_csv(const SensorModel& model, const std::vector<int>& file_face_of) {
   std::string text = "x,y,z,nx,ny,nz,face,area,id,used\n";
   auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < model.samples.size(); ++i) {
     const SurfaceSample& s = model.samples[i];
+    const auto face = static_cast<std::size_t>(model.skin_face_of[static_cast<std::size_t>(s.face)]);
     fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}\n", s.position.x, s.position.y, s.position.z, s.normal.x,
-                   s.normal.y, s.normal.z, model.skin_face_of[static_cast<std::size_t>(s.face)], s.area, i,
-                   model.taxels_of_sample[i].empty() ? 0 : 1);
+                   s.normal.y, s.normal.z, file_face_of[face], s.area, i, model.taxels_of_sample[i].empty() ? 0 : 1);
   }
   return text;
 }
@@ -44,14 +45,15 @@ std::string fields_csv(const SensorModel& model) {
 }
 
 int run(const Options& options, Console& console) {
-  const SensorModelPtr model = load_model(options.layout, options.sampling, console);
-  if (!options.out.empty()) write_file_atomically(options.out, samples_csv(*model));
+  std::vector<int> file_face_of;
+  const SensorModelPtr model = load_model(options.layout, options.sampling, console, &file_face_of);
+  if (!options.out.empty()) write_file_atomically(options.out, samples_csv(*model, file_face_of));
   if (!options.fields.empty()) write_file_atomically(options.fields, fields_csv(*model));
   const SamplesReport report = report_samples(*model);
   if (console.json()) {
     console.result(samples_json(report));
   } else if (options.out.empty() && options.fields.empty()) {
-    console.result(samples_csv(*model));
+    console.result(samples_csv(*model, file_face_of));
   } else {
     console.result(samples_text(report));
   }
@@ -67,8 +69,8 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
   app->add_option("LAYOUT", options->layout, "Layout file (*.taxels.json)")->required()->option_text("(required)");
   app->add_option(
          "--out", options->out,
-         "Write x,y,z,nx,ny,nz,face,area,id,used: position [m] and normal in the frame of the mesh file, face of "
-         "that file, area the sample stands for [m^2], number, whether a taxel uses it (default: stdout)")
+         "Write x,y,z,nx,ny,nz,face,area,id,used: position [m] and normal in the frame of the mesh file, triangle "
+         "of that file from 0, area the sample stands for [m^2], number, whether a taxel uses it (default: stdout)")
       ->type_name("FILE");
   app->add_option(
          "--fields", options->fields,

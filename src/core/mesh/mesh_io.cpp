@@ -79,7 +79,7 @@ LoadedMesh load_mesh(const fs::path& path, const dvec3& scale) {
   loaded.sha256 = sha256_hex(bytes);
   const PolygonSoup soup = reader(bytes, file);
   try {
-    loaded.mesh = std::make_shared<const TriMesh>(weld(soup, scale, loaded.notes));
+    loaded.mesh = std::make_shared<const TriMesh>(weld(soup, scale, loaded.notes, &loaded.file_face_of));
   } catch (const Error& error) {
     throw Error(file, error.where(), error.message());
   }

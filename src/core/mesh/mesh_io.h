@@ -12,7 +12,10 @@ namespace taxel {
 /// A mesh as read, and what was done to it on the way.
 struct LoadedMesh {
   TriMeshPtr mesh;
-  std::string sha256;              ///< of the file's bytes (of a .gltf without its separate buffers)
+  std::string sha256;  ///< of the file's bytes (of a .gltf without its separate buffers)
+  /// For each face the number of its triangle in the file, from 0, polygons counting as the triangles they are cut
+  /// into.
+  std::vector<int> file_face_of;
   std::vector<std::string> notes;  ///< "welded 12 duplicate vertices", "dropped 3 faces of zero area (first: 17)", ...
 };
 

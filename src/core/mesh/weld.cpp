@@ -66,7 +66,7 @@ struct Dropped {
 };
 
 std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>& points, const std::vector<int>& same,
-                               bool flip, std::vector<std::string>& notes) {
+                               bool flip, std::vector<std::string>& notes, std::vector<int>* face_of) {
   Dropped flat, repeated;
   std::set<std::tuple<int, int, int>> seen;
   std::vector<ivec3> faces;
@@ -80,6 +80,7 @@ std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>
       repeated.add(f);
     } else {
       faces.push_back(face);
+      if (face_of != nullptr) face_of->push_back(f);
     }
   }
   flat.note("triangles without area", notes);
@@ -89,7 +90,7 @@ std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>
 
 }  // namespace
 
-TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::string>& notes) {
+TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::string>& notes, std::vector<int>* face_of) {
   check_soup(soup, scale);
   std::vector<dvec3> points;
   points.reserve(soup.vertices.size());
@@ -103,7 +104,7 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   if (welded > 0) notes.push_back(fmt::format("welded {} duplicate vertices", welded));
   if (soup.fanned > 0) notes.push_back(fmt::format("cut {} polygons into triangles", soup.fanned));
   if (soup.skipped > 0) notes.push_back(fmt::format("dropped {} polygons of fewer than three corners", soup.skipped));
-  std::vector<ivec3> faces = sound_faces(soup, points, same, scale.x * scale.y * scale.z < 0, notes);
+  std::vector<ivec3> faces = sound_faces(soup, points, same, scale.x * scale.y * scale.z < 0, notes, face_of);
   if (faces.empty()) throw Error("has no triangles");
 
   std::vector<int> used(points.size(), -1);
