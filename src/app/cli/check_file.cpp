@@ -5,6 +5,7 @@
 
 #include "core/base/files.h"
 #include "core/layout/layout_json.h"
+#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
 #include "core/project/contact_case.h"
 #include "core/project/scenario_json.h"
@@ -39,26 +40,11 @@ Problems check_layout(const std::string& text, const std::string& file) {
   return problems;
 }
 
-Problems check_mesh(const std::string& file) {
+Problems check_mesh_file(const std::string& file) {
   const LoadedMesh loaded = load_mesh(file);
-  Problems problems;
+  Problems problems = check_mesh(*loaded.mesh, file);
   for (const std::string& note : loaded.notes)
     problems.push_back({file, "", Severity::note, "mesh_repaired", note, ""});
-  const TriMesh& mesh = *loaded.mesh;
-  if (!mesh.closed()) {
-    problems.push_back(
-        {file, "", Severity::warning, "mesh_open", "is not closed: it cannot carry a pressure field", ""});
-  } else if (mesh.volume() < 0) {
-    problems.push_back(
-        {file, "", Severity::warning, "mesh_inside_out", "its faces point inward", "turn its faces round"});
-  }
-  const std::size_t outer = outer_shells(mesh).size();
-  if (outer < static_cast<std::size_t>(mesh.shell_count())) {
-    problems.push_back({file, "", Severity::note, "mesh_enclosed_shell",
-                        std::to_string(static_cast<std::size_t>(mesh.shell_count()) - outer) +
-                            " of its shells lie inside another one: they are not sensed",
-                        ""});
-  }
   return problems;
 }
 
@@ -102,7 +88,7 @@ std::string format_of(const std::string& text) {
 
 Problems check_file(const std::string& file) {
   const std::filesystem::path path(file);
-  if (is_mesh_file(path)) return check_mesh(file);
+  if (is_mesh_file(path)) return check_mesh_file(file);
   const std::string text = read_file(path);
   const std::string extension = path.extension().string();
   if (extension == ".xml" || extension == ".mjcf") {

@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/mesh_report.h"
+#include "core/mesh/mesh_check.h"
 
 namespace taxel::cli {
 
@@ -20,6 +21,7 @@ std::string mesh_text(const LoadedMesh& loaded) {
                       mesh.volume());
   text += fmt::format("sha256 {}\n", loaded.sha256);
   for (const std::string& note : loaded.notes) text += fmt::format("repaired: {}\n", note);
+  for (const Problem& p : check_mesh(mesh, "")) text += fmt::format("{}: {}\n", to_string(p.severity), p.message);
   return text;
 }
 

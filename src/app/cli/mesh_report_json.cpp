@@ -2,6 +2,7 @@
 
 #include "app/cli/mesh_report.h"
 #include "app/cli/vector_json.h"
+#include "core/mesh/mesh_check.h"
 
 namespace taxel::cli {
 
@@ -20,6 +21,11 @@ std::string mesh_json(const LoadedMesh& loaded) {
   json["bounds"] = {{"lower", numbers<Json>(mesh.bounds().lo)}, {"upper", numbers<Json>(mesh.bounds().hi)}};
   json["sha256"] = loaded.sha256;
   json["notes"] = loaded.notes;
+  json["problems"] = Json::array();
+  for (const Problem& p : check_mesh(mesh, "")) {
+    json["problems"].push_back(
+        {{"severity", to_string(p.severity)}, {"code", p.code}, {"message", p.message}, {"fix", p.fix}});
+  }
   return text_of(json);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/layout/layout_check.h"
 #include "core/layout/poisson_disk.h"
+#include "core/mesh/mesh_check.h"
 #include "core/mesh/point_triangle.h"
 
 namespace taxel {
@@ -14,16 +15,26 @@ Problem problem(const std::string& pointer, Severity severity, const char* code,
   return {"", pointer, severity, code, std::move(message), std::move(fix)};
 }
 
-void check_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
-                Problems& out) {
+/// Where a mesh that is not closed lets the inside out, each kind with its first place.
+std::string openings(const TriMesh& mesh) {
+  std::string text;
+  for (const Problem& p : check_mesh(mesh, "")) {
+    const bool opens = p.code == "mesh_open" || p.code == "mesh_nonmanifold" || p.code == "mesh_winding";
+    if (opens) text += (text.empty() ? "" : "; ") + p.message;
+  }
+  return text;
+}
+
+void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
+                    Problems& out) {
   if (!layout.mesh.sha256.empty() && !sha256.empty() && layout.mesh.sha256 != sha256)
     out.push_back(problem("/mesh/sha256", Severity::warning, "mesh_changed",
                           fmt::format("is {}, but the file's is {}", layout.mesh.sha256, sha256),
                           "look whether the taxels still lie on the surface, then save the layout again"));
   if (!mesh.closed() && layout.material.compliant())
     out.push_back(problem("/mesh/file", Severity::error, "mesh_open",
-                          "must be a closed mesh to be soft: an edge does not belong to exactly two faces",
-                          "close the holes, or set /material/modulus to 0"));
+                          "must be a closed mesh to be soft: " + openings(mesh),
+                          "mend the mesh there, or set /material/modulus to 0"));
   const int inner = mesh.face_count() - skin.face_count();
   if (inner > 0)
     out.push_back(problem(
@@ -116,7 +127,7 @@ Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, cons
   if (!all_outside) outside.emplace(std::make_shared<TriMesh>(extract_shells(index.mesh(), outer)));
   const MeshIndex& skin = all_outside ? index : *outside;
 
-  check_mesh(layout, index.mesh(), skin.mesh(), sha256, out);
+  check_own_mesh(layout, index.mesh(), skin.mesh(), sha256, out);
   const double max_angle_deg = layout.receptive_field.max_angle_deg;
   for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
     const Taxel& taxel = layout.taxels[k];
