@@ -10,7 +10,13 @@ struct Cancelled {};
 
 class Progress {
  public:
-  void set(double fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
+  void set(double fraction) { fraction_.store(begin_ + fraction * (end_ - begin_), std::memory_order_relaxed); }
+  /// For workers: what is set from now on counts from `begin` to `end` of the whole, so that the parts of a computation
+  /// make one bar.
+  void stage(double begin, double end) {
+    begin_ = begin;
+    end_ = end;
+  }
   [[nodiscard]] double fraction() const { return fraction_.load(std::memory_order_relaxed); }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
@@ -21,6 +27,7 @@ class Progress {
   }
 
  private:
+  double begin_ = 0, end_ = 1;  // the worker's own
   std::atomic<double> fraction_{0.0};
   std::atomic<bool> cancelled_{false};
 };

@@ -23,6 +23,7 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
   const int pool_factor = 4;  // Yuksel 2015, section 3: more helps little
   const int sweeps = 4;       // the closest pairs gain little from more
   const SurfacePool pool = make_surface_pool(mesh, pool_factor * count, seed);
+  if (progress) progress->stage(0.1, 0.4);  // about their parts of the time, what else a sensor needs included
   const std::vector<int> kept = eliminate_samples(pool, count, mesh.area(), progress);
 
   std::vector<SurfaceSample> samples;
@@ -33,7 +34,9 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
   }
   const double spacing = std::sqrt(2.0 * mesh.area() / (std::sqrt(3.0) * count));  // of the hexagonal packing
   const MeshIndex surface(TriMeshPtr(TriMeshPtr(), &mesh));                        // borrowed for this call
+  if (progress) progress->stage(0.4, 0.9);
   spread_samples(surface, spacing, sweeps, samples, progress);
+  if (progress) progress->stage(0.0, 1.0);
   assign_voronoi_areas(mesh, samples);
   return samples;
 }

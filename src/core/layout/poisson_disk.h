@@ -17,7 +17,8 @@ struct SurfaceSample {
 };
 
 /// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count and seed: same bytes, on any number of
-/// threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`.
+/// threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`, which goes
+/// from 0.1 to 0.9.
 std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::uint64_t seed,
                                           Progress* progress = nullptr);
 

@@ -48,6 +48,17 @@ TEST(ParallelChunks, ExceptionsComeOut) {
                std::runtime_error);
 }
 
+TEST(Progress, StagesMakeOneBar) {
+  Progress progress;
+  progress.stage(0.25, 0.75);
+  progress.set(0.0);
+  EXPECT_EQ(progress.fraction(), 0.25);
+  progress.check(0.5);
+  EXPECT_EQ(progress.fraction(), 0.5);
+  progress.set(1.0);
+  EXPECT_EQ(progress.fraction(), 0.75);
+}
+
 TEST(Progress, CancelStopsAtTheNextCheck) {
   Progress progress;
   progress.check(0.25);
