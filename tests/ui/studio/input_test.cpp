@@ -36,7 +36,7 @@ Json untouched(Json state) {
 
 TEST(Camera, AScriptedOrbitChangesOnlyTheCamera) {
   const StudioProgram studio;
-  studio.play({R"({"do": "wait_time", "time": 1.1})", key("Space"), idle(),
+  studio.play({key("="), key("="), R"({"do": "wait_time", "time": 1.1})", key("Space"), idle(),
                R"({"event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
                R"({"event": "mouse_down", "at": [500, 300]})", idle(), R"({"event": "mouse_move", "at": [580, 340]})",
                idle(), R"({"event": "mouse_up"})", R"({"event": "mouse_move", "at": [500, 300]})", idle(),
@@ -82,7 +82,7 @@ TEST(Clicks, TwoWithinOneFrameAreTwoClicksAndADoubleClick) {
   const StudioProgram studio;
   studio.play({R"({"frame": 4, "event": "click", "at": [500, 300]})",
                R"({"frame": 4, "event": "click", "at": [500, 300]})", idle(), dump("twice.json"),
-               R"({"frame": 80, "event": "click", "at": [500, 300]})", idle(), dump("thrice.json")});
+               R"({"frame": 30, "event": "click", "at": [500, 300]})", idle(), dump("thrice.json")});
   EXPECT_EQ(studio.state("twice.json")["clicks"]["left"], 2);
   EXPECT_EQ(studio.state("twice.json")["clicks"]["left_double"], 1);
   EXPECT_EQ(studio.state("thrice.json")["clicks"]["left"], 3);
@@ -116,6 +116,11 @@ TEST(Transport, SpaceRightBackspaceAndSpeed) {
                R"({"do": "wait_time", "time": 0.5})", dump("slow.json"), key("Backspace"), idle(), dump("reset.json")});
   const Json paused = studio.state("paused.json")["simulation"], stepped = studio.state("stepped.json")["simulation"];
   EXPECT_FALSE(paused["playing"]);
+  const auto says = [&](const char* file, const char* text) {
+    return studio.state(file)["widgets"].dump().find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(says("paused.json", "simulation paused"));
+  EXPECT_FALSE(says("slow.json", "simulation paused"));
   EXPECT_EQ(stepped["step"], paused["step"].get<int>() + 2);
   EXPECT_EQ(studio.state("slow.json")["simulation"]["speed"], 0.5);
   EXPECT_TRUE(studio.state("slow.json")["simulation"]["playing"]);
@@ -130,6 +135,7 @@ TEST(Transport, RunAfterTheEndBeginsAnew) {
   const Json end = studio.state("end.json")["simulation"], again = studio.state("again.json")["simulation"];
   EXPECT_TRUE(end["finished"]);
   EXPECT_FALSE(end["playing"]);
+  EXPECT_NE(studio.state("end.json")["widgets"].dump().find("simulation ended"), std::string::npos);
   EXPECT_TRUE(again["playing"]);
   EXPECT_LT(again["time"], end["time"]);
   EXPECT_LT(again["rows"], end["rows"]);

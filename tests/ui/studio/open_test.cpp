@@ -1,6 +1,7 @@
 // Opening documents: by argument, by Ctrl+O and by drop; good files and bad ones.
 #include <gtest/gtest.h>
 
+#include "fixtures/finger_scene_xml.h"
 #include "studio_program.h"
 
 namespace taxel::test {
@@ -110,49 +111,83 @@ TEST(Open, AMeshInMillimetresIsScaled) {
   EXPECT_NE(state["messages"].dump().find("millimetres"), std::string::npos);
 }
 
-/// A bad file says what is wrong, and the sweep goes on as if nothing had been asked.
-void expect_refused(const std::string& name, const std::string& text, const std::vector<std::string>& said) {
-  const StudioProgram studio;
-  write_text(studio.folder() / name, text);
-  studio.play({R"({"frame": 5, "do": "dump_state", "file": "before.json"})",
-               R"({"frame": 6, "event": "drop", "files": [")" + name + R"("]})",
-               R"({"frame": 8, "do": "dump_state", "file": "state.json"})"});
-  const Json before = studio.state("before.json"), state = studio.state("state.json");
-  EXPECT_EQ(state["document"], before["document"]);
-  EXPECT_EQ(state["simulation"]["step"], before["simulation"]["step"].get<int>() + 60)
-      << "three pictures of twenty steps";
-  EXPECT_TRUE(state["simulation"]["playing"]);
-  ASSERT_EQ(state["messages"].size(), 1U) << state["messages"].dump();
-  EXPECT_EQ(state["messages"][0]["severity"], "error");
-  EXPECT_TRUE(state["messages"][0]["shown"]);
-  const auto message = state["messages"][0]["text"].get<std::string>();
-  for (const std::string& part : said) EXPECT_NE(message.find(part), std::string::npos) << message;
-}
+/// A bad file, and what its message must name.
+struct BadFile {
+  std::string name, text;
+  std::vector<std::string> said;
+};
 
-std::string broken_layout(const std::string& pointer, const Json& value) {
+BadFile broken_layout(const std::string& pointer, const Json& value, const std::vector<std::string>& said = {}) {
   Json layout = Json::parse(file_text(kAssets + "/layouts/fingertip.taxels.json"));
   layout["mesh"]["file"] = kAssets + "/meshes/fingertip.obj";
   layout[Json::json_pointer(pointer)] = value;
-  return layout.dump();
+  return {"bad.taxels.json", layout.dump(), said.empty() ? std::vector<std::string>{"bad.taxels.json", pointer} : said};
 }
 
-TEST(BadFile, NegativeRadius) {
-  expect_refused("bad.taxels.json", broken_layout("/taxels/3/radius", -0.006), {"bad.taxels.json", "/taxels/3/radius"});
+std::string broken_scene(const std::string& world, const std::string& geom) {
+  return "<mujoco><extension><plugin plugin='taxel.sensor'><instance name='s'><config key='layout' value='" + kAssets +
+         "/layouts/fingertip.taxels.json'/><config key='geom' value='" + geom +
+         "'/></instance></plugin></extension><worldbody>" + world +
+         "</worldbody><sensor><plugin plugin='taxel.sensor' instance='s'/></sensor></mujoco>";
 }
-TEST(BadFile, UnknownVersion) {
-  expect_refused("bad.taxels.json", broken_layout("/version", 99), {"bad.taxels.json", "/version"});
+
+/// Each says what is wrong, and the sweep goes on as if nothing had been asked.
+TEST(BadFile, EachIsNamedAndTheSweepGoesOn) {
+  const std::string ball = "<geom name='ball' size='1'/>";
+  std::vector<BadFile> bad{broken_layout("/taxels/3/radius", -0.006),
+                           broken_layout("/taxels/3/radius", 0),
+                           broken_layout("/taxels/5/normal", {0, 0, 0}),
+                           broken_layout("/taxels/5/center", "here"),
+                           broken_layout("/version", 99),
+                           broken_layout("/mesh/file", "nowhere.obj", {"nowhere.obj", "no such file"}),
+                           {"empty.obj", "v 0 0 0\n", {"empty.obj", "no triangles"}},
+                           {"nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", {"nan.obj", "line 3", "not finite"}},
+                           {"bad.xml", "<mujoco><worldbody><geom type='sphere'/></worldbody></mujoco>", {"bad.xml"}},
+                           {"geom.xml", broken_scene(ball, "hand"), {"geom.xml", "\"hand\""}},
+                           {"photo.bmp", "BM", {"photo.bmp"}}};
+  const StudioProgram studio;
+  std::vector<std::string> script{R"({"frame": 5, "do": "dump_state", "file": "before.json"})"};
+  int frame = 6;
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const std::string folder = std::to_string(i);
+    std::filesystem::create_directories(studio.folder() / folder);
+    write_text(studio.folder() / folder / bad[i].name, bad[i].text);
+    script.push_back(R"({"frame": )" + std::to_string(frame++) + R"(, "event": "drop", "files": [")" + folder + "/" +
+                     bad[i].name + R"("]})");
+  }
+  script.push_back(R"({"frame": )" + std::to_string(frame + 1) + R"(, "do": "dump_state", "file": "state.json"})");
+  studio.play(script);
+  const Json before = studio.state("before.json"), state = studio.state("state.json");
+  EXPECT_EQ(state["document"], before["document"]);
+  const int pictures = frame + 1 - 5;
+  EXPECT_EQ(state["simulation"]["step"], before["simulation"]["step"].get<int>() + 20 * pictures);
+  EXPECT_TRUE(state["simulation"]["playing"]);
+  ASSERT_EQ(state["messages"].size(), bad.size()) << state["messages"].dump();
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const Json& message = state["messages"][i];
+    EXPECT_EQ(message["severity"], "error");
+    EXPECT_TRUE(message["shown"]);
+    const auto text = message["text"].get<std::string>();
+    for (const std::string& part : bad[i].said) EXPECT_NE(text.find(part), std::string::npos) << part << ": " << text;
+  }
 }
-TEST(BadFile, MissingMesh) {
-  expect_refused("bad.taxels.json", broken_layout("/mesh/file", "nowhere.obj"), {"nowhere.obj"});
-}
-TEST(BadFile, MeshWithoutTriangles) {
-  expect_refused("empty.obj", "v 0 0 0\n", {"empty.obj"});
-}
-TEST(BadFile, SceneThatDoesNotCompile) {
-  expect_refused("bad.xml", "<mujoco><worldbody><geom type='sphere'/></worldbody></mujoco>", {"bad.xml"});
-}
-TEST(BadFile, UnknownKind) {
-  expect_refused("photo.bmp", "BM", {"photo.bmp"});
+
+TEST(BadFile, AFolderThatCannotBeWrittenIsAMessage) {
+  const StudioProgram studio;  // the screenshot's key writes to the working folder; nobody can write to /proc
+  write_text(studio.folder() / "script.jsonl", R"({"event": "key", "key": "p", "mods": ["ctrl"]})"
+                                               "\n"
+                                               R"({"do": "wait_idle"})"
+                                               "\n");
+  const std::string state = (studio.folder() / "state.json").string();
+  const Outcome outcome = run_program(
+      STUDIO_PROGRAM, {"--headless", "--script", (studio.folder() / "script.jsonl").string(), "--dump-state", state},
+      "/proc");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json messages = studio.state("state.json")["messages"];
+  ASSERT_EQ(messages.size(), 1U) << messages.dump();
+  EXPECT_EQ(messages[0]["severity"], "error");
+  EXPECT_NE(messages[0]["text"].get<std::string>().find("screenshot-1.png: cannot be written"), std::string::npos)
+      << messages[0]["text"];
 }
 
 TEST(BadFile, TheMessageIsCopiedAndClosed) {
@@ -169,6 +204,31 @@ TEST(BadFile, TheMessageIsCopiedAndClosed) {
   const auto copied = messages[0]["text"].get<std::string>();
   EXPECT_NE(messages[1]["text"].get<std::string>().find(copied), std::string::npos)
       << "the copied text was opened as a path: " << messages[1]["text"];
+}
+
+TEST(Open, ASceneRunsAndItsSensorsWarningsAreShownOnce) {
+  const StudioProgram studio;
+  std::filesystem::copy_file(kAssets + "/meshes/fingertip.obj", studio.folder() / "fingertip.obj");
+  Json layout = Json::parse(file_text(kAssets + "/layouts/fingertip.taxels.json"));
+  layout["mesh"]["file"] = "fingertip.obj";
+  layout["sampling"]["density"] = 1e6;
+  write_text(studio.folder() / "finger.taxels.json", layout.dump());
+  write_text(studio.folder() / "scene.xml",
+             finger_scene(finger_body("thumb", 0, true, "<freejoint/>") + finger_body("index", 0.1), {"thumb", "index"},
+                          "finger.taxels.json"));
+  studio.play({R"({"event": "drop", "files": ["scene.xml"]})", R"({"do": "wait_idle"})",
+               R"({"do": "wait_time", "time": 0.1})", kDump, R"({"event": "key", "key": "Backspace"})",
+               R"({"do": "wait_idle"})", R"({"event": "key", "key": "Space"})", R"({"do": "wait_time", "time": 0.1})",
+               R"({"do": "dump_state", "file": "again.json"})"});
+  const Json state = studio.state("state.json");
+  EXPECT_EQ(state["mode"], "simulate");
+  EXPECT_EQ(state["document"]["file"], (studio.folder() / "scene.xml").string());
+  EXPECT_GT(state["simulation"]["sensors"][1]["polygons"], 0);
+  ASSERT_EQ(state["messages"].size(), 1U) << state["messages"].dump();
+  EXPECT_EQ(state["messages"][0]["severity"], "warning");
+  EXPECT_NE(state["messages"][0]["text"].get<std::string>().find("sensor \"thumb\": MuJoCo's own contact"),
+            std::string::npos);
+  EXPECT_EQ(studio.state("again.json")["messages"], state["messages"]) << "said once";
 }
 
 TEST(Open, AfterCloseTheCardOffersTheSweep) {
