@@ -2,15 +2,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "core/project/validation.h"
+#include "core/project/validation/closed_form.h"
 
 namespace taxel::cli {
 
-std::string validate_text(const std::vector<ClosedFormCheck>& checks);
-std::string validate_json(const std::vector<ClosedFormCheck>& checks);
-/// The page, with formulas. Errors at rounding level are shown as "< 1e-12", so that the page is the same everywhere.
-std::string validate_markdown(const std::vector<ClosedFormCheck>& checks);
+/// "", "<= " or ">= ".
+std::string relation_text(Relation relation);
+
+std::string validate_text(const ClosedFormChecks& checks);
+std::string validate_json(const ClosedFormChecks& checks);
+/// The page, with formulas. Errors at rounding level are shown by their bound, so that the page is the same everywhere.
+std::string validate_markdown(const ClosedFormChecks& checks);
 
 }  // namespace taxel::cli

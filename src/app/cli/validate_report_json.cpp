@@ -5,7 +5,7 @@
 
 namespace taxel::cli {
 
-std::string validate_json(const std::vector<ClosedFormCheck>& checks) {
+std::string validate_json(const ClosedFormChecks& checks) {
   using Json = nlohmann::ordered_json;
   Json json;
   json["checks"] = Json::array();
@@ -17,6 +17,9 @@ std::string validate_json(const std::vector<ClosedFormCheck>& checks) {
                               {"unit", check.unit},
                               {"computed", check.computed},
                               {"exact", check.exact},
+                              {"relation", check.relation == Relation::equal     ? "="
+                                           : check.relation == Relation::at_most ? "<="
+                                                                                 : ">="},
                               {"error", check.error},
                               {"bound", check.bound},
                               {"pass", check.pass()}});

@@ -1,9 +1,8 @@
-// A case evaluated: frames, velocities, which body the force is on; and the closed forms within their bounds.
+// A case evaluated: frames, velocities, which body the force is on.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/project/contact_case.h"
-#include "core/project/validation.h"
 
 namespace taxel {
 namespace {
@@ -93,22 +92,6 @@ TEST(MakeCaseBody, NamesTheBodyThatCannotBeMade) {
   } catch (const Error& e) {
     EXPECT_STREQ(e.what(), "case.json: /b: needs a shape or a layout");
   }
-}
-
-TEST(ClosedForms, HoldWithinTheirBounds) {
-  for (const ClosedFormCheck& check : validate_all()) {
-    EXPECT_TRUE(check.pass()) << check.form << " " << check.quantity << ": " << check.computed << " against "
-                              << check.exact;
-  }
-}
-
-TEST(ClosedForms, ACheckOutOfBoundsFails) {
-  ClosedFormCheck check;
-  check.error = 0.011;
-  check.bound = 0.01;
-  EXPECT_FALSE(check.pass());
-  check.error = std::numeric_limits<double>::quiet_NaN();  // nothing was computed
-  EXPECT_FALSE(check.pass());
 }
 
 }  // namespace
