@@ -17,7 +17,7 @@ Material pad(double modulus, double thickness, double dissipation) {
 }
 
 class UnderIntegrator : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, UnderIntegrator, testing::Values("Euler", "RK4", "implicit", "implicitfast"),
+INSTANTIATE_TEST_SUITE_P(All, UnderIntegrator, testing::Values("Euler", "RK4", "implicit", "implicitfast", "discrete"),
                          [](const auto& test) { return test.param; });
 
 TEST_P(UnderIntegrator, DroppedSoftBallComesToRestWhereTheForceCarriesIt) {
@@ -131,6 +131,52 @@ TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
   EXPECT_LE(glm::length(linear_end - linear), 1e-12 * glm::length(linear));
   EXPECT_LE(glm::length(angular_end - angular), 2e-3 * glm::length(angular));  // the integrator's own error
   EXPECT_GT(glm::length(dvec3(d.qvel[0], d.qvel[1], d.qvel[2])), 0.005);       // the box was pushed
+}
+
+/// What the floor's contacts give to the box: force, and torque about `origin`, in the world.
+Wrench from_floor(const mjModel& m, const mjData& d, const dvec3& origin) {
+  Wrench sum;
+  for (int c = 0; c < d.ncon; ++c) {
+    const mjContact& contact = d.contact[c];
+    mjtNum local[6];
+    mj_contactForce(&m, &d, c, local);
+    dvec3 force(0);  // rows of the frame are its axes; the normal points from the first geom to the second
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) force[j] += local[i] * contact.frame[3 * i + j];
+    const char* second = m.names + m.name_geomadr[contact.geom[1]];
+    if (std::string(second) != "box") force = -force;
+    sum.force += force;
+    sum.torque += glm::cross(dvec3(contact.pos[0], contact.pos[1], contact.pos[2]) - origin, force);
+  }
+  return sum;
+}
+
+TEST(ContactDynamics, FreeBoxOnAPlaneHandsTheSensorsWrenchToTheGround) {
+  // A held soft ball presses off-centre on a free box that stands on MuJoCo's own plane.
+  const double mass = 0.05, away = 0.008;
+  SensorScene s;
+  s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});
+  s.compile(
+      "<mujoco>" + sensor_extension("ball", key("others", "box")) +
+      R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1'/>
+      <body name='box' pos='0 0 0.03'><freejoint/><geom name='box' type='box' size='.03 .03 .03' mass='0.05'/></body>
+      <body pos=')" +
+      std::to_string(away) +
+      R"( 0 0.078'><geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  s.step(1500);
+  const mjData& d = *s.data;
+  for (int i = 0; i < 6; ++i) ASSERT_LT(std::abs(d.qvel[i]), 1e-3) << "at rest";
+  const Evaluation& e = s.sensor().sensed();
+  const dvec3 center(d.qpos[0], d.qpos[1], d.qpos[2]);
+  const dvec3 on_box = -e.X_WM.rotate(e.pairs[0].wrench.force);
+  const dvec3 turning = -e.X_WM.rotate(e.pairs[0].wrench.torque) + glm::cross(e.X_WM.p - center, on_box);
+  const Wrench floor = from_floor(*s.model, d, center);
+  ASSERT_LT(on_box.z, -0.3);
+  ASSERT_GT(turning.y, 0.3 * away);
+  EXPECT_NEAR(floor.force.z, mass * kGravity - on_box.z, 0.02 * -on_box.z);
+  EXPECT_LE(glm::length(floor.torque + turning), 0.02 * glm::length(turning));
 }
 
 TEST(ContactDynamics, TwoFingersPinchingABoxShareItEvenly) {
