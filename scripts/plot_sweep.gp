@@ -1,5 +1,8 @@
 # The taxels that respond, over the travel of the finger: divided by the largest pressure of the run, and in kPa.
 # Usage: gnuplot -e "csv='readings.csv'; base='OUT'" plot_sweep.gp   writes OUT.svg, OUT.png
+if (!exists('csv')) { exit error "name the readings: gnuplot -e \"csv='readings.csv'; base='OUT'\" plot_sweep.gp" }
+if (!exists('base')) { base = 'taxels_over_travel' }
+if (int(system(sprintf('test -r "%s"; echo $?', csv))) != 0) { exit error sprintf('%s: cannot be read', csv) }
 set datafile separator ','
 first = 8
 stats csv using 1 skip 1 nooutput
