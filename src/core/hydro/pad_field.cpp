@@ -30,13 +30,11 @@ std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape
 
 /// E depth/H at the inner vertices. The depth is the distance to the skin, but where the skin is concave that exceeds
 /// the depth below the planes of its faces, and would make these too stiff: there it is the mean of the latter.
-std::vector<double> pressures(const MeshIndex& index, const PadShape& shape, double modulus, double thickness) {
-  const TriMesh& mesh = index.mesh();
+std::vector<double> pressures(const TriMesh& mesh, const PadShape& shape, double modulus, double thickness) {
   const std::vector<double> plane_depth = mean_plane_depths(mesh, shape);
   std::vector<double> pressure(2 * mesh.vertices().size(), 0.0);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const double distance = std::max(0.0, -index.signed_distance(shape.inner_position(v)));
-    const double depth = std::min({distance, plane_depth[at(v)], thickness});
+    const double depth = std::min({shape.depth(v), plane_depth[at(v)], thickness});
     pressure[at(v + mesh.vertex_count())] = shape.offset(v) > 0 ? modulus * depth / thickness : 0.0;
   }
   return pressure;
@@ -69,7 +67,7 @@ PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness) 
         fmt::format("{} faces are folded or edge on and have no pad: {:.2g} of the skin (first: face {})", bare,
                     bare_area / mesh->area(), first_bare));
   }
-  std::vector<double> pressure = pressures(index, shape, modulus, thickness);
+  std::vector<double> pressure = pressures(*mesh, shape, modulus, thickness);
   return std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
                                                std::move(report));
 }

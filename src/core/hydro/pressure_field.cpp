@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -79,27 +80,42 @@ double longest_edge(const std::vector<dvec3>& x, const ivec4& t) {
   return longest;
 }
 
-void set_neighbours(std::vector<Tet>& tets) {
+/// Faces are matched among those of the same lowest vertex: few, so that sorting them is quick.
+void set_neighbours(int vertex_count, std::vector<Tet>& tets) {
   struct Side {
-    std::array<int, 3> face;
-    int tet;
-    std::size_t corner;
+    int middle, highest, tet, corner;
   };
-  std::vector<Side> sides;
-  sides.reserve(4 * tets.size());
-  for (int t = 0; t < static_cast<int>(tets.size()); ++t) {
-    tets[at(t)].neighbour = ivec4(-1);
-    for (std::size_t i = 0; i < 4; ++i) sides.push_back({sorted_face(tets[at(t)], i).first, t, i});
+  const auto face_of = [&](const Tet& tet, int corner) { return sorted_face(tet, at(corner)).first; };
+  std::vector<int> first(at(vertex_count) + 1, 0);
+  for (Tet& tet : tets) {
+    tet.neighbour = ivec4(-1);
+    for (int i = 0; i < 4; ++i) ++first[at(face_of(tet, i)[0]) + 1];
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return std::tie(a.face, a.tet) < std::tie(b.face, b.tet); });
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const Side &a = sides[i], &b = sides[i + 1];
-    if (a.face != b.face) continue;
-    if (i + 2 < sides.size() && sides[i + 2].face == a.face)
-      throw Error(fmt::format("tets {}, {} and {} share one face", a.tet, b.tet, sides[i + 2].tet));
-    tets[at(a.tet)].neighbour[static_cast<int>(a.corner)] = b.tet;
-    tets[at(b.tet)].neighbour[static_cast<int>(b.corner)] = a.tet;
+  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+  std::vector<Side> sides(4 * tets.size());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (int t = 0; t < static_cast<int>(tets.size()); ++t) {
+    for (int i = 0; i < 4; ++i) {
+      const std::array<int, 3> face = face_of(tets[at(t)], i);
+      sides[at(next[at(face[0])]++)] = {face[1], face[2], t, i};
+    }
+  }
+  for (int v = 0; v < vertex_count; ++v) {
+    const std::span<Side> around(sides.data() + first[at(v)], sides.data() + first[at(v) + 1]);
+    std::sort(around.begin(), around.end(), [](const Side& a, const Side& b) {
+      return std::tie(a.middle, a.highest, a.tet) < std::tie(b.middle, b.highest, b.tet);
+    });
+    const auto same = [&](std::size_t i, std::size_t j) {
+      return j < around.size() && around[i].middle == around[j].middle && around[i].highest == around[j].highest;
+    };
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      if (!same(i, i + 1)) continue;
+      const Side &a = around[i], &b = around[i + 1];
+      if (same(i, i + 2))
+        throw Error(fmt::format("tets {}, {} and {} share one face", a.tet, b.tet, around[i + 2].tet));
+      tets[at(a.tet)].neighbour[a.corner] = b.tet;
+      tets[at(b.tet)].neighbour[b.corner] = a.tet;
+    }
   }
 }
 
@@ -144,7 +160,7 @@ PressureField::PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tet
     for (int i = 0; i < 4; ++i) boxes[t].include(vertices_[at(tet.vertices[i])]);
     bounds_.include(boxes[t]);
   }
-  set_neighbours(tets_);
+  set_neighbours(static_cast<int>(vertices_.size()), tets_);
   bvh_.build(boxes, 1);
   size_ = bounds_.diagonal();
   report_.tets = static_cast<int>(tets_.size());

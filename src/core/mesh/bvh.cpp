@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-constexpr int kMaxBins = 16;
+constexpr int kFewBins = 4, kSomeBins = 8, kMaxBins = 16;
 /// Cost of visiting a node, in units of testing one primitive.
 constexpr double kVisitCost = 1.0;
 /// Axes shorter than this part of the longest are not tried.
@@ -30,7 +30,7 @@ int bin_of(double key, double lo, double scale, int bins) {
 
 /// A node of few boxes needs no more bins than boxes: trees over contact surfaces are built anew each step.
 int bins_for(int count) {
-  return std::clamp(count, 4, kMaxBins);
+  return std::clamp(count, kFewBins, kMaxBins);
 }
 
 }  // namespace
@@ -42,21 +42,23 @@ struct Bvh::Split {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-// Binned SAH (Wald 2007): cost = visit + (area_left * count_left + area_right * count_right) / area.
+// Binned SAH (Wald 2007): cost = visit + (area_left * count_left + area_right * count_right) / area. kMostBins: room
+// for the bins, which costs small nodes more than the sums do.
+template <int kMostBins>
 void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi,
                    Split& best) const {
   const int bins = bins_for(node.count);
   const double scale = bins / (hi[axis] - lo[axis]);
   if (!(hi[axis] > lo[axis]) || !std::isfinite(scale) || !(scale > 0)) return;
-  std::array<Aabb, kMaxBins> box;
-  std::array<int, kMaxBins> count{};
+  std::array<Aabb, kMostBins> box;
+  std::array<int, kMostBins> count{};
   for (int i = 0; i < node.count; ++i) {
     const Aabb& b = boxes[at(items_[at(node.first + i)])];
     const std::size_t bin = at(bin_of(key_of(b, axis), lo[axis], scale, bins));
     box[bin].include(b);
     ++count[bin];
   }
-  std::array<double, kMaxBins> right_cost{};  // of bins >= i
+  std::array<double, kMostBins> right_cost{};  // of bins >= i
   Aabb right;
   int right_count = 0;
   for (int i = bins - 1; i > 0; --i) {
@@ -76,23 +78,37 @@ void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, cons
 }
 
 Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const {
-  Aabb keys;  // bounds of twice the centres
-  for (int i = 0; i < node.count; ++i) {
-    const Aabb& box = boxes[at(items_[at(node.first + i)])];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double key = key_of(box, axis);
-      if (!std::isfinite(key)) continue;
-      keys.lo[axis] = std::min(keys.lo[axis], key);
-      keys.hi[axis] = std::max(keys.hi[axis], key);
+  // Bounds of twice the centres, of the finite ones. NaN fails every comparison; infinities are looked for only where
+  // there are any.
+  Aabb keys;
+  const auto gather = [&](const auto& wanted) {
+    keys = {};
+    for (int i = 0; i < node.count; ++i) {
+      const Aabb& box = boxes[at(items_[at(node.first + i)])];
+      for (int axis = 0; axis < 3; ++axis) {
+        const double key = key_of(box, axis);
+        if (!wanted(key)) continue;
+        keys.lo[axis] = key < keys.lo[axis] ? key : keys.lo[axis];
+        keys.hi[axis] = key > keys.hi[axis] ? key : keys.hi[axis];
+      }
     }
-  }
+  };
+  gather([](double) { return true; });
+  if (!is_finite(keys.lo) || !is_finite(keys.hi)) gather([](double key) { return std::isfinite(key); });
   Split best;
   const dvec3 extent = keys.extent();
   for (int axis = 0; axis < 3; ++axis) {
     // A direction much shorter than the longest one hardly ever has the better split.
     const double longest = std::max({extent.x, extent.y, extent.z});
     if (extent[axis] < kThinAxis * longest) continue;
-    try_axis(boxes, node, axis, keys.lo, keys.hi, best);
+    if (node.count <= kFewBins) {
+      try_axis<kFewBins>(boxes, node, axis, keys.lo, keys.hi, best);
+    } else if (node.count <= kSomeBins) {
+      try_axis<kSomeBins>(boxes, node, axis, keys.lo, keys.hi, best);
+    } else {
+      try_axis<kMaxBins>(boxes, node, axis, keys.lo, keys.hi, best);
+    }
+    if (node.count == 2 && best.axis >= 0) break;  // two boxes part along every axis at the same cost
   }
   return best;
 }

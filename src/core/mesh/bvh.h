@@ -51,6 +51,7 @@ class Bvh {
  private:
   struct Split;
   [[nodiscard]] Split best_split(std::span<const Aabb> boxes, const Node& node) const;
+  template <int kMostBins>
   void try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi,
                 Split& best) const;
   std::int32_t partition(std::span<const Aabb> boxes, const Node& node, const Split& split);
