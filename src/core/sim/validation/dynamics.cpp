@@ -11,7 +11,7 @@ namespace taxel {
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr const char* kIntegrators[] = {"Euler", "RK4", "implicit", "implicitfast"};
+constexpr const char* kIntegrators[] = {"Euler", "RK4", "implicit", "implicitfast", "discrete"};
 
 // A ball: the star of a sphere of true volume, which is its medial-axis field.
 constexpr double kRadius = 0.02, kModulus = 5e4, kMass = 0.05;

@@ -1,0 +1,136 @@
+// What holds for every pair of bodies: forces come in pairs, the order of the bodies does not count, no frame is
+// special.
+#include <gtest/gtest.h>
+
+#include "property_bodies.h"
+
+namespace taxel {
+namespace {
+
+struct BodyPair {
+  const char* name;
+  HydroBodyPtr (*a)();
+  HydroBodyPtr (*b)();
+};
+
+std::ostream& operator<<(std::ostream& out, const BodyPair& pair) {
+  return out << pair.name;
+}
+
+template <ShapeType type>
+HydroBodyPtr rigid() {
+  return rigid_body(type);
+}
+/// Medial-axis fields; the half-space 5 mm thick.
+template <ShapeType type>
+HydroBodyPtr soft() {
+  Material material = soft_material(1e5, type == ShapeType::plane ? 0.5 * kSize : 0);
+  material.field = FieldKind::medial_axis;
+  return shape_body(type, material);
+}
+
+class EveryPair : public testing::TestWithParam<BodyPair> {
+ protected:
+  HydroBodyPtr a_ = GetParam().a(), b_ = GetParam().b();
+
+  Contact a_touches_b(const Pose& X_WA, const Pose& X_WB) const { return touch(*a_, *b_, X_WA, X_WB); }
+  Contact b_touches_a(const Pose& X_WA, const Pose& X_WB) const { return touch(*b_, *a_, X_WB, X_WA); }
+};
+
+double push(const ContactSurface& surface) {
+  double sum = 0;
+  for (const ContactPolygon& p : surface.polygons) sum += p.area * p.pressure;
+  return sum;
+}
+
+/// A wrench at the origin of a frame of pose X_WA, in the world at the world's origin.
+Wrench in_world(const Wrench& wrench_A, const Pose& X_WA) {
+  const dvec3 force = X_WA.rotate(wrench_A.force);
+  return {force, X_WA.rotate(wrench_A.torque) + glm::cross(X_WA.p, force)};
+}
+
+TEST_P(EveryPair, ActionEqualsReactionWhenTheBodiesSwap) {
+  int touching = 0;
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
+    const Contact on_a = a_touches_b(X_WA, X_WB), on_b = b_touches_a(X_WA, X_WB);
+    const double scale = push(on_a.surface);
+    const Wrench a = in_world(on_a.wrench, X_WA), b = in_world(on_b.wrench, X_WB);
+    ASSERT_EQ(on_a.surface.polygons.size(), on_b.surface.polygons.size()) << "pose " << i;
+    ASSERT_NEAR(on_a.surface.area(), on_b.surface.area(), 1e-10 * on_a.surface.area()) << "pose " << i;
+    ASSERT_LE(glm::length(a.force + b.force), 1e-10 * scale) << "pose " << i;
+    ASSERT_LE(glm::length(a.torque + b.torque), 1e-10 * scale * kSize * 10) << "pose " << i;
+    touching += on_a.surface.empty() ? 0 : 1;
+  }
+  EXPECT_GE(touching, kPoses / 3);
+}
+
+/// Of a velocity field v + w x r in the world: the twist at the origin of a frame of pose X, in that frame.
+Twist in_frame(const Twist& V_W, const Pose& X) {
+  const dmat3 R = glm::transpose(X.rotation());
+  return {R * (V_W.linear + glm::cross(V_W.angular, X.p)), R * V_W.angular};
+}
+
+/// With damping that nowhere reaches its limit the traction is a polynomial, integrated exactly.
+TEST_P(EveryPair, ActionEqualsReactionInMotion) {
+  const PairProperties pair{1.0, 0};
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
+    const dvec3 spin = random_pose(14, i, 1).p, drift = 0.3 * random_pose(15, i, 1).p;
+    const Twist V{drift - glm::cross(spin, X_WA.p), spin};  // of A past B: about A's origin
+    const Twist back{-V.linear, -V.angular};
+    const Contact on_a = a_touches_b(X_WA, X_WB), on_b = b_touches_a(X_WA, X_WB);
+    const double scale = push(on_a.surface);
+    const Wrench a = in_world(traction(on_a.surface, pair, in_frame(V, X_WA)).wrench, X_WA);
+    const Wrench b = in_world(traction(on_b.surface, pair, in_frame(back, X_WB)).wrench, X_WB);
+    ASSERT_LE(glm::length(a.force + b.force), 1e-10 * scale) << "pose " << i;
+    ASSERT_LE(glm::length(a.torque + b.torque), 1e-10 * scale * kSize * 10) << "pose " << i;
+    if (scale == 0) continue;
+    ASSERT_GT(glm::distance(a.force, in_world(on_a.wrench, X_WA).force), 1e-6 * scale) << "pose " << i;  // it damps
+  }
+}
+
+TEST_P(EveryPair, ACommonMotionChangesNothing) {
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i), motion = random_pose(13, i, 20 * kSize);
+    const Contact here = a_touches_b(X_WA, X_WB), there = a_touches_b(motion * X_WA, motion * X_WB);
+    const double scale = push(here.surface);
+    ASSERT_NEAR(here.surface.area(), there.surface.area(), 1e-10 * here.surface.area()) << "pose " << i;
+    ASSERT_LE(glm::distance(here.wrench.force, there.wrench.force), 1e-10 * scale) << "pose " << i;
+    ASSERT_LE(glm::distance(here.wrench.torque, there.wrench.torque), 1e-10 * scale * kSize) << "pose " << i;
+  }
+}
+
+TEST_P(EveryPair, NothingIsAdhesive) {
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
+    const Contact c = a_touches_b(X_WA, X_WB);
+    for (const double p : c.surface.pressure) ASSERT_GE(p, 0) << "pose " << i;
+    for (const ContactPolygon& polygon : c.surface.polygons) ASSERT_GE(polygon.pressure, 0) << "pose " << i;
+  }
+}
+
+using enum ShapeType;
+const BodyPair kPairs[] = {
+    {"PadPlane", soft_body, rigid<plane>},
+    {"PadSphere", soft_body, rigid<sphere>},
+    {"PadBox", soft_body, rigid<box>},
+    {"PadCapsule", soft_body, rigid<capsule>},
+    {"PadCylinder", soft_body, rigid<cylinder>},
+    {"PadEllipsoid", soft_body, rigid<ellipsoid>},
+    {"PadMesh", soft_body, rigid<mesh>},
+    {"SphereMesh", soft<sphere>, rigid<mesh>},
+    {"BoxBox", soft<box>, rigid<box>},
+    {"CapsuleEllipsoid", soft<capsule>, rigid<ellipsoid>},
+    {"CylinderPlane", soft<cylinder>, rigid<plane>},
+    {"EllipsoidSphere", soft<ellipsoid>, rigid<sphere>},
+    {"HalfSpaceSphere", soft<plane>, rigid<sphere>},
+    {"HalfSpaceBox", soft<plane>, rigid<box>},
+    {"HalfSpaceMesh", soft<plane>, rigid<mesh>},
+};
+
+INSTANTIATE_TEST_SUITE_P(Property, EveryPair, testing::ValuesIn(kPairs),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace taxel
