@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "app/cli/command.h"
@@ -12,12 +13,19 @@
 namespace taxel::cli {
 namespace {
 
-/// Errors at rounding level differ from machine to machine: those below a bound that is one itself show the bound.
+/// What is at rounding level differs from machine to machine: shown by what it is less than.
+constexpr double kRounding = 1e-9;
+
 std::string error_text(const ClosedFormCheck& check) {
-  constexpr double kRounding = 1e-9;
-  const double floor = check.bound > 0 && check.bound <= kRounding ? check.bound : 1e-12;
+  const double floor = check.bound > 0 ? std::min(check.bound, kRounding) : kRounding;
   if (check.relation != Relation::equal && check.error == 0) return "-";
   return check.error < floor ? fmt::format("< {:g}", floor) : fmt::format("{:.2g}", check.error);
+}
+
+std::string computed_text(const ClosedFormCheck& check, int digits) {
+  if (std::abs(check.computed) < kRounding * std::max(1.0, std::abs(check.exact)))
+    return fmt::format("< {:g}", kRounding);
+  return fmt::format("{:.{}g}", check.computed, digits);
 }
 
 std::string exact_text(const ClosedFormCheck& check, int digits) {
@@ -65,8 +73,9 @@ std::string rows_of(const ClosedFormChecks& checks, const std::string& form, con
   std::string rows;
   for (const ClosedFormCheck& check : checks) {
     if (check.form != form || check.setting != setting) continue;
-    rows += fmt::format("| {} | {} | {:.6g} | {} | {} | {:.2g} | {} |\n", check.quantity, check.unit, check.computed,
-                        exact_text(check, 6), error_text(check), check.bound, check.pass() ? "yes" : "**no**");
+    rows +=
+        fmt::format("| {} | {} | {} | {} | {} | {:.2g} | {} |\n", check.quantity, check.unit, computed_text(check, 6),
+                    exact_text(check, 6), error_text(check), check.bound, check.pass() ? "yes" : "**no**");
   }
   return rows;
 }
@@ -88,8 +97,8 @@ std::string validate_text(const ClosedFormChecks& checks) {
   std::string text = fmt::format("{:<4} {:<42} {:>14} {:>14} {:>9} {:>8}\n", "form", "quantity", "computed", "exact",
                                  "error", "bound");
   for (const ClosedFormCheck& check : checks) {
-    text += fmt::format("{:<4} {:<42} {:>14.7g} {:>14} {:>9} {:>8.2g}  {}\n", check.form,
-                        check.quantity + (check.unit == "1" ? "" : " [" + check.unit + "]"), check.computed,
+    text += fmt::format("{:<4} {:<42} {:>14} {:>14} {:>9} {:>8.2g}  {}\n", check.form,
+                        check.quantity + (check.unit == "1" ? "" : " [" + check.unit + "]"), computed_text(check, 7),
                         exact_text(check, 7), error_text(check), check.bound, check.pass() ? "pass" : "FAIL");
   }
   const auto passed = std::count_if(checks.begin(), checks.end(), [](const ClosedFormCheck& c) { return c.pass(); });
