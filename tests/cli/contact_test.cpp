@@ -77,6 +77,18 @@ TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
   EXPECT_NEAR(result["max_pressure"].get<double>(), kappa * x, 1e-10 * kappa * x);
 }
 
+TEST(Contact, PressingThroughAPadToItsCoreIsAWarning) {
+  const auto pressed = [](double depth) {
+    Json ball = soft_sphere(0.05 - depth);
+    ball["material"] = {{"field", "pad"}, {"modulus", 5e4}, {"thickness", 0.002}};
+    return contact(case_of(ball, kPlane))["warnings"];
+  };
+  EXPECT_EQ(pressed(0.0015), Json::array());
+  const Json warnings = pressed(0.005);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].get<std::string>().find("polygons end at the rigid core"), std::string::npos) << warnings;
+}
+
 TEST(Contact, ForceOnAIsMinusForceOnB) {
   Json a = soft_sphere(0.047), b = kPlane;
   a["quat"] = {0.3, 0.5, -0.2, 0.7};

@@ -54,6 +54,7 @@ int run(const Options& options, Console& console) {
   ContactReport report{result, contact_case.a.X_WB, a.warnings, 0, options.repeat};
   report.warnings.insert(report.warnings.end(), b.warnings.begin(), b.warnings.end());
   report.microseconds = timed_contact(contact_case, *a.body, *b.body, options.repeat, result);
+  for (std::string& warning : contact_warnings(result)) report.warnings.push_back(std::move(warning));
   for (const std::string& warning : report.warnings) console.warn(options.file + ": " + warning);
   if (!options.polygons.empty()) write_file_atomically(options.polygons, polygons_of(options.polygons, report));
   console.result(console.json() ? contact_json(report) : contact_text(report));

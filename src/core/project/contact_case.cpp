@@ -40,6 +40,12 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
   return made;
 }
 
+std::vector<std::string> contact_warnings(const ContactResult& result) {
+  if (result.surface.at_core == 0) return {};
+  return {fmt::format("{} polygons end at the rigid core of a pad: pressure is missing where the overlap is deeper",
+                      result.surface.at_core)};
+}
+
 Twist relative_twist(const CaseBody& a, const CaseBody& b) {
   // velocity of the point of B that is at A's origin now: v_B + omega_B x (p_A - p_B)
   const dvec3 of_B = b.V_WB.linear + glm::cross(b.V_WB.angular, a.X_WB.p - b.X_WB.p);
