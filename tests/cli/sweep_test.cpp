@@ -203,5 +203,19 @@ TEST(Sweep, ItsFolderRunsElsewhere) {
   EXPECT_TRUE(fs::exists(folder / "out" / "scene.xml"));
 }
 
+TEST(Sweep, TellsWhereTheTimeGoes) {
+  const std::vector<std::string> options{"sweep",    "--quiet", "--density", "1e6",
+                                         "--before", "0.002",   "--past",    "0.002"};
+  const Json sweep = taxel_json(options);
+  const Json& parts = sweep["wall_parts"];
+  double sum = 0;
+  for (const char* part : {"surfaces", "forces", "readings", "rest"}) {
+    EXPECT_GT(parts[part].get<double>(), 0) << part;
+    sum += parts[part].get<double>();
+  }
+  EXPECT_NEAR(sum, sweep["wall_seconds"].get<double>(), 1e-12);
+  EXPECT_NE(taxel(options).out.find("of it contact surfaces "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -74,6 +74,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
   SimFrame frame;
   WarningsOfSensors warnings(simulator, console);
+  const SensorTimes before = simulator.sensor_times();
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   for (long step = 0; step != last && !simulator.finished(); ++step) {
@@ -87,6 +88,8 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   }
   console.progress(1);
   cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const SensorTimes after = simulator.sensor_times();
+  cost.sensors = {after.surfaces - before.surfaces, after.forces - before.forces, after.readings - before.readings};
   cost.cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   return recording;
 }

@@ -12,6 +12,7 @@ struct RunCost {
   long steps = 0;
   double simulated = 0;  ///< [s]
   double wall = 0;       ///< spent in steps and rows [s]
+  SensorTimes sensors;   ///< parts of `wall`; the rest is MuJoCo's and the recording's
   double cpu = 0;        ///< the same as processor time: what remains on a machine that is busy otherwise [s]
 };
 

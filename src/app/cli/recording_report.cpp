@@ -35,6 +35,10 @@ std::string sensor_text(const SensorSummary& sensor, const RecordedSensor& about
 
 }  // namespace
 
+double rest_of(const RunCost& cost) {
+  return cost.wall - cost.sensors.surfaces - cost.sensors.forces - cost.sensors.readings;
+}
+
 std::string recording_text(const RecordingReport& report) {
   std::string text = head_text(report);
   const std::vector<SensorSummary> sensors = summarize(report.recording);
@@ -43,6 +47,10 @@ std::string recording_text(const RecordingReport& report) {
   text += fmt::format("{:.2f} s for samples and contact model\n", report.model_seconds);
   text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",
                       cost.wall, cost.cpu, cost.simulated, cost.simulated / cost.wall);
+  const auto percent = [&](double seconds) { return fmt::format("{:.0f} %", 100 * seconds / cost.wall); };
+  text += fmt::format("of it contact surfaces {}, forces {}, rays and readings {}, MuJoCo and recording {}\n",
+                      percent(cost.sensors.surfaces), percent(cost.sensors.forces), percent(cost.sensors.readings),
+                      percent(rest_of(cost)));
   if (!report.files.empty()) text += fmt::format("wrote {}: {}\n", report.folder, fmt::join(report.files, " "));
   return text;
 }

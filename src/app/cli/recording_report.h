@@ -26,6 +26,9 @@ struct RecordingReport {
   std::string folder;
 };
 
+/// Wall time that no sensor took [s].
+double rest_of(const RunCost& cost);
+
 std::string recording_text(const RecordingReport& report);
 /// The result on stdout: what sweep.json holds, with the times of this run.
 std::string recording_json(const RecordingReport& report);

@@ -67,6 +67,10 @@ std::string recording_json(const RecordingReport& report) {
   json["model_seconds"] = report.model_seconds;
   json["simulated_seconds"] = report.cost.simulated;
   json["wall_seconds"] = report.cost.wall;
+  json["wall_parts"] = {{"surfaces", report.cost.sensors.surfaces},
+                        {"forces", report.cost.sensors.forces},
+                        {"readings", report.cost.sensors.readings},
+                        {"rest", rest_of(report.cost)}};
   json["cpu_seconds"] = report.cost.cpu;
   json["real_time_factor"] = report.cost.simulated / report.cost.wall;
   json["files"] = report.files;

@@ -220,6 +220,17 @@ std::vector<std::string> Simulator::warnings() const {
   return all;
 }
 
+SensorTimes Simulator::sensor_times() const {
+  SensorTimes sum;
+  for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
+    const SensorTimes& times = impl_->sensor(i).times;
+    sum.surfaces += times.surfaces;
+    sum.forces += times.forces;
+    sum.readings += times.readings;
+  }
+  return sum;
+}
+
 SimRow Simulator::row() const {
   const Impl& s = *impl_;
   SimRow row;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/project/scenario.h"
+#include "core/sim/sensor_times.h"
 #include "core/sim/sim_frame.h"
 
 namespace taxel {
@@ -37,6 +38,9 @@ class Simulator {
   /// What the sensors have to say about the scene: another mesh than the layout's, contacts doubled by MuJoCo's own,
   /// ...
   [[nodiscard]] std::vector<std::string> warnings() const;
+
+  /// Where the time of all sensors went so far.
+  [[nodiscard]] SensorTimes sensor_times() const;
 
   void step();                          ///< one mj_step; then row() and frame() tell of the state that was evaluated
   void reset();                         ///< back to the start, bit for bit

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/stopwatch.h"
+
 namespace taxel {
 namespace {
 
@@ -152,6 +154,7 @@ void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* 
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
   collect(m, d, instances, work);
   if (work.active_count == 0) return;
+  const Stopwatch watch(work.active.front().instance->times.forces);  // all pairs are solved together
   const std::span<Active> active(work.active.data(), work.active_count);
   free_acceleration(m, d, late_forces, work);
   for (const Active& a : active) add_response(m, a, a.instance->latest().pairs[a.pair].wrench, 1, work);

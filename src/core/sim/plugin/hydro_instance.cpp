@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/sim/model/geometry.h"
 
 namespace taxel {
@@ -150,6 +151,7 @@ bool HydroInstance::near(const Evaluation& e, std::size_t pair) const {
 }
 
 Evaluation& HydroInstance::evaluate(const mjModel& m, const mjData& d) {
+  const Stopwatch watch(times.surfaces);
   if (latest_ == sensed_) latest_ = 1 - latest_;
   Evaluation& e = slots_[latest_];
   locate(m, d, e);
@@ -209,6 +211,7 @@ void HydroInstance::sense(const mjModel& m, mjData& d) {
   if (config_.apply) note_mujoco_contacts(m, d);
   surfaces_.clear();
   for (const PairState& pair : slots_[sensed_].pairs) surfaces_.push_back(&pair.surface);
+  const Stopwatch watch(times.readings);
   read_sensor(*model_, surfaces_, reading_);
   for (int s = 0; s < m.nsensor; ++s)
     if (m.sensor_plugin[s] == instance_) write_output(d.sensordata + m.sensor_adr[s]);

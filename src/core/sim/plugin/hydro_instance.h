@@ -13,6 +13,7 @@
 #include "core/hydro/traction.h"
 #include "core/sensor/reading.h"
 #include "core/sim/plugin/sensor_config.h"
+#include "core/sim/sensor_times.h"
 
 namespace taxel {
 
@@ -73,6 +74,8 @@ class HydroInstance {
   /// Forgets all states.
   void reset();
 
+  /// Time spent so far; a copy begins at 0.
+  SensorTimes times;
   /// Set by the plugin when a callback failed: reported once, then the sensor reads zero.
   std::string failure;
 
