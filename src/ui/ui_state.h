@@ -76,12 +76,13 @@ struct FileDialog {
   std::string error;   ///< why the folder could not be listed
 };
 
-/// A load that runs in the worker.
+/// A load that runs in the worker, or a scene that the simulation builds.
 struct Loading {
   bool active = false;
   std::string what;
   double fraction = 0;
-  double seconds = 0;  ///< since it began
+  double seconds = 0;       ///< since it began
+  bool can_cancel = false;  ///< MuJoCo's compiler cannot be stopped
 };
 
 /// A bar as it was drawn in the last frame: the picture as numbers.

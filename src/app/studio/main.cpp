@@ -25,8 +25,7 @@ int main(int argc, char** argv) {
   }
   try {
     taxel::studio::Studio studio(options);
-    studio.run();
-    return 0;
+    return studio.run() ? 0 : 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "taxelstudio: {}\n", error.what());
     return 2;

@@ -255,10 +255,14 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
     const std::size_t last = std::min(peaks_.size(), first + frame_->sensors[selected].readings.size());
     for (std::size_t i = first; i < last; ++i) input.peaks.push_back(peaks_[i]);
   }
-  input.loading.active = loader_.busy();
-  input.loading.what = loader_.file().empty() ? "the fingertip" : loader_.file();
-  input.loading.fraction = loader_.fraction();
-  input.loading.seconds = loader_.seconds();
+  input.loading = {};
+  if (loader_.busy()) {
+    const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
+    input.loading = {true, what, loader_.fraction(), loader_.seconds(), true};
+  } else if (pending_) {
+    const auto since = std::chrono::steady_clock::now() - pending_->asked;
+    input.loading = {true, pending_->document.name, 0, std::chrono::duration<double>(since).count(), false};
+  }
 }
 
 }  // namespace taxel::studio

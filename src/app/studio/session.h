@@ -1,6 +1,7 @@
 // The open document and its simulation: what there is to show, without any window.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <set>
 #include <string>
@@ -60,6 +61,7 @@ class Session {
     SweepScenario scenario;
     bool play = false, framed = true;
     std::uint64_t load = 0;  ///< number of the request, as SimFrame::loads counts
+    std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
   };
 
   void accept_result(LoadResult result, SessionNews& news);

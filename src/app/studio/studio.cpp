@@ -80,11 +80,12 @@ Studio::Studio(const Options& options) : options_(options), session_(options.by_
 
 Studio::~Studio() = default;
 
-void Studio::run() {
+bool Studio::run() {
   keep_picture_ = !options_.screenshot.empty();
   options_.by_clock() ? run_by_clock() : run_by_frames();
   if (options_.by_clock()) save_settings();
   finish_outputs();
+  return !(options_.headless && argument_refused_);
 }
 
 double Studio::waiting_time() const {
@@ -152,7 +153,13 @@ void Studio::take(const std::vector<InputEvent>& events) {
 
 void Studio::act_on(const SessionNews& news) {
   const double now = ImGui::GetTime();
-  for (const auto& [severity, text] : news.messages) ui::add_message(ui_, severity, text, now);
+  for (const auto& [severity, text] : news.messages) {
+    ui::add_message(ui_, severity, text, now);
+    if (severity != Severity::error) continue;
+    std::fprintf(stderr, "taxelstudio: %s\n", text.c_str());
+    argument_refused_ = argument_refused_ || (!options_.file.empty() && !anything_opened_);
+  }
+  anything_opened_ = anything_opened_ || news.opened;
   session_.fill(input_, ui_.selection.sensor);
   if (news.opened) {
     ui_.mode = *news.opened;

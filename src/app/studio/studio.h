@@ -31,8 +31,9 @@ class Studio {
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
-  /// Until the window is closed, the script ends or the wanted frames are drawn. Throws Error where a script fails.
-  void run();
+  /// Until the window is closed, the script ends or the wanted frames are drawn. False where it drew offscreen and the
+  /// file of the command line was refused. Throws Error where a script fails.
+  bool run();
 
  private:
   void run_by_clock();
@@ -68,6 +69,7 @@ class Studio {
   gl::RgbImage last_picture_;
   bool keep_picture_ = false;
   bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
+  bool anything_opened_ = false, argument_refused_ = false;
   bool themed_dark_ = true;
   float themed_scale_ = 0;
   int pictures_due_ = 3;

@@ -70,7 +70,11 @@ void draw_loading(UiState& ui, const UiInput& input) {
       loading.fraction > 0 ? static_cast<float>(loading.fraction) : -static_cast<float>(ImGui::GetTime()),
       ImVec2(width, 0), loading.fraction > 0 ? nullptr : "");
   ui.widgets.note_item("Progress");
-  if (button(ui, "Cancel loading", ImVec2(-1, 0))) ui.ask(CancelLoading{});
+  if (loading.can_cancel) {
+    if (button(ui, "Cancel loading", ImVec2(-1, 0))) ui.ask(CancelLoading{});
+  } else {
+    ImGui::TextDisabled("Building the scene");
+  }
   ImGui::End();
   ImGui::PopStyleColor();
 }

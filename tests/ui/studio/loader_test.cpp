@@ -102,7 +102,7 @@ class Panels : public testing::Test {
 };
 
 TEST_F(Panels, ALoadOfOverHalfASecondShowsABarWithCancel) {
-  input_.loading = {true, "dense.taxels.json", 0.3, 0.4};
+  input_.loading = {true, "dense.taxels.json", 0.3, 0.4, true};
   draw();
   EXPECT_EQ(ui_.widgets.find("Progress"), nullptr) << "not worth a bar yet";
   input_.loading.seconds = 0.6;
@@ -119,6 +119,10 @@ TEST_F(Panels, ALoadOfOverHalfASecondShowsABarWithCancel) {
   draw();
   ASSERT_EQ(ui_.requests.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<ui::CancelLoading>(ui_.requests[0]));
+  input_.loading.can_cancel = false;  // a scene: MuJoCo's compiler cannot be stopped
+  draw();
+  EXPECT_NE(ui_.widgets.find("Progress"), nullptr);
+  EXPECT_EQ(ui_.widgets.find("Cancel loading"), nullptr);
   input_.loading.active = false;
   draw();
   EXPECT_EQ(ui_.widgets.find("Progress"), nullptr);

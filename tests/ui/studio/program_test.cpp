@@ -61,6 +61,17 @@ TEST(Options, ScreenshotAndStateWithoutAScript) {
   EXPECT_EQ(studio.state("a.json")["pace"]["pictures"], 4);
 }
 
+TEST(Options, AFileThatIsRefusedIsALineAndTwo) {
+  const StudioProgram studio;
+  for (const char* file : {"gone.taxels.json", "gone.xml"}) {
+    const Outcome outcome =
+        run_program(STUDIO_PROGRAM, {"--headless", "--frames", "2", "--dump-state", "a.json", file}, studio.folder());
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, std::string("taxelstudio: ") + file + ": no such file\n");
+    EXPECT_NE(studio.state("a.json")["messages"].dump().find("no such file"), std::string::npos) << "the same there";
+  }
+}
+
 TEST(Options, APictureThatCannotBeWrittenIsAnError) {
   const StudioProgram studio;
   const Outcome outcome = run_program(
