@@ -232,6 +232,12 @@ TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
   EXPECT_EQ(code("open.obj"), "mesh_open");
   EXPECT_EQ(taxel({"check", "scene.xml"}, folder).status, 0);
   EXPECT_EQ(taxel({"check", "bad.xml"}, folder).status, 2);
+  write_text(folder / "run.json", R"({"format": "taxel-run", "version": 1})");
+  const Outcome run = taxel({"check", "run.json"}, folder);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err,
+            "taxel: run.json: /format: is \"taxel-run\"; what can be checked is taxel-layout, contact-case and "
+            "taxel-sweep\n");
   EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "sweep.json").string()}, folder).status, 0);
   EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
 }

@@ -101,6 +101,10 @@ Problems check_file(const std::string& file) {
     parse_scenario(text, file);
     return {};
   }
+  if (!format.empty() && format != "taxel-layout") {
+    throw Error(file, "/format",
+                "is \"" + format + "\"; what can be checked is taxel-layout, contact-case and taxel-sweep");
+  }
   return check_layout(text, file);
 }
 

@@ -1,5 +1,7 @@
 #include "app/cli/default_layout.h"
 
+#include <chrono>
+#include <future>
 #include <numeric>
 #include <string_view>
 
@@ -39,6 +41,19 @@ Source read_source(const std::string& layout_file) {
   return source;
 }
 
+/// Builds in another thread while this one moves the progress bar.
+SensorModelPtr build_with_progress(const Source& source, Console& console) {
+  Progress progress;
+  auto building = std::async(std::launch::async, [&] {
+    return build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name, &progress);
+  });
+  while (building.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+    console.progress(progress.fraction());
+  }
+  console.progress(1);
+  return building.get();
+}
+
 }  // namespace
 
 SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console,
@@ -46,7 +61,7 @@ SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions&
   Source source = read_source(layout_file);
   source.layout.sampling.density = sampling.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = sampling.seed.value_or(source.layout.sampling.seed);
-  const SensorModelPtr model = build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name);
+  const SensorModelPtr model = build_with_progress(source, console);
   for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
   console.tell(model->problems);
   if (file_face_of != nullptr) *file_face_of = std::move(source.mesh.file_face_of);
