@@ -32,6 +32,36 @@ bool is_flat(const std::vector<dvec3>& x, const ivec4& t) {
   return std::abs(glm::dot(glm::cross(a, b), c)) <= kFlat * size * size * size;
 }
 
+/// Numbers points of the medial axis; those that differ by rounding alone are one.
+class AxisPoints {
+ public:
+  explicit AxisPoints(double size) : cell_(1e-9 * size) {}
+
+  /// The number of a point, from 0 in order of first sight.
+  int number(const dvec3& p) {
+    // Roundings of one point lie in one cell of the lattice, or where it lies at their border in two.
+    const dvec3 u = p / cell_;
+    constexpr double kBorder = 1e-3;
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 side(i & 1 ? kBorder : -kBorder, i & 2 ? kBorder : -kBorder, i & 4 ? kBorder : -kBorder);
+      const auto entry = numbers_.find(key(u + side));
+      if (entry != numbers_.end()) return entry->second;
+    }
+    numbers_.emplace(key(u), static_cast<int>(points_.size()));
+    points_.push_back(p);
+    return static_cast<int>(points_.size()) - 1;
+  }
+  [[nodiscard]] const std::vector<dvec3>& points() const { return points_; }
+
+ private:
+  using Key = std::tuple<long long, long long, long long>;
+  static Key key(const dvec3& u) { return {std::llround(u.x), std::llround(u.y), std::llround(u.z)}; }
+
+  double cell_;
+  std::map<Key, int> numbers_;
+  std::vector<dvec3> points_;
+};
+
 /// Prisms from the skin, p = 0, to the points of the medial axis that its vertices belong to, p = E. Vertices that
 /// belong to one point share it.
 template <class AxisPoint>
@@ -39,13 +69,9 @@ PressureFieldPtr fill_to_axis(const TriMesh& skin, double modulus, const AxisPoi
   require_modulus(modulus);
   std::vector<dvec3> vertices = skin.vertices();
   std::vector<int> inner;
-  std::map<std::tuple<double, double, double>, int> numbers;
-  for (const dvec3& v : skin.vertices()) {
-    const dvec3 p = axis_point(v) + 0.0;  // + 0 makes -0 and 0 one number
-    const auto [entry, fresh] = numbers.try_emplace({p.x, p.y, p.z}, static_cast<int>(vertices.size()));
-    if (fresh) vertices.push_back(p);
-    inner.push_back(entry->second);
-  }
+  AxisPoints axis(skin.bounds().diagonal());
+  for (const dvec3& v : skin.vertices()) inner.push_back(skin.vertex_count() + axis.number(axis_point(v) + 0.0));
+  vertices.insert(vertices.end(), axis.points().begin(), axis.points().end());
   std::vector<double> pressure(vertices.size(), modulus);
   std::fill_n(pressure.begin(), skin.vertices().size(), 0.0);
   std::vector<ivec4> tets;
@@ -73,14 +99,16 @@ PressureFieldPtr make_capsule_field(double radius, double half_length, double mo
 }
 
 PressureFieldPtr make_cylinder_field(double radius, double half_length, double modulus, double edge_length) {
-  if (radius > half_length) {
-    throw Error(
-        fmt::format("a soft cylinder of radius {} > half length {} has no medial-axis field here; give it a pad",
-                    radius, half_length));
+  if (!(radius > half_length)) {  // the axis is a segment
+    const double core = half_length - radius;
+    return fill_to_axis(make_round_cylinder(radius, half_length, edge_length), modulus,
+                        [&](const dvec3& v) { return dvec3(0, 0, std::clamp(v.z, -core, core)); });
   }
-  const double core = half_length - radius;
-  const TriMesh skin = make_round_cylinder(radius, half_length, edge_length);
-  return fill_to_axis(skin, modulus, [&](const dvec3& v) { return dvec3(0, 0, std::clamp(v.z, -core, core)); });
+  const double core = radius - half_length;  // a disc
+  return fill_to_axis(make_round_flat_cylinder(radius, half_length, edge_length), modulus, [&](const dvec3& v) {
+    const double r = std::hypot(v.x, v.y), shrink = r > core ? core / r : 1.0;
+    return dvec3(shrink * v.x, shrink * v.y, 0);
+  });
 }
 
 PressureFieldPtr make_ellipsoid_field(const dvec3& semi_axes, double modulus, double edge_length) {

@@ -12,8 +12,7 @@ namespace taxel {
 PressureFieldPtr make_box_field(const dvec3& half_size, double modulus);
 /// H = radius; the axis is a segment of z.
 PressureFieldPtr make_capsule_field(double radius, double half_length, double modulus, double edge_length);
-/// H = radius; the axis is a segment of z. Throws Error for a flat cylinder, radius > half_length, whose axis is a
-/// disc.
+/// H = min(radius, half_length); the axis is a segment of z, or of a flat cylinder, radius > half_length, a disc.
 PressureFieldPtr make_cylinder_field(double radius, double half_length, double modulus, double edge_length);
 /// p = E (1 - |x/semi-axes|): not the depth, but linear from the skin to the centre.
 PressureFieldPtr make_ellipsoid_field(const dvec3& semi_axes, double modulus, double edge_length);

@@ -13,9 +13,10 @@ struct PrismTets {
 };
 
 /// Cuts the prism between a triangle, counter-clockwise seen from outside, and the inner vertex of each corner, into
-/// three tets of positive volume. The diagonal of a side goes from the skin vertex of the lower number to the inner
-/// vertex of the higher one, so that neighbours cut the side between them alike. Where inner vertices coincide with
-/// each other or with the corner, the tets that this flattens are left out.
+/// three tets of positive volume. The diagonal of a side goes from the skin vertex whose inner vertex has the lower
+/// number to the inner vertex of the higher number, so that neighbours cut the side between them alike; so do all sides
+/// that end on one inner edge, which may lie in one plane. Where inner vertices coincide with each other or with the
+/// corner, the tets that this flattens are left out.
 PrismTets split_prism(const ivec3& corners, const ivec3& inner);
 
 }  // namespace taxel

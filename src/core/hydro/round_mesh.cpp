@@ -1,6 +1,7 @@
 #include "core/hydro/round_mesh.h"
 
 #include "core/mesh/primitives.h"
+#include "core/mesh/ring_surface.h"
 
 namespace taxel {
 namespace {
@@ -24,6 +25,21 @@ TriMesh scaled_about_axis(const TriMesh& mesh, double half_length, double side, 
     v = axis + (v.z == axis.z ? side : cap) * (v - axis);
   }
   return {std::move(vertices), mesh.faces()};
+}
+
+/// A mesh above z = 0 with its image below, joined where z is 0: both halves are cut into triangles alike.
+TriMesh with_mirror_image(const TriMesh& upper) {
+  std::vector<dvec3> vertices = upper.vertices();
+  std::vector<int> image;
+  for (int v = 0; v < upper.vertex_count(); ++v) {
+    const dvec3& x = upper.vertices()[static_cast<std::size_t>(v)];
+    image.push_back(x.z == 0 ? v : static_cast<int>(vertices.size()));
+    if (x.z != 0) vertices.emplace_back(x.x, x.y, -x.z);
+  }
+  std::vector<ivec3> faces = upper.faces();
+  const auto of = [&](int v) { return image[static_cast<std::size_t>(v)]; };
+  for (const ivec3& f : upper.faces()) faces.emplace_back(of(f.x), of(f.z), of(f.y));
+  return {std::move(vertices), std::move(faces)};
 }
 
 }  // namespace
@@ -62,6 +78,29 @@ TriMesh make_round_cylinder(double radius, double half_length, double edge_lengt
   const TriMesh mesh = make_cylinder(radius, half_length, edge_length);
   const double volume = 2.0 * kPi * radius * radius * half_length;
   return scaled_about_axis(mesh, half_length, std::sqrt(volume / mesh.volume()), 1);
+}
+
+TriMesh make_round_flat_cylinder(double radius, double half_length, double edge_length) {
+  make_cylinder(radius, half_length, edge_length);                                // refuses sizes that cannot be
+  const double core = radius - half_length, step = edge_length / std::sqrt(2.0);  // so that diagonals are short enough
+  const auto pieces = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / step))); };
+  const int discs = std::max(pieces(core), pieces(2.0 * kPi * radius / 6.0)), side = pieces(half_length);
+  // The prism's base, a polygon of n corners on radius R', has the area n/2 R'^2 sin(2 pi/n) = pi R^2.
+  const int n = 6 * discs;
+  const double outer = radius * std::sqrt(2.0 * kPi / (n * std::sin(2.0 * kPi / n)));
+  RingSurface upper;
+  const auto add = [&](double r, double z, int count) {
+    std::vector<dvec3> ring;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * kPi * i / count;
+      ring.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    }
+    upper.add_ring(ring);
+  };
+  for (int k = 0; k < side; ++k) add(outer, half_length * k / side, n);
+  for (int k = side; k > 0; --k) add(core + (outer - core) * k / side, half_length, n);
+  for (int k = discs; k >= 0; --k) add(core * k / discs, half_length, std::max(1, 6 * k));
+  return with_mirror_image(upper.mesh());
 }
 
 TriMesh make_round_ellipsoid(const dvec3& semi_axes, double edge_length) {

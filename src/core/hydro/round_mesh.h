@@ -12,6 +12,9 @@ namespace taxel {
 TriMesh make_round_sphere(double radius, double edge_length);
 TriMesh make_round_capsule(double radius, double half_length, double edge_length);
 TriMesh make_round_cylinder(double radius, double half_length, double edge_length);
+/// The same shape with a ring of vertices at radius - half_length on each cap, where the depth's medial axis ends if it
+/// is a disc (radius > half_length), and with vertices at the same angles on all rings outside of it.
+TriMesh make_round_flat_cylinder(double radius, double half_length, double edge_length);
 TriMesh make_round_ellipsoid(const dvec3& semi_axes, double edge_length);
 
 }  // namespace taxel
