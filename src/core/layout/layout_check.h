@@ -15,6 +15,10 @@ Problems check_layout_values(const Layout& layout, const std::string& file);
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file);
 
+/// What a mesh itself tells against its use: a size that is hardly metres, faces that cut through each other. Not part
+/// of the above, because editing a layout changes nothing about it.
+Problems check_layout_mesh(const TriMesh& mesh, const std::string& file);
+
 /// Throws Error with the first problem of severity error.
 void throw_first_error(const Problems& problems);
 

@@ -15,16 +15,6 @@ Problem problem(const std::string& pointer, Severity severity, const char* code,
   return {"", pointer, severity, code, std::move(message), std::move(fix)};
 }
 
-/// Where a mesh that is not closed lets the inside out, each kind with its first place.
-std::string openings(const TriMesh& mesh) {
-  std::string text;
-  for (const Problem& p : check_mesh(mesh, "")) {
-    const bool opens = p.code == "mesh_open" || p.code == "mesh_nonmanifold" || p.code == "mesh_winding";
-    if (opens) text += (text.empty() ? "" : "; ") + p.message;
-  }
-  return text;
-}
-
 void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
                     Problems& out) {
   if (!layout.mesh.sha256.empty() && !sha256.empty() && layout.mesh.sha256 != sha256)
@@ -117,6 +107,16 @@ bool placeable(const T& disc) {
 }
 
 }  // namespace
+
+Problems check_layout_mesh(const TriMesh& mesh, const std::string& file) {
+  Problems out;
+  for (Problem& p : check_mesh(mesh, file)) {
+    if (p.code != "mesh_units" && p.code != "mesh_self_intersection") continue;
+    p.pointer = p.code == "mesh_units" ? "/mesh/scale" : "/mesh/file";
+    out.push_back(std::move(p));
+  }
+  return out;
+}
 
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/mesh/halfedge.h"
+#include "core/mesh/self_intersection.h"
 
 namespace taxel {
 namespace {
@@ -75,6 +76,17 @@ Problems check_mesh(const TriMesh& mesh, const std::string& file) {
   Problems problems;
   check_edges(mesh, file, problems);
   check_shells(mesh, file, problems);
+  const SelfIntersections cuts = find_self_intersections(mesh);
+  if (cuts.pairs > 0) {
+    constexpr double kFew = 1e-3;  // of the faces
+    const Severity severity = cuts.pairs > kFew * mesh.face_count() ? Severity::warning : Severity::note;
+    problems.push_back({file, "", severity, "mesh_self_intersection",
+                        fmt::format("{} pair{} of faces cut through each other, the first at ({:.6g}, {:.6g}, {:.6g}) "
+                                    "(faces {} and {})",
+                                    cuts.pairs, plural(at(cuts.pairs)), cuts.place.x, cuts.place.y, cuts.place.z,
+                                    cuts.face_a, cuts.face_b),
+                        "unite the parts that overlap: nothing was repaired"});
+  }
   const UnitGuess guess = guess_unit(mesh);
   if (guess.scale != 1) {
     const dvec3 size = mesh.bounds().extent();
@@ -84,6 +96,14 @@ Problems check_mesh(const TriMesh& mesh, const std::string& file) {
                         fmt::format("set the scale to {}", guess.scale)});
   }
   return problems;
+}
+
+std::string openings(const TriMesh& mesh) {
+  Problems problems;
+  check_edges(mesh, "", problems);
+  std::string text;
+  for (const Problem& p : problems) text += (text.empty() ? "" : "; ") + p.message;
+  return text;
 }
 
 UnitGuess guess_unit(const TriMesh& mesh) {

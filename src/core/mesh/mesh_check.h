@@ -15,9 +15,15 @@ namespace taxel {
 ///   warning mesh_inverted      a closed mesh whose volume is negative: normals point inward
 ///   note    mesh_cavity        a closed shell inside another one: sensing leaves it out
 ///   note    mesh_shells        several outer shells
+///   warning mesh_self_intersection  faces that cut through others: the pressure field overlaps there; a note where
+///   they
+///                              are less than a thousandth
 ///   warning mesh_units         a size that is hardly metres
 /// Each names `file`, the number of places and the first of them. O(n log n).
 Problems check_mesh(const TriMesh& mesh, const std::string& file);
+
+/// Where a mesh that is not closed lets the inside out: each kind of bad edge with its number and first place.
+std::string openings(const TriMesh& mesh);
 
 /// The unit that the numbers of a mesh are probably in.
 struct UnitGuess {
