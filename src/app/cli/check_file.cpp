@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/files.h"
+#include "core/hydro/field_report.h"
 #include "core/layout/layout_json.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
@@ -33,7 +34,15 @@ Problems check_layout(const std::string& text, const std::string& file) {
   if (any_error(problems)) return problems;
   problems = check_layout_on_mesh(layout, MeshIndex(loaded.mesh), loaded.sha256, file);
   if (any_error(problems)) return problems;
-  problems = build_sensor_model(layout, loaded.mesh, loaded.sha256, file)->problems;
+  const SensorModelPtr model = build_sensor_model(layout, loaded.mesh, loaded.sha256, file);
+  problems = model->problems;
+  if (const auto* soft = std::get_if<SoftBody>(&model->body->geometry)) {
+    for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
+      if (p.severity == Severity::note) problems.push_back(std::move(p));  // the others are the model's
+    }
+  }
+  const Problems of_mesh = check_layout_mesh(*loaded.mesh, file);
+  problems.insert(problems.end(), of_mesh.begin(), of_mesh.end());
   for (const std::string& note : loaded.notes) {
     problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
   }
@@ -57,6 +66,11 @@ Problems check_case(const ContactCase& contact_case) {
       const MadeBody made = make_case_body(contact_case, body, name);
       for (const std::string& warning : made.warnings) {
         problems.push_back({file, "/" + name, Severity::warning, "body_warning", warning, ""});
+      }
+      if (const FieldReport* report = made.model ? nullptr : made.field_report()) {
+        for (Problem& p : field_problems(*report, file, "/" + name)) {
+          if (p.severity == Severity::note) problems.push_back(std::move(p));  // the others are among the warnings
+        }
       }
       return made.body;
     } catch (const Error& e) {

@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/contact_report.h"
 #include "core/base/files.h"
+#include "core/hydro/vtk_tets.h"
 #include "core/project/contact_case.h"
 
 namespace taxel::cli {
@@ -17,6 +18,7 @@ namespace {
 struct Options {
   std::string file;
   std::string polygons;
+  std::string tets;
   int repeat = 1;
 };
 
@@ -42,6 +44,14 @@ std::string polygons_of(const std::string& file, const ContactReport& report) {
   throw Error(file, "polygons are written as .json or .csv");
 }
 
+/// The field of the soft body, of a where both are.
+std::string tets_of(const MadeBody& a, const MadeBody& b, const std::string& file) {
+  for (const MadeBody* made : {&a, &b}) {
+    if (const auto* soft = std::get_if<SoftBody>(&made->body->geometry)) return vtk_text(*soft->field);
+  }
+  throw Error(file, "the soft body is a half-space: it has no tets");
+}
+
 int run(const Options& options, Console& console) {
   const ContactCase contact_case = read_contact_case(options.file);
   const MadeBody a = make_case_body(contact_case, contact_case.a, "a");
@@ -51,12 +61,16 @@ int run(const Options& options, Console& console) {
                                           a.body->soft() ? "soft" : "rigid"));
   }
   ContactResult result;
-  ContactReport report{result, contact_case.a.X_WB, a.warnings, 0, options.repeat};
+  ContactReport report{result, contact_case.a.X_WB, a.warnings, {}, 0, options.repeat};
   report.warnings.insert(report.warnings.end(), b.warnings.begin(), b.warnings.end());
   report.microseconds = timed_contact(contact_case, *a.body, *b.body, options.repeat, result);
   for (std::string& warning : contact_warnings(result)) report.warnings.push_back(std::move(warning));
+  for (const auto& [name, made] : {std::pair("a", &a), std::pair("b", &b)}) {
+    if (const FieldReport* field = made->field_report()) report.fields.emplace_back(name, *field);
+  }
   for (const std::string& warning : report.warnings) console.warn(options.file + ": " + warning);
   if (!options.polygons.empty()) write_file_atomically(options.polygons, polygons_of(options.polygons, report));
+  if (!options.tets.empty()) write_file_atomically(options.tets, tets_of(a, b, options.tets));
   console.result(console.json() ? contact_json(report) : contact_text(report));
   return kDone;
 }
@@ -73,6 +87,10 @@ Command add_contact(CLI::App& parent, CommonOptions& common) {
   app->add_option("--polygons", options->polygons,
                   "Write the contact surface: one polygon each with vertices [m], pressures [Pa], normal, area [m^2], "
                   "tet, face; .json or .csv")
+      ->type_name("FILE");
+  app->add_option(
+         "--tets", options->tets,
+         "Write the pressure field of the soft body: tets and pressures [Pa], its own frame, legacy VTK (.vtk)")
       ->type_name("FILE");
   app->add_option("--repeat", options->repeat, "Compute it this often; `microseconds` is the median")
       ->check(CLI::Range(1, 1000000))

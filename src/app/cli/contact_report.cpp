@@ -4,6 +4,8 @@
 
 #include <iterator>
 
+#include "core/hydro/field_report.h"
+
 namespace taxel::cli {
 
 std::string contact_text(const ContactReport& report) {
@@ -20,6 +22,9 @@ std::string contact_text(const ContactReport& report) {
   line("max_pressure", fmt::format("{} Pa", surface.max_pressure()));
   for (const RejectedPolygons& rejected : surface.rejected) {
     line("rejected", fmt::format("{}: {} polygons, {} m^2", rejected.reason, rejected.count, rejected.area));
+  }
+  for (const auto& [body, field] : report.fields) {
+    for (const Problem& p : field_problems(field, "", "")) line(("field " + body).c_str(), p.message);
   }
   line("microseconds", fmt::format("{:.1f}, median of {}", report.microseconds, report.repeats));
   return text;

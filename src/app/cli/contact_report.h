@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/project/contact_case.h"
@@ -12,7 +13,8 @@ struct ContactReport {
   const ContactResult& result;
   Pose X_WA;  ///< of body a
   std::vector<std::string> warnings;
-  double microseconds = 0;  ///< median time of one surface and its wrench
+  std::vector<std::pair<std::string, FieldReport>> fields;  ///< of each soft body that has tets: "a" or "b", its report
+  double microseconds = 0;                                  ///< median time of one surface and its wrench
   int repeats = 1;
 };
 

@@ -6,6 +6,37 @@
 namespace taxel::cli {
 namespace {
 using Json = nlohmann::ordered_json;
+
+Json part_json(const SkinPart& part) {
+  Json json{{"faces", part.faces}, {"area", part.area}};
+  if (part.faces == 0) return json;
+  json["bounds"] = {numbers<Json>(part.bounds.lo), numbers<Json>(part.bounds.hi)};
+  json["worst_face"] = part.worst_face;
+  json["worst_place"] = numbers<Json>(part.worst_place);
+  return json;
+}
+
+Json field_json(const std::string& body, const FieldReport& report) {
+  Json json{{"body", body},
+            {"tets", report.tets},
+            {"inverted", report.inverted},
+            {"zero_gradient", report.zero_gradient},
+            {"stiffness",
+             {{"mean", report.stiffness_mean},
+              {"min", report.stiffness_min},
+              {"max", report.stiffness_max},
+              {"cv", report.stiffness_cv}}},
+            {"skin_area", report.skin_area}};
+  if (report.core) {  // a pad
+    json["thickness"] = report.thickness;
+    json["limited"] = part_json(report.limited);
+    json["limited"]["least_part"] = report.least_part;
+    json["bare"] = part_json(report.bare);
+  }
+  json["notes"] = report.notes;
+  return json;
+}
+
 }  // namespace
 
 std::string contact_json(const ContactReport& report) {
@@ -23,6 +54,8 @@ std::string contact_json(const ContactReport& report) {
     json["rejected"].push_back({{"reason", rejected.reason}, {"count", rejected.count}, {"area", rejected.area}});
   }
   json["warnings"] = report.warnings;
+  json["fields"] = Json::array();
+  for (const auto& [body, field] : report.fields) json["fields"].push_back(field_json(body, field));
   json["microseconds"] = report.microseconds;
   return text_of(json);
 }

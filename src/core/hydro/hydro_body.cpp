@@ -61,7 +61,9 @@ void check_shape(const Shape& shape, const Material& material) {
   check_not_negative(material.thickness, "thickness");
   check_not_negative(material.dissipation, "dissipation");
   check_not_negative(material.friction, "friction");
-  if (shape.type == ShapeType::tets) throw Error("bodies from tetrahedral mesh files are not supported");
+  if (shape.type == ShapeType::tets && shape.tets == nullptr) throw Error("a body of tets needs a tetrahedral mesh");
+  if (shape.rigid_only != nullptr && material.compliant())
+    throw Error(fmt::format("{} can only be rigid: its modulus must be 0, is {}", shape.rigid_only, material.modulus));
   if (shape.type == ShapeType::mesh && (shape.mesh == nullptr || shape.mesh->face_count() == 0))
     throw Error("a mesh body needs a mesh with triangles");
 }
@@ -90,6 +92,8 @@ TriMeshPtr surface_mesh(const Shape& shape) {
       return share(make_round_ellipsoid(shape.size, edge));
     case ShapeType::box:
       return share(make_box(shape.size));
+    case ShapeType::tets:
+      return share(boundary_of(*shape.tets));
     default:
       return shape.mesh;
   }
@@ -102,11 +106,24 @@ double pad_thickness(const TriMesh& mesh, const Material& material) {
   return 0.125 * std::min({e.x, e.y, e.z});
 }
 
+/// A mesh with what the user calls its faces.
+struct Skin {
+  TriMeshPtr mesh;
+  std::vector<int> face_numbers;
+};
+
 /// Only the outer shells can be touched: cavities inside get no field.
-TriMeshPtr skin_of(const TriMeshPtr& mesh) {
-  const std::vector<int> outer = outer_shells(*mesh);
-  if (static_cast<int>(outer.size()) == mesh->shell_count()) return mesh;
-  return std::make_shared<const TriMesh>(extract_shells(*mesh, outer));
+Skin skin_of(const Shape& shape) {
+  Skin skin{surface_mesh(shape), shape.face_numbers};
+  const std::vector<int> outer = outer_shells(*skin.mesh);
+  if (static_cast<int>(outer.size()) == skin.mesh->shell_count()) return skin;
+  std::vector<int> face_of;
+  skin.mesh = std::make_shared<const TriMesh>(extract_shells(*skin.mesh, outer, &face_of));
+  if (!shape.face_numbers.empty()) {
+    for (int& f : face_of) f = shape.face_numbers[static_cast<std::size_t>(f)];
+  }
+  skin.face_numbers = std::move(face_of);
+  return skin;
 }
 
 PressureFieldPtr make_medial_field(const Shape& shape, double modulus) {
@@ -127,13 +144,19 @@ PressureFieldPtr make_medial_field(const Shape& shape, double modulus) {
 
 PressureFieldPtr make_field(const Shape& shape, const Material& material) {
   const bool is_mesh = shape.type == ShapeType::mesh;
-  if (material.field == FieldKind::star) return make_star_field(skin_of(surface_mesh(shape)), material.modulus);
-  if (material.field == FieldKind::pad && (is_mesh || material.thickness > 0)) {
-    const TriMeshPtr skin = skin_of(surface_mesh(shape));
-    return make_pad_field(skin, material.modulus, pad_thickness(*skin, material));
+  const bool is_tets = shape.type == ShapeType::tets;
+  if (material.field == FieldKind::tets) {
+    if (!is_tets)
+      throw Error(fmt::format("field tets is for a shape of type tets, not for a {}", to_string(shape.type)));
+    return make_tet_field(*shape.tets, material.modulus, material.thickness);
   }
-  if (material.field == FieldKind::tets || is_mesh)
-    throw Error(fmt::format("a {} with this kind of pressure field is not supported", to_string(shape.type)));
+  if (material.field == FieldKind::star) return make_star_field(skin_of(shape).mesh, material.modulus);
+  if (material.field == FieldKind::pad && (is_mesh || is_tets || material.thickness > 0)) {
+    const Skin skin = skin_of(shape);
+    return make_pad_field(skin.mesh, material.modulus, pad_thickness(*skin.mesh, material), skin.face_numbers);
+  }
+  if (is_mesh || is_tets)
+    throw Error(fmt::format("field medial_axis is for primitives, not for a {}", to_string(shape.type)));
   return make_medial_field(shape, material.modulus);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/material.h"
 #include "core/hydro/pressure_field.h"
+#include "core/hydro/tet_mesh.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
@@ -37,14 +38,18 @@ enum class ShapeType { plane, sphere, capsule, ellipsoid, cylinder, box, mesh, t
 
 struct Shape {
   ShapeType type = ShapeType::sphere;
-  dvec3 size{0};          ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
-  TriMeshPtr mesh;        ///< for type mesh
-  double resolution = 0;  ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
+  dvec3 size{0};              ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
+  TriMeshPtr mesh;            ///< for type mesh
+  double resolution = 0;      ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
+  TetMeshPtr tets = nullptr;  ///< for type tets
+  const char* rigid_only = nullptr;    ///< what the mesh stands for that can only be rigid: "a height field"
+  std::vector<int> face_numbers = {};  ///< what the user calls the faces of the mesh; empty: their own numbers
 };
 
 /// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated
 /// and scaled to their true volume. Soft meshes get a pad on their outer shells (thickness 0: an eighth of the smallest
-/// extent) or a star; soft primitives their medial-axis field, but a pad where the material says pad and a thickness.
+/// extent) or a star; soft primitives their medial-axis field, but a pad where the material says pad and a thickness;
+/// tets their own field, rigid tets are their boundary.
 /// Throws Error that names what is not supported or out of range (size <= 0, pad on an open mesh, ...).
 HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name);
 

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/hydro/pad_shape.h"
 #include "core/hydro/pressure_field.h"
+#include "core/mesh/mesh_check.h"
 
 namespace taxel {
 namespace {
@@ -40,49 +41,87 @@ std::vector<double> pressures(const TriMesh& mesh, const PadShape& shape, double
   return pressure;
 }
 
-PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness) {
+/// Gathers faces of one kind; the worst is the one of the highest badness.
+class SkinPartMaker {
+ public:
+  SkinPartMaker(const TriMesh& mesh, const std::vector<int>& face_numbers) : mesh_(mesh), numbers_(face_numbers) {}
+  void add(int face, double badness) {
+    ++part_.faces;
+    part_.area += mesh_.face_areas()[at(face)];
+    for (int c = 0; c < 3; ++c) part_.bounds.include(mesh_.vertex(face, c));
+    if (!(badness > worst_)) return;
+    worst_ = badness;
+    part_.worst_face = numbers_.empty() ? face : numbers_[at(face)];
+    part_.worst_place = (mesh_.vertex(face, 0) + mesh_.vertex(face, 1) + mesh_.vertex(face, 2)) / 3.0;
+  }
+  [[nodiscard]] const SkinPart& part() const { return part_; }
+
+ private:
+  const TriMesh& mesh_;
+  const std::vector<int>& numbers_;
+  SkinPart part_;
+  double worst_ = -1;
+};
+
+FieldReport report_of(const TriMesh& mesh, const PadShape& shape, double thickness,
+                      const std::vector<int>& face_numbers) {
+  FieldReport report;
+  report.core = true;
+  report.thickness = thickness;
+  report.skin_area = mesh.area();
+  SkinPartMaker limited(mesh, face_numbers), bare(mesh, face_numbers);
+  double limited_area = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    double least = 1;
+    for (int c = 0; c < 3; ++c) {
+      const int v = mesh.faces()[at(f)][c];
+      if (!shape.limited(v)) continue;
+      limited_area += mesh.face_areas()[at(f)] / 3.0;
+      least = std::min(least, shape.part_left(v));
+    }
+    if (shape.tets(f).count == 0) {
+      bare.add(f, mesh.face_areas()[at(f)]);
+    } else if (least < 1) {
+      limited.add(f, 1 - least);
+      report.least_part = std::min(report.least_part, least);
+    }
+  }
+  report.thickness_limited_fraction = limited_area / mesh.area();
+  const dvec3 extent = mesh.bounds().extent();
+  report.deepest = 0.5 * std::min({extent.x, extent.y, extent.z});
+  report.limited = limited.part();
+  report.bare = bare.part();
+  return report;
+}
+
+PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, const std::vector<int>& face_numbers) {
   const MeshIndex index(mesh);
   const PadShape shape(index, thickness);
   std::vector<dvec3> vertices = mesh->vertices();
   for (int v = 0; v < mesh->vertex_count(); ++v) vertices.push_back(shape.inner_position(v));
   std::vector<ivec4> tets;
-  FieldReport report;
-  report.core = true;
-  double limited_area = 0, bare_area = 0;
-  int bare = 0, first_bare = -1;
+  tets.reserve(3 * mesh->faces().size());
   for (int f = 0; f < mesh->face_count(); ++f) {
     const PrismTets face_tets = shape.tets(f);
     tets.insert(tets.end(), face_tets.tets.begin(), face_tets.tets.begin() + face_tets.count);
-    if (face_tets.count == 0) {
-      bare_area += mesh->face_areas()[at(f)];
-      if (bare++ == 0) first_bare = f;
-    }
-    for (int c = 0; c < 3; ++c) {
-      if (shape.limited(mesh->faces()[at(f)][c])) limited_area += mesh->face_areas()[at(f)] / 3.0;
-    }
-  }
-  report.thickness_limited_fraction = limited_area / mesh->area();
-  if (bare > 0) {
-    report.notes.push_back(
-        fmt::format("{} faces are folded or edge on and have no pad: {:.2g} of the skin (first: face {})", bare,
-                    bare_area / mesh->area(), first_bare));
   }
   std::vector<double> pressure = pressures(*mesh, shape, modulus, thickness);
   return std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
-                                               std::move(report));
+                                               report_of(*mesh, shape, thickness, face_numbers));
 }
 
 }  // namespace
 
-PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness) {
+PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
+                                const std::vector<int>& face_numbers) {
   const auto require_positive = [](double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
   };
   require_positive(modulus, "modulus of a pad");
   require_positive(thickness, "thickness of a pad");
-  if (!mesh->closed()) throw Error("a pad needs a closed mesh; this one is open");
+  if (!mesh->closed()) throw Error("a pad needs a closed mesh; this one is open: " + openings(*mesh));
   if (!(mesh->volume() > 0)) throw Error("a pad needs a mesh whose triangles face outward; this one is inside out");
-  return fill(mesh, modulus, thickness);
+  return fill(mesh, modulus, thickness, face_numbers);
 }
 
 }  // namespace taxel

@@ -23,6 +23,8 @@ class PadShape {
   [[nodiscard]] double depth(int v) const { return depth_[at(v)]; }
   /// Whether the offset is shorter than the thickness asks for.
   [[nodiscard]] bool limited(int v) const { return offset_[at(v)] < 0.999 * full_[at(v)]; }
+  /// The offset over what the thickness asks for.
+  [[nodiscard]] double part_left(int v) const { return offset_[at(v)] / full_[at(v)]; }
   /// Tets of positive volume, in skin and inner vertex numbers: three; fewer where corners are pinched, none where the
   /// face has no pad.
   [[nodiscard]] PrismTets tets(int face) const;

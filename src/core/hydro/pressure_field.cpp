@@ -164,11 +164,11 @@ PressureField::PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tet
   bvh_.build(boxes, 1);
   size_ = bounds_.diagonal();
   report_.tets = static_cast<int>(tets_.size());
-  report_.stiffness_cv = skin_stiffness_cv();
+  measure_skin_stiffness();
 }
 
-double PressureField::skin_stiffness_cv() const {
-  double area = 0, sum = 0, sum_squares = 0;
+void PressureField::measure_skin_stiffness() {
+  double area = 0, sum = 0, sum_squares = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Tet& tet : tets_) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (!is_skin(tet, static_cast<int>(i))) continue;
@@ -179,10 +179,16 @@ double PressureField::skin_stiffness_cv() const {
       area += weight;
       sum += weight * stiffness;
       sum_squares += weight * stiffness * stiffness;
+      least = std::min(least, stiffness);
+      most = std::max(most, stiffness);
     }
   }
-  if (!(sum > 0)) return 0;
-  return std::sqrt(std::max(0.0, area * sum_squares / (sum * sum) - 1.0));
+  if (!(sum > 0)) return;
+  report_.stiffness_cv = std::sqrt(std::max(0.0, area * sum_squares / (sum * sum) - 1.0));
+  report_.stiffness_mean = sum / area;
+  report_.stiffness_min = least;
+  report_.stiffness_max = most;
+  if (!(report_.skin_area > 0)) report_.skin_area = 0.5 * area;
 }
 
 bool PressureField::is_skin(const Tet& tet, int corner) const {

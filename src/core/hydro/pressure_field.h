@@ -23,14 +23,30 @@ struct Tet {
   double size = 0;                 ///< longest edge: the scale of tolerances [m]
 };
 
-/// What a field is worth: shown to the user, tested.
+/// Some faces of the skin, and where they lie.
+struct SkinPart {
+  int faces = 0;
+  double area = 0;  ///< [m^2]
+  Aabb bounds;
+  int worst_face = -1;   ///< in the numbers of the mesh that the user gave
+  dvec3 worst_place{0};  ///< middle of that face [m]
+};
+
+/// What a field is worth: shown to the user, tested. Stiffness is |g| at the skin, weighted by area [Pa/m].
 struct FieldReport {
   int tets = 0;
   int inverted = 0;  ///< tets of negative volume before orientation, or of a fold
   int zero_gradient = 0;
   double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
-  double stiffness_cv = 0;                ///< variation of |g| over the skin, area weighted
-  bool core = false;                      ///< the field ends on a rigid core (pads)
+  double stiffness_cv = 0;                ///< standard deviation over mean
+  double stiffness_mean = 0, stiffness_min = 0, stiffness_max = 0;
+  double skin_area = 0;   ///< of the mesh, with and without tets below it [m^2]
+  double thickness = 0;   ///< H that was asked for (pads) [m]
+  double deepest = 0;     ///< half of the body's smallest extent: no point lies deeper (pads) [m]
+  double least_part = 1;  ///< the shortest offset over what H asks for, where a pad was made at all
+  SkinPart limited;       ///< faces at which H had to shrink; worst: where the least is left
+  SkinPart bare;          ///< faces without a pad; worst: the largest
+  bool core = false;      ///< the field ends on a rigid core (pads)
   std::vector<std::string> notes;
 };
 
@@ -55,7 +71,7 @@ class PressureField {
   [[nodiscard]] bool is_skin(const Tet& tet, int corner) const;
 
  private:
-  [[nodiscard]] double skin_stiffness_cv() const;
+  void measure_skin_stiffness();
 
   std::vector<dvec3> vertices_;
   std::vector<double> vertex_pressure_;
@@ -69,8 +85,10 @@ class PressureField {
 using PressureFieldPtr = std::shared_ptr<const PressureField>;
 
 /// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
-/// prism. H is limited by the local thickness. Throws Error for an open mesh, H <= 0 or E <= 0.
-PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness);
+/// prism. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report; empty:
+/// their own numbers. Throws Error for an open mesh (naming the places), H <= 0 or E <= 0.
+PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
+                                const std::vector<int>& face_numbers = {});
 
 /// Tets from the volume centroid to every face, p = E there: what the paper's code does. Inverted tets are reported.
 PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);

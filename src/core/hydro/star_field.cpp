@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/hydro/pressure_field.h"
 #include "core/hydro/round_mesh.h"
+#include "core/mesh/mesh_check.h"
 
 namespace taxel {
 namespace {
@@ -43,7 +44,7 @@ PressureFieldPtr make_cone_field(const TriMesh& mesh, const dvec3& center, doubl
 
 PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus) {
   require_positive(modulus, "modulus of a star field");
-  if (!mesh->closed()) throw Error("a star field needs a closed mesh; this one is open");
+  if (!mesh->closed()) throw Error("a star field needs a closed mesh; this one is open: " + openings(*mesh));
   return make_cone_field(*mesh, mesh->centroid(), modulus);
 }
 

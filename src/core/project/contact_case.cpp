@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "core/hydro/field_report.h"
+#include "core/hydro/vtk_tets.h"
+#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel {
@@ -10,6 +13,35 @@ namespace fs = std::filesystem;
 fs::path beside_case(const ContactCase& contact_case, const std::string& file) {
   const fs::path path(file);
   return path.is_absolute() ? path : fs::path(contact_case.file).parent_path() / path;
+}
+
+namespace {
+
+/// The mesh, tets or height field that a shape names, into `shape`. What was repaired or is wrong goes into `warnings`.
+void load_shape(const ContactCase& contact_case, const CaseShape& from, const std::string& name, Shape& shape,
+                std::vector<std::string>& warnings) {
+  const std::string pointer = "/" + name + "/shape/file: ";
+  if (from.height_field) {
+    shape.mesh = std::make_shared<const TriMesh>(make_height_field(*from.height_field));
+    shape.rigid_only = "a height field";
+  } else if (shape.type == ShapeType::mesh) {
+    LoadedMesh loaded = load_mesh(beside_case(contact_case, from.file), from.scale);
+    shape.mesh = loaded.mesh;
+    shape.face_numbers = std::move(loaded.file_face_of);
+    for (const std::string& note : loaded.notes) warnings.push_back(pointer + note);
+    for (const Problem& p : check_mesh(*shape.mesh, from.file)) {
+      if (p.severity != Severity::note) warnings.push_back(pointer + p.message + (p.fix.empty() ? "" : "; " + p.fix));
+    }
+  } else if (shape.type == ShapeType::tets) {
+    shape.tets = std::make_shared<const TetMesh>(load_vtk_tets(beside_case(contact_case, from.file), from.scale));
+  }
+}
+
+}  // namespace
+
+const FieldReport* MadeBody::field_report() const {
+  const auto* soft = std::get_if<SoftBody>(&body->geometry);
+  return soft != nullptr ? &soft->field->report() : nullptr;
 }
 
 MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, const std::string& name) {
@@ -27,15 +59,17 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
   shape.type = body.shape->type;
   shape.size = body.shape->size;
   shape.resolution = body.shape->resolution;
-  if (shape.type == ShapeType::mesh) {
-    LoadedMesh loaded = load_mesh(beside_case(contact_case, body.shape->file), body.shape->scale);
-    shape.mesh = loaded.mesh;
-    for (const std::string& note : loaded.notes) made.warnings.push_back(fmt::format("/{}/shape/file: {}", name, note));
-  }
   try {
+    load_shape(contact_case, *body.shape, name, shape, made.warnings);
     made.body = make_body(shape, body.material, name);
   } catch (const Error& e) {
+    if (!e.file().empty()) throw;  // of another file, which it names
     throw Error(contact_case.file, "/" + name, e.message());
+  }
+  if (const FieldReport* report = made.field_report()) {
+    for (const Problem& p : field_problems(*report, contact_case.file, "/" + name)) {
+      if (p.severity != Severity::note) made.warnings.push_back(p.pointer + ": " + p.message);
+    }
   }
   return made;
 }

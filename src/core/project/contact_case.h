@@ -10,6 +10,7 @@
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
+#include "core/mesh/height_field.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -17,9 +18,10 @@ namespace taxel {
 /// A shape as MuJoCo names it; a mesh comes from a file.
 struct CaseShape {
   ShapeType type = ShapeType::sphere;
-  dvec3 size{0};          ///< [m]; as Shape::size
-  std::string file;       ///< of a mesh: relative to the case file, or absolute
-  dvec3 scale{1.0};       ///< of the mesh file's coordinates
+  dvec3 size{0};                            ///< [m]; as Shape::size
+  std::string file;                         ///< of a mesh or of tets: relative to the case file, or absolute
+  dvec3 scale{1.0};                         ///< of the mesh file's coordinates
+  std::optional<HeightField> height_field;  ///< instead of all of these: a rigid mesh made of it
   double resolution = 0;  ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
 };
 
@@ -50,6 +52,8 @@ std::filesystem::path beside_case(const ContactCase& contact_case, const std::st
 struct MadeBody {
   HydroBodyPtr body;
   SensorModelPtr model;  ///< null for a shape
+  /// Of a soft body that has tets: what its field is worth. Null for others.
+  [[nodiscard]] const FieldReport* field_report() const;
   std::vector<std::string> warnings;
 };
 

@@ -19,14 +19,15 @@ struct ShapeWord {
   ShapeType type;
   std::size_t sizes;  ///< how many numbers its size takes
 };
-constexpr std::array<ShapeWord, 8> kShapes{{{"plane", ShapeType::plane, 0},
+constexpr std::array<ShapeWord, 9> kShapes{{{"plane", ShapeType::plane, 0},
                                             {"sphere", ShapeType::sphere, 1},
                                             {"capsule", ShapeType::capsule, 2},
                                             {"ellipsoid", ShapeType::ellipsoid, 3},
                                             {"cylinder", ShapeType::cylinder, 2},
                                             {"box", ShapeType::box, 3},
                                             {"mesh", ShapeType::mesh, 0},
-                                            {"tets", ShapeType::tets, 0}}};
+                                            {"tets", ShapeType::tets, 0},
+                                            {"hfield", ShapeType::mesh, 0}}};
 
 ShapeWord parse_type(const Node& node) {
   const std::string word = node.text();
@@ -38,11 +39,41 @@ ShapeWord parse_type(const Node& node) {
   node.wrong(fmt::format("one of {}", known));
 }
 
+/// MuJoCo's height field: size x, y, z and base; elevation row after row, rows along y, in parts of z.
+HeightField parse_height_field(const Node& node) {
+  node.only({"type", "size", "elevation"});
+  HeightField field;
+  const Node size = node.at("size");
+  const std::vector<double> values = size.numbers(4);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(values[i] > 0)) size.fail_at(std::to_string(i), fmt::format("must be greater than 0, is {}", values[i]));
+  }
+  field.size = {values[0], values[1], values[2]};
+  field.base = values[3];
+  const Node elevation = node.at("elevation");
+  field.rows = static_cast<int>(elevation.length());
+  if (field.rows < 2) elevation.wrong("an array of 2 rows or more");
+  for (int r = 0; r < field.rows; ++r) {
+    const Node row = elevation.item(static_cast<std::size_t>(r));
+    if (r == 0) field.columns = static_cast<int>(row.length());
+    if (field.columns < 2) row.wrong("an array of 2 numbers or more");
+    for (const double e : row.numbers(static_cast<std::size_t>(field.columns))) {
+      if (!(e >= 0 && e <= 1)) row.fail(fmt::format("must be between 0 and 1, is {}", e));
+      field.elevation.push_back(e);
+    }
+  }
+  return field;
+}
+
 CaseShape parse_shape(const Node& node) {
-  node.only({"type", "size", "file", "scale"});
   const ShapeWord word = parse_type(node.at("type"));
   CaseShape shape;
   shape.type = word.type;
+  if (std::string_view(word.word) == "hfield") {
+    shape.height_field = parse_height_field(node);
+    return shape;
+  }
+  node.only({"type", "size", "file", "scale"});
   const bool from_file = word.type == ShapeType::mesh || word.type == ShapeType::tets;
   for (const char* key : {"file", "scale"}) {
     if (!from_file && node.find(key)) node.fail_at(key, fmt::format("a {} is not read from a file", word.word));

@@ -68,13 +68,21 @@ class StrictNode {
     if (!json_->is_array() || json_->size() != count) wrong(fmt::format("an array of {} numbers", count));
     std::vector<double> values;
     for (std::size_t i = 0; i < count; ++i) {
-      values.push_back(StrictNode((*json_)[i], *file_, below(std::to_string(i))).number());
+      values.push_back(item(i).number());
     }
     return values;
   }
   [[nodiscard]] dvec3 vector3() const {
     const std::vector<double> v = numbers(3);
     return {v[0], v[1], v[2]};
+  }
+  /// How many values an array holds.
+  [[nodiscard]] std::size_t length() const {
+    if (!json_->is_array()) wrong("an array");
+    return json_->size();
+  }
+  [[nodiscard]] StrictNode item(std::size_t i) const {
+    return StrictNode((*json_)[i], *file_, below(std::to_string(i)));
   }
   void must_not_be_negative(double value) const {
     if (!(value >= 0)) fail(fmt::format("must not be negative, is {}", value));

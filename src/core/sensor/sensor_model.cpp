@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/hydro/field_report.h"
 #include "core/layout/layout_json.h"
 #include "core/mesh/mesh_io.h"
 
@@ -34,6 +35,11 @@ void add_body(SensorModel& model, const std::string& file) {
     model.body = make_body(shape, model.layout.material, model.layout.name);
   } catch (const Error& e) {
     throw Error(file, "/material", e.message());
+  }
+  if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry)) {
+    for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
+      if (p.severity != Severity::note) model.problems.push_back(std::move(p));  // its notes are for who asks
+    }
   }
 }
 
@@ -157,8 +163,10 @@ SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, Progr
   throw_first_error(check_layout_values(layout, layout_file.string()));
   const LoadedMesh loaded = load_mesh(mesh_path(layout, layout_file), layout.mesh.scale);
   const SensorModelPtr built = build_sensor_model(layout, loaded.mesh, loaded.sha256, layout_file.string(), progress);
-  if (loaded.notes.empty()) return built;
+  const Problems of_mesh = check_layout_mesh(*loaded.mesh, layout_file.string());
+  if (loaded.notes.empty() && of_mesh.empty()) return built;
   auto model = std::make_shared<SensorModel>(*built);
+  model->problems.insert(model->problems.end(), of_mesh.begin(), of_mesh.end());
   for (const std::string& note : loaded.notes)
     model->problems.push_back({layout_file.string(), "/mesh/file", Severity::note, "mesh_repaired", note, ""});
   return model;

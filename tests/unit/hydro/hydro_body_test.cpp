@@ -79,8 +79,14 @@ TEST(MakeBody, BadInputIsNamed) {
   EXPECT_NE(message_of({ShapeType::mesh, dvec3(0), box, -1}, {}).find("resolution"), std::string::npos);
   EXPECT_NE(message_of({ShapeType::plane, dvec3(0), nullptr, 0}, soft_material(1)).find("thickness"),
             std::string::npos);
-  EXPECT_NE(message_of({ShapeType::tets, dvec3(0), nullptr, 0}, soft_material(1)).find("not supported"),
+  EXPECT_NE(message_of({ShapeType::tets, dvec3(0), nullptr, 0}, soft_material(1)).find("needs a tetrahedral mesh"),
             std::string::npos);
+  Shape hills{ShapeType::mesh, dvec3(0), box, 0};
+  hills.rigid_only = "a height field";
+  EXPECT_NE(message_of(hills, soft_material(1)).find("a height field can only be rigid"), std::string::npos);
+  Material tets = soft_material(1);
+  tets.field = FieldKind::tets;
+  EXPECT_NE(message_of({ShapeType::mesh, dvec3(0), box, 0}, tets).find("shape of type tets"), std::string::npos);
   EXPECT_NE(message_of({ShapeType::mesh, dvec3(0), box, 0}, soft_material(-1)).find("modulus"), std::string::npos);
   std::vector<ivec3> faces = box->faces();
   for (ivec3& f : faces) std::swap(f.x, f.y);

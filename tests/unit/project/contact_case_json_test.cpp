@@ -84,7 +84,7 @@ TEST(ContactCase, RefusesWithThePlace) {
   EXPECT_EQ(complaint(replaced("\"friction\"", "\"fricton\"")), "case.json: /a/material/fricton: unknown key");
   EXPECT_EQ(complaint(replaced("\"plane\"", "\"torus\"")),
             "case.json: /b/shape/type: must be one of \"plane\", \"sphere\", \"capsule\", \"ellipsoid\", \"cylinder\", "
-            "\"box\", \"mesh\", \"tets\", is \"torus\"");
+            "\"box\", \"mesh\", \"tets\", \"hfield\", is \"torus\"");
   EXPECT_EQ(complaint(replaced("medial_axis", "axis")),
             "case.json: /a/material/field: must be one of \"pad\", \"medial_axis\", \"star\", \"tets\", is \"axis\"");
   EXPECT_EQ(complaint(replaced("\"plane\"", "\"mesh\"")), "case.json: /b/shape/file: is missing");

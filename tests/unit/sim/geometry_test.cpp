@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <set>
+#include <utility>
 
 #include "core/base/error.h"
 #include "fixtures/sensor_scene.h"
@@ -65,17 +68,153 @@ TEST(Geometry, ShapesCarryMujocosSizes) {
   EXPECT_EQ(geom_shape(*s.model, 2).type, ShapeType::plane);
 }
 
-TEST(Geometry, HeightFieldIsRefusedByName) {
+/// MuJoCo itself is the oracle: a small ball just above our surface touches nothing, just below it touches.
+TEST(Geometry, HeightFieldIsTheOneThatMujocoCollidesWith) {
   SensorScene s;
-  s.compile(R"(<mujoco><asset><hfield name="h" nrow="2" ncol="2" size="1 1 1 1"/></asset><worldbody>
-    <geom name="hills" type="hfield" hfield="h"/></worldbody></mujoco>)");
+  s.compile(R"(<mujoco><asset><hfield name="h" nrow="4" ncol="5" size="0.4 0.3 0.1 0.05" elevation="
+      0 .3 .8 .2 .1  .5 1 .4 .3 .6  .2 .1 .9 .5 0  .7 .2 .3 .8 .4"/></asset><worldbody>
+    <geom name="hills" type="hfield" hfield="h" pos="0.1 0.2 0.3" quat="0.9 0.1 -0.3 0.2"/>
+    <body><freejoint/><geom name="ball" size="0.001"/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  const Shape shape = geom_shape(*s.model, 0);
+  EXPECT_STREQ(shape.rigid_only, "a height field");
+  ASSERT_TRUE(shape.mesh->closed());
+  mj_forward(s.model.get(), s.data.get());
+  const Pose X_WG = geom_pose(*s.model, *s.data, 0);
+  constexpr double kRadius = 0.001, kGap = 2e-5;
+  int checked = 0;
+  for (int f = 0; f < shape.mesh->face_count(); ++f) {
+    const dvec3 n = shape.mesh->face_normals()[static_cast<std::size_t>(f)];
+    if (n.z < 0.1) continue;  // of the top; MuJoCo has no sides of its own for balls beside the grid
+    for (const dvec3& weight : {dvec3(0.6, 0.2, 0.2), dvec3(0.2, 0.6, 0.2), dvec3(0.2, 0.2, 0.6)}) {
+      const dvec3 x = weight.x * shape.mesh->vertex(f, 0) + weight.y * shape.mesh->vertex(f, 1) +
+                      weight.z * shape.mesh->vertex(f, 2);
+      for (const double gap : {kGap, -kGap}) {
+        const dvec3 center = X_WG * (x + (kRadius + gap) * n);
+        for (int i = 0; i < 3; ++i) s.data->qpos[i] = center[i];
+        mj_forward(s.model.get(), s.data.get());
+        EXPECT_EQ(s.data->ncon > 0, gap < 0) << f << " " << gap;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 3 * 4 * 2 * 3 * 2);
+}
+
+/// A signed distance function of our own: an ellipsoid, though not its true distance, which nobody asks for.
+namespace egg {
+constexpr double kMost = 0.05;
+const char* const kAttributes[1] = {"length"};
+double length_of(const char* text) {
+  return text != nullptr && *text != '\0' ? std::atof(text) : 0.04;
+}
+mjtNum distance(const mjtNum p[3], double length) {
+  const dvec3 x = dvec3(p[0] - 0.01, p[1], p[2]) / dvec3(length, 0.02, 0.03);
+  return 0.02 * (glm::length(x) - 1);
+}
+double lengths[8];  // of the instances; a plugin's data would hold it
+
+void register_plugin() {
+  static bool once = false;
+  if (std::exchange(once, true)) return;
+  mjpPlugin plugin;
+  mjp_defaultPlugin(&plugin);
+  plugin.name = "test.sdf.egg";
+  plugin.capabilityflags |= mjPLUGIN_SDF;
+  plugin.nattribute = 1;
+  plugin.attributes = kAttributes;
+  plugin.nstate = +[](const mjModel*, int) { return 0; };
+  plugin.init = +[](const mjModel* m, mjData*, int instance) {
+    lengths[instance] = length_of(mj_getPluginConfig(m, instance, "length"));
+    return 0;
+  };
+  plugin.reset = +[](const mjModel*, mjtNum*, void*, int) {};
+  plugin.compute = +[](const mjModel*, mjData*, int, int) {};
+  plugin.sdf_distance = +[](const mjtNum p[3], const mjData*, int instance) { return distance(p, lengths[instance]); };
+  plugin.sdf_gradient = +[](mjtNum gradient[3], const mjtNum p[3], const mjData*, int instance) {
+    const dvec3 s(lengths[instance], 0.02, 0.03), x = dvec3(p[0] - 0.01, p[1], p[2]) / s;
+    for (int i = 0; i < 3; ++i) gradient[i] = 0.02 * x[i] / s[i] / std::max(1e-9, glm::length(x));
+  };
+  plugin.sdf_staticdistance = +[](const mjtNum p[3], const mjtNum* attribute) { return distance(p, attribute[0]); };
+  plugin.sdf_attribute =
+      +[](mjtNum attribute[], const char*[], const char* value[]) { attribute[0] = length_of(value[0]); };
+  plugin.sdf_aabb = +[](mjtNum aabb[6], const mjtNum* attribute) {
+    const mjtNum box[6] = {0.01, 0, 0, attribute[0], 0.02, attribute[0] > kMost ? 0.01 : 0.03};  // too flat
+    std::copy(box, box + 6, aabb);
+  };
+  mjp_registerPlugin(&plugin);
+}
+}  // namespace egg
+
+std::string egg_scene(const std::string& length) {
+  return R"(<mujoco><extension><plugin plugin="test.sdf.egg"><instance name="egg"><config key="length" value=")" +
+         length +
+         R"("/></instance></plugin></extension>
+    <asset><mesh name="egg"><plugin instance="egg"/></mesh></asset><worldbody>
+      <geom name="ball" size="0.01" pos="1 1 1"/>
+      <body pos="0.3 0 0.1" quat="0.8 0.2 0.1 0.5"><freejoint/>
+        <geom name="egg" type="sdf" mesh="egg"><plugin instance="egg"/></geom></body></worldbody></mujoco>)";
+}
+
+TEST(Geometry, ASignedDistanceFunctionIsAMeshOfItsZero) {
+  SensorScene s;
+  egg::register_plugin();
+  s.compile(egg_scene("0.045"));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  mj_forward(s.model.get(), s.data.get());
+  const Shape shape = geom_shape(*s.model, 1, 0.003);
+  EXPECT_STREQ(shape.rigid_only, "a signed distance function");
+  ASSERT_TRUE(shape.mesh->closed());
+  const double volume = 4.0 / 3 * kPi * 0.045 * 0.02 * 0.03;
+  EXPECT_NEAR(shape.mesh->volume(), volume, 0.02 * volume);
+  EXPECT_GT(geom_shape(*s.model, 1, 0.0015).mesh->face_count(), 3 * shape.mesh->face_count());
+  // MuJoCo's own distance, in the function's frame: of the mesh before it was centred.
+  const mjpPlugin* plugin = mjc_getSDF(s.model.get(), 1);
+  int instance = s.model->geom_plugin[1];
+  mjtGeom type = mjGEOM_SDF;
+  const mjSDF sdf{&plugin, &instance, mjSDFTYPE_SINGLE, nullptr, nullptr, &type};
+  const int mesh = s.model->geom_dataid[1];
+  const mjtNum *p = s.model->mesh_pos + 3 * mesh, *q = s.model->mesh_quat + 4 * mesh;
+  const Pose X_FG{dquat(q[0], q[1], q[2], q[3]), dvec3(p[0], p[1], p[2])};
+  for (const dvec3& v : shape.mesh->vertices()) {
+    const dvec3 x = X_FG * v;
+    const mjtNum point[3] = {x.x, x.y, x.z};
+    EXPECT_NEAR(mjc_distance(s.model.get(), s.data.get(), &sdf, point), 0, 2e-3 * 0.003);
+  }
+}
+
+TEST(Geometry, ABadSignedDistanceFunctionIsNamed) {
+  SensorScene s;
+  egg::register_plugin();
+  s.compile(egg_scene("0.051"));
   ASSERT_NE(s.model, nullptr) << s.error;
   try {
-    geom_shape(*s.model, 0);
+    geom_shape(*s.model, 1);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("hills"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("geom \"egg\": its distance function is negative"), std::string::npos)
+        << error.what();
   }
+}
+
+/// A soft block laid on flat height fields and functions weighs as much as on a box.
+TEST(Geometry, HeightFieldsCarrySensors) {
+  SensorScene s;
+  s.add_sensor("block", make_box({0.03, 0.03, 0.015}), {FieldKind::pad, 2e4, 0.005, 20, 0.5});
+  const auto force = [&](const std::string& asset, const std::string& ground) {
+    s.compile(
+        "<mujoco>" + test::sensor_extension("block", test::key("others", "ground") + test::key("output", "wrench")) +
+        "<asset><mesh name='block' file='block.obj'/>" + asset + "</asset><worldbody><geom name='ground' " + ground +
+        R"( contype='0' conaffinity='0'/><body pos='0 0 0.014'><freejoint/>
+        <geom name='block' type='mesh' mesh='block' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+    EXPECT_NE(s.model, nullptr) << s.error;
+    mj_forward(s.model.get(), s.data.get());
+    return s.data->sensordata[2];
+  };
+  const double on_box = force("", "type='box' size='0.2 0.2 0.1' pos='0 0 -0.1'");
+  EXPECT_GT(on_box, 1);
+  const std::string flat = "<hfield name='h' nrow='3' ncol='3' size='0.2 0.2 0.05 0.1'/>";
+  EXPECT_NEAR(force(flat, "type='hfield' hfield='h'"), on_box, 1e-9 * on_box);
 }
 
 /// MuJoCo itself is the oracle: balls that all overlap, in every relation of bodies and masks.

@@ -1,7 +1,11 @@
 #include "core/sim/model/geometry.h"
 
+#include <optional>
+
 #include "core/base/error.h"
+#include "core/mesh/height_field.h"
 #include "core/mesh/weld.h"
+#include "core/sim/model/sdf_mesh.h"
 
 namespace taxel {
 namespace {
@@ -51,36 +55,71 @@ TriMesh compiled_mesh(const mjModel& m, int geom) {
   return weld(soup, dvec3(1), notes);
 }
 
-Shape geom_shape(const mjModel& m, int geom) {
-  Shape shape;
-  const dvec3 size = vec3(m.geom_size + 3 * geom);
-  shape.size = size;
-  switch (m.geom_type[geom]) {
+TriMesh height_field_mesh(const mjModel& m, int geom) {
+  const int id = m.geom_dataid[geom];
+  HeightField field;
+  field.rows = m.hfield_nrow[id];
+  field.columns = m.hfield_ncol[id];
+  const float* data = m.hfield_data + m.hfield_adr[id];
+  field.elevation.assign(data, data + field.rows * field.columns);
+  const mjtNum* size = m.hfield_size + 4 * id;
+  field.size = vec3(size);
+  field.base = size[3];
+  return make_height_field(field);
+}
+
+namespace {
+
+std::optional<ShapeType> primitive_type(int type) {
+  switch (type) {
     case mjGEOM_PLANE:
-      shape.type = ShapeType::plane;
-      break;
+      return ShapeType::plane;
     case mjGEOM_SPHERE:
-      shape.type = ShapeType::sphere;
-      break;
+      return ShapeType::sphere;
     case mjGEOM_CAPSULE:
-      shape.type = ShapeType::capsule;
-      break;
+      return ShapeType::capsule;
     case mjGEOM_ELLIPSOID:
-      shape.type = ShapeType::ellipsoid;
-      break;
+      return ShapeType::ellipsoid;
     case mjGEOM_CYLINDER:
-      shape.type = ShapeType::cylinder;
-      break;
+      return ShapeType::cylinder;
     case mjGEOM_BOX:
-      shape.type = ShapeType::box;
-      break;
-    case mjGEOM_MESH:
-      shape.type = ShapeType::mesh;
-      shape.mesh = std::make_shared<const TriMesh>(compiled_mesh(m, geom));
-      break;
+      return ShapeType::box;
     default:
-      throw Error("geom \"" + geom_name(m, geom) +
-                  "\": only plane, sphere, capsule, ellipsoid, cylinder, box and mesh can be touched hydroelastically");
+      return std::nullopt;
+  }
+}
+
+TriMesh geom_mesh(const mjModel& m, int geom, double resolution) {
+  switch (m.geom_type[geom]) {
+    case mjGEOM_MESH:
+      return compiled_mesh(m, geom);
+    case mjGEOM_HFIELD:
+      return height_field_mesh(m, geom);
+    case mjGEOM_SDF:
+      return sdf_mesh(m, geom, resolution);
+    default:
+      throw Error(
+          "only plane, sphere, capsule, ellipsoid, cylinder, box, mesh, hfield and sdf can be touched "
+          "hydroelastically");
+  }
+}
+
+}  // namespace
+
+Shape geom_shape(const mjModel& m, int geom, double resolution) {
+  Shape shape;
+  shape.size = vec3(m.geom_size + 3 * geom);
+  if (const auto type = primitive_type(m.geom_type[geom])) {
+    shape.type = *type;
+    return shape;
+  }
+  shape.type = ShapeType::mesh;
+  if (m.geom_type[geom] == mjGEOM_HFIELD) shape.rigid_only = "a height field";
+  if (m.geom_type[geom] == mjGEOM_SDF) shape.rigid_only = "a signed distance function";
+  try {
+    shape.mesh = std::make_shared<const TriMesh>(geom_mesh(m, geom, resolution));
+  } catch (const Error& error) {
+    throw Error("geom \"" + geom_name(m, geom) + "\": " + error.message());
   }
   return shape;
 }

@@ -27,8 +27,13 @@ Pose mesh_file_pose(const mjModel& m, int geom);
 /// The triangles of a mesh geom, frame G; vertices at one place welded, faces without area dropped.
 TriMesh compiled_mesh(const mjModel& m, int geom);
 
-/// The shape of a geom, frame G. Throws Error naming a geom whose type is not supported (height field, SDF).
-Shape geom_shape(const mjModel& m, int geom);
+/// The surface of a height field geom, frame G.
+TriMesh height_field_mesh(const mjModel& m, int geom);
+
+/// The shape of a geom, frame G. Height fields and signed distance functions become meshes that can only be rigid:
+/// the former exactly what MuJoCo collides with, the latter where the function of the geom's plugin is zero, with edges
+/// of `resolution` (0: a fortieth of the largest extent; see sdf_mesh.h). Throws Error naming the geom.
+Shape geom_shape(const mjModel& m, int geom, double resolution = 0);
 
 /// MuJoCo's own rules of which geoms collide, but for `<exclude>` and `<pair>`: masks meet; not one body, not welded
 /// together, not parent and child (unless the parent is the world or the filter is off).

@@ -6,7 +6,8 @@
 namespace taxel {
 namespace {
 
-/// Triangles of a shape, fine enough to look round; null for what is not drawn (height field, SDF).
+/// Triangles of a shape, fine enough to look round; null for what is not drawn. A signed distance function shows the
+/// mesh that MuJoCo made of it.
 TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
   const dvec3 size(m.geom_size[3 * geom], m.geom_size[3 * geom + 1], m.geom_size[3 * geom + 2]);
   const double edge = 0.2 * size.x;
@@ -26,8 +27,11 @@ TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
       return std::make_shared<const TriMesh>(make_ellipsoid(size, 0.2 * std::min({size.x, size.y, size.z})));
     case mjGEOM_BOX:
       return std::make_shared<const TriMesh>(make_box(size));
+    case mjGEOM_HFIELD:
+      return std::make_shared<const TriMesh>(height_field_mesh(m, geom));
     case mjGEOM_MESH:
-      return std::make_shared<const TriMesh>(compiled_mesh(m, geom));
+    case mjGEOM_SDF:
+      return m.geom_dataid[geom] < 0 ? nullptr : std::make_shared<const TriMesh>(compiled_mesh(m, geom));
     default:
       return nullptr;
   }

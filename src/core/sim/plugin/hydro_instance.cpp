@@ -94,6 +94,7 @@ void HydroInstance::compile_others(const mjModel& m) {
         throw Error("geom \"" + geom_name(m, geom) + "\" is a sensor too: soft against soft is not supported");
       Shape shape = geom_shape(m, geom);
       const OtherMaterial other = other_material(m, config_, geom, shape.type);
+      if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
       shape.resolution = other.resolution;
       TouchedGeom touched{geom, make_body(shape, other.material, geom_name(m, geom)), {}, m.geom_rbound[geom]};
       if (touched.body->soft() == model_->body->soft())

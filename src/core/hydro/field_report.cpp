@@ -1,0 +1,82 @@
+#include "core/hydro/field_report.h"
+
+#include <fmt/format.h>
+
+namespace taxel {
+namespace {
+
+std::string vector(const dvec3& v) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z);
+}
+
+/// "13 faces (0.2 mm^2, 0.1 % of the skin) between (..) and (..)"
+std::string part_text(const SkinPart& part, double skin_area) {
+  return fmt::format("{} face{} ({:.3g} m^2, {:.3g} % of the skin) between {} and {} m", part.faces,
+                     part.faces == 1 ? "" : "s", part.area, 100 * part.area / skin_area, vector(part.bounds.lo),
+                     vector(part.bounds.hi));
+}
+
+void add_limits(const FieldReport& report, const std::string& file, const std::string& pointer, Problems& out) {
+  constexpr double kMuchBare = 1e-3;
+  if (report.thickness > report.deepest && report.core) {
+    out.push_back({file, pointer, Severity::warning, "field_thicker_than_body",
+                   fmt::format("the pad is {:.4g} m thick, more than half of the body's smallest extent, {:.4g} m: it "
+                               "ends in the middle, where the pressure is below the modulus",
+                               report.thickness, report.deepest),
+                   "a thickness in metres, below that"});
+  }
+  if (report.limited.faces > 0) {
+    out.push_back({file, pointer, Severity::note, "field_thickness_limited",
+                   fmt::format("the pad is thinner than {:.3g} m at {}: {:.3g} of it is left at face {}, {}",
+                               report.thickness, part_text(report.limited, report.skin_area), report.least_part,
+                               report.limited.worst_face, vector(report.limited.worst_place)),
+                   ""});
+  }
+  if (report.bare.faces > 0) {
+    const bool much = report.bare.area > kMuchBare * report.skin_area;
+    out.push_back(
+        {file, pointer, much ? Severity::warning : Severity::note, "field_bare",
+         fmt::format("{} have no pad and feel nothing: folded or edge on, the largest is face {}, {}",
+                     part_text(report.bare, report.skin_area), report.bare.worst_face, vector(report.bare.worst_place)),
+         much ? "mend the mesh there" : ""});
+  }
+}
+
+}  // namespace
+
+Problems field_problems(const FieldReport& report, const std::string& file, const std::string& pointer) {
+  constexpr double kUneven = 0.06;
+  Problems out;
+  out.push_back(
+      {file, pointer, Severity::note, "field_report",
+       fmt::format("pressure field of {} tets; stiffness {:.4g} Pa/m, from {:.4g} to {:.4g}, varies by {:.2g} % "
+                   "over the skin",
+                   report.tets, report.stiffness_mean, report.stiffness_min, report.stiffness_max,
+                   100 * report.stiffness_cv),
+       ""});
+  if (report.inverted > 0) {
+    out.push_back({file, pointer, Severity::warning, "field_inverted",
+                   fmt::format("{} of {} tets of the pressure field were inside out and have been turned: it overlaps "
+                               "itself there",
+                               report.inverted, report.tets),
+                   "use a pad"});
+  }
+  if (report.zero_gradient > 0) {
+    out.push_back(
+        {file, pointer, Severity::warning, "field_zero_gradient",
+         fmt::format("{} of {} tets of the pressure field have no pressure that grows inward: nothing is felt "
+                     "in them",
+                     report.zero_gradient, report.tets),
+         "give the tets vertices inside of the body"});
+  }
+  add_limits(report, file, pointer, out);
+  if (report.core && report.stiffness_cv > kUneven) {
+    out.push_back({file, pointer, Severity::warning, "field_uneven",
+                   fmt::format("the pad's stiffness varies by {:.2g} % over the skin", 100 * report.stiffness_cv),
+                   "a thinner pad, or a finer mesh where it is sharp"});
+  }
+  for (const std::string& note : report.notes) out.push_back({file, pointer, Severity::note, "field_note", note, ""});
+  return out;
+}
+
+}  // namespace taxel

@@ -1,0 +1,329 @@
+// Bodies from files through the real program: what is wrong with a mesh is said, with the place and what was done;
+// pressure fields are reported, written and read; height fields and tets are shapes like others.
+#include <algorithm>
+#include <cmath>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// The text of an OBJ file of boxes.
+class Obj {
+ public:
+  Obj& box(double half, double x = 0) {
+    for (int i = 0; i < 8; ++i) {
+      vertices_ += "v " + std::to_string((i & 1 ? half : -half) + x) + " " + std::to_string(i & 2 ? half : -half) +
+                   " " + std::to_string(i & 4 ? half : -half) + "\n";
+    }
+    for (const auto& f : {std::array{1, 3, 4},
+                          {1, 4, 2},
+                          {5, 6, 8},
+                          {5, 8, 7},
+                          {1, 2, 6},
+                          {1, 6, 5},
+                          {3, 7, 8},
+                          {3, 8, 4},
+                          {1, 5, 7},
+                          {1, 7, 3},
+                          {2, 4, 8},
+                          {2, 8, 6}})
+      faces_.push_back({f[0] + count_, f[1] + count_, f[2] + count_});
+    count_ += 8;
+    return *this;
+  }
+  Obj& vertex(const std::string& xyz) {
+    vertices_ += "v " + xyz + "\n";
+    ++count_;
+    return *this;
+  }
+  Obj& face(const std::array<int, 3>& f) {
+    faces_.push_back(f);
+    return *this;
+  }
+  Obj& without(std::size_t face) {
+    faces_.erase(faces_.begin() + static_cast<std::ptrdiff_t>(face));
+    return *this;
+  }
+  Obj& turned(std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) std::swap(faces_[f][1], faces_[f][2]);
+    return *this;
+  }
+  [[nodiscard]] std::string text() const {
+    std::string text = vertices_;
+    for (const auto& f : faces_)
+      text += "f " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
+    return text;
+  }
+
+ private:
+  std::string vertices_;
+  std::vector<std::array<int, 3>> faces_;
+  int count_ = 0;
+};
+
+const Json kSoft = {{"modulus", 5e4}, {"thickness", 0.004}};
+
+/// A case of m.obj, soft unless told otherwise, 1 mm deep in a plane.
+fs::path mesh_case(const std::string& obj, const Json& material = kSoft, double half = 0.02) {
+  const fs::path folder = test_folder();
+  write_text(folder / "m.obj", obj);
+  Json plane = {{"shape", {{"type", "plane"}}}};
+  if (material.value("modulus", 0.0) == 0) plane["material"] = {{"modulus", 1e5}, {"thickness", 0.01}};
+  const Json json = {
+      {"format", "contact-case"},
+      {"version", 1},
+      {"a", {{"shape", {{"type", "mesh"}, {"file", "m.obj"}}}, {"material", material}, {"pos", {0, 0, half - 0.001}}}},
+      {"b", plane}};
+  write_text(folder / "case.json", json.dump());
+  return folder;
+}
+
+void expect_contact_refused(const std::string& obj, const std::string& line, const Json& material = kSoft) {
+  const fs::path folder = mesh_case(obj, material);
+  expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: " + line);
+  const Outcome check = taxel({"check", "case.json"}, folder);
+  EXPECT_EQ(check.status, 1);
+  EXPECT_NE(check.out.find("error"), std::string::npos) << check.out;
+}
+
+/// The contact is computed, with exactly one warning, which holds these words.
+void expect_contact_warns(const std::string& obj, const std::string& words, const Json& material = kSoft,
+                          double half = 0.02) {
+  const fs::path folder = mesh_case(obj, material, half);
+  const Outcome outcome = taxel({"contact", "case.json", "--json"}, folder);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json result = Json::parse(outcome.out);
+  ASSERT_EQ(result["warnings"].size(), 1U) << result["warnings"];
+  EXPECT_NE(result["warnings"][0].get<std::string>().find(words), std::string::npos) << result["warnings"];
+  EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  EXPECT_GT(result["area"].get<double>(), 0);
+  EXPECT_EQ(taxel({"check", "case.json"}, folder).status, 1);
+}
+
+/// What `taxel mesh` and `taxel check` say of the file itself.
+void expect_mesh_told(const std::string& obj, const std::string& code, const std::string& words) {
+  const fs::path folder = test_folder();
+  write_text(folder / "m.obj", obj);
+  const Outcome mesh = taxel({"mesh", "m.obj"}, folder);
+  EXPECT_EQ(mesh.status, 0) << mesh.err;
+  EXPECT_NE(mesh.out.find(words), std::string::npos) << mesh.out;
+  const Json problems = Json::parse(taxel({"check", "m.obj", "--json"}, folder).out)["problems"];
+  EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [&](const Json& p) { return p["code"] == code; }))
+      << problems;
+}
+
+TEST(BadMesh, Sound) {
+  const fs::path folder = mesh_case(Obj().box(0.02).text());
+  const Json result = taxel_json({"contact", "case.json"}, folder);
+  EXPECT_EQ(result["warnings"], Json::array());
+  EXPECT_EQ(taxel({"check", "case.json"}, folder).status, 0);
+}
+
+TEST(BadMesh, Open) {
+  const std::string open = Obj().box(0.02).without(2).text();
+  expect_contact_refused(open,
+                         "case.json: /a: a pad needs a closed mesh; this one is open: 3 open edges, the first at "
+                         "(0, -0.02, 0.02)");
+  expect_contact_warns(open, "3 open edges, the first at (0, -0.02, 0.02)", Json::object());
+  expect_mesh_told(open, "mesh_open", "3 open edges");
+}
+
+TEST(BadMesh, NonManifold) {
+  const std::string fin = Obj().box(0.02).vertex("0 0 0.05").face({7, 8, 9}).text();
+  const fs::path folder = mesh_case(fin);
+  const Outcome outcome = taxel({"contact", "case.json"}, folder);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("case.json: /a: a pad needs a closed mesh"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 edge with more than two faces, the first at (0, 0.02, 0.02) (3 faces)"),
+            std::string::npos)
+      << outcome.err;
+  expect_mesh_told(fin, "mesh_nonmanifold", "1 edge with more than two faces");
+}
+
+TEST(BadMesh, WindingAndInsideOut) {
+  const fs::path folder = mesh_case(Obj().box(0.02).turned(4, 5).text());
+  const Outcome outcome = taxel({"contact", "case.json"}, folder);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("wind differently"), std::string::npos) << outcome.err;
+  const std::string inverted = Obj().box(0.02).turned(0, 12).text();
+  expect_contact_refused(inverted,
+                         "case.json: /a: a pad needs a mesh whose triangles face outward; this one is inside out");
+  expect_mesh_told(inverted, "mesh_inverted", "the volume is negative");
+}
+
+TEST(BadMesh, SelfIntersecting) {
+  const std::string two = Obj().box(0.02).box(0.0199, 0.013).text();
+  expect_contact_warns(two, "cut through each other, the first at");
+  expect_mesh_told(two, "mesh_self_intersection", "cut through each other");
+}
+
+TEST(BadMesh, DuplicatedAndFlatTrianglesAreDroppedAndTold) {
+  expect_contact_warns(Obj().box(0.02).face({1, 3, 4}).text(), "dropped 1 repeated triangles (first: triangle 12)");
+  expect_contact_warns(Obj().box(0.02).face({1, 2, 2}).text(), "dropped 1 triangles without area (first: triangle 12)");
+  const std::string twice = Obj().box(0.02).box(0.02).text();
+  const Json result = taxel_json({"contact", "case.json"}, mesh_case(twice));
+  EXPECT_EQ(result["warnings"].size(), 2U);  // welded, dropped
+  EXPECT_EQ(result["fields"][0]["tets"], 36);
+}
+
+TEST(BadMesh, NotANumberEmptyAndMissing) {
+  const std::string file = (test_folder() / "m.obj").filename().string();
+  const auto refused = [&](const std::string& obj, const std::string& words) {
+    const Outcome outcome = taxel({"contact", "case.json"}, mesh_case(obj));
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(file + ": " + words), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  };
+  refused("v 0 0 0\nv 1 inf 0\n", "line 2: coordinate is not finite");
+  refused("", "is empty");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "has no triangles");
+}
+
+TEST(BadMesh, OfAWrongUnitIsWarnedOf) {
+  expect_contact_warns(Obj().box(20).text(), "its unit is probably mm; set the scale to 0.001", kSoft, 20);
+  const fs::path folder = test_folder();
+  const fs::path mesh = folder / "finger.obj";
+  const fs::path source = fingertip_layout().parent_path() / Json::parse(file_text(fingertip_layout()))["mesh"]["file"];
+  ASSERT_EQ(taxel({"mesh", source.string(), "--scale", "1000", "--out", mesh.string()}).status, 0);
+  const fs::path layout =
+      changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "finger.obj"},
+                              {"op": "replace", "path": "/sampling/density", "value": 10},
+                              {"op": "remove", "path": "/mesh/sha256"}])"));
+  Json json = Json::parse(file_text(layout));
+  for (Json& taxel : json["taxels"]) {
+    for (Json& x : taxel["center"]) x = 1000 * x.get<double>();
+    taxel["radius"] = 1000 * taxel["radius"].get<double>();
+  }
+  write_text(layout, json.dump());
+  const Json problems = Json::parse(taxel({"check", layout.string(), "--json"}, folder).out)["problems"];
+  const auto units =
+      std::find_if(problems.begin(), problems.end(), [](const Json& p) { return p["code"] == "mesh_units"; });
+  ASSERT_NE(units, problems.end()) << problems;
+  EXPECT_EQ((*units)["severity"], "warning");
+  EXPECT_EQ((*units)["pointer"], "/mesh/scale");
+}
+
+TEST(BadMesh, PadThickerThanTheBody) {
+  expect_contact_warns(Obj().box(0.02).text(),
+                       "the pad is 0.05 m thick, more than half of the body's smallest extent, 0.02 m",
+                       {{"modulus", 5e4}, {"thickness", 0.05}});
+}
+
+TEST(BadMesh, NegativeModulusOnEitherSide) {
+  const fs::path folder = mesh_case(Obj().box(0.02).text(), {{"modulus", -5}});
+  const std::string line = "taxel: case.json: /a/material/modulus: must not be negative, is -5";
+  expect_refusal(taxel({"contact", "case.json"}, folder), line);
+  Json json = Json::parse(file_text(folder / "case.json"));
+  json["a"]["material"]["modulus"] = 5;
+  json["b"]["material"]["modulus"] = -1;
+  write_text(folder / "case.json", json.dump());
+  const Outcome check = taxel({"check", "case.json"}, folder);
+  EXPECT_EQ(check.status, 2);
+  EXPECT_EQ(check.err, "taxel: case.json: /b/material/modulus: must not be negative, is -1\n");
+}
+
+TEST(FieldReports, OfLayoutsAreListedByCheck) {
+  const Json problems = Json::parse(taxel({"check", fingertip_layout().string(), "--json"}).out)["problems"];
+  const auto find = [&](const char* code) {
+    return std::find_if(problems.begin(), problems.end(), [&](const Json& p) { return p["code"] == code; });
+  };
+  ASSERT_NE(find("field_report"), problems.end()) << problems;
+  EXPECT_EQ((*find("field_report"))["severity"], "note");
+  EXPECT_EQ((*find("field_report"))["pointer"], "/material");
+  EXPECT_NE((*find("field_report"))["message"].get<std::string>().find("6012 tets"), std::string::npos);
+  ASSERT_NE(find("field_thickness_limited"), problems.end());
+  EXPECT_EQ(find("field_inverted"), problems.end());
+}
+
+TEST(FieldReports, StandInTheResultOfAContact) {
+  const Json layout = {{"format", "contact-case"},
+                       {"version", 1},
+                       {"a", {{"layout", fingertip_layout().string()}}},
+                       {"b", {{"shape", {{"type", "plane"}}}}}};
+  const fs::path folder = test_folder();
+  write_text(folder / "case.json", layout.dump());
+  const Json field = taxel_json({"contact", "case.json"}, folder)["fields"].at(0);
+  EXPECT_EQ(field["body"], "a");
+  EXPECT_EQ(field["tets"], 6012);
+  EXPECT_EQ(field["inverted"], 0);
+  EXPECT_EQ(field["zero_gradient"], 0);
+  EXPECT_LT(field["stiffness"]["cv"].get<double>(), 0.02);
+  EXPECT_LE(field["stiffness"]["min"], field["stiffness"]["mean"]);
+  EXPECT_EQ(field["bare"]["faces"], 0);
+  EXPECT_GT(field["limited"]["faces"], 0);
+  EXPECT_LT(field["limited"]["least_part"], 1);
+  EXPECT_EQ(field["limited"]["bounds"].size(), 2U);
+  EXPECT_EQ(field["limited"]["worst_place"].size(), 3U);
+}
+
+TEST(Tets, WrittenAndReadAgainGiveTheSameForce) {
+  const fs::path folder = test_folder();
+  Json json = Json::parse(R"({"format": "contact-case", "version": 1,
+    "a": {"shape": {"type": "capsule", "size": [0.02, 0.03]}, "material": {"modulus": 5e4}, "pos": [0, 0, 0.048]},
+    "b": {"shape": {"type": "plane"}}})");
+  write_text(folder / "capsule.json", json.dump());
+  const Json own = taxel_json({"contact", "capsule.json", "--tets", "capsule.vtk"}, folder);
+  json["a"]["shape"] = {{"type", "tets"}, {"file", "capsule.vtk"}};
+  write_text(folder / "tets.json", json.dump());
+  const Json read = taxel_json({"contact", "tets.json"}, folder);
+  EXPECT_GT(own["polygons"], 20);
+  for (const char* key : {"force", "area", "polygons", "centroid"}) EXPECT_EQ(own[key], read[key]) << key;
+  EXPECT_EQ(own["fields"][0]["tets"], read["fields"][0]["tets"]);
+  // Without the file's pressures: distances to the boundary. A capsule's own field but for the facets.
+  std::string text = file_text(folder / "capsule.vtk");
+  write_text(folder / "capsule.vtk", text.substr(0, text.find("POINT_DATA")));
+  const double force = taxel_json({"contact", "tets.json"}, folder)["force"][2];
+  EXPECT_NEAR(force, own["force"][2].get<double>(), 0.02 * force);
+  // Rigid: the boundary.
+  json["a"]["material"]["modulus"] = 0;
+  json["b"]["material"] = {{"modulus", 5e4}, {"thickness", 0.02}};
+  write_text(folder / "rigid.json", json.dump());
+  EXPECT_GT(taxel_json({"contact", "rigid.json"}, folder)["force"][2], 0);
+}
+
+TEST(Tets, BadFilesAreRefusedByLine) {
+  const fs::path folder = test_folder();
+  write_text(folder / "case.json", R"({"format": "contact-case", "version": 1,
+    "a": {"shape": {"type": "tets", "file": "t.vtk"}, "material": {"modulus": 5e4}}, "b": {"shape": {"type": "plane"}}})");
+  const auto refused = [&](const std::string& vtk, const std::string& line) {
+    write_text(folder / "t.vtk", vtk);
+    expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: " + line);
+  };
+  expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: t.vtk: no such file");
+  refused("", "t.vtk: line 0: is not a legacy VTK file: it does not begin with '# vtk DataFile Version'");
+  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n";
+  refused(head + "0 0 0\n1 0 0\n0 one 0\n", "t.vtk: line 8: 'one' is not a number");
+  refused(head + "0 0 0\n1 0 0\n0 1 0\n0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
+          "case.json: /a: no vertex of the tetrahedral mesh lies inside of it: it has no pressure field");
+  refused(head + "0 0 0\n1 0 0\n0 1 0\n1 1 0\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
+          "case.json: /a: tet 0 has no volume");
+}
+
+TEST(HeightFields, AreRigidShapes) {
+  const fs::path folder = test_folder();
+  Json json = Json::parse(R"({"format": "contact-case", "version": 1,
+    "a": {"shape": {"type": "box", "size": [0.02, 0.02, 0.01]}, "material": {"modulus": 5e4}, "pos": [0, 0, 0.008]},
+    "b": {"shape": {"type": "hfield", "size": [0.1, 0.1, 0.05, 0.02], "elevation": [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}}})");
+  const auto contact = [&](const Json& contact_case) {
+    write_text(folder / "case.json", contact_case.dump());
+    return taxel({"contact", "case.json", "--json"}, folder);
+  };
+  const double force = Json::parse(contact(json).out)["force"][2];
+  const double x = 0.002, exact = 5e4 / 0.01 * (x * 0.04 * 0.04 - x * x * 0.08 + 4 * x * x * x / 3);  // A4
+  EXPECT_NEAR(force, exact, 1e-9 * exact);
+  const auto refused = [&](const char* pointer, const Json& value, const std::string& line) {
+    Json bad = json;
+    bad[Json::json_pointer(pointer)] = value;
+    expect_refusal(contact(bad), "taxel: case.json: " + line);
+  };
+  refused("/b/shape/elevation/1", {0, 0}, "/b/shape/elevation/1: must be an array of 3 numbers, is an array of 2");
+  refused("/b/shape/elevation/1/2", 1.5, "/b/shape/elevation/1: must be between 0 and 1, is 1.5");
+  refused("/b/shape/elevation", {{0, 0}}, "/b/shape/elevation: must be an array of 2 rows or more, is an array of 1");
+  refused("/b/shape/size/3", 0, "/b/shape/size/3: must be greater than 0, is 0");
+  refused("/b/material", {{"modulus", 1e5}}, "/b: a height field can only be rigid: its modulus must be 0, is 100000");
+}
+
+}  // namespace
+}  // namespace taxel::test
