@@ -10,6 +10,7 @@
 # | spdlog               | >= 1.10    | Debian libspdlog-dev                      |
 # | CLI11                | >= 2.1     | Debian libcli11-dev                       |
 # | oneTBB               | >= 2021    | Debian libtbb-dev                         |
+# | Highway              | >= 1.0     | Debian libhwy-dev                         |
 # | mbed TLS (SHA-256)   | >= 2.28    | Debian libmbedtls-dev                     |
 # | OpenMesh             | 9          | Debian libopenmesh-dev                    |
 # | tinygltf             | 2.7        | Debian libtinygltf-dev                    |
@@ -44,6 +45,7 @@ find_package(TinyGLTF REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
 pkg_check_modules(OpenMesh REQUIRED IMPORTED_TARGET openmesh)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)

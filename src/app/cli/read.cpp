@@ -52,7 +52,7 @@ int run(const Options& options, Console& console) {
     report.readings.emplace_back(how.value, std::vector<double>());
     aggregate(*model, report.hits, how.value, report.readings.back().second);
   }
-  for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, report.hits, k));
+  for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, report.hits.all(), k));
   console.result(console.json() ? read_json(report) : read_text(report));
   return kDone;
 }

@@ -13,7 +13,7 @@ namespace taxel::cli {
 struct ReadReport {
   const SensorModel& model;
   ContactResult result;  ///< contact of the layout's body, frame M
-  std::vector<RayHit> hits;
+  RayHits hits;
   std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< every aggregate, values in layout order
   std::vector<std::vector<TaxelSampleReading>> behind;              ///< per taxel
 };

@@ -1,15 +1,15 @@
 #include "core/sensor/cast_rays.h"
 
-#include <tuple>
-
 namespace taxel {
 namespace {
 
-/// How much boxes and slabs grow, in units in the last place of the coordinates involved: their distances and the
-/// triangle test's are computed in different ways, and no hit may be lost to rounding.
+/// How much boxes grow: by what a hit may lie outside of its polygon (edge_planes.h), of a perimeter within the box,
+/// and by some units in the last place of the coordinates, for the boxes' distances are computed in other ways.
 double margin_of(const Aabb& box) {
-  const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  return 64.0 * std::numeric_limits<double>::epsilon() * std::max({largest.x, largest.y, largest.z});
+  const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi)), e = box.extent();
+  const double coordinates = largest.x + largest.y + largest.z;
+  return 2.0 * rim_reach(coordinates, 4.0 * (e.x + e.y + e.z)) +
+         64.0 * std::numeric_limits<double>::epsilon() * coordinates;
 }
 
 Aabb widened(const Aabb& box, double margin) {
@@ -28,24 +28,6 @@ dmat3 patch_axes(const ContactSurface& surface) {
 
 }  // namespace
 
-RayHit nearer_hit(const RayTriangleTest& ray, double max_depth, const ContactSurface& surface, int surface_number,
-                  int polygon, const RayHit& best) {
-  const ContactPolygon& p = surface.polygons[static_cast<std::size_t>(polygon)];
-  RayHit nearest = best;
-  const auto a = static_cast<std::size_t>(p.first);
-  for (int i = 1; i + 1 < p.count; ++i) {
-    const auto b = a + static_cast<std::size_t>(i), c = b + 1;
-    const auto hit = ray(surface.vertices[a], surface.vertices[b], surface.vertices[c], max_depth);
-    if (!hit) continue;
-    const bool wins = !nearest.hit() || std::tuple(hit->t, surface_number, polygon) <
-                                            std::tuple(nearest.depth, nearest.surface, nearest.polygon);
-    if (!wins) continue;
-    const dvec3 corners(surface.pressure[a], surface.pressure[b], surface.pressure[c]);
-    nearest = {surface_number, polygon, hit->t, glm::dot(hit->barycentric, corners)};
-  }
-  return nearest;
-}
-
 void SurfaceCaster::add_instance(std::size_t number) {
   const ContactSurface& surface = *surfaces_[number];
   Instance instance;
@@ -56,7 +38,9 @@ void SurfaceCaster::add_instance(std::size_t number) {
   instance.axes = patch_axes(surface);
 
   boxes_.clear();
+  planes_[number].resize(surface.vertices.size());
   for (const ContactPolygon& polygon : surface.polygons) {
+    fill_edge_planes(surface, polygon, planes_[number].data() + polygon.first);
     Aabb box;
     for (int i = 0; i < polygon.count; ++i)
       box.include(surface.vertices[static_cast<std::size_t>(polygon.first + i)] * instance.axes);
@@ -70,7 +54,10 @@ void SurfaceCaster::add_instance(std::size_t number) {
 
 void SurfaceCaster::build(std::span<const ContactSurface* const> surfaces) {
   surfaces_.assign(surfaces.begin(), surfaces.end());
-  if (blas_.size() < surfaces_.size()) blas_.resize(surfaces_.size());
+  if (blas_.size() < surfaces_.size()) {
+    blas_.resize(surfaces_.size());
+    planes_.resize(surfaces_.size());
+  }
   instances_.clear();
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
     if (surfaces_[i] && !surfaces_[i]->empty()) add_instance(i);
@@ -92,26 +79,46 @@ bool SurfaceCaster::may_hit(const dvec3& from, const dvec3& to) const {
 RayHit SurfaceCaster::cast(const dvec3& origin, const dvec3& direction, double max_depth) const {
   RayHit best;
   const Ray ray{origin, direction, max_depth};
-  const RayTriangleTest test(ray);
   tlas_.cast(ray, [&](int number, double t_max) {
     const Instance& instance = instances_[static_cast<std::size_t>(number)];
     const auto surface = static_cast<std::size_t>(instance.surface);
     const Ray turned{origin * instance.axes, direction * instance.axes, t_max};
-    return blas_[surface].cast(turned, [&](int polygon, double reach) {
-      best = nearer_hit(test, reach, *surfaces_[surface], instance.surface, polygon, best);
-      return best.hit() ? best.depth : reach;
+    return blas_[surface].cast(turned, [&](int number_in_surface, double reach) {
+      const ContactPolygon& polygon = surfaces_[surface]->polygons[static_cast<std::size_t>(number_in_surface)];
+      const auto found = hit_polygon(origin, direction, 0.0, reach, polygon, planes_[surface].data() + polygon.first);
+      if (!found) return reach;
+      const RayHit hit{instance.surface, number_in_surface, found->t, found->pressure};
+      if (hit.before(best)) best = hit;
+      return best.depth;
     });
   });
   return best;
 }
 
-void cast_rays(const SensorModel& model, const SurfaceCaster& caster, std::vector<RayHit>& hits) {
-  hits.assign(model.rays.size(), RayHit{});
-  for (std::size_t i = 0; i < hits.size(); ++i) {
+void cast_rays(const SensorModel& model, const SurfaceCaster& caster, RayHits& hits) {
+  if (caster.empty()) return;
+  for (std::size_t i = 0; i < model.rays.size(); ++i) {
     const SensorRay& ray = model.rays[i];
-    if (caster.may_hit(ray.origin, ray.origin + ray.max_depth * ray.direction))
-      hits[i] = caster.cast(ray.origin, ray.direction, ray.max_depth);
+    if (!caster.may_hit(ray.origin, ray.origin + ray.max_depth * ray.direction)) continue;
+    const RayHit hit = caster.cast(ray.origin, ray.direction, ray.max_depth);
+    if (hit.hit()) hits.offer(static_cast<std::int32_t>(i), hit);
   }
+}
+
+void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> surfaces, RayPath path,
+               CastWorkspace& workspace, RayHits& hits) {
+  hits.clear(model.rays.size());
+  workspace.others.assign(surfaces.begin(), surfaces.end());
+  if (path == RayPath::tet_table && model.tet_table) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if (!surfaces[i] || !model.tet_table->covers(*surfaces[i])) continue;
+      cast_through_tets(*model.tet_table, *surfaces[i], static_cast<int>(i), workspace.planes, hits);
+      workspace.others[i] = nullptr;
+    }
+  }
+  workspace.caster.build(workspace.others);
+  cast_rays(model, workspace.caster, hits);
+  hits.finish();
 }
 
 }  // namespace taxel

@@ -1,4 +1,8 @@
-// First hits of the sensor's rays on its contact surfaces: one BLAS per surface, a TLAS over them.
+// First hits of the sensor's rays on its contact surfaces, by two ways that give the same bits.
+//
+// bvh: one BLAS per surface, a TLAS over them, built anew in each step; for any surface. tet_table: each polygon is
+// tested against the rays that cross its tet, listed once (tet_table.h); for surfaces whose polygons lie in the tets of
+// the sensor's own field. A step's cost is then proportional to the contact: no structure is built, no ray is cast.
 #pragma once
 
 #include <span>
@@ -6,23 +10,11 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/mesh/bvh.h"
-#include "core/mesh/ray_triangle.h"
+#include "core/sensor/edge_planes.h"
+#include "core/sensor/ray_hits.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
-
-struct RayHit {
-  int surface = -1;  ///< -1: miss
-  int polygon = -1;
-  double depth = 0;     ///< along the ray [m]
-  double pressure = 0;  ///< p0 there, by barycentric interpolation [Pa]; 0 for a miss
-  [[nodiscard]] bool hit() const { return surface >= 0; }
-};
-
-/// Hit on one polygon, fanned from its first vertex, from either side, rim included; `best` otherwise. The polygon
-/// replaces `best` when it is nearer, or as near and lower in number (surface first).
-RayHit nearer_hit(const RayTriangleTest& ray, double max_depth, const ContactSurface& surface, int surface_number,
-                  int polygon, const RayHit& best);
 
 /// Acceleration structures, kept between steps: per surface a BLAS, turned so that its third axis is the surface's mean
 /// normal (a contact patch is flat, and so are its boxes then); over them a TLAS. Leaves are tested in frame M.
@@ -38,6 +30,8 @@ class SurfaceCaster {
   /// False only where the segment cannot meet any surface: a few comparisons that spare most rays the walk.
   [[nodiscard]] bool may_hit(const dvec3& from, const dvec3& to) const;
 
+  [[nodiscard]] bool empty() const { return instances_.empty(); }
+
  private:
   struct Instance {
     int surface = 0;
@@ -48,13 +42,29 @@ class SurfaceCaster {
   void add_instance(std::size_t number);
 
   std::vector<const ContactSurface*> surfaces_;
-  std::vector<Bvh> blas_;  // of surface i; more than surfaces_ where earlier steps had more
+  std::vector<Bvh> blas_;                       // of surface i; more than surfaces_ where earlier steps had more
+  std::vector<std::vector<EdgePlane>> planes_;  // likewise: of surface i, one per vertex
   Bvh tlas_;
   std::vector<Instance> instances_;  // TLAS primitives: the surfaces that are not empty
   std::vector<Aabb> boxes_;
 };
 
-/// hits[i] belongs to model.rays[i]. Ties go to the lower surface, then the lower polygon.
-void cast_rays(const SensorModel& model, const SurfaceCaster& caster, std::vector<RayHit>& hits);
+/// Offers the first hit of every ray of the model.
+void cast_rays(const SensorModel& model, const SurfaceCaster& caster, RayHits& hits);
+
+enum class RayPath { bvh, tet_table };
+
+/// What casting needs from step to step.
+struct CastWorkspace {
+  SurfaceCaster caster;
+  std::vector<const ContactSurface*> others;  ///< by surface number; null: cast through the tets
+  std::vector<EdgePlane> planes;
+};
+
+/// The first hits of all rays on all surfaces (frame M; null or empty ones hold nothing). With RayPath::tet_table the
+/// surfaces must come from model.body as body A; those with polygons in no tet of it, and all where the model has no
+/// table, go the other way. No step allocates once the largest surface was seen.
+void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> surfaces, RayPath path,
+               CastWorkspace& workspace, RayHits& hits);
 
 }  // namespace taxel

@@ -9,14 +9,17 @@ namespace taxel {
 
 /// One value per taxel in layout order; pascals, newtons for Aggregate::force. A taxel without samples reads 0.
 /// weighted_mean: sum w p / sum w (the paper); weighted_sum: sum w p (its released code); mean; nearest; max.
-void aggregate(const SensorModel& model, const std::vector<RayHit>& hits, Aggregate how, std::vector<double>& readings);
+/// Sums run over the rays that were hit, in ascending order: the same bits whatever was read before.
+void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, std::vector<double>& readings);
 
 /// Everything one evaluation needs and produces, reused from step to step.
 struct SensorReading {
-  SurfaceCaster caster;
-  std::vector<RayHit> hits;    ///< parallel to model.rays
+  CastWorkspace workspace;
+  RayHits hits;                ///< of model.rays
   std::vector<double> values;  ///< layout.readout.aggregate
 };
-void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out);
+/// As cast_rays(), then aggregate().
+void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out,
+                 RayPath path = RayPath::tet_table);
 
 }  // namespace taxel

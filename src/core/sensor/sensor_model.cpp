@@ -69,25 +69,34 @@ double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& di
   return std::numeric_limits<double>::infinity();
 }
 
-/// One ray per used sample, shared by its taxels; with the taxel's normal as direction one ray per entry.
-void add_rays(SensorModel& model) {
-  const bool shared = model.layout.readout.ray == RayDirection::surface_normal;
-  std::vector<int> ray_of_sample(model.samples.size(), -1);
+/// One ray per used sample, shared by its taxels, in the order of the samples; with the taxel's normal as direction one
+/// ray per entry.
+void assign_rays(SensorModel& model) {
   model.ray_of_entry.resize(model.fields.entries.size());
-  for (int k = 0; k < model.taxel_count(); ++k) {
-    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
-      const int sample = model.fields.entries[index(e)].sample;
-      int& ray = shared ? ray_of_sample[index(sample)] : model.ray_of_entry[index(e)];
-      if (!shared || ray < 0) {
-        ray = static_cast<int>(model.rays.size());
-        const dvec3 outward =
-            shared ? model.samples[index(sample)].normal : glm::normalize(model.layout.taxels[index(k)].normal);
+  if (model.layout.readout.ray == RayDirection::taxel_normal) {
+    for (int k = 0; k < model.taxel_count(); ++k) {
+      const dvec3 outward = glm::normalize(model.layout.taxels[index(k)].normal);
+      for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
+        const int sample = model.fields.entries[index(e)].sample;
+        model.ray_of_entry[index(e)] = static_cast<int>(model.rays.size());
         model.rays.push_back({sample, model.samples[index(sample)].position, -outward, 0.0});
       }
-      model.ray_of_entry[index(e)] = ray;
     }
+    return;
   }
+  std::vector<int> ray_of_sample(model.samples.size(), -1);
+  for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[index(entry.sample)] = 0;
+  for (std::size_t s = 0; s < ray_of_sample.size(); ++s) {
+    if (ray_of_sample[s] < 0) continue;
+    ray_of_sample[s] = static_cast<int>(model.rays.size());
+    model.rays.push_back({static_cast<int>(s), model.samples[s].position, -model.samples[s].normal, 0.0});
+  }
+  for (std::size_t e = 0; e < model.fields.entries.size(); ++e)
+    model.ray_of_entry[e] = ray_of_sample[index(model.fields.entries[e].sample)];
+}
 
+void add_rays(SensorModel& model) {
+  assign_rays(model);
   const double allowed = allowed_depth(model);
   // The contact surface of a rigid sensor lies in its skin, to within rounding: those rays start just outside.
   const double lead = model.body->soft() ? 0.0 : 1e-6 * model.skin->mesh().bounds().diagonal();
@@ -99,6 +108,9 @@ void add_rays(SensorModel& model) {
       ray.origin -= lead * ray.direction;
     }
   });
+  if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
+    model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays);
+  model.readout_table = make_readout_table(model);
 }
 
 void add_taxels_of_samples(SensorModel& model) {

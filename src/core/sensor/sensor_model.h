@@ -12,16 +12,11 @@
 #include "core/layout/layout_check.h"
 #include "core/layout/receptive_field.h"
 #include "core/mesh/closest_point.h"
+#include "core/sensor/readout_table.h"
+#include "core/sensor/sensor_ray.h"
+#include "core/sensor/tet_table.h"
 
 namespace taxel {
-
-/// The ray of one used sample: from the skin inward.
-struct SensorRay {
-  int sample = 0;        ///< in SensorModel::samples
-  dvec3 origin{0};       ///< the sample; on a rigid sensor a millionth of the mesh's size outside of it
-  dvec3 direction{0};    ///< unit, opposite to the surface normal (or to the taxel's)
-  double max_depth = 0;  ///< allowed depth: readout.max_depth, cut half way to the opposite skin [m]
-};
 
 struct SensorModel {
   Layout layout;
@@ -32,6 +27,8 @@ struct SensorModel {
   std::vector<SurfaceSample> samples;              ///< on the skin
   ReceptiveFields fields;                          ///< entries name samples
   std::vector<SensorRay> rays;                     ///< one per used sample (and per taxel with ray = taxel_normal)
+  std::shared_ptr<const TetTable> tet_table;       ///< of `rays` in the field of `body`; null where it has no tets
+  ReadoutTable readout_table;                      ///< what each ray counts in each taxel
   std::vector<int> ray_of_entry;                   ///< parallel to fields.entries
   std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused
   Problems problems;                               ///< warnings and notes, with taxel pointers

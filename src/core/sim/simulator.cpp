@@ -273,7 +273,7 @@ void Simulator::fill_frame(SimFrame& frame) const {
     state.X_WM = now.sensor_poses[i];
     state.readings = now.readings[i];
     state.force_W = now.force_W[i];
-    state.hits = sensor.reading().hits;
+    state.hits = sensor.reading().hits.all();
     state.surfaces.clear();
     for (const PairState& pair : sensor.sensed().pairs) state.surfaces.push_back(pair.surface);
   }

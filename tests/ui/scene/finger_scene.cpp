@@ -82,7 +82,7 @@ SimFramePtr finger_frame(const SensorModelPtr& model, double travel) {
   SensorReading reading;
   const ContactSurface* surface = &state.surfaces[0];
   read_sensor(*model, std::span<const ContactSurface* const>(&surface, 1), reading);
-  state.hits = reading.hits;
+  state.hits = reading.hits.all();
   state.readings = reading.values;
   for (const ContactPolygon& polygon : surface->polygons) {
     state.force_W += X_WM.rotate(polygon.pressure * polygon.area * polygon.normal);

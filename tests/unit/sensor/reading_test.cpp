@@ -14,7 +14,7 @@ namespace {
 /// A model of five taxels over 200 samples with random fields (the last one empty), and hits, a third of them misses.
 struct Fixture {
   SensorModel model;
-  std::vector<RayHit> hits;
+  RayHits hits;
   explicit Fixture(std::uint64_t seed, SampleWeights weights = SampleWeights::equal) {
     const CounterRng rng(seed);
     std::uint64_t next = 0;
@@ -22,11 +22,12 @@ struct Fixture {
     model.skin = std::make_shared<MeshIndex>(mesh);
     model.layout.sampling.weights = weights;
     model.layout.taxels.resize(5);
+    hits.clear(200);
     for (int i = 0; i < 200; ++i) {
       model.samples.push_back({dvec3(0), dvec3(0, 0, 1), 0, mesh->area() / 200 * (0.5 + rng.uniform(next++))});
       model.rays.push_back({i, dvec3(0), dvec3(0, 0, 1), 1.0});
       const bool miss = rng.uniform(next++) < 0.3;
-      hits.push_back(miss ? RayHit{} : RayHit{0, i, 0.001 * rng.uniform(next), 1e4 * rng.uniform(next + 1)});
+      if (!miss) hits.offer(i, {0, i, 0.001 * rng.uniform(next), 1e4 * rng.uniform(next + 1)});
       next += 2;
     }
     for (int k = 0; k < 5; ++k) {
@@ -38,6 +39,8 @@ struct Fixture {
       }
       model.fields.first.push_back(static_cast<int>(model.fields.entries.size()));
     }
+    hits.finish();
+    model.readout_table = make_readout_table(model);
   }
 };
 
@@ -46,7 +49,7 @@ double direct(const Fixture& f, Aggregate how, Misses misses, std::size_t k) {
   long double sum_wp = 0, sum_w = 0, sum_ap = 0, sum_a = 0, best = 0, nearest = 0, distance = 1e9L;
   for (int e = f.model.fields.first[k]; e < f.model.fields.first[k + 1]; ++e) {
     const ReceptiveFields::Entry& entry = f.model.fields.entries[static_cast<std::size_t>(e)];
-    const RayHit& hit = f.hits[static_cast<std::size_t>(entry.sample)];
+    const RayHit& hit = f.hits[entry.sample];
     if (misses == Misses::omit && hit.surface < 0) continue;
     const long double p = hit.pressure, w = entry.weight;
     const double area = f.model.samples[static_cast<std::size_t>(entry.sample)].area;
@@ -104,7 +107,7 @@ TEST(Aggregate, OmittedMissesRaiseAMean) {
 
 TEST(Aggregate, AllMissesReadZero) {
   Fixture f(3);
-  f.hits.assign(f.hits.size(), RayHit{});
+  f.hits.clear(200);
   for (const Misses misses : {Misses::zero, Misses::omit})
     for (const Aggregate how : kSampled) {
       f.model.layout.readout.misses = misses;
@@ -121,10 +124,10 @@ TEST(SamplesBehind, SharesMakeUpTheReading) {
     std::vector<double> readings;
     aggregate(f.model, f.hits, how, readings);
     for (int k = 0; k < 4; ++k) {
-      const std::vector<TaxelSampleReading> rows = samples_behind(f.model, f.hits, k);
+      const std::vector<TaxelSampleReading> rows = samples_behind(f.model, f.hits.all(), k);
       double shares = 0.0, sum_wp = 0.0, sum_w = 0.0, picked = 0.0;
       for (const TaxelSampleReading& r : rows) {
-        const RayHit& hit = f.hits[static_cast<std::size_t>(r.sample)];
+        const RayHit& hit = f.hits[r.sample];
         EXPECT_EQ(r.hit, hit.hit());
         EXPECT_EQ(r.depth, hit.depth);
         EXPECT_EQ(r.pressure, hit.pressure);
@@ -141,9 +144,9 @@ TEST(SamplesBehind, SharesMakeUpTheReading) {
         EXPECT_NEAR(picked, reading, 1e-12 * reading);
       }
     }
-    EXPECT_TRUE(samples_behind(f.model, f.hits, 4).empty());
-    EXPECT_THROW(samples_behind(f.model, f.hits, 5), Error);
-    EXPECT_THROW(samples_behind(f.model, f.hits, -1), Error);
+    EXPECT_TRUE(samples_behind(f.model, f.hits.all(), 4).empty());
+    EXPECT_THROW(samples_behind(f.model, f.hits.all(), 5), Error);
+    EXPECT_THROW(samples_behind(f.model, f.hits.all(), -1), Error);
   }
 }
 

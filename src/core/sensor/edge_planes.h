@@ -1,0 +1,65 @@
+// A contact polygon made ready for rays: its plane, and one plane through each edge.
+//
+// A ray meets the polygon where it meets its plane, at y relative to the centroid, if m y + c >= 0 for every edge. Both
+// ray paths compute that in this order of operations, so that they get the same bits.
+#pragma once
+
+#include <optional>
+
+#include "core/hydro/contact_surface.h"
+
+namespace taxel {
+
+/// Part of the coordinates by which a polygon may reach over its rim at most. Neighbours are cut one by one, so that
+/// their common edge differs by rounding: with this no ray slips through between them. It is a million times what
+/// rounding makes and far below what is measured; each ray keeps one hit only, so nothing counts twice.
+inline constexpr double kRimReach = 1e-9;
+
+/// Through the edge from corner k to k + 1, at right angles to the polygon: inside where dot(m, y) + c >= 0.
+struct EdgePlane {
+  dvec3 m{0};    ///< normal cross edge [m]
+  double c = 0;  ///< [m^2]
+};
+
+/// How far rays that meet the polygon may lie outside of it, at most [m].
+inline double rim_reach(double l1_of_centroid, double perimeter) {
+  return kRimReach * (l1_of_centroid + perimeter);
+}
+
+/// Fills one plane per corner. Moving every edge of a convex polygon outward by s enlarges it about its inscribed
+/// circle at most by 1 + s/r, r >= area/perimeter: so s = reach 2 area / perimeter^2 keeps even a needle's tips within
+/// reach.
+inline void fill_edge_planes(const ContactSurface& surface, const ContactPolygon& polygon, EdgePlane* planes) {
+  const dvec3* corner = surface.vertices.data() + polygon.first;
+  const auto l1 = [](const dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const int last = polygon.count - 1;
+  double perimeter = l1(corner[0] - corner[last]);  // by the sum of components: not less than the length
+  for (int k = 0; k < last; ++k) perimeter += l1(corner[k + 1] - corner[k]);
+  const double reach = rim_reach(l1(polygon.centroid), perimeter);
+  const double s = perimeter > 0 ? reach * 2.0 * polygon.area / (perimeter * perimeter) : 0.0;
+  for (int k = 0; k <= last; ++k) {
+    const dvec3 edge = corner[k < last ? k + 1 : 0] - corner[k];
+    const dvec3 m = glm::cross(polygon.normal, edge);
+    const double length = std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.z)});  // not more than it is
+    planes[k] = {m, glm::dot(m, polygon.centroid - corner[k]) + s * length};
+  }
+}
+
+struct PolygonHit {
+  double t = 0;         ///< distance along the ray [m]
+  double pressure = 0;  ///< [Pa]
+};
+
+/// Where the ray meets the polygon from either side, rim included, with t_min <= t <= t_max; a ray in its plane misses.
+inline std::optional<PolygonHit> hit_polygon(const dvec3& origin, const dvec3& direction, double t_min, double t_max,
+                                             const ContactPolygon& polygon, const EdgePlane* planes) {
+  const dvec3 w = origin - polygon.centroid;
+  const double t = -glm::dot(polygon.normal, w) / glm::dot(polygon.normal, direction);
+  if (!(t >= t_min && t <= t_max)) return std::nullopt;
+  const dvec3 y = w + t * direction;
+  for (int k = 0; k < polygon.count; ++k)
+    if (!(glm::dot(planes[k].m, y) + planes[k].c >= 0)) return std::nullopt;
+  return PolygonHit{t, std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, y))};
+}
+
+}  // namespace taxel

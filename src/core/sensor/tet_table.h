@@ -1,0 +1,54 @@
+// For each tet of a sensor's pressure field the rays that cross it: found once, for rays are fixed in the sensor's
+// frame. A contact polygon lies in one tet, and only that tet's rays can meet it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/hydro/contact_surface.h"
+#include "core/hydro/pressure_field.h"
+#include "core/sensor/edge_planes.h"
+#include "core/sensor/ray_hits.h"
+#include "core/sensor/sensor_ray.h"
+
+namespace taxel {
+
+/// Up to eight rays that cross one tet, lanes over the rays.
+struct alignas(64) RayBlock {
+  static constexpr std::size_t kRays = 8;
+  std::array<double, kRays> ox, oy, oz;    ///< origins [m]
+  std::array<double, kRays> dx, dy, dz;    ///< directions
+  std::array<double, kRays> t_min, t_max;  ///< inside the tet and the allowed depth [m]; empty in unused lanes
+  std::array<std::int32_t, kRays> ray;     ///< in SensorModel::rays, ascending
+  std::int32_t count = 0;
+};
+
+class TetTable {
+ public:
+  TetTable() = default;
+  /// Tets are widened by what contact polygons may reach over them: rounding, merged vertices, kRimReach.
+  TetTable(const PressureField& field, std::span<const SensorRay> rays);
+
+  [[nodiscard]] int tet_count() const { return static_cast<int>(first_.size()) - 1; }
+  [[nodiscard]] std::span<const RayBlock> blocks(int tet) const {
+    const auto t = static_cast<std::size_t>(tet);
+    return {blocks_.data() + first_[t], blocks_.data() + first_[t + 1]};
+  }
+  [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(RayBlock); }
+
+  /// Whether every polygon names a tet of this table.
+  [[nodiscard]] bool covers(const ContactSurface& surface) const;
+
+ private:
+  std::vector<std::size_t> first_{0};
+  std::vector<RayBlock> blocks_;
+};
+
+/// Offers the hits of all rays on one surface, whose tets are those of the table. `planes` is memory, kept between
+/// calls.
+void cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number,
+                       std::vector<EdgePlane>& planes, RayHits& hits);
+
+}  // namespace taxel

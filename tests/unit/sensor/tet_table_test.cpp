@@ -1,0 +1,261 @@
+// The tet table against brute force and against the trees: the same hits to the last bit, on random and on degenerate
+// scenes.
+#include "core/sensor/tet_table.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random_pose.h"
+#include "core/hydro/intersect.h"
+#include "core/sensor/reading.h"
+#include "unit/sensor/counting_new.h"
+#include "unit/sensor/random_surface.h"
+#include "unit/sensor/ray_oracles.h"
+
+namespace taxel {
+namespace {
+
+const PressureField& field_of(const HydroBody& body) {
+  return *std::get<SoftBody>(body.geometry).field;
+}
+
+HydroBodyPtr soft(ShapeType type, const dvec3& size, double resolution) {
+  const Shape shape{type, size, nullptr, resolution};
+  Material material;
+  material.field = FieldKind::medial_axis;
+  material.modulus = 1e5;
+  return make_body(shape, material, "sensor");
+}
+HydroBodyPtr rigid(ShapeType type, const dvec3& size) {
+  return make_body({type, size, nullptr, 0}, Material{}, "object");
+}
+
+/// A sensor that is nothing but a body and rays.
+SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> rays) {
+  SensorModel model;
+  model.body = body;
+  model.rays = std::move(rays);
+  model.tet_table = std::make_shared<TetTable>(field_of(*body), model.rays);
+  return model;
+}
+
+/// Both paths on the same surfaces.
+struct Both {
+  CastWorkspace workspace;
+  RayHits table, bvh;
+  void cast(const SensorModel& model, const std::vector<const ContactSurface*>& surfaces) {
+    cast_rays(model, surfaces, RayPath::tet_table, workspace, table);
+    EXPECT_TRUE(workspace.caster.empty()) << "no tree is built, so none can be visited";
+    cast_rays(model, surfaces, RayPath::bvh, workspace, bvh);
+  }
+};
+
+::testing::AssertionResult same(const RayHit& a, const RayHit& b) {
+  if (a.surface == b.surface && a.polygon == b.polygon && a.depth == b.depth && a.pressure == b.pressure)
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "surface " << a.surface << " and " << b.surface << ", polygon " << a.polygon
+                                       << " and " << b.polygon << ", depth " << a.depth << " and " << b.depth;
+}
+
+/// Random segments around the contact; every fourth aims at a corner, every fourth at the middle of an edge.
+std::vector<SensorRay> random_rays(const std::vector<ContactSurface>& surfaces, double size, int count,
+                                   std::uint64_t seed) {
+  const CounterRng rng(seed);
+  std::uint64_t next = 0;
+  const auto pick = [&](std::size_t n) {
+    return static_cast<std::size_t>(rng.uniform(next++) * static_cast<double>(n));
+  };
+  const auto vector = [&] {
+    const double x = rng.uniform(next++), y = rng.uniform(next++), z = rng.uniform(next++);
+    return dvec3(x, y, z) - 0.5;
+  };
+  std::vector<SensorRay> rays;
+  for (int i = 0; i < count; ++i) {
+    const ContactSurface& surface = surfaces[pick(surfaces.size())];
+    if (surface.empty()) continue;
+    const ContactPolygon& polygon = surface.polygons[pick(surface.polygons.size())];
+    const auto corner = [&](std::size_t k) {
+      return surface.vertices[static_cast<std::size_t>(polygon.first) + k % static_cast<std::size_t>(polygon.count)];
+    };
+    const std::size_t k = pick(static_cast<std::size_t>(polygon.count));
+    dvec3 aim = polygon.centroid + size * 0.5 * vector();
+    if (i % 4 == 0) aim = corner(k);
+    if (i % 4 == 1) aim = 0.5 * (corner(k) + corner(k + 1));
+    const dvec3 from = aim + 0.6 * size * vector();
+    rays.push_back({i, from, glm::normalize(aim - from), (0.4 + rng.uniform(next++)) * size});
+  }
+  return rays;
+}
+
+// 10 000 sets of rays over 100 scenes of two objects.
+TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
+  constexpr int kScenes = 100, kSets = 100, kRays = 24;
+  const double size = 0.02;
+  const HydroBodyPtr bodies[] = {soft(ShapeType::sphere, dvec3(size), 0.02),
+                                 soft(ShapeType::box, dvec3(size, 0.7 * size, 0.5 * size), 0.02)};
+  const HydroBodyPtr objects[] = {rigid(ShapeType::box, dvec3(size)), rigid(ShapeType::sphere, dvec3(size))};
+  long hits = 0, clear = 0;
+  for (int scene = 0; scene < kScenes; ++scene) {
+    const HydroBodyPtr& body = bodies[scene % 2];
+    std::vector<ContactSurface> surfaces(2);
+    IntersectWorkspace workspace;
+    const Pose X_WA = random_pose(1, scene, size);
+    for (std::size_t o = 0; o < 2; ++o)
+      intersect(*body, *objects[o], X_WA, random_pose(2 + o, scene, size), surfaces[o], workspace);
+    const auto list = pointers(surfaces);
+    const WithoutTrees brute_force(list);
+    Both both;
+    for (int set = 0; set < kSets; ++set) {
+      const auto seed = static_cast<std::uint64_t>(kSets * scene + set);
+      const SensorModel model = model_of(body, random_rays(surfaces, size, kRays, seed));
+      both.cast(model, list);
+      for (std::size_t r = 0; r < model.rays.size(); ++r) {
+        const SensorRay& ray = model.rays[r];
+        const RayHit expected = brute_force.cast(ray);
+        ASSERT_TRUE(same(both.table.all()[r], expected)) << "table, scene " << scene << " set " << set << " ray " << r;
+        ASSERT_TRUE(same(both.bvh.all()[r], expected)) << "bvh, scene " << scene << " set " << set << " ray " << r;
+        hits += expected.hit();
+        if (r % 4 < 2) continue;  // aimed at rims
+        const OracleHit other = oracle(list, {ray.origin, ray.direction, ray.max_depth});
+        if (other.margin < kRimUnclear * size) continue;
+        ASSERT_EQ(expected.surface, other.hit.surface);
+        ASSERT_EQ(expected.polygon, other.hit.polygon);
+        ASSERT_NEAR(expected.depth, other.hit.depth, 1e-12);
+        ++clear;
+      }
+    }
+  }
+  EXPECT_GT(hits, 50000);
+  EXPECT_GT(clear, 20000);
+}
+
+// A soft box on a plane: the contact is cut along the faces between tets. Rays run exactly along those faces, through
+// their edges and corners, and in the plane of the box's symmetry. In any pose, none of them slips through.
+TEST(TetTable, NoRaySlipsThroughBetweenTets) {
+  const dvec3 half(0.02, 0.016, 0.01);
+  const double depth = 0.003;
+  const HydroBodyPtr body = soft(ShapeType::box, half, 0), plane = rigid(ShapeType::plane, dvec3(0));
+  std::vector<SensorRay> rays;
+  constexpr int kGrid = 32;
+  for (int i = -kGrid; i <= kGrid; ++i) {
+    for (int j = -kGrid; j <= kGrid; ++j) {
+      const dvec3 from(half.x * i / kGrid, half.y * j / kGrid, -half.z);
+      rays.push_back({static_cast<int>(rays.size()), from, dvec3(0, 0, 1), half.z});
+    }
+  }
+  for (const dvec3& v : field_of(*body).vertices()) {  // towards the tets' own vertices, along their edges
+    for (const double x : {-1.0, 0.0, 1.0}) {
+      const dvec3 from(0.5 * half.x * x, 0, -half.z), to = v.z > -0.9 * half.z ? v : dvec3(v.x, v.y, 0) * 0.5;
+      rays.push_back({static_cast<int>(rays.size()), from, glm::normalize(to - from), 4 * half.z});
+    }
+  }
+  const SensorModel model = model_of(body, rays);
+  Both both;
+  IntersectWorkspace workspace;
+  for (int round = 0; round < 50; ++round) {
+    std::vector<ContactSurface> surfaces(1);
+    const Pose X_WA = round == 0 ? Pose{} : random_pose(5, round, 1.0);
+    const Pose X_AB{dquat(1, 0, 0, 0), dvec3(0, 0, depth - half.z)};
+    intersect(*body, *plane, X_WA, X_WA * X_AB, surfaces[0], workspace);
+    ASSERT_GT(surfaces[0].polygons.size(), 3U);
+    both.cast(model, pointers(surfaces));
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+      ASSERT_TRUE(same(both.table.all()[r], both.bvh.all()[r]));
+      const dvec3& d = rays[r].direction;
+      const double t = depth / d.z;
+      const dvec3 at = rays[r].origin + t * d;
+      // p = 0 on the skin: the plane's section of the box is contact up to its rim.
+      if (std::abs(at.x) > (1 - 1e-7) * half.x || std::abs(at.y) > (1 - 1e-7) * half.y) continue;
+      const RayHit& hit = both.table.all()[r];
+      ASSERT_TRUE(hit.hit()) << "round " << round << " at " << at.x << " " << at.y;
+      ASSERT_NEAR(hit.depth, t, 1e-12);
+      const dvec3 away = half - glm::abs(at);
+      const double nearest = std::min({away.x, away.y, depth});
+      ASSERT_NEAR(hit.pressure, 1e5 * nearest / half.z, 1e-6);
+    }
+  }
+}
+
+TEST(TetTable, SurfacesOutsideOfTheFieldGoThroughTrees) {
+  const HydroBodyPtr body = soft(ShapeType::sphere, dvec3(0.02), 0.012);
+  std::vector<ContactSurface> surfaces(2);
+  IntersectWorkspace workspace;
+  intersect(*body, *rigid(ShapeType::plane, dvec3(0)), Pose{}, Pose{dquat(1, 0, 0, 0), dvec3(0, 0, -0.015)},
+            surfaces[0], workspace);
+  add_polygon(surfaces[1], {dvec3(-0.01, -0.01, 0), dvec3(0.01, -0.01, 0), dvec3(0, 0.02, 0)}, 7.0, dvec3(0));
+  const SensorModel model = model_of(body, {{0, dvec3(0, 0, -0.019), dvec3(0, 0, 1), 0.02},
+                                            {1, dvec3(0, 0, 0.01), dvec3(0, 0, -1), 0.04},
+                                            {2, dvec3(0.5, 0, 0.01), dvec3(0, 0, -1), 0.04}});
+  CastWorkspace memory;
+  RayHits hits;
+  cast_rays(model, pointers(surfaces), RayPath::tet_table, memory, hits);
+  EXPECT_EQ(hits[0].surface, 0) << "the nearer one, from the table";
+  EXPECT_EQ(hits[1].surface, 1) << "the nearer one, from the trees";
+  EXPECT_EQ(hits[1].pressure, 7.0);
+  EXPECT_FALSE(hits[2].hit());
+  EXPECT_EQ(hits.hit_rays(), (std::vector<std::int32_t>{0, 1}));
+}
+
+/// The finger of the project, pressed onto the edge of a box at several places.
+struct Finger {
+  static SensorModelPtr load() {
+    static const SensorModelPtr model = load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
+    return model;
+  }
+  SensorModelPtr model = load();
+  std::vector<ContactSurface> surfaces;
+  Finger() {
+    const HydroBodyPtr box = rigid(ShapeType::box, dvec3(0.02));
+    IntersectWorkspace workspace;
+    const Aabb& bounds = model->mesh->bounds();
+    for (int i = 0; i < 6; ++i) {
+      Pose X_WB = random_pose(8, i, 0.001);
+      const double reach = 0.5 * bounds.extent().y + 0.02 - 0.0012;
+      X_WB.q = glm::angleAxis(0.3 * i, dvec3(0, 1, 0));
+      X_WB.p += bounds.center() + dvec3(0, -reach, 0.002 * i);
+      intersect(*model->body, *box, Pose{}, X_WB, surfaces.emplace_back(), workspace);
+    }
+  }
+};
+
+TEST(TetTable, ReadingsHaveTheSameBitsByBothPathsAndAfterAnyHistory) {
+  const Finger f;
+  SensorReading one, other;
+  std::vector<std::vector<double>> first;
+  double largest = 0;
+  for (const ContactSurface& surface : f.surfaces) {
+    const ContactSurface* list[] = {&surface};
+    read_sensor(*f.model, list, one, RayPath::tet_table);
+    read_sensor(*f.model, list, other, RayPath::bvh);
+    ASSERT_EQ(one.values, other.values);
+    ASSERT_EQ(one.hits.hit_rays(), other.hits.hit_rays());
+    ASSERT_GT(one.hits.hit_rays().size(), 50U);
+    first.push_back(one.values);
+    largest = std::max(largest, *std::max_element(one.values.begin(), one.values.end()));
+  }
+  EXPECT_GT(largest, 1000.0);
+  for (std::size_t i = f.surfaces.size(); i-- > 0;) {
+    const ContactSurface* list[] = {&f.surfaces[i]};
+    read_sensor(*f.model, list, one);
+    EXPECT_EQ(one.values, first[i]);
+  }
+  read_sensor(*f.model, {}, one);
+  EXPECT_EQ(one.values, std::vector<double>(first[0].size(), 0.0));
+  EXPECT_TRUE(std::none_of(one.hits.all().begin(), one.hits.all().end(), [](const RayHit& h) { return h.hit(); }));
+}
+
+TEST(TetTable, StepsDoNotAllocateAfterTheFirst) {
+  const Finger f;
+  SensorReading reading;
+  const ContactSurface* all[] = {&f.surfaces[0], &f.surfaces[1], &f.surfaces[2]};
+  read_sensor(*f.model, all, reading);
+  const long before = allocation_count();
+  for (const ContactSurface& surface : f.surfaces) {
+    const ContactSurface* list[] = {&surface};
+    read_sensor(*f.model, list, reading);
+    read_sensor(*f.model, all, reading);
+  }
+  EXPECT_EQ(allocation_count() - before, 0);
+}
+
+}  // namespace
+}  // namespace taxel
