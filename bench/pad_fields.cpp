@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
   measure({"torus, deep", make_torus(0.02, 0.006, 80, 32), 0.006});
   measure({"L-block", make_l_block(0.005, 8), 0.003});
   measure({"L-block, coarse", make_l_block(0.02, 2), 0.005});
+  measure({"notched cube", make_notched_cube(0.005, 8), 0.003});
   measure({"thimble, 2.5 mm wall", make_thimble(0.008, 0.015, 0.0025, 0.001), 0.002});
   measure({"thimble, 1 mm pad", make_thimble(0.008, 0.015, 0.0025, 0.001), 0.001});
   measure({"sharp plate", make_sharp_plate(0.03, 0.006, 0.002), 0.002});

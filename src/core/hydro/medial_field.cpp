@@ -76,7 +76,8 @@ PressureFieldPtr fill_to_axis(const TriMesh& skin, double modulus, const AxisPoi
   std::fill_n(pressure.begin(), skin.vertices().size(), 0.0);
   std::vector<ivec4> tets;
   for (const ivec3& f : skin.faces()) {
-    const PrismTets prism = split_prism(f, {inner[at(f.x)], inner[at(f.y)], inner[at(f.z)]});
+    const ivec3 on_axis(inner[at(f.x)], inner[at(f.y)], inner[at(f.z)]);
+    const PrismTets prism = split_prism(f, on_axis, on_axis);
     for (int i = 0; i < prism.count; ++i) {
       if (!is_flat(vertices, prism.tets[at(i)])) tets.push_back(prism.tets[at(i)]);
     }

@@ -73,6 +73,22 @@ PadDirection direction_of(const dvec3& angle_weighted, std::vector<Around>& face
 
 }  // namespace
 
+PadDirection pad_direction(const TriMesh& mesh, int vertex, std::span<const int> faces) {
+  std::vector<Around> around;
+  dvec3 sum{0};
+  for (const int f : faces) {
+    const dvec3& normal = mesh.face_normals()[at(f)];
+    around.push_back({mesh.face_areas()[at(f)], normal});
+    const ivec3& corners = mesh.faces()[at(f)];
+    const int c = corners.x == vertex ? 0 : corners.y == vertex ? 1 : 2;
+    const dvec3 a = mesh.vertex(f, (c + 1) % 3) - mesh.vertex(f, c),
+                b = mesh.vertex(f, (c + 2) % 3) - mesh.vertex(f, c);
+    sum += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * normal;
+  }
+  const double length = glm::length(sum);
+  return direction_of(length > 0 ? sum / length : around.front().normal, around);
+}
+
 std::vector<PadDirection> pad_directions(const TriMesh& mesh) {
   std::vector<std::vector<Around>> around(mesh.vertices().size());
   for (int f = 0; f < mesh.face_count(); ++f) {

@@ -1,6 +1,7 @@
 // Directions into a body, one per vertex of its skin.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
@@ -16,5 +17,8 @@ struct PadDirection {
 /// the direction that makes the largest of these angles smallest. Where that leaves a face almost edge on, as on
 /// folded or torn tessellations, the smallest faces are left out while they make up little of the area around.
 std::vector<PadDirection> pad_directions(const TriMesh& mesh);
+
+/// The same for one vertex and some of the faces around it.
+PadDirection pad_direction(const TriMesh& mesh, int vertex, std::span<const int> faces);
 
 }  // namespace taxel

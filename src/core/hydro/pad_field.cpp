@@ -14,29 +14,29 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Depth of each inner vertex below the planes of the faces around its own, area-weighted mean.
-std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape) {
-  std::vector<double> area(mesh.vertices().size(), 0.0), depth(mesh.vertices().size(), 0.0);
+/// Depth of each leg's inner vertex below the planes of its faces, area-weighted mean; H for a leg without faces.
+std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
+  std::vector<double> area(at(shape.leg_count()), 0.0), depth(at(shape.leg_count()), 0.0);
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (int c = 0; c < 3; ++c) {
-      const int v = mesh.faces()[at(f)][c];
-      const double cosine = -glm::dot(mesh.face_normals()[at(f)], shape.direction(v).direction);
-      area[at(v)] += mesh.face_areas()[at(f)];
-      depth[at(v)] += mesh.face_areas()[at(f)] * shape.offset(v) * cosine;
+      const int leg = shape.leg(f, c);
+      const double cosine = -glm::dot(mesh.face_normals()[at(f)], shape.direction(leg).direction);
+      area[at(leg)] += mesh.face_areas()[at(f)];
+      depth[at(leg)] += mesh.face_areas()[at(f)] * shape.offset(leg) * cosine;
     }
   }
-  for (std::size_t v = 0; v < depth.size(); ++v) depth[v] = area[v] > 0 ? std::max(0.0, depth[v] / area[v]) : 0.0;
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = area[i] > 0 ? std::max(0.0, depth[i] / area[i]) : thickness;
   return depth;
 }
 
 /// E depth/H at the inner vertices. The depth is the distance to the skin, but where the skin is concave that exceeds
 /// the depth below the planes of its faces, and would make these too stiff: there it is the mean of the latter.
 std::vector<double> pressures(const TriMesh& mesh, const PadShape& shape, double modulus, double thickness) {
-  const std::vector<double> plane_depth = mean_plane_depths(mesh, shape);
-  std::vector<double> pressure(2 * mesh.vertices().size(), 0.0);
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const double depth = std::min({shape.depth(v), plane_depth[at(v)], thickness});
-    pressure[at(v + mesh.vertex_count())] = shape.offset(v) > 0 ? modulus * depth / thickness : 0.0;
+  const std::vector<double> plane_depth = mean_plane_depths(mesh, shape, thickness);
+  std::vector<double> pressure(mesh.vertices().size(), 0.0);
+  for (int leg = 0; leg < shape.leg_count(); ++leg) {
+    const double depth = std::min({shape.depth(leg), plane_depth[at(leg)], thickness});
+    pressure.push_back(shape.offset(leg) > 0 ? modulus * depth / thickness : 0.0);
   }
   return pressure;
 }
@@ -74,10 +74,10 @@ FieldReport report_of(const TriMesh& mesh, const PadShape& shape, double thickne
   for (int f = 0; f < mesh.face_count(); ++f) {
     double least = 1;
     for (int c = 0; c < 3; ++c) {
-      const int v = mesh.faces()[at(f)][c];
-      if (!shape.limited(v)) continue;
+      const int leg = shape.leg(f, c);
+      if (!shape.limited(leg)) continue;
       limited_area += mesh.face_areas()[at(f)] / 3.0;
-      least = std::min(least, shape.part_left(v));
+      least = std::min(least, shape.part_left(leg));
     }
     if (shape.tets(f).count == 0) {
       bare.add(f, mesh.face_areas()[at(f)]);
@@ -98,13 +98,15 @@ PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, 
   const MeshIndex index(mesh);
   const PadShape shape(index, thickness);
   std::vector<dvec3> vertices = mesh->vertices();
-  for (int v = 0; v < mesh->vertex_count(); ++v) vertices.push_back(shape.inner_position(v));
+  for (int leg = 0; leg < shape.leg_count(); ++leg) vertices.push_back(shape.inner_position(leg));
   std::vector<ivec4> tets;
   tets.reserve(3 * mesh->faces().size());
   for (int f = 0; f < mesh->face_count(); ++f) {
     const PrismTets face_tets = shape.tets(f);
     tets.insert(tets.end(), face_tets.tets.begin(), face_tets.tets.begin() + face_tets.count);
   }
+  const std::vector<ivec4> gaps = shape.gap_tets();
+  tets.insert(tets.end(), gaps.begin(), gaps.end());
   std::vector<double> pressure = pressures(*mesh, shape, modulus, thickness);
   return std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
                                                report_of(*mesh, shape, thickness, face_numbers));

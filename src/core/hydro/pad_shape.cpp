@@ -1,5 +1,7 @@
 #include "core/hydro/pad_shape.h"
 
+#include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -15,6 +17,8 @@ constexpr double kOwnDepth = 0.95;
 constexpr double kThinMargin = 0.9;
 /// A mitre is at most this times as long as the thickness.
 constexpr double kLongestMitre = 2.0;
+/// Creases with a shorter edge than this part of the thickness are not split.
+constexpr double kShortestCrease = 0.5;
 /// Offsets of neighbours differ at most by this times their distance.
 constexpr double kLargestSlope = 1.5;
 /// A tet is well shaped when its volume is at least this part of the third of a straight prism's.
@@ -30,26 +34,70 @@ constexpr int kShrinkRounds = 40;
 }  // namespace
 
 PadShape::PadShape(const MeshIndex& index, double thickness)
-    : index_(index), mesh_(index.mesh()), thickness_(thickness), inward_(pad_directions(index.mesh())) {
-  offset_.assign(mesh_.vertices().size(), 0.0);
-  full_.assign(mesh_.vertices().size(), thickness);
-  depth_.assign(mesh_.vertices().size(), 0.0);
-  pinched_.assign(mesh_.vertices().size(), 0);
-  gather_faces();
-  constexpr int kChunk = 64;
-  parallel_chunks(mesh_.vertex_count(), kChunk, [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) set_offset(v);
-  });
-  for (int v = 0; v < mesh_.vertex_count(); ++v) shortened_.push_back(v);
-  smooth();
-  shrink_folded();
-  pinch_folded();
+    : index_(index), mesh_(index.mesh()), thickness_(thickness) {
+  // Vertices around which the gaps between parted faces fold are kept whole; after some rounds all are.
+  constexpr int kRounds = 3;
+  const std::vector<PadDirection> directions = pad_directions(mesh_);
+  const PadCreases creases = find_pad_creases(mesh_, directions, kShortestCrease * thickness_);
+  std::vector<char> whole(mesh_.vertices().size(), 0);
+  for (int round = 0;; ++round) {
+    fit(make_pad_legs(mesh_, directions, creases, whole));
+    if (!find_folded_gaps(whole)) break;
+    if (round == kRounds) whole.assign(whole.size(), 1);
+  }
   set_depths();
 }
 
+/// Legs that went the same way in the last round have the same offset, before they are made to fit their neighbours.
+void PadShape::reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& own) {
+  std::map<int, std::vector<int>> further;  // skin vertex -> its legs after the first
+  for (int leg = mesh_.vertex_count(); leg < static_cast<int>(last.skin.size()); ++leg)
+    further[last.skin[at(leg)]].push_back(leg);
+  const auto reuse = [&](int leg, int old) {
+    if (last.inward[at(old)].direction != legs_.inward[at(leg)].direction ||
+        last.inward[at(old)].least_cosine != legs_.inward[at(leg)].least_cosine)
+      return;
+    own_[at(leg)] = own[at(old)];
+  };
+  for (int leg = 0; leg < leg_count() && !own.empty(); ++leg) {
+    if (leg < mesh_.vertex_count()) {
+      reuse(leg, leg);
+      continue;
+    }
+    for (const int old : further[legs_.skin[at(leg)]]) reuse(leg, old);
+  }
+}
+
+void PadShape::fit(PadLegs legs) {
+  const PadLegs last = std::exchange(legs_, std::move(legs));
+  const std::vector<OwnOffset> known = std::exchange(own_, std::vector<OwnOffset>(legs_.skin.size()));
+  reuse_offsets(last, known);
+  constexpr int kChunk = 64;
+  parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+    for (int leg = begin; leg < end; ++leg) {
+      if (!own_[at(leg)].known) own_[at(leg)] = find_own_offset(leg);
+    }
+  });
+  offset_.clear();
+  depth_.clear();
+  pinched_.clear();
+  for (const OwnOffset& own : own_) {
+    offset_.push_back(own.offset);
+    depth_.push_back(own.depth);
+    pinched_.push_back(own.pinched);
+  }
+  gather_faces();
+  shortened_.resize(legs_.skin.size());
+  std::iota(shortened_.begin(), shortened_.end(), 0);
+  smooth();
+  shrink_folded();
+  pinch_folded();
+  lower_fans();
+}
+
 void PadShape::gather_faces() {
-  first_face_.assign(mesh_.vertices().size() + 1, 0);
-  for (const ivec3& f : mesh_.faces()) {
+  first_face_.assign(legs_.skin.size() + 1, 0);
+  for (const ivec3& f : legs_.of_face) {
     for (int c = 0; c < 3; ++c) ++first_face_[at(f[c]) + 1];
   }
   for (std::size_t v = 1; v < first_face_.size(); ++v) first_face_[v] += first_face_[v - 1];
@@ -58,32 +106,32 @@ void PadShape::gather_faces() {
   std::vector<int> next(first_face_.begin(), first_face_.end() - 1);
   for (int f = 0; f < mesh_.face_count(); ++f) {
     for (int c = 0; c < 3; ++c) {
-      faces_at_[at(next[at(mesh_.faces()[at(f)][c])]++)] = f;
+      faces_at_[at(next[at(leg(f, c))]++)] = f;
       steepest_[at(3 * f + c)] = kLargestSlope * glm::distance(mesh_.vertex(f, c), mesh_.vertex(f, (c + 1) % 3));
     }
   }
 }
 
-std::span<const int> PadShape::faces_around(int v) const {
-  return {faces_at_.data() + first_face_[at(v)], faces_at_.data() + first_face_[at(v) + 1]};
+std::span<const int> PadShape::faces_around(int leg) const {
+  return {faces_at_.data() + first_face_[at(leg)], faces_at_.data() + first_face_[at(leg) + 1]};
 }
 
 /// The largest offset up to `most` at which the inner vertex is still owned by its own part of the skin, with its depth
 /// there; 0 where there is none. Shrinking balls (Ma, Bae, Choi 2012): the ball about the inner vertex whose radius is
 /// the least depth asked for, s h, must hold no point of the skin. Where it holds q, the ball is shrunk until q lies on
 /// it: |v + h d - q| = s h.
-double PadShape::own_offset(int v, double most, double& depth) const {
+double PadShape::own_offset(int leg, double most, double& depth) const {
   constexpr int kMostBalls = 30;
   constexpr double kLeastOffset = 1e-3, kTouching = 5e-3;
-  const dvec3& direction = inward_[at(v)].direction;
-  const double s = kOwnDepth * inward_[at(v)].least_cosine;
+  const dvec3& direction = legs_.inward[at(leg)].direction;
+  const double s = kOwnDepth * legs_.inward[at(leg)].least_cosine;
   double h = most;
   for (int i = 0; i < kMostBalls && h > kLeastOffset * most; ++i) {
-    const SignedPoint q = index_.signed_point(moved(v, h), h);  // its own vertex is as near as that
+    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // its own vertex is as near as that
     depth = -q.signed_distance;
     if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
     // (1 - s^2) h^2 + 2 (w d) h + w^2 = 0 with w = v - q; its smaller root, in the form that loses no digits.
-    const dvec3 w = mesh_.vertices()[at(v)] - q.point.position;
+    const dvec3 w = skin(leg) - q.point.position;
     const double half_b = glm::dot(w, direction), c = glm::dot(w, w);
     const double root = half_b * half_b - (1 - s * s) * c;
     const double next = root > 0 && half_b < 0 ? c / (std::sqrt(root) - half_b) : 0.5 * h;
@@ -94,32 +142,39 @@ double PadShape::own_offset(int v, double most, double& depth) const {
 }
 
 /// The largest offset up to where the depth is H, that does not cross the medial axis.
-void PadShape::set_offset(int v) {
-  if (inward_[at(v)].least_cosine < kEdgeOn) {  // no direction leads inside
-    pinched_[at(v)] = 1;
-    return;
+PadShape::OwnOffset PadShape::find_own_offset(int leg) const {
+  OwnOffset own;
+  own.known = true;
+  own.full = thickness_;
+  const double least_cosine = legs_.inward[at(leg)].least_cosine;
+  if (least_cosine < kEdgeOn) {  // no direction leads inside
+    own.pinched = 1;
+    return own;
   }
   // No point of the body is deeper than half its smallest extent.
   const dvec3 extent = mesh_.bounds().extent();
   double most = std::min(thickness_, 0.5 * std::min({extent.x, extent.y, extent.z}));
   // A ball of less than half the offset could pass a wall between: look half way first.
   constexpr double kNarrow = 0.5;
-  double& depth = depth_[at(v)];
   double h = most;
-  if (inward_[at(v)].least_cosine < kNarrow) h = own_offset(v, 0.5 * most, depth);
-  if (h >= 0.5 * most) h = own_offset(v, most, depth);
-  if (h == thickness_ && depth < 0.99 * thickness_) {
+  if (least_cosine < kNarrow) h = own_offset(leg, 0.5 * most, own.depth);
+  if (h >= 0.5 * most) h = own_offset(leg, most, own.depth);
+  if (h == thickness_ && own.depth < 0.99 * thickness_) {
     // A ridge loses depth along its bisector: go as much farther as its faces' angles say (a mitre).
-    most = full_[at(v)] = thickness_ * std::min(thickness_ / depth, kLongestMitre);
-    h = own_offset(v, most, depth);
+    most = own.full = thickness_ * std::min(thickness_ / own.depth, kLongestMitre);
+    h = own_offset(leg, most, own.depth);
   }
-  offset_[at(v)] = h;
-  if (h < most) shorten(v, kThinMargin * h);
+  own.offset = h;
+  if (h < most) {
+    own.offset = kThinMargin * h;
+    own.depth = -1;
+  }
+  return own;
 }
 
-void PadShape::shorten(int v, double offset) {
-  offset_[at(v)] = offset;
-  depth_[at(v)] = -1;
+void PadShape::shorten(int leg, double offset) {
+  offset_[at(leg)] = offset;
+  depth_[at(leg)] = -1;
 }
 
 /// Lowers offsets until no edge is steeper than allowed. Pinched vertices are no bound: tets may stand upright there.
@@ -129,7 +184,7 @@ void PadShape::smooth() {
     shortened_.pop_back();
     if (pinched_[at(low)]) continue;
     for (const int f : faces_around(low)) {
-      const ivec3& face = mesh_.faces()[at(f)];
+      const ivec3& face = legs_.of_face[at(f)];
       const int c = face.x == low ? 0 : face.y == low ? 1 : 2, before = (c + 2) % 3;
       const std::array<std::pair<int, double>, 2> beside{
           {{face[(c + 1) % 3], steepest_[at(3 * f + c)]}, {face[before], steepest_[at(3 * f + before)]}}};
@@ -143,38 +198,41 @@ void PadShape::smooth() {
   }
 }
 
-dvec3 PadShape::position(int v) const {
+dvec3 PadShape::position(int vertex) const {
   const int n = mesh_.vertex_count();
-  return v < n ? mesh_.vertices()[at(v)] : inner_position(v - n);
+  return vertex < n ? mesh_.vertices()[at(vertex)] : inner_position(vertex - n);
+}
+
+double PadShape::six_volumes(const ivec4& tet) const {
+  const dvec3 o = position(tet[0]);
+  return glm::dot(glm::cross(position(tet[1]) - o, position(tet[2]) - o), position(tet[3]) - o);
 }
 
 /// Whether all corners' offsets go below the face; if not, no offset is short enough.
 bool PadShape::can_be_filled(int face) const {
-  const ivec3& f = mesh_.faces()[at(face)];
   for (int c = 0; c < 3; ++c) {
-    const double cosine = -glm::dot(mesh_.face_normals()[at(face)], inward_[at(f[c])].direction);
-    if (!pinched_[at(f[c])] && cosine < kEdgeOn) return false;
+    const std::size_t own = at(leg(face, c));
+    const double cosine = -glm::dot(mesh_.face_normals()[at(face)], legs_.inward[own].direction);
+    if (!pinched_[own] && cosine < kEdgeOn) return false;
   }
   return true;
 }
 
 PrismTets PadShape::prism(int face) const {
   const ivec3& f = mesh_.faces()[at(face)];
-  return split_prism(f, {inner(f.x), inner(f.y), inner(f.z)});
+  return split_prism(f, {inner(leg(face, 0)), inner(leg(face, 1)), inner(leg(face, 2))}, f);
 }
 
 /// Whether every tet has at least `part` of the prism's third, taken with the shortest offset around the face.
 bool PadShape::well_shaped(int face, double part) const {
   double h = std::numeric_limits<double>::infinity();
   for (int c = 0; c < 3; ++c) {
-    const int v = mesh_.faces()[at(face)][c];
-    if (!pinched_[at(v)]) h = std::min(h, offset_[at(v)]);
+    const std::size_t own = at(leg(face, c));
+    if (!pinched_[own]) h = std::min(h, offset_[own]);
   }
   const PrismTets prism_tets = prism(face);
   for (int i = 0; i < prism_tets.count; ++i) {
-    const ivec4& t = prism_tets.tets[at(i)];
-    const dvec3 o = position(t[0]);
-    const double six = glm::dot(glm::cross(position(t[1]) - o, position(t[2]) - o), position(t[3]) - o);
+    const double six = six_volumes(prism_tets.tets[at(i)]);
     if (!(six > part * 2.0 * mesh_.face_areas()[at(face)] * h)) return false;
   }
   return true;
@@ -191,21 +249,21 @@ void PadShape::shrink_folded() {
     for (const int f : suspects) {
       if (!can_be_filled(f) || well_shaped(f, kLeastVolume)) continue;
       for (int c = 0; c < 3; ++c) {
-        const int v = mesh_.faces()[at(f)][c];
-        if (!std::exchange(folded[at(v)], 1)) corners.push_back(v);
+        const int own = leg(f, c);
+        if (!std::exchange(folded[at(own)], 1)) corners.push_back(own);
       }
     }
     const std::vector<double> before = offset_;
-    for (const int v : corners) {
-      folded[at(v)] = 0;
-      shorten(v, kShrink * offset_[at(v)]);
-      shortened_.push_back(v);
+    for (const int own : corners) {
+      folded[at(own)] = 0;
+      shorten(own, kShrink * offset_[at(own)]);
+      shortened_.push_back(own);
     }
     smooth();
     suspects.clear();
-    for (int v = 0; v < mesh_.vertex_count(); ++v) {
-      if (offset_[at(v)] == before[at(v)]) continue;
-      for (const int f : faces_around(v)) {
+    for (int own = 0; own < leg_count(); ++own) {
+      if (offset_[at(own)] == before[at(own)]) continue;
+      for (const int f : faces_around(own)) {
         if (!std::exchange(suspected[at(f)], 1)) suspects.push_back(f);
       }
     }
@@ -222,10 +280,10 @@ void PadShape::pinch_folded() {
     for (const int f : suspects) {
       if (!can_be_filled(f) || well_shaped(f, kFoldedVolume)) continue;
       for (int c = 0; c < 3; ++c) {
-        const int v = mesh_.faces()[at(f)][c];
-        if (std::exchange(pinched_[at(v)], 1)) continue;
-        shorten(v, 0);
-        const std::span<const int> around = faces_around(v);
+        const int own = leg(f, c);
+        if (std::exchange(pinched_[at(own)], 1)) continue;
+        shorten(own, 0);
+        const std::span<const int> around = faces_around(own);
         next.insert(next.end(), around.begin(), around.end());
       }
     }
@@ -233,15 +291,85 @@ void PadShape::pinch_folded() {
   }
 }
 
+/// Legs that fan out below an edge are no longer than the longest of those that belong to faces.
+void PadShape::lower_fans() {
+  const auto lower = [&](const std::vector<int>& fan, double most) {
+    for (const int own : fan) {
+      if (faces_around(own).empty() && offset_[at(own)] > most) shorten(own, most);
+      if (faces_around(own).empty() && !(most > 0)) pinched_[at(own)] = 1;
+    }
+  };
+  for (const PadWedge& wedge : legs_.wedges) {
+    for (const std::vector<int>* fan : {&wedge.at_u, &wedge.at_v})
+      lower(*fan, std::max(offset_[at(fan->front())], offset_[at(fan->back())]));
+  }
+  for (const PadCone& cone : legs_.cones) {
+    double most = 0;
+    for (const int own : cone.rim) most = std::max(most, offset_[at(own)]);
+    lower({cone.center}, most);
+  }
+}
+
+std::vector<ivec4> PadShape::tets(const PadWedge& wedge) const {
+  std::vector<int> at_u, at_v;
+  for (const int own : wedge.at_u) at_u.push_back(inner(own));
+  for (const int own : wedge.at_v) at_v.push_back(inner(own));
+  std::vector<ivec4> found;
+  split_wedge(wedge.u, wedge.v, std::move(at_u), std::move(at_v), found);
+  return found;
+}
+
+std::vector<ivec4> PadShape::tets(const PadCone& cone) const {
+  std::vector<ivec4> found;
+  for (std::size_t i = 0; i < cone.rim.size(); ++i) {
+    const int a = inner(cone.rim[i]), b = inner(cone.rim[(i + 1) % cone.rim.size()]), middle = inner(cone.center);
+    if (a != b && a != cone.v && b != cone.v && middle != cone.v) found.emplace_back(cone.v, b, a, middle);
+  }
+  return found;
+}
+
+std::vector<ivec4> PadShape::gap_tets() const {
+  std::vector<ivec4> all;
+  const auto add = [&](const std::vector<ivec4>& some) { all.insert(all.end(), some.begin(), some.end()); };
+  for (const PadWedge& wedge : legs_.wedges) add(tets(wedge));
+  for (const PadCone& cone : legs_.cones) add(tets(cone));
+  return all;
+}
+
+/// Marks the vertices whose gaps have a tet of no or negative volume; whether there are any.
+bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
+  constexpr double kFlat = 1e-6;
+  bool any = false;
+  const auto folded = [&](const ivec4& t) {
+    double size = 0;
+    for (int i = 1; i < 4; ++i) size = std::max(size, glm::distance(position(t[0]), position(t[i])));
+    return !(six_volumes(t) > kFlat * size * size * size);
+  };
+  const auto check = [&](const std::vector<ivec4>& some, std::initializer_list<int> vertices) {
+    if (std::none_of(some.begin(), some.end(), folded)) return;
+    for (const int v : vertices) any = std::exchange(whole[at(v)], 1) == 0 || any;
+  };
+  for (const PadWedge& wedge : legs_.wedges) check(tets(wedge), {wedge.u, wedge.v});
+  for (const PadCone& cone : legs_.cones) check(tets(cone), {cone.v});
+  if (!any) return false;
+  // What they end on would fold next.
+  const std::vector<char> marked = whole;
+  for (const PadWedge& wedge : legs_.wedges) {
+    if (marked[at(wedge.u)] || marked[at(wedge.v)]) whole[at(wedge.u)] = whole[at(wedge.v)] = 1;
+  }
+  return true;
+}
+
 /// Depths of the inner vertices that moved after their offset was found.
 void PadShape::set_depths() {
   constexpr int kChunk = 64;
-  parallel_chunks(mesh_.vertex_count(), kChunk, [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) {
-      if (depth_[at(v)] < 0)
-        depth_[at(v)] = pinched_[at(v)]
-                            ? 0.0
-                            : std::max(0.0, -index_.signed_point(inner_position(v), offset_[at(v)]).signed_distance);
+  parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+    for (int own = begin; own < end; ++own) {
+      if (depth_[at(own)] < 0)
+        depth_[at(own)] =
+            pinched_[at(own)]
+                ? 0.0
+                : std::max(0.0, -index_.signed_point(inner_position(own), offset_[at(own)]).signed_distance);
     }
   });
 }

@@ -3,60 +3,83 @@
 
 #include <span>
 
-#include "core/hydro/pad_directions.h"
+#include "core/hydro/pad_legs.h"
 #include "core/hydro/prism.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
 
-/// Every skin vertex has an inner one, offset along its direction by the pad's thickness or by what the body's own
-/// thickness allows. Vertices of the skin have their numbers in the mesh; inner ones follow: v + vertex_count().
+/// Every leg (pad_legs.h) ends at an inner vertex, offset along it by the pad's thickness or by what the body's own
+/// thickness allows. Vertices of the skin have their numbers in the mesh; inner ones follow: leg + vertex_count().
 class PadShape {
  public:
   /// Cost: some closest-point queries per vertex.
   PadShape(const MeshIndex& index, double thickness);
 
-  [[nodiscard]] dvec3 inner_position(int v) const { return moved(v, offset_[at(v)]); }
-  [[nodiscard]] double offset(int v) const { return offset_[at(v)]; }
-  [[nodiscard]] const PadDirection& direction(int v) const { return inward_[at(v)]; }
+  [[nodiscard]] int leg_count() const { return static_cast<int>(legs_.skin.size()); }
+  [[nodiscard]] int leg(int face, int corner) const { return legs_.of_face[at(face)][corner]; }
+  [[nodiscard]] dvec3 inner_position(int leg) const { return moved(leg, offset_[at(leg)]); }
+  [[nodiscard]] double offset(int leg) const { return offset_[at(leg)]; }
+  [[nodiscard]] const PadDirection& direction(int leg) const { return legs_.inward[at(leg)]; }
   /// Distance of the inner vertex to the skin, not negative [m].
-  [[nodiscard]] double depth(int v) const { return depth_[at(v)]; }
+  [[nodiscard]] double depth(int leg) const { return depth_[at(leg)]; }
   /// Whether the offset is shorter than the thickness asks for.
-  [[nodiscard]] bool limited(int v) const { return offset_[at(v)] < 0.999 * full_[at(v)]; }
+  [[nodiscard]] bool limited(int leg) const { return offset_[at(leg)] < 0.999 * own_[at(leg)].full; }
   /// The offset over what the thickness asks for.
-  [[nodiscard]] double part_left(int v) const { return offset_[at(v)] / full_[at(v)]; }
-  /// Tets of positive volume, in skin and inner vertex numbers: three; fewer where corners are pinched, none where the
-  /// face has no pad.
+  [[nodiscard]] double part_left(int leg) const { return offset_[at(leg)] / own_[at(leg)].full; }
+  /// Tets of positive volume below a face, in skin and inner vertex numbers: three; fewer where corners are pinched,
+  /// none where the face has no pad.
   [[nodiscard]] PrismTets tets(int face) const;
+  /// Tets between the prisms of faces that part at sharp concave edges.
+  [[nodiscard]] std::vector<ivec4> gap_tets() const;
+  /// Of these, those that this wedge or cone contributes.
+  [[nodiscard]] std::vector<ivec4> tets(const PadWedge& wedge) const;
+  [[nodiscard]] std::vector<ivec4> tets(const PadCone& cone) const;
 
  private:
+  /// What a leg may be by itself.
+  struct OwnOffset {
+    bool known = false;
+    char pinched = 0;
+    double offset = 0, full = 0;  ///< and what it would be without limits [m]
+    double depth = 0;             ///< there [m]; negative: unknown
+  };
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  [[nodiscard]] dvec3 moved(int v, double h) const { return mesh_.vertices()[at(v)] + h * inward_[at(v)].direction; }
-  [[nodiscard]] dvec3 position(int v) const;
-  [[nodiscard]] int inner(int v) const { return pinched_[at(v)] ? v : v + mesh_.vertex_count(); }
-  [[nodiscard]] double own_offset(int v, double most, double& depth) const;
+  [[nodiscard]] const dvec3& skin(int leg) const { return mesh_.vertices()[at(legs_.skin[at(leg)])]; }
+  [[nodiscard]] dvec3 moved(int leg, double h) const { return skin(leg) + h * legs_.inward[at(leg)].direction; }
+  [[nodiscard]] dvec3 position(int vertex) const;
+  [[nodiscard]] int inner(int leg) const {
+    return pinched_[at(leg)] ? legs_.skin[at(leg)] : leg + mesh_.vertex_count();
+  }
+  [[nodiscard]] double six_volumes(const ivec4& tet) const;
+  [[nodiscard]] double own_offset(int leg, double most, double& depth) const;
   [[nodiscard]] bool can_be_filled(int face) const;
   [[nodiscard]] PrismTets prism(int face) const;
   [[nodiscard]] bool well_shaped(int face, double part) const;
-  [[nodiscard]] std::span<const int> faces_around(int v) const;
+  [[nodiscard]] std::span<const int> faces_around(int leg) const;
+  void fit(PadLegs legs);
+  void reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& own);
+  [[nodiscard]] OwnOffset find_own_offset(int leg) const;
   void gather_faces();
-  void set_offset(int v);
-  void shorten(int v, double offset);
+  void shorten(int leg, double offset);
   void smooth();
   void shrink_folded();
   void pinch_folded();
+  void lower_fans();
+  bool find_folded_gaps(std::vector<char>& whole) const;
   void set_depths();
 
   const MeshIndex& index_;
   const TriMesh& mesh_;
   double thickness_;
-  std::vector<PadDirection> inward_;
-  std::vector<double> offset_, full_;  ///< per vertex: length of the offset, and what it would be without limits [m]
-  std::vector<double> depth_;          ///< per vertex; negative where the offset changed since
-  std::vector<char> pinched_;          ///< the inner vertex is the skin's own
-  std::vector<int> first_face_, faces_at_;  ///< faces around v: faces_at_ from first_face_[v] to first_face_[v + 1]
+  PadLegs legs_;
+  std::vector<OwnOffset> own_;
+  std::vector<double> offset_;              ///< per leg: its length [m]
+  std::vector<double> depth_;               ///< per leg; negative where the offset changed since
+  std::vector<char> pinched_;               ///< per leg: its inner vertex is the skin's own
+  std::vector<int> first_face_, faces_at_;  ///< faces of a leg: faces_at_ from first_face_[leg] to first_face_[leg + 1]
   std::vector<double> steepest_;            ///< at 3 face + c: how much offsets may differ along the edge from corner c
-  std::vector<int> shortened_;              ///< vertices whose neighbours' offsets are still to be compared
+  std::vector<int> shortened_;              ///< legs whose neighbours' offsets are still to be compared
 };
 
 }  // namespace taxel

@@ -1,5 +1,8 @@
 #include "core/hydro/prism.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace taxel {
 namespace {
 
@@ -9,9 +12,9 @@ bool has_repeated_vertex(const ivec4& t) {
 
 }  // namespace
 
-PrismTets split_prism(const ivec3& corners, const ivec3& inner) {
+PrismTets split_prism(const ivec3& corners, const ivec3& inner, const ivec3& ranks) {
   const auto before = [&](int i, int j) {
-    return inner[i] != inner[j] ? inner[i] < inner[j] : corners[i] < corners[j];
+    return ranks[i] != ranks[j] ? ranks[i] < ranks[j] : corners[i] < corners[j];
   };
   int first = 0;  // the lowest first; turning keeps the orientation
   if (before(1, first)) first = 1;
@@ -27,6 +30,32 @@ PrismTets split_prism(const ivec3& corners, const ivec3& inner) {
     if (!has_repeated_vertex(t)) prism.tets[static_cast<std::size_t>(prism.count++)] = t;
   }
   return prism;
+}
+
+void split_wedge(int u, int v, std::vector<int> at_u, std::vector<int> at_v, std::vector<ivec4>& tets) {
+  if (v < u) {  // seen from the other end
+    std::swap(u, v);
+    std::swap(at_u, at_v);
+    std::reverse(at_u.begin(), at_u.end());
+    std::reverse(at_v.begin(), at_v.end());
+  }
+  const auto add = [&](const ivec4& t) {
+    if (!has_repeated_vertex(t)) tets.push_back(t);
+  };
+  // All diagonals begin at u. The side between the prisms turns about the edge from the first face to the second, a
+  // step at one of its ends at a time.
+  std::size_t i = 0, j = 0;
+  while (i + 1 < at_u.size() || j + 1 < at_v.size()) {
+    const bool step_v = j + 1 < at_v.size() && (i + 1 == at_u.size() || (j + 1) * at_u.size() <= (i + 1) * at_v.size());
+    if (step_v) {
+      add({u, v, at_v[j + 1], at_v[j]});
+      add({u, at_u[i], at_v[j], at_v[j + 1]});
+      ++j;
+    } else {
+      add({u, at_v[j], at_u[i + 1], at_u[i]});
+      ++i;
+    }
+  }
 }
 
 }  // namespace taxel

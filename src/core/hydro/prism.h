@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/base/math.h"
 
@@ -13,10 +14,16 @@ struct PrismTets {
 };
 
 /// Cuts the prism between a triangle, counter-clockwise seen from outside, and the inner vertex of each corner, into
-/// three tets of positive volume. The diagonal of a side goes from the skin vertex whose inner vertex has the lower
-/// number to the inner vertex of the higher number, so that neighbours cut the side between them alike; so do all sides
-/// that end on one inner edge, which may lie in one plane. Where inner vertices coincide with each other or with the
-/// corner, the tets that this flattens are left out.
-PrismTets split_prism(const ivec3& corners, const ivec3& inner);
+/// three tets of positive volume. The diagonal of a side goes from the skin vertex of the lower rank to the inner
+/// vertex of the higher one, so that neighbours cut the side between them alike. Ranks are the corners' own numbers, or
+/// where several corners share inner vertices those of the latter, so that all sides that end on one inner edge are cut
+/// alike: they may lie in one plane. Equal ranks are ordered by the corners' numbers. Where inner vertices coincide
+/// with each other or with the corner, the tets that this flattens are left out.
+PrismTets split_prism(const ivec3& corners, const ivec3& inner, const ivec3& ranks);
+
+/// Cuts the gap between two such prisms, of faces that hold the edge u -> v and v -> u but have different inner
+/// vertices there, into tets of positive volume, ranked by the corners' numbers. at_u and at_v go from the first face's
+/// inner vertex to the second one's. Appends to `tets`.
+void split_wedge(int u, int v, std::vector<int> at_u, std::vector<int> at_v, std::vector<ivec4>& tets);
 
 }  // namespace taxel

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/hydro/pressure_field.h"
+#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
 #include "fixtures/field_checks.h"
@@ -62,6 +63,21 @@ double overlap(const PressureField& field) {
   return static_cast<double>(twice) / filled;
 }
 
+/// Faces without a neighbour have no pressure at all three corners, those of the skin, or some at all of them.
+void expect_open_at_skin_and_core_only(const PressureField& field, int skin_faces) {
+  int skin = 0;
+  for (const Tet& tet : field.tets()) {
+    for (int i = 0; i < 4; ++i) {
+      if (tet.neighbour[i] >= 0) continue;
+      int without = 0;
+      for (int k = 1; k < 4; ++k) without += field.vertex_pressure()[at(tet.vertices[(i + k) % 4])] == 0 ? 1 : 0;
+      EXPECT_TRUE(without == 0 || without == 3);
+      skin += without == 3 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(skin, skin_faces);
+}
+
 /// stiffness: E/H where nothing limits the pad.
 void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_cv, double bare = 0) {
   const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
@@ -74,8 +90,8 @@ void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_
   EXPECT_LE(report.bare.area, bare * mesh->area());
   EXPECT_LE(field->max_pressure(), kModulus);
   expect_sound(*field, bare > 0 ? 1e-11 : 1e-13);
-  // Neighbouring prisms share their sides: open are the skin and the core only.
-  EXPECT_TRUE(bare > 0 || boundary_faces(*field) == 2 * mesh->face_count());
+  // Neighbouring prisms, and the gaps between those that part, share their sides: open are the skin and the core only.
+  if (bare == 0) expect_open_at_skin_and_core_only(*field, mesh->face_count());
   EXPECT_LT(overlap(*field), 2e-3);
   double area = 0, mean = 0;
   for (const Tet& tet : field->tets()) {
@@ -130,6 +146,45 @@ TEST(PadField, OfRingsNotchesCupsAndRims) {
   expect_good_pad(share(make_thimble(0.008, 0.015, 0.0025, 0.001)), 0.002, 0.02);
   expect_good_pad(share(make_sharp_plate(0.03, 0.006, 0.002)), 0.002, 0.01);
   expect_good_pad(share(make_sharp_plate(0.03, 0.002, 0.002)), 0.001, 0.01);
+}
+
+/// Root mean square of p/E - min(depth, H)/H at random points in the pad.
+double depth_error(const TriMeshPtr& mesh, double thickness) {
+  const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
+  const MeshIndex index(mesh);
+  const CounterRng rng(9);
+  const Aabb& box = mesh->bounds();
+  int found = 0;
+  double sum = 0;
+  for (std::uint64_t i = 0; found < 20000; ++i) {
+    const dvec3 x = box.lo + box.extent() * dvec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
+    const double depth = -index.signed_distance(x);
+    if (!(depth > 0 && depth < thickness)) continue;
+    field->bvh().visit(
+        [&](const Aabb& node) {
+          return node.overlaps({x, x});
+        },
+        [&](int t) {
+          const Tet& tet = field->tets()[at(t)];
+          for (std::size_t k = 0; k < 4; ++k) {
+            if (glm::dot(tet.normal[k], x) + tet.offset[k] < 0) return;
+          }
+          const double error = (glm::dot(tet.gradient, x) + tet.constant) / kModulus - depth / thickness;
+          sum += error * error;
+          ++found;
+        });
+  }
+  return std::sqrt(sum / found);
+}
+
+/// Below a concave edge the points of one depth lie on a round: further inner vertices follow it. One inner vertex per
+/// skin vertex leaves 0.97 % on the step and 1.1 % on the cube.
+TEST(PadField, SplitsNormalsAtSharpConcaveEdges) {
+  const TriMeshPtr step = share(make_l_block(0.005, 8)), cube = share(make_notched_cube(0.005, 8));
+  expect_good_pad(cube, 0.003, 1e-6);
+  EXPECT_LT(depth_error(step, 0.003), 0.004);
+  EXPECT_LT(depth_error(cube, 0.003), 0.006);
+  EXPECT_GT(make_pad_field(step, kModulus, 0.003)->vertices().size(), 2 * step->vertices().size());
 }
 
 TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
