@@ -35,15 +35,18 @@ constexpr int kShrinkRounds = 40;
 
 PadShape::PadShape(const MeshIndex& index, double thickness)
     : index_(index), mesh_(index.mesh()), thickness_(thickness) {
-  // Vertices around which the gaps between parted faces fold are kept whole; after some rounds all are.
-  constexpr int kRounds = 3;
+  // Vertices around which the gaps between parted faces fold are kept whole; after some rounds all are. Most folds show
+  // before the offsets are fitted to each other.
+  constexpr int kRounds = 6;
   const std::vector<PadDirection> directions = pad_directions(mesh_);
   const PadCreases creases = find_pad_creases(mesh_, directions, kShortestCrease * thickness_);
   std::vector<char> whole(mesh_.vertices().size(), 0);
   for (int round = 0;; ++round) {
-    fit(make_pad_legs(mesh_, directions, creases, whole));
-    if (!find_folded_gaps(whole)) break;
     if (round == kRounds) whole.assign(whole.size(), 1);
+    set_legs(make_pad_legs(mesh_, directions, creases, whole));
+    if (find_folded_gaps(whole)) continue;
+    fit();
+    if (!find_folded_gaps(whole)) break;
   }
   set_depths();
 }
@@ -68,14 +71,16 @@ void PadShape::reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& 
   }
 }
 
-void PadShape::fit(PadLegs legs) {
+/// Takes the legs and finds what each may be by itself.
+void PadShape::set_legs(PadLegs legs) {
   const PadLegs last = std::exchange(legs_, std::move(legs));
   const std::vector<OwnOffset> known = std::exchange(own_, std::vector<OwnOffset>(legs_.skin.size()));
   reuse_offsets(last, known);
   constexpr int kChunk = 64;
   parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+    dvec3 obstacle(std::numeric_limits<double>::infinity());
     for (int leg = begin; leg < end; ++leg) {
-      if (!own_[at(leg)].known) own_[at(leg)] = find_own_offset(leg);
+      if (!own_[at(leg)].known) own_[at(leg)] = find_own_offset(leg, obstacle);
     }
   });
   offset_.clear();
@@ -86,6 +91,9 @@ void PadShape::fit(PadLegs legs) {
     depth_.push_back(own.depth);
     pinched_.push_back(own.pinched);
   }
+}
+
+void PadShape::fit() {
   gather_faces();
   shortened_.resize(legs_.skin.size());
   std::iota(shortened_.begin(), shortened_.end(), 0);
@@ -119,30 +127,36 @@ std::span<const int> PadShape::faces_around(int leg) const {
 /// The largest offset up to `most` at which the inner vertex is still owned by its own part of the skin, with its depth
 /// there; 0 where there is none. Shrinking balls (Ma, Bae, Choi 2012): the ball about the inner vertex whose radius is
 /// the least depth asked for, s h, must hold no point of the skin. Where it holds q, the ball is shrunk until q lies on
-/// it: |v + h d - q| = s h.
-double PadShape::own_offset(int leg, double most, double& depth) const {
+/// it: |v + h d - q| = s h. `obstacle`: the last such point, of any leg; it often stands in the way of the next one
+/// too, which spares the first and largest ball.
+double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle) const {
   constexpr int kMostBalls = 30;
   constexpr double kLeastOffset = 1e-3, kTouching = 5e-3;
   const dvec3& direction = legs_.inward[at(leg)].direction;
   const double s = kOwnDepth * legs_.inward[at(leg)].least_cosine;
-  double h = most;
-  for (int i = 0; i < kMostBalls && h > kLeastOffset * most; ++i) {
-    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // its own vertex is as near as that
-    depth = -q.signed_distance;
-    if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
-    // (1 - s^2) h^2 + 2 (w d) h + w^2 = 0 with w = v - q; its smaller root, in the form that loses no digits.
-    const dvec3 w = skin(leg) - q.point.position;
+  // (1 - s^2) h^2 + 2 (w d) h + w^2 = 0 with w = v - q; its smaller root, in the form that loses no digits.
+  const auto shrunk = [&](const dvec3& q, double h) {
+    const dvec3 w = skin(leg) - q;
     const double half_b = glm::dot(w, direction), c = glm::dot(w, w);
     const double root = half_b * half_b - (1 - s * s) * c;
     const double next = root > 0 && half_b < 0 ? c / (std::sqrt(root) - half_b) : 0.5 * h;
-    h = std::min(next, 0.999 * h);  // beyond another wall no ball touches: step back
+    return std::min(next, 0.999 * h);  // beyond another wall no ball touches: step back
+  };
+  const bool known = glm::distance(moved(leg, most), obstacle) < s * most;
+  double h = known ? shrunk(obstacle, most) : most;
+  for (int i = known ? 1 : 0; i < kMostBalls && h > kLeastOffset * most; ++i) {
+    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // its own vertex is as near as that
+    depth = -q.signed_distance;
+    if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
+    obstacle = q.point.position;
+    h = shrunk(obstacle, h);
   }
   depth = 0;
   return 0;
 }
 
 /// The largest offset up to where the depth is H, that does not cross the medial axis.
-PadShape::OwnOffset PadShape::find_own_offset(int leg) const {
+PadShape::OwnOffset PadShape::find_own_offset(int leg, dvec3& obstacle) const {
   OwnOffset own;
   own.known = true;
   own.full = thickness_;
@@ -157,12 +171,12 @@ PadShape::OwnOffset PadShape::find_own_offset(int leg) const {
   // A ball of less than half the offset could pass a wall between: look half way first.
   constexpr double kNarrow = 0.5;
   double h = most;
-  if (least_cosine < kNarrow) h = own_offset(leg, 0.5 * most, own.depth);
-  if (h >= 0.5 * most) h = own_offset(leg, most, own.depth);
+  if (least_cosine < kNarrow) h = own_offset(leg, 0.5 * most, own.depth, obstacle);
+  if (h >= 0.5 * most) h = own_offset(leg, most, own.depth, obstacle);
   if (h == thickness_ && own.depth < 0.99 * thickness_) {
     // A ridge loses depth along its bisector: go as much farther as its faces' angles say (a mitre).
     most = own.full = thickness_ * std::min(thickness_ / own.depth, kLongestMitre);
-    h = own_offset(leg, most, own.depth);
+    h = own_offset(leg, most, own.depth, obstacle);
   }
   own.offset = h;
   if (h < most) {

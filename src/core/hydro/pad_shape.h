@@ -52,14 +52,15 @@ class PadShape {
     return pinched_[at(leg)] ? legs_.skin[at(leg)] : leg + mesh_.vertex_count();
   }
   [[nodiscard]] double six_volumes(const ivec4& tet) const;
-  [[nodiscard]] double own_offset(int leg, double most, double& depth) const;
+  [[nodiscard]] double own_offset(int leg, double most, double& depth, dvec3& obstacle) const;
   [[nodiscard]] bool can_be_filled(int face) const;
   [[nodiscard]] PrismTets prism(int face) const;
   [[nodiscard]] bool well_shaped(int face, double part) const;
   [[nodiscard]] std::span<const int> faces_around(int leg) const;
-  void fit(PadLegs legs);
+  void set_legs(PadLegs legs);
+  void fit();
   void reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& own);
-  [[nodiscard]] OwnOffset find_own_offset(int leg) const;
+  [[nodiscard]] OwnOffset find_own_offset(int leg, dvec3& obstacle) const;
   void gather_faces();
   void shorten(int leg, double offset);
   void smooth();

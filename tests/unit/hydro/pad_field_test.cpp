@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <filesystem>
 
@@ -204,6 +205,20 @@ TEST(PadField, IsTheSameEveryTime) {
   const PressureFieldPtr a = make_pad_field(mesh, kModulus, 0.003), b = make_pad_field(mesh, kModulus, 0.003);
   EXPECT_EQ(a->vertices(), b->vertices());
   EXPECT_EQ(a->vertex_pressure(), b->vertex_pressure());
+}
+
+TEST(PadField, DoesNotDependOnTheNumberOfThreads) {
+  for (const TriMeshPtr& mesh :
+       {spool(), share(make_l_block(0.005, 8)), share(make_thimble(0.008, 0.015, 0.0025, 0.001))}) {
+    const PressureFieldPtr many = make_pad_field(mesh, kModulus, 0.003);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const PressureFieldPtr single = make_pad_field(mesh, kModulus, 0.003);
+    EXPECT_EQ(many->vertices(), single->vertices());
+    EXPECT_EQ(many->vertex_pressure(), single->vertex_pressure());
+    ASSERT_EQ(many->tets().size(), single->tets().size());
+    for (std::size_t t = 0; t < many->tets().size(); ++t)
+      EXPECT_EQ(many->tets()[t].vertices, single->tets()[t].vertices);
+  }
 }
 
 void expect_good_pad_on_file(const char* name, double scale, double thickness, double stiffness_cv, double bare = 0) {
