@@ -171,10 +171,16 @@ TEST(BadMesh, DuplicatedAndFlatTrianglesAreDroppedAndTold) {
 TEST(BadMesh, NotANumberEmptyAndMissing) {
   const std::string file = (test_folder() / "m.obj").filename().string();
   const auto refused = [&](const std::string& obj, const std::string& words) {
-    const Outcome outcome = taxel({"contact", "case.json"}, mesh_case(obj));
+    const fs::path folder = mesh_case(obj);
+    const Outcome outcome = taxel({"contact", "case.json"}, folder);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.err.find(file + ": " + words), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+    for (const char* command : {"mesh", "check"}) {
+      const Outcome other = taxel({command, "m.obj"}, folder);
+      EXPECT_EQ(other.status, 2) << command;
+      EXPECT_NE(other.err.find("m.obj: " + words), std::string::npos) << other.err;
+    }
   };
   refused("v 0 0 0\nv 1 inf 0\n", "line 2: coordinate is not finite");
   refused("", "is empty");

@@ -1,5 +1,6 @@
 // `taxel run` on scenes that are not ours: a layout attached to a geom, and two sensors that a scene declares.
 #include <algorithm>
+#include <cmath>
 
 #include "cli/taxel_program.h"
 #include "fixtures/finger_scene_xml.h"
@@ -38,6 +39,38 @@ TEST(Run, AttachesALayoutToAGeom) {
   const Json again = taxel_json({"run", "out/scene.xml", "--seconds", "0.01"}, folder);
   const double force = run["sensors"][0]["largest_force"];
   EXPECT_NEAR(again["sensors"][0]["largest_force"].get<double>(), force, 1e-9 * force);
+}
+
+/// Hills and one of MuJoCo's own signed distance functions, 1 mm deep in the tip (at z = 30.5 mm) of a finger.
+TEST(Run, TouchesHeightFieldsAndSignedDistanceFunctions) {
+  const fs::path folder = folder_with_layout();
+  const auto first_force = [&](const std::string& head, const std::string& ground) {
+    write_text(folder / "scene.xml", "<mujoco><option gravity='0 0 0'/>" + head +
+                                         "<asset><mesh name='tip' file='fingertip.obj'/></asset><worldbody>" + ground +
+                                         "<body><freejoint/><geom name='tip' type='mesh' mesh='tip'/></body>"
+                                         "</worldbody></mujoco>");
+    fs::remove_all(folder / "out");
+    taxel_json({"run", "scene.xml", "--plugins", TAXEL_MUJOCO_PLUGINS, "--layout", "changed.taxels.json", "--geom",
+                "tip", "--seconds", "0.004", "--out", "out"},
+               folder);
+    return read_csv(folder / "out" / "readings.csv").at("force_z").front();
+  };
+  const double on_box = first_force("", "<geom type='box' size='0.05 0.05 0.05' pos='0 0 0.0795'/>");
+  EXPECT_LT(on_box, -0.001);
+  const double on_hills =
+      first_force("<asset><hfield name='h' nrow='3' ncol='3' size='0.05 0.05 0.01 0.05'/></asset>",
+                  "<geom type='hfield' hfield='h' pos='0 0 0.0295' euler='180 0 0'/>");  // upside down
+  EXPECT_NEAR(on_hills, on_box, 1e-6 * std::abs(on_box));
+  const double on_torus = first_force(
+      "<extension><plugin plugin='mujoco.sdf.torus'><instance name='t'><config key='radius1' value='0.03'/>"
+      "<config key='radius2' value='0.01'/></instance></plugin></extension>"
+      "<asset><mesh name='t'><plugin instance='t'/></mesh></asset>",
+      "<geom type='sdf' mesh='t' pos='0.03 0 0.0395'><plugin instance='t'/></geom>");
+  EXPECT_LT(on_torus, -0.1 * std::abs(on_box));
+  EXPECT_GT(on_torus, on_box);  // a round touches less than a plane
+  expect_refusal(taxel({"run", "scene.xml", "--plugins", "gone"}, folder), "taxel: gone: is no folder");
+  expect_refusal(taxel({"run", "scene.xml", "--plugins", "out"}, folder),
+                 "taxel: out: holds no plugin that MuJoCo loads");
 }
 
 TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {

@@ -8,17 +8,19 @@
 #include "app/cli/recording_report.h"
 #include "core/project/recording/csv.h"
 #include "core/project/recording/npz.h"
+#include "core/sim/plugin/plugin_folder.h"
 
 namespace taxel::cli {
 namespace {
 
 struct Options {
-  std::string scene, layout, geom, out;
+  std::string scene, layout, geom, plugins, out;
   double seconds = 1.0;
 };
 
 int run(const Options& options, Console& console) {
   if (options.layout.empty() != options.geom.empty()) throw Error("run", "--layout and --geom are given together");
+  if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
 
@@ -56,6 +58,10 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
   app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->option_text("(required)");
   app->add_option("--layout", options->layout, "Attach this layout (*.taxels.json) ...")->type_name("FILE");
   app->add_option("--geom", options->geom, "... to the geom of this name")->type_name("NAME");
+  app->add_option("--plugins", options->plugins,
+                  "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed "
+                  "distance functions) or your own")
+      ->type_name("DIR");
   app->add_option("--seconds", options->seconds, "How long to run [s]; a row every step")
       ->check(positive())
       ->capture_default_str()
