@@ -40,11 +40,19 @@ TEST(TetField, OfABoxIsItsMedialAxisField) {
   expect_sound(*same);
 }
 
-TEST(TetField, TurnsTetsRound) {
+TEST(TetField, TurnsTetsRoundWhicheverWayTheyAreListed) {
   TetMesh mesh = tets_of(*make_box_field(dvec3(0.01), 1e5));
-  for (std::size_t t = 0; t < mesh.tets.size(); t += 2) std::swap(mesh.tets[t][0], mesh.tets[t][1]);
+  int odd = 0;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    ivec4& tet = mesh.tets[t];
+    if (t % 2 == 0) std::swap(tet[0], tet[1]);
+    odd += t % 2 == 0 ? 1 : 0;
+    for (std::size_t turn = 0; turn < t % 3; ++turn) tet = {tet[0], tet[2], tet[3], tet[1]};
+    if (t % 5 > 2) tet = {tet[1], tet[0], tet[3], tet[2]};
+    if (t % 7 > 3) tet = {tet[2], tet[3], tet[0], tet[1]};
+  }
   const PressureFieldPtr field = make_tet_field(mesh, 1e5, 0);
-  EXPECT_EQ(field->report().inverted, static_cast<int>(mesh.tets.size() + 1) / 2);
+  EXPECT_EQ(field->report().inverted, odd);
   EXPECT_NEAR(field_volume(*field), 8e-6, 1e-18);
   const TriMesh boundary = boundary_of(mesh);
   EXPECT_TRUE(boundary.closed());

@@ -18,6 +18,10 @@ TEST(SelfIntersections, SoundMeshesHaveNone) {
   const TriMesh box = make_box(dvec3(1));
   EXPECT_EQ(find_self_intersections(together(box, moved(box, {3, 0, 0}))).pairs, 0);
   EXPECT_EQ(find_self_intersections(together(box, moved(box, {2, 0, 0}))).pairs, 0);  // touching is not cutting
+  const TriMesh spike{{{0.3, 0.1, 1}, {0.2, 0, 2}, {0.5, 0, 2}, {0.3, 0.4, 2}},
+                      {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
+  EXPECT_EQ(find_self_intersections(together(box, spike)).pairs, 0);
+  EXPECT_GT(find_self_intersections(together(box, moved(spike, {0, 0, -0.1}))).pairs, 0);
 }
 
 /// A rod through a plate: its four long edges go through the plate's upper and lower face, two triangles each.
