@@ -20,8 +20,11 @@ std::string contact_text(const ContactReport& report) {
   line("torque", vector(report.result.wrench_W.torque) + " N m, about the origin of a");
   line("centroid", vector(report.result.centroid_W) + " m, of the pressure");
   line("max_pressure", fmt::format("{} Pa", surface.max_pressure()));
-  for (const RejectedPolygons& rejected : surface.rejected) {
-    line("rejected", fmt::format("{}: {} polygons, {} m^2", rejected.reason, rejected.count, rejected.area));
+  for (std::size_t i = 0; i < kRejections; ++i) {
+    const RejectedPolygons& rejected = surface.rejected[i];
+    if (rejected.count == 0) continue;
+    line("rejected", fmt::format("{}: {} polygons, {} m^2, {} N", to_string(static_cast<Rejection>(i)), rejected.count,
+                                 rejected.area, rejected.force));
   }
   for (const auto& [body, field] : report.fields) {
     for (const Problem& p : field_problems(field, "", "")) line(("field " + body).c_str(), p.message);

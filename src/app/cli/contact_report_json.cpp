@@ -50,8 +50,13 @@ std::string contact_json(const ContactReport& report) {
   json["centroid"] = numbers<Json>(report.result.centroid_W);
   json["max_pressure"] = surface.max_pressure();
   json["rejected"] = Json::array();
-  for (const RejectedPolygons& rejected : surface.rejected) {
-    json["rejected"].push_back({{"reason", rejected.reason}, {"count", rejected.count}, {"area", rejected.area}});
+  for (std::size_t i = 0; i < kRejections; ++i) {
+    const RejectedPolygons& rejected = surface.rejected[i];
+    if (rejected.count == 0) continue;
+    json["rejected"].push_back({{"reason", to_string(static_cast<Rejection>(i))},
+                                {"count", rejected.count},
+                                {"area", rejected.area},
+                                {"force", rejected.force}});
   }
   json["warnings"] = report.warnings;
   json["fields"] = Json::array();

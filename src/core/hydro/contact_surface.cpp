@@ -2,12 +2,24 @@
 
 namespace taxel {
 
+const char* to_string(Rejection reason) {
+  switch (reason) {
+    case Rejection::sliver:
+      return "sliver";
+    case Rejection::touching:
+      return "touching";
+    default:
+      return "beyond_core";
+  }
+}
+
 void ContactSurface::clear() {
   vertices.clear();
   pressure.clear();
   polygons.clear();
-  rejected.clear();
-  at_core = 0;
+  rejected = {};
+  filtered_vertices.clear();
+  filtered.clear();
 }
 
 double ContactSurface::area() const {

@@ -1,7 +1,7 @@
 // The surface two bodies share: planar polygons with a linear pressure on each.
 #pragma once
 
-#include <string>
+#include <array>
 #include <vector>
 
 #include "core/base/math.h"
@@ -16,15 +16,32 @@ struct ContactPolygon {
   dvec3 centroid{0};    ///< of the area
   double pressure = 0;  ///< elastic pressure p0 at the centroid [Pa]
   dvec3 gradient{0};    ///< of p0 [Pa/m]; p0(x) = pressure + dot(gradient, x - centroid)
-  int tet = -1;         ///< of the soft body; -1 in a half-space
+  int tet = -1;         ///< of the soft body, of A where both are soft; -1 in a half-space
+  int tet_b = -1;       ///< of B where both are soft
   int face = -1;        ///< of the rigid mesh; -1 on a half-space
 };
 
-/// What was not taken into the surface, and why.
+/// Why something of the overlap is not part of the surface.
+enum class Rejection {
+  sliver,      ///< too thin to have a normal
+  touching,    ///< in the skin: no pressure
+  beyond_core  ///< deeper than a pad reaches: the hole behind the polygons that end on its rigid core
+};
+inline constexpr std::size_t kRejections = 3;
+/// A stable word: "sliver", "touching", "beyond_core".
+const char* to_string(Rejection reason);
+
+/// What was not taken into the surface for one reason.
 struct RejectedPolygons {
-  std::string reason;  ///< stable word: "sliver", ...
-  int count = 0;
-  double area = 0;  ///< [m^2]
+  int count = 0;     ///< polygons; for beyond_core those that end on the core
+  double area = 0;   ///< [m^2]
+  double force = 0;  ///< integral of the pressure over that area [N]; behind a core, with the mean pressure of its rim
+};
+
+/// A polygon that was kept out, for display: vertices [first, first + count) of filtered_vertices.
+struct FilteredPolygon {
+  Rejection reason = Rejection::sliver;
+  int first = 0, count = 0;
 };
 
 /// Everything in the frame of body A. Reused from step to step: clear() keeps the memory.
@@ -32,10 +49,16 @@ struct ContactSurface {
   std::vector<dvec3> vertices;
   std::vector<double> pressure;  ///< p0 at each vertex, never negative [Pa]
   std::vector<ContactPolygon> polygons;
-  std::vector<RejectedPolygons> rejected;
-  int at_core = 0;  ///< polygons that end on a pad's rigid core: the overlap is deeper there than the field reaches
+  std::array<RejectedPolygons, kRejections> rejected;  ///< by reason
+  std::vector<dvec3> filtered_vertices;
+  std::vector<FilteredPolygon> filtered;
 
   void clear();
+  [[nodiscard]] const RejectedPolygons& left_out(Rejection reason) const {
+    return rejected[static_cast<std::size_t>(reason)];
+  }
+  /// Polygons that end on a pad's rigid core: the overlap is deeper there than the field reaches.
+  [[nodiscard]] int at_core() const { return left_out(Rejection::beyond_core).count; }
   [[nodiscard]] bool empty() const { return polygons.empty(); }
   [[nodiscard]] double area() const;
   [[nodiscard]] double max_pressure() const;

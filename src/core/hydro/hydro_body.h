@@ -6,30 +6,35 @@
 #include <variant>
 
 #include "core/base/material.h"
-#include "core/hydro/pressure_field.h"
+#include "core/hydro/kernel/field_index.h"
 #include "core/hydro/tet_mesh.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
 
 struct SoftBody {
+  explicit SoftBody(PressureFieldPtr f) : field(std::move(f)), index(std::make_shared<const FieldIndex>(field)) {}
   PressureFieldPtr field;
+  FieldIndexPtr index;  ///< the field as the kernel reads it
 };
 struct SoftHalfSpace {
   double stiffness = 0;
   double thickness = 0;
 };  ///< z <= 0; p = stiffness * depth [Pa/m], E/H
 struct RigidMesh {
-  std::shared_ptr<const MeshIndex> index;
-};                         ///< closed, outward
+  explicit RigidMesh(std::shared_ptr<const MeshIndex> i)
+      : index(std::move(i)), tree(std::make_shared<const TriangleTree>(index->mesh())) {}
+  std::shared_ptr<const MeshIndex> index;  ///< closed, outward
+  std::shared_ptr<const TriangleTree> tree;
+};
 struct RigidHalfSpace {};  ///< z <= 0
 
 struct HydroBody {
-  std::variant<SoftBody, SoftHalfSpace, RigidMesh, RigidHalfSpace> geometry;
+  std::variant<RigidHalfSpace, SoftHalfSpace, SoftBody, RigidMesh> geometry;
   Material material;
   std::string name;  ///< for messages
-  [[nodiscard]] bool soft() const { return geometry.index() < 2; }
-  [[nodiscard]] bool half_space() const { return geometry.index() == 1 || geometry.index() == 3; }
+  [[nodiscard]] bool soft() const { return geometry.index() == 1 || geometry.index() == 2; }
+  [[nodiscard]] bool half_space() const { return geometry.index() < 2; }
 };
 using HydroBodyPtr = std::shared_ptr<const HydroBody>;
 

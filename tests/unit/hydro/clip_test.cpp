@@ -1,38 +1,31 @@
-#include "core/hydro/clip.h"
-
+// Triangles cut by the tets of a cube, through the kernel.
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "fixtures/hydro_bodies.h"
 #include "fixtures/slab_field.h"
 
 namespace taxel {
 namespace {
 
-double area(const ClippedPolygon& polygon, const dvec3& n) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < polygon.count; ++i)
-    sum +=
-        0.5 * glm::dot(n, glm::cross(polygon.points[i] - polygon.points[0], polygon.points[i + 1] - polygon.points[0]));
-  return sum;
+using Triangle = std::array<dvec3, 3>;
+
+/// Six tets that fill the box [-1, 1]^2 x [-1, 0].
+const HydroBody& cube() {
+  static const HydroBodyPtr body = make_slab(dvec2(1), 1, ivec3(1), 1);
+  return *body;
 }
 
-/// One cell of a slab: six tets that fill the box [-1, 1]^2 x [-1, 0].
-const PressureField& cube() {
-  static const PressureFieldPtr field = make_slab_field(dvec2(1), 1, ivec3(1), 1);
-  return *field;
+ContactSurface clipped(const Triangle& t) {
+  const auto mesh = std::make_shared<const TriMesh>(std::vector<dvec3>{t[0], t[1], t[2]}, std::vector<ivec3>{{0, 1, 2}});
+  const HydroBody rigid{RigidMesh{std::make_shared<const MeshIndex>(mesh)}, {}, "triangle"};
+  return touch(cube(), rigid, Pose{}, Pose{}).surface;
 }
 
+/// With what lies in the skin, where there is no pressure.
 double clipped_area(const Triangle& triangle) {
-  const dvec3 n = glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-  double sum = 0;
-  ClippedPolygon polygon;
-  for (int t = 0; t < static_cast<int>(cube().tets().size()); ++t) {
-    clip_triangle(triangle, cube().tets()[static_cast<std::size_t>(t)], t, polygon);
-    const double part = area(polygon, n);
-    EXPECT_GE(part, -1e-15);
-    sum += part;
-  }
-  return sum;
+  const ContactSurface surface = clipped(triangle);
+  return surface.area() + surface.left_out(Rejection::touching).area + surface.left_out(Rejection::sliver).area;
 }
 
 TEST(Clip, TetsShareATriangleWithoutLossOrOverlap) {
@@ -58,16 +51,15 @@ TEST(Clip, ATriangleInASharedPlaneIsCountedOnce) {
 }
 
 TEST(Clip, TheLowerTetHoldsASharedPlane) {
-  const Triangle diagonal{dvec3(-1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 0)};
-  ClippedPolygon polygon;
-  for (int t = 0; t < 6; ++t) {
-    const Tet& tet = cube().tets()[static_cast<std::size_t>(t)];
-    clip_triangle(diagonal, tet, t, polygon);
-    if (polygon.count == 0) continue;
+  const PressureField& field = *std::get<SoftBody>(cube().geometry).field;
+  const ContactSurface surface = clipped({dvec3(-1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 0)});
+  ASSERT_FALSE(surface.empty());
+  for (const ContactPolygon& polygon : surface.polygons) {
+    const Tet& tet = field.tets()[static_cast<std::size_t>(polygon.tet)];
     for (int i = 0; i < 4; ++i) {
       const dvec3& n = tet.normal[static_cast<std::size_t>(i)];
       const bool in_plane = std::abs(n.x + n.y) + std::abs(n.z) < 1e-14;  // x = y
-      EXPECT_TRUE(!in_plane || tet.neighbour[i] > t);
+      EXPECT_TRUE(!in_plane || tet.neighbour[i] > polygon.tet);
     }
   }
 }
@@ -88,62 +80,32 @@ TEST(Clip, ATriangleInTheBoundaryIsInside) {
 }
 
 TEST(Clip, OutsideAndTouchingTrianglesGiveNothing) {
-  ClippedPolygon polygon;
-  const Tet& tet = cube().tets()[0];
-  clip_triangle({dvec3(-1, -1, 1), dvec3(1, -1, 1), dvec3(0, 1, 1)}, tet, 0, polygon);
-  EXPECT_EQ(polygon.count, 0u);
-  clip_triangle({dvec3(-1, -1, 0), dvec3(-1, -1, 1), dvec3(1, 1, 1)}, tet, 0, polygon);  // a corner touches
-  EXPECT_EQ(polygon.count, 0u);
+  EXPECT_EQ(clipped_area({dvec3(-1, -1, 1), dvec3(1, -1, 1), dvec3(0, 1, 1)}), 0);
+  EXPECT_EQ(clipped_area({dvec3(-1, -1, 0), dvec3(-1, -1, 1), dvec3(1, 1, 1)}), 0);  // a corner touches
 }
 
-TEST(Clip, SlicesTurnAboutGrowingDistance) {
-  const std::array<dvec3, 4> corners{dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
-  for (int signs = 0; signs < 16; ++signs) {
-    std::array<double, 4> d{};
-    for (int i = 0; i < 4; ++i) d[static_cast<std::size_t>(i)] = (signs >> i & 1) ? 0.3 + 0.1 * i : -0.4 - 0.05 * i;
-    const dvec3 gradient(d[1] - d[0], d[2] - d[0], d[3] - d[0]);
-    ClippedPolygon polygon;
-    slice_tet(corners, {0, 1, 2, 3}, d, polygon);
-    if (signs == 0 || signs == 15) {
-      EXPECT_EQ(polygon.count, 0u);
-      continue;
+/// Many corners and cuts: the area inside a cube, by the brute force of a grid of points on the triangle.
+TEST(Clip, AreaInsideIsThatOfPointsInside) {
+  const CounterRng rng(4);
+  constexpr int kGrid = 400;
+  for (int i = 0; i < 20; ++i) {
+    Triangle t;
+    for (std::uint64_t c = 0; c < 3; ++c) {
+      for (int k = 0; k < 3; ++k)
+        t[c][k] = 3 * rng.uniform(static_cast<std::uint64_t>(9 * i + k) + 3 * c) - (k == 2 ? 2.0 : 1.5);
     }
-    ASSERT_GE(polygon.count, 3u) << signs;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-      EXPECT_NEAR(d[0] + glm::dot(gradient, polygon.points[i]), 0, 1e-15) << signs;
-      const dvec3 a = polygon.points[i], b = polygon.points[(i + 1) % polygon.count];
-      const dvec3 c = polygon.points[(i + 2) % polygon.count];
-      EXPECT_GT(glm::dot(glm::cross(b - a, c - b), gradient), 0) << signs;  // convex, and the right way round
+    int inside = 0;
+    for (int a = 0; a < kGrid; ++a) {
+      for (int b = 0; b < kGrid; ++b) {
+        double u = (a + 0.5) / kGrid, v = (b + 0.5) / kGrid;
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const dvec3 x = (1 - u - v) * t[0] + u * t[1] + v * t[2];
+        inside += std::abs(x.x) < 1 && std::abs(x.y) < 1 && x.z > -1 && x.z < 0 ? 1 : 0;
+      }
     }
+    const double whole = 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
+    EXPECT_NEAR(clipped_area(t), whole * inside / (kGrid * kGrid), 0.01 * whole) << i;
   }
-}
-
-TEST(Clip, SlicesThroughSharedFacesAreCountedOnce) {
-  // The plane z = -0.5 of a slab of two layers is a plane of tets; n points up.
-  const PressureFieldPtr slab = make_slab_field(dvec2(1), 1, ivec3(2), 1);
-  double sum = 0;
-  for (const Tet& tet : slab->tets()) {
-    std::array<dvec3, 4> corners;
-    std::array<double, 4> d{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      corners[i] = slab->vertices()[static_cast<std::size_t>(tet.vertices[static_cast<int>(i)])];
-      d[i] = corners[i].z + 0.5;
-    }
-    ClippedPolygon polygon;
-    slice_tet(corners, tet.vertices, d, polygon);
-    sum += area(polygon, dvec3(0, 0, 1));
-  }
-  EXPECT_NEAR(sum, 4.0, 1e-14);
-}
-
-TEST(Clip, KeepsThePartBelowAPlane) {
-  ClippedPolygon polygon;
-  clip_triangle_by_plane({dvec3(0, 0, -1), dvec3(1, 0, -1), dvec3(0, 1, 1)}, {-1, -1, 1}, polygon);
-  ASSERT_EQ(polygon.count, 4u);
-  EXPECT_NEAR(glm::length(glm::cross(dvec3(1, 0, 0), dvec3(0, 1, 2))) / 2 * 0.75,
-              area(polygon, glm::normalize(dvec3(0, -2, 1))), 1e-15);
-  clip_triangle_by_plane({dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0)}, {0, 0, 0}, polygon);
-  EXPECT_EQ(polygon.count, 0u);
 }
 
 }  // namespace

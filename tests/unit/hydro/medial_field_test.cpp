@@ -121,7 +121,7 @@ TEST(MedialField, A4SoftBoxOnAPlane) {
   const Contact c = on_plane(*box, dquat(1, 0, 0, 0), half.z - x);
   EXPECT_NEAR(c.wrench.force.z, force, 1e-10 * force);
   EXPECT_NEAR(c.surface.area(), L1 * L2, 1e-12);
-  EXPECT_EQ(c.surface.at_core, 0);
+  EXPECT_EQ(c.surface.at_core(), 0);
 }
 
 // A5: soft cylinder standing: F = pi E (R^3 - (R - x)^3)/(3H).

@@ -178,7 +178,7 @@ bool HydroInstance::fresh(const mjModel& m, const mjData& d) {
 
 void HydroInstance::note_pressed_through() {
   for (std::size_t i = 0; i < touched_.size(); ++i) {
-    if (touched_[i].at_core || slots_[sensed_].pairs[i].surface.at_core == 0) continue;
+    if (touched_[i].at_core || slots_[sensed_].pairs[i].surface.at_core() == 0) continue;
     touched_[i].at_core = true;
     warnings_.push_back(fmt::format("geom \"{}\" presses through the skin to its rigid core: pressure is missing there",
                                     touched_[i].body->name));

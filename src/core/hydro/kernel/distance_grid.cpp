@@ -1,0 +1,103 @@
+#include "core/hydro/kernel/distance_grid.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Whether a cube about `center` may meet the tet: no plane of the tet has it wholly outside.
+bool may_meet(const Tet& tet, const dvec3& center, double half_edge) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const dvec3& n = tet.normal[i];
+    const double reach = half_edge * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    if (glm::dot(n, center) + tet.offset[i] < -reach) return false;
+  }
+  return true;
+}
+
+/// Squared gap, in cells, between two intervals of one cell each that are `steps` apart.
+float gap(int steps) {
+  const auto g = static_cast<float>(std::max(0, std::abs(steps) - 1));
+  return g * g;
+}
+
+/// along[i] = min over j of along[j] + gap(i - j): one axis of the separable distance transform.
+void spread_line(std::vector<float>& along, std::vector<float>& scratch, const std::vector<float>& gaps) {
+  const int n = static_cast<int>(along.size());
+  scratch = along;
+  for (int j = 0; j < n; ++j) {
+    if (scratch[at(j)] == std::numeric_limits<float>::infinity()) continue;
+    const float* from = gaps.data() + (n - 1 - j);  // gap(i - j) at i
+    for (int i = 0; i < n; ++i) along[at(i)] = std::min(along[at(i)], scratch[at(j)] + from[i]);
+  }
+}
+
+}  // namespace
+
+DistanceGrid::DistanceGrid(const PressureField& field) {
+  constexpr double kCellsPerTet = 8, kFewest = 4096, kMost = 100000;
+  if (field.tets().empty()) return;
+  const double wanted = std::clamp(kCellsPerTet * static_cast<double>(field.tets().size()), kFewest, kMost);
+  const Aabb& box = field.bounds();
+  const dvec3 extent = glm::max(box.extent(), dvec3(1e-3 * box.diagonal()));
+  edge_ = std::cbrt(extent.x * extent.y * extent.z / wanted);
+  edge_ = std::max(edge_, std::max({extent.x, extent.y, extent.z}) / 256.0);
+  const double margin = 1e-6 * box.diagonal();
+  for (int axis = 0; axis < 3; ++axis)
+    dims_[axis] = 1 + static_cast<int>(std::floor((extent[axis] + 2 * margin) / edge_));
+  low_ = box.center() - 0.5 * edge_ * dvec3(dims_);
+  cells_.resize(at(dims_.x) * at(dims_.y) * at(dims_.z));
+  mark(field);
+}
+
+void DistanceGrid::mark(const PressureField& field) {
+  std::vector<char> marked(cells_.size(), 0);
+  for (int t = 0; t < static_cast<int>(field.tets().size()); ++t) {
+    const Tet& tet = field.tets()[at(t)];
+    Aabb box;
+    for (int i = 0; i < 4; ++i) box.include(field.vertices()[at(tet.vertices[i])]);
+    const ivec3 from(glm::clamp((box.lo - low_) / edge_ - 1e-6, dvec3(0), dvec3(dims_ - 1)));
+    const ivec3 to(glm::clamp((box.hi - low_) / edge_ + 1e-6, dvec3(0), dvec3(dims_ - 1)));
+    for (int z = from.z; z <= to.z; ++z) {
+      for (int y = from.y; y <= to.y; ++y) {
+        for (int x = from.x; x <= to.x; ++x) {
+          const dvec3 center = low_ + edge_ * (dvec3(x, y, z) + 0.5);
+          if (!may_meet(tet, center, 0.500001 * edge_)) continue;
+          marked[index(x, y, z)] = 1;
+          std::int32_t& near = cells_[index(x, y, z)].tet;
+          if (near < 0 || may_meet(tet, center, 0)) near = t;
+        }
+      }
+    }
+  }
+  spread(marked);
+}
+
+/// Distance between cells, not between their middles: what lies between any two points of theirs at least.
+void DistanceGrid::spread(const std::vector<char>& marked) {
+  std::vector<float> squared(cells_.size());
+  for (std::size_t c = 0; c < squared.size(); ++c)
+    squared[c] = marked[c] != 0 ? 0.0f : std::numeric_limits<float>::infinity();
+  std::vector<float> line, scratch, gaps;
+  const ivec3 stride(1, dims_.x, dims_.x * dims_.y);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = dims_[axis], u = (axis + 1) % 3, v = (axis + 2) % 3;
+    line.resize(at(n));
+    gaps.clear();
+    for (int s = 1 - n; s < n; ++s) gaps.push_back(gap(s));
+    for (int b = 0; b < dims_[v]; ++b) {
+      for (int a = 0; a < dims_[u]; ++a) {
+        const int first = a * stride[u] + b * stride[v];
+        for (int i = 0; i < n; ++i) line[at(i)] = squared[at(first + i * stride[axis])];
+        spread_line(line, scratch, gaps);
+        for (int i = 0; i < n; ++i) squared[at(first + i * stride[axis])] = line[at(i)];
+      }
+    }
+  }
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    cells_[c].distance = static_cast<float>(edge_) * 0.99999f * std::sqrt(squared[c]);
+}
+
+}  // namespace taxel

@@ -1,0 +1,51 @@
+// A soft half-space against the triangles of a rigid mesh: one cut per triangle.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/hydro/kernel/half_space_and_triangles.cpp"
+#include <hwy/foreach_target.h>
+// The line above includes this file once per instruction set: it stays first.
+#include "core/hydro/kernel/emit_inl.h"
+#include "core/hydro/kernel/kernels.h"
+#include "core/hydro/kernel/tree_query_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taxel::HWY_NAMESPACE {
+
+void run_half_space(double stiffness, const TriangleTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
+                    IntersectWorkspace& workspace) {
+  // In the frame of the tree: up is the half-space's normal.
+  const dvec3 up(X_SR.R[0].z, X_SR.R[1].z, X_SR.R[2].z);
+  HalfSpaceQuery query;
+  query.slack = static_cast<float>(2e-6 * rigid.tree().size());
+  query.plane.set(up, X_SR(rigid.tree().origin()).z);
+  workspace.triangles.clear();
+  collect(rigid.tree(), query, workspace.triangles);
+  const LinearPressure pressure{{0, 0, -stiffness}, 0};
+  for (const std::int32_t t : workspace.triangles) {
+    const TriangleTree::Triangle& source = rigid.triangles()[static_cast<std::size_t>(t)];
+    std::array<dvec3, 3> x;
+    for (std::size_t c = 0; c < 3; ++c) x[c] = X_SR(rigid.vertices()[static_cast<std::size_t>(source.vertex[c])]);
+    if (!(x[0].z < 0 || x[1].z < 0 || x[2].z < 0)) continue;
+    const SurfaceTriangle triangle = writer.triangle(x, X_SR.R * source.normal);
+    PlanePolygon whole, below;
+    set_whole_triangle(whole);
+    set_whole_triangle(below);
+    const Cut cut = keep_inside(-x[0].z, -x[1].z, -x[2].z, whole, below);
+    if (cut == Cut::nothing_inside) continue;
+    const PolygonSource from{-1, source.face, std::sqrt(2.0 * triangle.area)};
+    emit(cut == Cut::done ? below : whole, false, triangle, pressure, from, writer);
+  }
+}
+
+}  // namespace taxel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace taxel {
+HWY_EXPORT(run_half_space);
+
+void intersect_half_space(double stiffness, const TriangleTree& rigid, const RigidTransform& X_SR,
+                          SurfaceWriter& writer, IntersectWorkspace& workspace) {
+  HWY_DYNAMIC_DISPATCH(run_half_space)(stiffness, rigid, X_SR, writer, workspace);
+}
+}  // namespace taxel
+#endif

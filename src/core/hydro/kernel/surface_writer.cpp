@@ -1,0 +1,128 @@
+#include "core/hydro/kernel/surface_writer.h"
+
+#include <algorithm>
+
+namespace taxel {
+
+SurfaceWriter::SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse)
+    : out_(out), X_AS_(X_AS), reverse_(reverse) {
+  out_.clear();
+}
+
+SurfaceTriangle SurfaceWriter::triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const {
+  SurfaceTriangle t;
+  t.x_S = x_S;
+  const dvec3 u = x_S[1] - x_S[0], v = x_S[2] - x_S[0];
+  t.origin_A = X_AS_(x_S[0]);
+  t.u_A = X_AS_.R * u;
+  t.v_A = X_AS_.R * v;
+  t.push_A = X_AS_.R * (reverse_ ? -normal_S : normal_S);
+  t.area = 0.5 * glm::dot(glm::cross(u, v), normal_S);
+  t.metric = {glm::dot(u, u), glm::dot(u, v), glm::dot(v, v)};
+  return t;
+}
+
+void SurfaceWriter::add_vertices(const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
+                                 const PlanePressure& pressure) {
+  const auto count = static_cast<std::size_t>(polygon.count), first = out_.vertices.size();
+  out_.vertices.resize(first + count);
+  out_.pressure.resize(first + count);
+  dvec3* x = out_.vertices.data() + first;
+  double* p = out_.pressure.data() + first;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = reverse_ ? count - 1 - i : i;
+    x[i] = triangle.point_A(polygon.u[k], polygon.v[k]);
+    p[i] = std::max(0.0, pressure.at(polygon.u[k], polygon.v[k]));
+  }
+}
+
+void SurfaceWriter::close(int count, const SurfaceTriangle& triangle, const PlanePressure& pressure,
+                          const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source) {
+  ContactPolygon& polygon = out_.polygons.emplace_back();
+  polygon.first = static_cast<int>(out_.vertices.size()) - count;
+  polygon.count = count;
+  polygon.normal = triangle.push_A;
+  polygon.area = area;
+  polygon.centroid = triangle.point_A(centroid.x, centroid.y);
+  polygon.pressure = pressure.at(centroid.x, centroid.y);
+  polygon.gradient = X_AS_.R * gradient_S;
+  polygon.tet = source.tet;
+  polygon.face = source.face;
+  polygon.tet_b = source.tet_b;
+}
+
+void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
+                               const PlanePressure& pressure, const dvec3& gradient_S, double area,
+                               const dvec2& centroid, const PolygonSource& source) {
+  std::array<double, 16> u, v;
+  const double limit = kMergeDistance * source.size;
+  const auto near = [&](double du, double dv) {
+    const PlaneMetric& m = triangle.metric;
+    return m.uu * du * du + 2 * m.uv * du * dv + m.vv * dv * dv < limit * limit;
+  };
+  std::size_t count = 0;
+  for (int i = 0; i < polygon.count; ++i) {
+    if (count > 0 && near(polygon.u[i] - u[count - 1], polygon.v[i] - v[count - 1])) continue;
+    u[count] = polygon.u[i];
+    v[count++] = polygon.v[i];
+  }
+  while (count > 1 && near(u[count - 1] - u[0], v[count - 1] - v[0])) --count;
+  // A strip narrower than the merging distance keeps what makes its area.
+  const PolygonInPlane merged{u.data(), v.data(), static_cast<int>(count)};
+  add(count < 3 ? polygon : merged, triangle, pressure, gradient_S, area, centroid, source);
+}
+
+void SurfaceWriter::reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
+                           double area, double force) {
+  RejectedPolygons& rejected = out_.rejected[static_cast<std::size_t>(reason)];
+  ++rejected.count;
+  rejected.area += std::max(0.0, area);
+  rejected.force += std::max(0.0, force);
+  out_.filtered.push_back({reason, static_cast<int>(out_.filtered_vertices.size()), polygon.count});
+  for (int i = 0; i < polygon.count; ++i)
+    out_.filtered_vertices.push_back(triangle.point_A(polygon.u[i], polygon.v[i]));
+}
+
+void SurfaceWriter::count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b,
+                                  const PlanePressure& pressure) {
+  ++out_.rejected[static_cast<std::size_t>(Rejection::beyond_core)].count;
+  const dvec3 xa = triangle.point_A(a.x, a.y), xb = triangle.point_A(b.x, b.y);
+  // The hole lies beyond the edge, so its rim runs the other way. About the frame's origin: the loops are closed.
+  hole_ += 0.5 * glm::cross(xb, xa);
+  const double length = glm::distance(xa, xb);
+  rim_length_ += length;
+  rim_pressure_ += 0.5 * length * (pressure.at(a.x, a.y) + pressure.at(b.x, b.y));
+}
+
+void SurfaceWriter::finish() {
+  RejectedPolygons& core = out_.rejected[static_cast<std::size_t>(Rejection::beyond_core)];
+  if (core.count == 0) return;
+  core.area = glm::length(hole_);
+  core.force = rim_length_ > 0 ? core.area * rim_pressure_ / rim_length_ : 0.0;
+}
+
+SurfaceWriter::Mark SurfaceWriter::mark() const {
+  return {out_.vertices.size(), out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size(),
+          out_.rejected,        hole_,                rim_length_,                   rim_pressure_};
+}
+
+void SurfaceWriter::forget_since(const Mark& mark) {
+  out_.vertices.resize(mark.vertices);
+  out_.pressure.resize(mark.vertices);
+  out_.polygons.resize(mark.polygons);
+  out_.filtered_vertices.resize(mark.filtered_vertices);
+  out_.filtered.resize(mark.filtered);
+  out_.rejected = mark.rejected;
+  hole_ = mark.hole;
+  rim_length_ = mark.rim_length;
+  rim_pressure_ = mark.rim_pressure;
+}
+
+double SurfaceWriter::area_since(const Mark& mark) const {
+  double area = 0;
+  for (std::size_t i = mark.polygons; i < out_.polygons.size(); ++i) area += out_.polygons[i].area;
+  for (std::size_t r = 0; r + 1 < kRejections; ++r) area += out_.rejected[r].area - mark.rejected[r].area;
+  return area;
+}
+
+}  // namespace taxel

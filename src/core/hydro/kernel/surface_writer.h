@@ -1,0 +1,108 @@
+// Where the kernel writes: polygons found in the coordinates of a triangle become part of a contact surface in the frame
+// of body A.
+#pragma once
+
+#include "core/hydro/contact_surface.h"
+
+namespace taxel {
+
+/// Vertices nearer to each other than this part of the source's size become one. Area, centroid and pressure are those
+/// of the polygon before that, so that merging moves no force.
+inline constexpr double kMergeDistance = 1e-6;
+/// A polygon whose area is a smaller part of the source's size squared is rejected as "sliver".
+inline constexpr double kSliverArea = 1e-12;
+/// A smaller part still is rounding: triangle and tet touch in an edge or a corner, nothing is lost.
+inline constexpr double kNoArea = 1e-16;
+/// A polygon whose pressure is a smaller part of what grows over the source's size lies in the skin: "touching".
+inline constexpr double kTouchingPressure = 1e-12;
+
+/// A pressure that is linear in space, frame S: p(x) = dot(gradient, x) + constant.
+struct LinearPressure {
+  dvec3 gradient{0};    ///< [Pa/m]
+  double constant = 0;  ///< [Pa]
+};
+
+/// The same in the coordinates of a triangle: p(u, v) = p0 + u pu + v pv [Pa].
+struct PlanePressure {
+  double p0 = 0, pu = 0, pv = 0;
+  [[nodiscard]] double at(double u, double v) const { return p0 + u * pu + v * pv; }
+};
+
+/// Where a polygon comes from.
+struct PolygonSource {
+  int tet = -1, face = -1;
+  double size = 0;  ///< of the tet, or of the triangle where there is none: the scale of tolerances [m]
+  int tet_b = -1;   ///< of body B, where both are soft
+};
+
+/// Squared length of a step (du, dv): uu du^2 + 2 uv du dv + vv dv^2 [m^2].
+struct PlaneMetric {
+  double uu = 0, uv = 0, vv = 0;
+};
+
+/// A triangle that polygons are cut from, x = x0 + u (x1 - x0) + v (x2 - x0), counter-clockwise about its normal.
+struct SurfaceTriangle {
+  std::array<dvec3, 3> x_S;              ///< corners, frame S of the field
+  dvec3 origin_A{0}, u_A{0}, v_A{0};     ///< x0 and the two edges from it, frame A
+  dvec3 push_A{0};                       ///< unit: the direction in which the surface pushes A
+  double area = 0;                       ///< [m^2]
+  PlaneMetric metric;
+  [[nodiscard]] dvec3 point_A(double u, double v) const { return origin_A + u * u_A + v * v_A; }
+};
+
+/// A convex polygon in the coordinates of a triangle.
+struct PolygonInPlane {
+  const double *u = nullptr, *v = nullptr;
+  int count = 0;
+};
+
+class SurfaceWriter {
+ public:
+  /// Clears `out`. X_AS is the pose of the frame S in A. `reverse`: the surface pushes A against the triangles' normals,
+  /// so that the polygons turn the other way.
+  SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse);
+
+  /// The triangle with these corners and this unit normal.
+  [[nodiscard]] SurfaceTriangle triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const;
+
+  void add(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
+           const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source) {
+    add_vertices(polygon, triangle, pressure);
+    close(polygon.count, triangle, pressure, gradient_S, area, centroid, source);
+  }
+  /// Leaves out vertices nearer than the merging distance to the one before, unless too few would be left.
+  void add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
+                  const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source);
+  void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle, double area,
+              double force);
+  /// Notes that a polygon ends on a pad's rigid core along the edge from a to b, in its own sense of turning.
+  void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
+  /// Enters what the cores hide. Call once, at the end.
+  void finish();
+
+  /// The state before some polygons, to forget them again.
+  struct Mark {
+    std::size_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
+    std::array<RejectedPolygons, kRejections> rejected;
+    dvec3 hole{0};
+    double rim_length = 0, rim_pressure = 0;
+  };
+  [[nodiscard]] Mark mark() const;
+  void forget_since(const Mark& mark);
+  /// Area of the polygons from number `first` on [m^2].
+  [[nodiscard]] double area_since(const Mark& mark) const;
+
+ private:
+  void add_vertices(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure);
+  void close(int count, const SurfaceTriangle& triangle, const PlanePressure& pressure, const dvec3& gradient_S,
+             double area, const dvec2& centroid, const PolygonSource& source);
+
+  ContactSurface& out_;
+  RigidTransform X_AS_;
+  bool reverse_;
+  dvec3 hole_{0};             ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]
+  double rim_length_ = 0;     ///< [m]
+  double rim_pressure_ = 0;   ///< integral of p along the rim [Pa m]
+};
+
+}  // namespace taxel

@@ -1,0 +1,203 @@
+// Soft tets against the triangles of a rigid mesh.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_triangles.cpp"
+#include <hwy/foreach_target.h>
+// The line above includes this file once per instruction set: it stays first.
+#include "core/hydro/kernel/clip_inl.h"
+#include "core/hydro/kernel/emit_inl.h"
+#include "core/hydro/kernel/grid_query_inl.h"
+#include "core/hydro/kernel/kernels.h"
+#include "core/hydro/kernel/tree_query_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taxel::HWY_NAMESPACE {
+
+/// Pairs are found by walking from tet to tet across the faces that a triangle crosses. Every connected part of what the
+/// triangle shares with the tets holds one of its corners or crosses a face of the boundary: from the tets of both the
+/// walk reaches all of it. Large triangles, and those whose parts do not add up, go through the tree of all tets.
+class TetsAndTriangles {
+ public:
+  TetsAndTriangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
+                   SurfaceWriter& writer, IntersectWorkspace& workspace)
+      : field_(field), rigid_(rigid), X_SR_(X_SR), writer_(writer), w_(workspace) {}
+
+  void run() {
+    GridQuery query;
+    query.set(field_.grid(), X_SR_, rigid_.tree());
+    w_.triangles.clear();
+    collect(rigid_.tree(), query, w_.triangles);
+    prepare();
+    for (const std::int32_t t : w_.triangles) add(rigid_.triangles()[at(t)]);
+  }
+
+ private:
+  static constexpr std::int32_t kOutside = -1;
+  static constexpr double kLarge = 6.0;  // times a tet: the walk meets as many tets as the tree, and needs its seeds
+
+  struct Current {
+    SurfaceTriangle triangle;
+    double corners[3][3];
+    std::int32_t face;
+    dvec3 normal;
+  };
+
+  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+  void prepare() {
+    if (w_.position.size() < rigid_.vertices().size()) {
+      w_.position.resize(rigid_.vertices().size());
+      w_.tet_of.resize(rigid_.vertices().size());
+      w_.placed_in.resize(rigid_.vertices().size(), 0);
+    }
+    if (w_.seen_in.size() < field_.tets().size()) w_.seen_in.resize(field_.tets().size(), 0);
+    constexpr std::uint32_t kNearEnd = 0x80000000u;
+    if (++w_.call > kNearEnd) {
+      std::fill(w_.placed_in.begin(), w_.placed_in.end(), 0u);
+      w_.call = 1;
+    }
+    if (w_.triangle > kNearEnd) {
+      std::fill(w_.seen_in.begin(), w_.seen_in.end(), 0u);
+      w_.triangle = 0;
+    }
+  }
+
+  /// Position and tet of a vertex, found once per call.
+  HWY_INLINE void place(std::int32_t vertex) {
+    if (w_.placed_in[at(vertex)] == w_.call) return;
+    w_.placed_in[at(vertex)] = w_.call;
+    const dvec3 x = X_SR_(rigid_.vertices()[at(vertex)]);
+    w_.position[at(vertex)] = x;
+    w_.tet_of[at(vertex)] = w_.tree_form ? kOutside : locate(x);
+  }
+
+  /// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of it
+  /// and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
+  HWY_INLINE std::int32_t locate(const dvec3& x) const {
+    constexpr int kMostSteps = 64;
+    const DistanceGrid::Cell& cell = field_.grid().cell_of(x);
+    if (cell.distance > 0) return kOutside;
+    std::int32_t tet = cell.tet;
+    const TagD d;
+    const VecD px = hn::Set(d, x.x), py = hn::Set(d, x.y), pz = hn::Set(d, x.z);
+    for (int step = 0; step < kMostSteps && tet >= 0; ++step) {
+      const PackedTet& t = field_.tets()[at(tet)];
+      alignas(32) double distance[4];
+      for (std::size_t i = 0; i < 4; i += kLanesD) {
+        hn::Store(plane(hn::Load(d, &t.nx[i]), px, hn::Load(d, &t.ny[i]), py, hn::Load(d, &t.nz[i]), pz,
+                        hn::Load(d, &t.offset[i])),
+                  d, distance + i);
+      }
+      std::size_t least = distance[1] < distance[0] ? 1 : 0;
+      const std::size_t other = distance[3] < distance[2] ? 3 : 2;
+      if (distance[other] < distance[least]) least = other;
+      if (!(distance[least] < 0)) return tet;
+      tet = t.neighbour[least];
+    }
+    return kOutside;
+  }
+
+  void add(const TriangleTree::Triangle& source) {
+    Current c;
+    std::array<dvec3, 3> x;
+    std::array<std::int32_t, 3> held;
+    for (std::size_t k = 0; k < 3; ++k) {
+      place(source.vertex[k]);
+      x[k] = w_.position[at(source.vertex[k])];
+      held[k] = w_.tet_of[at(source.vertex[k])];
+      for (int axis = 0; axis < 3; ++axis) c.corners[k][axis] = x[k][axis];
+    }
+    c.normal = X_SR_.R * source.normal;
+    c.triangle = writer_.triangle(x, c.normal);
+    c.face = source.face;
+    const double large = kLarge * field_.mean_tet_size();
+    if (w_.tree_form || std::max(c.triangle.metric.uu, c.triangle.metric.vv) > large * large) {
+      add_by_tree(c);
+      return;
+    }
+    w_.tets.clear();
+    ++w_.triangle;
+    for (const std::int32_t tet : held) meet(tet);
+    const bool inside = held[0] >= 0 && held[1] >= 0 && held[2] >= 0;
+    if (!inside) {
+      add_seeds_at_boundary(c);
+      walk(c);
+      return;
+    }
+    const SurfaceWriter::Mark before = writer_.mark();
+    walk(c);
+    constexpr double kWhole = 1e-12;
+    if (std::abs(writer_.area_since(before) - c.triangle.area) <= kWhole * c.triangle.area) return;
+    writer_.forget_since(before);
+    add_by_tree(c);
+  }
+
+  HWY_INLINE void meet(std::int32_t tet) {
+    if (tet < 0 || w_.seen_in[at(tet)] == w_.triangle) return;
+    w_.seen_in[at(tet)] = w_.triangle;
+    w_.tets.push_back(tet);
+  }
+
+  void add_seeds_at_boundary(const Current& c) {
+    TriangleQuery query;
+    query.set(c.triangle.x_S, c.normal, field_.boundary_tree(), 0);
+    w_.found.clear();
+    collect(field_.boundary_tree(), query, w_.found);
+    for (const std::int32_t face : w_.found) meet(field_.boundary_tets()[at(face)]);
+  }
+
+  void walk(const Current& c) {
+    for (std::size_t next = 0; next < w_.tets.size(); ++next) {
+      const std::int32_t index = w_.tets[next];
+      for (unsigned crossed = add_pair(c, index); crossed != 0; crossed &= crossed - 1)
+        meet(field_.tets()[at(index)].neighbour[static_cast<std::size_t>(std::countr_zero(crossed))]);
+    }
+  }
+
+  void add_by_tree(const Current& c) {
+    TriangleQuery query;
+    query.set(c.triangle.x_S, c.normal, field_.tree(), 0);
+    w_.tets.clear();
+    collect(field_.tree(), query, w_.tets);
+    for (const std::int32_t index : w_.tets) add_pair(c, index);
+  }
+
+  /// Returns the faces across which the triangle goes on.
+  HWY_INLINE unsigned add_pair(const Current& c, std::int32_t index) {
+    const PackedTet& tet = field_.tets()[at(index)];
+    TriangleInTet in_tet;
+    classify(c.corners, tet, index, in_tet);
+    if (in_tet.disjoint) return 0;
+    PlanePolygon polygon, other;
+    set_whole_triangle(polygon);
+    set_whole_triangle(other);
+    const ClipResult clipped = clip(in_tet, tet, &polygon, &other);
+    if (clipped.polygon == nullptr) return 0;
+    emit(*clipped.polygon, clipped.at_core, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
+    return clipped.crossed;
+  }
+
+  const FieldIndex& field_;
+  const TriangleTree& rigid_;
+  const RigidTransform& X_SR_;
+  SurfaceWriter& writer_;
+  IntersectWorkspace& w_;
+};
+
+void run_triangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
+                   SurfaceWriter& writer, IntersectWorkspace& workspace) {
+  TetsAndTriangles(field, rigid, X_SR, writer, workspace).run();
+}
+
+}  // namespace taxel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace taxel {
+HWY_EXPORT(run_triangles);
+
+void intersect_triangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
+                         SurfaceWriter& writer, IntersectWorkspace& workspace) {
+  HWY_DYNAMIC_DISPATCH(run_triangles)(field, rigid, X_SR, writer, workspace);
+}
+}  // namespace taxel
+#endif
