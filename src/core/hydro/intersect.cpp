@@ -18,8 +18,8 @@ void check_pose(const HydroBody& body, const Pose& X_W) {
 
 void check_pair(const HydroBody& a, const HydroBody& b) {
   if (!a.soft() && !b.soft()) {
-    throw Error(fmt::format("'{}' and '{}' are both rigid: a contact surface needs at least one soft body", a.name,
-                            b.name));
+    throw Error(
+        fmt::format("'{}' and '{}' are both rigid: a contact surface needs at least one soft body", a.name, b.name));
   }
   if (a.half_space() && b.half_space())
     throw Error(fmt::format("'{}' and '{}' are both half-spaces: their contact surface has no end", a.name, b.name));

@@ -7,9 +7,9 @@
 
 namespace taxel {
 
-/// Fills `out` (frame of A; normals push A), with at least one soft body; both may be. Half-open faces: what lies exactly
-/// between two tets is counted once. Throws Error naming the bodies when both are rigid, or both half-spaces, or a pose
-/// is not finite or has no unit quaternion.
+/// Fills `out` (frame of A; normals push A), with at least one soft body; both may be. Half-open faces: what lies
+/// exactly between two tets is counted once. Throws Error naming the bodies when both are rigid, or both half-spaces,
+/// or a pose is not finite or has no unit quaternion.
 void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const Pose& X_WB, ContactSurface& out,
                IntersectWorkspace& workspace);
 

@@ -17,7 +17,8 @@ const HydroBody& cube() {
 }
 
 ContactSurface clipped(const Triangle& t) {
-  const auto mesh = std::make_shared<const TriMesh>(std::vector<dvec3>{t[0], t[1], t[2]}, std::vector<ivec3>{{0, 1, 2}});
+  const auto mesh =
+      std::make_shared<const TriMesh>(std::vector<dvec3>{t[0], t[1], t[2]}, std::vector<ivec3>{{0, 1, 2}});
   const HydroBody rigid{RigidMesh{std::make_shared<const MeshIndex>(mesh)}, {}, "triangle"};
   return touch(cube(), rigid, Pose{}, Pose{}).surface;
 }

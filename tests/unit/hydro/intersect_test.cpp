@@ -34,8 +34,7 @@ TEST(Intersect, PairsItCannotDoAreNamed) {
   const auto other = make_body({ShapeType::plane, dvec3(0), nullptr, 0}, {}, "floor");
   const auto soft = make_body({ShapeType::sphere, dvec3(1), nullptr, 0}, soft_material(1), "ball");
   const auto mat = make_body({ShapeType::plane, dvec3(0), nullptr, 0}, soft_material(1, 1), "mat");
-  for (const std::string& text : {message_of(*rigid, *other), message_of(*mat, *other)})
-    EXPECT_FALSE(text.empty());
+  for (const std::string& text : {message_of(*rigid, *other), message_of(*mat, *other)}) EXPECT_FALSE(text.empty());
   EXPECT_NE(message_of(*rigid, *other).find("'crate' and 'floor' are both rigid"), std::string::npos);
   EXPECT_EQ(message_of(*soft, *mat), "");
   EXPECT_NE(message_of(*mat, *other).find("half-spaces"), std::string::npos);

@@ -34,8 +34,7 @@ TEST(SliceTet, SlicesTurnAboutGrowingDistance) {
       const dvec3 c = polygon.points[(i + 2) % count];
       EXPECT_GT(glm::dot(glm::cross(b - a, c - b), gradient), 0) << signs;  // convex, and the right way round
       const int face = polygon.face[i];  // both ends of the edge lie on it: face 0 is x + y + z = 1, face k the plane k
-      for (const dvec3& p : {a, b})
-        EXPECT_NEAR(face == 0 ? p.x + p.y + p.z - 1 : p[face - 1], 0, 1e-15) << signs;
+      for (const dvec3& p : {a, b}) EXPECT_NEAR(face == 0 ? p.x + p.y + p.z - 1 : p[face - 1], 0, 1e-15) << signs;
     }
   }
 }

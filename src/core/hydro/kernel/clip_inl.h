@@ -15,14 +15,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. The vertices stand twice, one
-/// round after the other, so that any run of them lies side by side in memory.
+/// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. The vertices stand twice,
+/// one round after the other, so that any run of them lies side by side in memory.
 struct alignas(64) PlanePolygon {
   static constexpr int kMost = 8;
   double u[2 * kMost], v[2 * kMost];
+  std::uint64_t edges;  ///< byte i: what the edge from vertex i to the next one lies on, a plane of the tet or kOwnEdge
   int count;
 
-  HWY_INLINE void close() {  // writes the second round
+  HWY_INLINE void close() {                 // writes the second round
     double first_u[kMost], first_v[kMost];  // the rounds overlap where there are fewer than kMost vertices
     std::memcpy(first_u, u, sizeof(first_u));
     std::memcpy(first_v, v, sizeof(first_v));
@@ -31,18 +32,35 @@ struct alignas(64) PlanePolygon {
   }
 };
 
+/// Marks of edges: 0 to 3 the planes of the tet that cuts, from here on those of what is cut.
+inline constexpr std::uint64_t kOwnEdge = 4;
+
+/// Bit i: some edge lies on i.
+HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
+  unsigned bits = 0;
+  std::uint64_t edges = polygon.edges;
+  for (int i = 0; i < polygon.count; ++i, edges >>= 8) bits |= 1u << (edges & 0xff);
+  return bits;
+}
+
 /// Signed distances of a triangle's corners to the planes of a tet, lanes over planes, and what they say.
 struct alignas(32) TriangleInTet {
   double corner[3][4];
   unsigned cut;   ///< bit i: plane i has a corner outside
   bool disjoint;  ///< nothing of the triangle is inside
+  bool flat;      ///< the triangle lies in a plane of the tet, or nearly
 };
+
+/// A triangle nearer to a plane than this part of the tet's size lies in it, as far as walks are concerned: rounding
+/// decides which side it is on, face by face.
+inline constexpr double kNearlyFlat = 1e-9;
 
 /// A triangle exactly in a shared plane belongs to the tet of the lower number (half-open faces); in a boundary plane
 /// it is inside. One that touches a plane from outside with an edge or a corner is disjoint.
 HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int32_t index, TriangleInTet& out) {
   const TagD d;
-  unsigned below = 0, not_above = 0;
+  unsigned below = 0, not_above = 0, near = 0;
+  const VecD thin = hn::Set(d, kNearlyFlat * tet.size);
   for (std::size_t i = 0; i < 4; i += kLanesD) {
     const VecD nx = hn::Load(d, &tet.nx[i]), ny = hn::Load(d, &tet.ny[i]), nz = hn::Load(d, &tet.nz[i]);
     const VecD o = hn::Load(d, &tet.offset[i]), zero = hn::Zero(d);
@@ -52,11 +70,14 @@ HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int
     hn::Store(a, d, out.corner[0] + i);
     hn::Store(b, d, out.corner[1] + i);
     hn::Store(c, d, out.corner[2] + i);
-    below |= mask_bits(d, hn::Lt(hn::Min(hn::Min(a, b), c), zero)) << i;
-    not_above |= mask_bits(d, hn::Le(hn::Max(hn::Max(a, b), c), zero)) << i;
+    const VecD least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
+    below |= mask_bits(d, hn::Lt(least, zero)) << i;
+    not_above |= mask_bits(d, hn::Le(most, zero)) << i;
+    near |= mask_bits(d, hn::Le(hn::Max(most, hn::Neg(least)), thin)) << i;
   }
   out.cut = below;
   out.disjoint = (below & not_above) != 0;
+  out.flat = near != 0;
   for (unsigned flat = not_above & ~below; flat != 0; flat &= flat - 1) {  // all three corners in the plane
     const std::int32_t neighbour = tet.neighbour[static_cast<std::size_t>(std::countr_zero(flat))];
     if (neighbour >= 0 && neighbour < index) out.disjoint = true;
@@ -64,20 +85,25 @@ HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int
 }
 
 /// Sutherland and Hodgman (1974) vertex by vertex: where rounding has left a polygon not quite convex.
-inline HWY_NOINLINE void keep_inside_slowly(const double* HWY_RESTRICT distance, const PlanePolygon& in, PlanePolygon& out) {
+inline HWY_NOINLINE void keep_inside_slowly(const double* HWY_RESTRICT distance, std::uint64_t mark,
+                                            const PlanePolygon& in, PlanePolygon& out) {
   out.count = 0;
+  out.edges = 0;
+  const auto push = [&out](double u, double v, std::uint64_t edge) {
+    if (out.count == PlanePolygon::kMost) return;
+    out.u[out.count] = u;
+    out.v[out.count] = v;
+    out.edges |= edge << (8 * out.count++);
+  };
+  const auto edge = [&in](int i) { return in.edges >> (8 * i) & 0xff; };
   int a = in.count - 1;
-  for (int b = 0; b < in.count && out.count < PlanePolygon::kMost; a = b++) {
+  for (int b = 0; b < in.count; a = b++) {
     const double da = distance[a], db = distance[b];
     if ((da < 0) != (db < 0)) {
       const double t = da / (da - db);
-      out.u[out.count] = in.u[a] + t * (in.u[b] - in.u[a]);
-      out.v[out.count++] = in.v[a] + t * (in.v[b] - in.v[a]);
+      push(in.u[a] + t * (in.u[b] - in.u[a]), in.v[a] + t * (in.v[b] - in.v[a]), da < 0 ? edge(a) : mark);
     }
-    if (!(db < 0) && out.count < PlanePolygon::kMost) {
-      out.u[out.count] = in.u[b];
-      out.v[out.count++] = in.v[b];
-    }
+    if (!(db < 0)) push(in.u[b], in.v[b], edge(b));
   }
   out.close();
 }
@@ -86,16 +112,18 @@ inline HWY_NOINLINE void keep_inside_slowly(const double* HWY_RESTRICT distance,
 enum class Cut { nothing_outside, nothing_inside, done };
 
 /// Keeps what has distance >= 0, the linear function with values d0, d1, d2 at the triangle's corners. Two tets that
-/// share a plane see these exactly negated, hence the same line, however small the angle. The vertices of the new edge
-/// are the last one and the first one of `out`, which is untouched unless `done`.
-HWY_INLINE Cut keep_inside(double d0, double d1, double d2, const PlanePolygon& in, PlanePolygon& out) {
+/// share a plane see these exactly negated, hence the same line, however small the angle. The new edge gets `mark`.
+/// `out` is untouched unless `done`.
+HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, const PlanePolygon& in,
+                           PlanePolygon& out) {
   const TagD d;
   alignas(64) double distance[PlanePolygon::kMost];
   unsigned outside = 0;
   for (std::size_t i = 0; i < PlanePolygon::kMost; i += kLanesD) {
     const VecD u = hn::Load(d, in.u + i), v = hn::Load(d, in.v + i);
     const VecD w = hn::Sub(hn::Sub(hn::Set(d, 1.0), u), v);
-    const VecD value = hn::Add(hn::Add(hn::Mul(w, hn::Set(d, d0)), hn::Mul(u, hn::Set(d, d1))), hn::Mul(v, hn::Set(d, d2)));
+    const VecD value =
+        hn::Add(hn::Add(hn::Mul(w, hn::Set(d, d0)), hn::Mul(u, hn::Set(d, d1))), hn::Mul(v, hn::Set(d, d2)));
     hn::Store(value, d, distance + i);
     outside |= mask_bits(d, hn::Lt(value, hn::Zero(d))) << i;
   }
@@ -107,7 +135,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, const PlanePolygon& 
   const unsigned inside = all & ~outside;
   const unsigned starts = inside & ~((inside << 1) | (inside >> (n - 1)));  // inside, and the one before is not
   if ((starts & (starts - 1)) != 0) {
-    keep_inside_slowly(distance, in, out);
+    keep_inside_slowly(distance, mark, in, out);
     return out.count < 3 ? Cut::nothing_inside : Cut::done;
   }
   const auto first = static_cast<unsigned>(std::countr_zero(starts));
@@ -124,38 +152,27 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, const PlanePolygon& 
   out.v[0] = in.v[before] + s * (in.v[first] - in.v[before]);
   out.u[run + 1] = in.u[last] + t * (in.u[after] - in.u[last]);
   out.v[run + 1] = in.v[last] + t * (in.v[after] - in.v[last]);
+  // Edges: those from `before` to `last` in a row, then the new one.
+  const std::uint64_t turned = before == 0 ? in.edges : in.edges >> (8 * before) | in.edges << (8 * (n - before));
+  const unsigned kept = 8 * (run + 1);  // at most 7 edges: one vertex at least is outside, and n is at most 8
+  out.edges = (kept == 64 ? turned : turned & ((std::uint64_t{1} << kept) - 1)) | (kept == 64 ? 0 : mark << kept);
   out.count = static_cast<int>(run) + 2;
   out.close();
   return Cut::done;
 }
 
-/// Cuts by the planes of `cut`, those of a pad's core last. Returns the polygon, in one of the two buffers, or null
-/// where nothing is left. `at_core`: its last and first vertices span an edge on the core. `crossed`: bit i, plane i cut
-/// something off, so that the polygon goes on in the neighbour there.
-struct ClipResult {
-  const PlanePolygon* polygon;
-  bool at_core;
-  unsigned crossed;
-};
-
-HWY_INLINE ClipResult clip(const TriangleInTet& in_tet, const PackedTet& tet, PlanePolygon* polygon, PlanePolygon* other) {
-  ClipResult result{nullptr, false, 0};
-  const unsigned order[2] = {in_tet.cut & ~tet.core_faces, in_tet.cut & tet.core_faces};
-  for (int part = 0; part < 2; ++part) {
-    for (unsigned planes = order[part]; planes != 0; planes &= planes - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(planes));
-      const Cut cut = keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], *polygon, *other);
-      if (cut == Cut::nothing_inside) return result;
-      if (cut == Cut::nothing_outside) continue;
-      PlanePolygon* swap = polygon;
-      polygon = other;
-      other = swap;
-      result.at_core = part == 1;
-      result.crossed |= 1u << i;
-    }
+/// Cuts by the planes of in_tet.cut. Returns the polygon, in one of the two buffers, or null where nothing is left.
+HWY_INLINE const PlanePolygon* clip(const TriangleInTet& in_tet, PlanePolygon* polygon, PlanePolygon* other) {
+  for (unsigned planes = in_tet.cut; planes != 0; planes &= planes - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(planes));
+    const Cut cut = keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, *polygon, *other);
+    if (cut == Cut::nothing_inside) return nullptr;
+    if (cut == Cut::nothing_outside) continue;
+    PlanePolygon* swap = polygon;
+    polygon = other;
+    other = swap;
   }
-  result.polygon = polygon;
-  return result;
+  return polygon;
 }
 
 HWY_INLINE void set_whole_triangle(PlanePolygon& polygon) {
@@ -164,6 +181,7 @@ HWY_INLINE void set_whole_triangle(PlanePolygon& polygon) {
   std::memcpy(polygon.v, kV, sizeof(kV));
   std::memset(polygon.u + 8, 0, sizeof(kU));
   std::memset(polygon.v + 8, 0, sizeof(kV));
+  polygon.edges = kOwnEdge | kOwnEdge << 8 | kOwnEdge << 16;
   polygon.count = 3;
 }
 

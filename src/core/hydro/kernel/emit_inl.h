@@ -14,8 +14,9 @@ namespace taxel::HWY_NAMESPACE {
 
 /// Sums over the triangles of a polygon's fan about its first vertex, in (u, v).
 struct FanSums {
-  double twice_area, u, v;  ///< (u, v): three times the first moment over half the unit: centroid = first + sum/(3 area)
-  bool crowded;             ///< two neighbouring vertices are nearer than the merging distance
+  double twice_area, u,
+      v;         ///< (u, v): three times the first moment over half the unit: centroid = first + sum/(3 area)
+  bool crowded;  ///< two neighbouring vertices are nearer than the merging distance
 };
 
 HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metric, double merge_distance) {
@@ -35,18 +36,17 @@ HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metr
     hn::Store(hn::Mul(c, hn::Add(ua, ub)), d, moment_u + i);
     hn::Store(hn::Mul(c, hn::Add(va, vb)), d, moment_v + i);
     const VecD du = hn::Sub(ub, ua), dv = hn::Sub(vb, va);
-    const VecD squared = hn::Add(hn::Mul(hn::Set(d, metric.uu), hn::Mul(du, du)),
-                                 hn::Add(hn::Mul(hn::Set(d, 2 * metric.uv), hn::Mul(du, dv)),
-                                         hn::Mul(hn::Set(d, metric.vv), hn::Mul(dv, dv))));
+    const VecD squared = hn::Add(
+        hn::Mul(hn::Set(d, metric.uu), hn::Mul(du, du)),
+        hn::Add(hn::Mul(hn::Set(d, 2 * metric.uv), hn::Mul(du, dv)), hn::Mul(hn::Set(d, metric.vv), hn::Mul(dv, dv))));
     close |= mask_bits(d, hn::Lt(squared, near)) << i;
   }
   close &= (1u << static_cast<unsigned>(polygon.count)) - 1;
   return {sum_of_eight(cross), sum_of_eight(moment_u), sum_of_eight(moment_v), close != 0};
 }
 
-/// Adds a polygon of `triangle`, or counts why not. `at_core`: the edge from its last vertex to its first lies on the
-/// core.
-HWY_INLINE void emit(const PlanePolygon& polygon, bool at_core, const SurfaceTriangle& triangle,
+/// Adds a polygon of `triangle`, or counts why not. `core_edges`: bit i, edges marked i lie on a pad's core.
+HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const SurfaceTriangle& triangle,
                      const LinearPressure& pressure, const PolygonSource& source, SurfaceWriter& writer) {
   const PolygonInPlane in_plane{polygon.u, polygon.v, polygon.count};
   const FanSums sums = fan_sums(polygon, triangle.metric, kMergeDistance * source.size);
@@ -68,9 +68,11 @@ HWY_INLINE void emit(const PlanePolygon& polygon, bool at_core, const SurfaceTri
   } else {
     writer.add(in_plane, triangle, p, g, area, centroid, source);
   }
-  if (at_core) {
-    const int last = polygon.count - 1;
-    writer.count_at_core(triangle, {polygon.u[last], polygon.v[last]}, {polygon.u[0], polygon.v[0]}, p);
+  if (core_edges == 0) return;
+  for (int i = 0; i < polygon.count; ++i) {
+    if ((core_edges >> (polygon.edges >> (8 * i) & 0xff) & 1u) == 0) continue;
+    // In the second round the vertex after the last one is the first one.
+    writer.count_at_core(triangle, {polygon.u[i], polygon.v[i]}, {polygon.u[i + 1], polygon.v[i + 1]}, p);
   }
 }
 

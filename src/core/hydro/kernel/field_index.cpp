@@ -43,11 +43,17 @@ void FieldIndex::index_boundary() {
   for (std::size_t t = 0; t < tets_.size(); ++t) {
     for (int face = 0; face < 4; ++face) {
       if (tets_[t].neighbour[static_cast<std::size_t>(face)] >= 0) continue;
-      boundary_tets_.push_back(static_cast<std::int32_t>(t));
+      const bool skin = field_->is_skin(field_->tets()[t], face);
+      ends_inside_ = ends_inside_ || !skin;
+      BoundaryFace boundary{{}, static_cast<std::int32_t>(t), skin};
       Aabb& box = boxes.emplace_back();
+      std::size_t k = 0;
       for (int i = 0; i < 4; ++i) {
-        if (i != face) box.include(vertex(field_->tets()[t].vertices[i]));
+        if (i == face) continue;
+        boundary.vertices[k] = field_->tets()[t].vertices[i];
+        box.include(vertex(boundary.vertices[k++]));
       }
+      boundary_faces_.push_back(boundary);
     }
   }
   boundary_tree_ = WideBvh(boxes);

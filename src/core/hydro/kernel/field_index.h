@@ -31,10 +31,17 @@ class FieldIndex {
   [[nodiscard]] const PressureField& field() const { return *field_; }
   [[nodiscard]] const std::vector<PackedTet>& tets() const { return tets_; }
   [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< over the tets
-  /// Over the faces at the boundary, on the skin and on a core; number i belongs to tet boundary_tets()[i].
-  [[nodiscard]] const WideBvh& boundary_tree() const { return boundary_tree_; }
-  [[nodiscard]] const std::vector<std::int32_t>& boundary_tets() const { return boundary_tets_; }
+  /// A face that only one tet has: on the skin or on a core.
+  struct BoundaryFace {
+    std::array<std::int32_t, 3> vertices;
+    std::int32_t tet;
+    bool skin;  ///< no pressure at its vertices
+  };
+  [[nodiscard]] const std::vector<BoundaryFace>& boundary_faces() const { return boundary_faces_; }
+  [[nodiscard]] const WideBvh& boundary_tree() const { return boundary_tree_; }  ///< over these
   [[nodiscard]] const DistanceGrid& grid() const { return grid_; }
+  /// Whether some face of the boundary is not skin: the field ends there although it pushes.
+  [[nodiscard]] bool ends_inside() const { return ends_inside_; }
   [[nodiscard]] double mean_tet_size() const { return mean_tet_size_; }  ///< mean of the longest edges [m]
 
   [[nodiscard]] const ivec4& vertices_of(std::int32_t tet) const {
@@ -57,9 +64,10 @@ class FieldIndex {
   PressureFieldPtr field_;
   std::vector<PackedTet> tets_;
   WideBvh tree_, boundary_tree_;
-  std::vector<std::int32_t> boundary_tets_;
+  std::vector<BoundaryFace> boundary_faces_;
   DistanceGrid grid_;
   double mean_tet_size_ = 0;
+  bool ends_inside_ = false;
 };
 
 using FieldIndexPtr = std::shared_ptr<const FieldIndex>;

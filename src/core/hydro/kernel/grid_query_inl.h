@@ -1,6 +1,5 @@
-// Which boxes of a tree may meet a field in another frame? Each box stands for the sphere around it, whose distance comes
-// from the field's grid.
-// Included once per target.
+// Which boxes of a tree may meet a field in another frame? Each box stands for the sphere around it, whose distance
+// comes from the field's grid. Included once per target.
 #if defined(TAXEL_GRID_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_GRID_QUERY_INL_H
 #undef TAXEL_GRID_QUERY_INL_H
@@ -70,7 +69,8 @@ struct GridQuery {
       const int x = std::min(static_cast<int>(place[0][lane] * scale), most.x);
       const int y = std::min(static_cast<int>(place[1][lane] * scale), most.y);
       const int z = std::min(static_cast<int>(place[2][lane] * scale), most.z);
-      const float distance = grid->cells()[static_cast<std::size_t>(x + grid->dims().x * (y + grid->dims().y * z))].distance;
+      const float distance =
+          grid->cells()[static_cast<std::size_t>(x + grid->dims().x * (y + grid->dims().y * z))].distance;
       if (distance <= radius[lane]) kept |= 1u << lane;
     }
     return kept;

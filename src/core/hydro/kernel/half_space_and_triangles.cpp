@@ -29,10 +29,10 @@ void run_half_space(double stiffness, const TriangleTree& rigid, const RigidTran
     PlanePolygon whole, below;
     set_whole_triangle(whole);
     set_whole_triangle(below);
-    const Cut cut = keep_inside(-x[0].z, -x[1].z, -x[2].z, whole, below);
+    const Cut cut = keep_inside(-x[0].z, -x[1].z, -x[2].z, 0, whole, below);
     if (cut == Cut::nothing_inside) continue;
     const PolygonSource from{-1, source.face, std::sqrt(2.0 * triangle.area)};
-    emit(cut == Cut::done ? below : whole, false, triangle, pressure, from, writer);
+    emit(cut == Cut::done ? below : whole, 0, triangle, pressure, from, writer);
   }
 }
 

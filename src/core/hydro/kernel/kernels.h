@@ -16,8 +16,8 @@ void intersect_triangles(const FieldIndex& field, const TriangleTree& rigid, con
 void intersect_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,
                      IntersectWorkspace& workspace);
 
-/// Soft tets against a soft half-space: where the field's pressure equals the half-space's, `pressure`, which is zero on
-/// its skin and grows inward. Frame S. The writer's triangles have the normal that leads into the tets.
+/// Soft tets against a soft half-space: where the field's pressure equals the half-space's, `pressure`, which is zero
+/// on its skin and grows inward. Frame S. The writer's triangles have the normal that leads into the tets.
 void intersect_soft_half_space(const FieldIndex& field, const LinearPressure& pressure, SurfaceWriter& writer,
                                IntersectWorkspace& workspace);
 

@@ -40,7 +40,8 @@ HWY_INLINE VecD plane(VecD nx, VecD x, VecD ny, VecD y, VecD nz, VecD z, VecD o)
 HWY_INLINE double sum_of_eight(const double* HWY_RESTRICT s) {
   const TagD d;
   alignas(32) double four[4];
-  for (std::size_t i = 0; i < 4; i += kLanesD) hn::Store(hn::Add(hn::Load(d, s + i), hn::Load(d, s + i + 4)), d, four + i);
+  for (std::size_t i = 0; i < 4; i += kLanesD)
+    hn::Store(hn::Add(hn::Load(d, s + i), hn::Load(d, s + i + 4)), d, four + i);
   return (four[0] + four[2]) + (four[1] + four[3]);
 }
 

@@ -19,7 +19,8 @@ HWY_INLINE std::array<int, 3> basis_of(const TetSlice& slice, const dvec3& norma
   int best = 0;
   double most = -1;
   for (int i = 0; i < 4; ++i) {
-    const dvec3 &a = slice.points[static_cast<std::size_t>(i)], &b = slice.points[static_cast<std::size_t>((i + 1) % 4)];
+    const dvec3 &a = slice.points[static_cast<std::size_t>(i)],
+                &b = slice.points[static_cast<std::size_t>((i + 1) % 4)];
     const dvec3& c = slice.points[static_cast<std::size_t>((i + 2) % 4)];
     const double area = glm::dot(glm::cross(b - a, c - a), normal);
     if (area > most) {
@@ -30,37 +31,29 @@ HWY_INLINE std::array<int, 3> basis_of(const TetSlice& slice, const dvec3& norma
   return {best, (best + 1) % 4, (best + 2) % 4};
 }
 
-/// The slice as a polygon of its basis triangle, beginning after an edge on one of `core_faces` if there is one, so that
-/// this runs from the last vertex to the first. Returns whether there is one; a slice without area has no vertices.
-HWY_INLINE bool to_plane(const TetSlice& slice, const std::array<int, 3>& basis, const SurfaceTriangle& triangle,
-                         unsigned core_faces, PlanePolygon& polygon) {
-  polygon.count = 0;
-  const PlaneMetric& m = triangle.metric;
+/// The slice as a polygon of its basis triangle x, its edges marked kOwnEdge + the sliced tet's face; without vertices
+/// where it has no area.
+HWY_INLINE void to_plane(const TetSlice& slice, const std::array<int, 3>& basis, const std::array<dvec3, 3>& x,
+                         PlanePolygon& polygon) {
+  std::memset(&polygon, 0, sizeof(polygon));
+  const dvec3 eu = x[1] - x[0], ev = x[2] - x[0];
+  const PlaneMetric m{glm::dot(eu, eu), glm::dot(eu, ev), glm::dot(ev, ev)};
   const double det = m.uu * m.vv - m.uv * m.uv;
-  if (!(det > 0)) return false;
-  int start = 0;
-  bool at_core = false;
+  if (!(det > 0)) return;
   for (int i = 0; i < slice.count; ++i) {
-    if ((core_faces & (1u << static_cast<unsigned>(slice.face[static_cast<std::size_t>(i)]))) == 0) continue;
-    start = (i + 1) % slice.count;
-    at_core = true;
-  }
-  const dvec3 eu = triangle.x_S[1] - triangle.x_S[0], ev = triangle.x_S[2] - triangle.x_S[0];
-  for (int k = 0; k < slice.count; ++k) {
-    const int i = (start + k) % slice.count;
     double u = i == basis[1] ? 1 : 0, v = i == basis[2] ? 1 : 0;
     if (i != basis[0] && i != basis[1] && i != basis[2]) {
-      const dvec3 r = slice.points[static_cast<std::size_t>(i)] - triangle.x_S[0];
+      const dvec3 r = slice.points[static_cast<std::size_t>(i)] - x[0];
       const double ru = glm::dot(r, eu), rv = glm::dot(r, ev);
       u = (ru * m.vv - rv * m.uv) / det;
       v = (rv * m.uu - ru * m.uv) / det;
     }
-    polygon.u[k] = u;
-    polygon.v[k] = v;
+    polygon.u[i] = u;
+    polygon.v[i] = v;
+    polygon.edges |= (kOwnEdge + static_cast<std::uint64_t>(slice.face[static_cast<std::size_t>(i)])) << (8 * i);
   }
   polygon.count = slice.count;
   polygon.close();
-  return at_core;
 }
 
 }  // namespace taxel::HWY_NAMESPACE

@@ -5,7 +5,7 @@
 namespace taxel {
 
 SurfaceWriter::SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse)
-    : out_(out), X_AS_(X_AS), reverse_(reverse) {
+    : out_(out), X_AS_(X_AS), same_frame_(X_AS.R == dmat3(1) && X_AS.p == dvec3(0)), reverse_(reverse) {
   out_.clear();
 }
 
@@ -13,10 +13,16 @@ SurfaceTriangle SurfaceWriter::triangle(const std::array<dvec3, 3>& x_S, const d
   SurfaceTriangle t;
   t.x_S = x_S;
   const dvec3 u = x_S[1] - x_S[0], v = x_S[2] - x_S[0];
-  t.origin_A = X_AS_(x_S[0]);
-  t.u_A = X_AS_.R * u;
-  t.v_A = X_AS_.R * v;
-  t.push_A = X_AS_.R * (reverse_ ? -normal_S : normal_S);
+  t.origin_A = x_S[0];
+  t.u_A = u;
+  t.v_A = v;
+  t.push_A = reverse_ ? -normal_S : normal_S;
+  if (!same_frame_) {
+    t.origin_A = X_AS_(t.origin_A);
+    t.u_A = X_AS_.R * u;
+    t.v_A = X_AS_.R * v;
+    t.push_A = X_AS_.R * t.push_A;
+  }
   t.area = 0.5 * glm::dot(glm::cross(u, v), normal_S);
   t.metric = {glm::dot(u, u), glm::dot(u, v), glm::dot(v, v)};
   return t;
@@ -45,7 +51,7 @@ void SurfaceWriter::close(int count, const SurfaceTriangle& triangle, const Plan
   polygon.area = area;
   polygon.centroid = triangle.point_A(centroid.x, centroid.y);
   polygon.pressure = pressure.at(centroid.x, centroid.y);
-  polygon.gradient = X_AS_.R * gradient_S;
+  polygon.gradient = same_frame_ ? gradient_S : X_AS_.R * gradient_S;
   polygon.tet = source.tet;
   polygon.face = source.face;
   polygon.tet_b = source.tet_b;
@@ -102,8 +108,9 @@ void SurfaceWriter::finish() {
 }
 
 SurfaceWriter::Mark SurfaceWriter::mark() const {
-  return {out_.vertices.size(), out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size(),
-          out_.rejected,        hole_,                rim_length_,                   rim_pressure_};
+  return {out_.vertices.size(), out_.polygons.size(), out_.filtered_vertices.size(),
+          out_.filtered.size(), out_.rejected,        hole_,
+          rim_length_,          rim_pressure_};
 }
 
 void SurfaceWriter::forget_since(const Mark& mark) {

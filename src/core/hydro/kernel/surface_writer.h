@@ -1,5 +1,5 @@
-// Where the kernel writes: polygons found in the coordinates of a triangle become part of a contact surface in the frame
-// of body A.
+// Where the kernel writes: polygons found in the coordinates of a triangle become part of a contact surface in the
+// frame of body A.
 #pragma once
 
 #include "core/hydro/contact_surface.h"
@@ -42,10 +42,10 @@ struct PlaneMetric {
 
 /// A triangle that polygons are cut from, x = x0 + u (x1 - x0) + v (x2 - x0), counter-clockwise about its normal.
 struct SurfaceTriangle {
-  std::array<dvec3, 3> x_S;              ///< corners, frame S of the field
-  dvec3 origin_A{0}, u_A{0}, v_A{0};     ///< x0 and the two edges from it, frame A
-  dvec3 push_A{0};                       ///< unit: the direction in which the surface pushes A
-  double area = 0;                       ///< [m^2]
+  std::array<dvec3, 3> x_S;           ///< corners, frame S of the field
+  dvec3 origin_A{0}, u_A{0}, v_A{0};  ///< x0 and the two edges from it, frame A
+  dvec3 push_A{0};                    ///< unit: the direction in which the surface pushes A
+  double area = 0;                    ///< [m^2]
   PlaneMetric metric;
   [[nodiscard]] dvec3 point_A(double u, double v) const { return origin_A + u * u_A + v * v_A; }
 };
@@ -58,8 +58,8 @@ struct PolygonInPlane {
 
 class SurfaceWriter {
  public:
-  /// Clears `out`. X_AS is the pose of the frame S in A. `reverse`: the surface pushes A against the triangles' normals,
-  /// so that the polygons turn the other way.
+  /// Clears `out`. X_AS is the pose of the frame S in A. `reverse`: the surface pushes A against the triangles'
+  /// normals, so that the polygons turn the other way.
   SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse);
 
   /// The triangle with these corners and this unit normal.
@@ -80,6 +80,8 @@ class SurfaceWriter {
   /// Enters what the cores hide. Call once, at the end.
   void finish();
 
+  [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
+
   /// The state before some polygons, to forget them again.
   struct Mark {
     std::size_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
@@ -99,10 +101,10 @@ class SurfaceWriter {
 
   ContactSurface& out_;
   RigidTransform X_AS_;
-  bool reverse_;
-  dvec3 hole_{0};             ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]
-  double rim_length_ = 0;     ///< [m]
-  double rim_pressure_ = 0;   ///< integral of p along the rim [Pa m]
+  bool same_frame_, reverse_;
+  dvec3 hole_{0};            ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]
+  double rim_length_ = 0;    ///< [m]
+  double rim_pressure_ = 0;  ///< integral of p along the rim [Pa m]
 };
 
 }  // namespace taxel

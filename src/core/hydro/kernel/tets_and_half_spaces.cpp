@@ -19,15 +19,14 @@ HWY_INLINE void add_slice(const FieldIndex& field, std::int32_t index, const std
   slice_tet(corners, field.vertices_of(index), distances, slice);
   if (slice.count == 0) return;
   const std::array<int, 3> basis = basis_of(slice, normal);
-  const SurfaceTriangle triangle =
-      writer.triangle({slice.points[static_cast<std::size_t>(basis[0])], slice.points[static_cast<std::size_t>(basis[1])],
-                       slice.points[static_cast<std::size_t>(basis[2])]},
-                      normal);
+  const SurfaceTriangle triangle = writer.triangle(
+      {slice.points[static_cast<std::size_t>(basis[0])], slice.points[static_cast<std::size_t>(basis[1])],
+       slice.points[static_cast<std::size_t>(basis[2])]},
+      normal);
   PlanePolygon polygon;
-  std::memset(&polygon, 0, sizeof(polygon));
-  const bool at_core = to_plane(slice, basis, triangle, tet.core_faces, polygon);
+  to_plane(slice, basis, triangle.x_S, polygon);
   if (polygon.count == 0) return;
-  emit(polygon, at_core, triangle, tet.pressure(), {index, -1, tet.size}, writer);
+  emit(polygon, tet.core_faces << kOwnEdge, triangle, tet.pressure(), {index, -1, tet.size}, writer);
 }
 
 void run_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,

@@ -12,9 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// Pairs are found by walking from tet to tet across the faces that a triangle crosses. Every connected part of what the
-/// triangle shares with the tets holds one of its corners or crosses a face of the boundary: from the tets of both the
-/// walk reaches all of it. Large triangles, and those whose parts do not add up, go through the tree of all tets.
+/// Pairs are found by walking from tet to tet across the faces that a triangle crosses. Every connected part of what
+/// the triangle shares with the tets holds one of its corners or crosses a face of the boundary: from the tets of both
+/// the walk reaches all of it. Large triangles, those that lie in a plane of some tet, and those whose parts do not add
+/// up go through the tree of all tets.
 class TetsAndTriangles {
  public:
   TetsAndTriangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
@@ -26,13 +27,14 @@ class TetsAndTriangles {
     query.set(field_.grid(), X_SR_, rigid_.tree());
     w_.triangles.clear();
     collect(rigid_.tree(), query, w_.triangles);
-    prepare();
+    w_.begin_call(rigid_.vertices().size(), field_.tets().size());
     for (const std::int32_t t : w_.triangles) add(rigid_.triangles()[at(t)]);
   }
 
  private:
   static constexpr std::int32_t kOutside = -1;
-  static constexpr double kLarge = 6.0;  // times a tet: the walk meets as many tets as the tree, and needs its seeds
+  static constexpr unsigned kPlanes = 0xF;  // marks of a tet's planes
+  static constexpr double kLarge = 6.0;     // times a tet: the walk meets as many tets as the tree, and needs its seeds
 
   struct Current {
     SurfaceTriangle triangle;
@@ -43,24 +45,6 @@ class TetsAndTriangles {
 
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-  void prepare() {
-    if (w_.position.size() < rigid_.vertices().size()) {
-      w_.position.resize(rigid_.vertices().size());
-      w_.tet_of.resize(rigid_.vertices().size());
-      w_.placed_in.resize(rigid_.vertices().size(), 0);
-    }
-    if (w_.seen_in.size() < field_.tets().size()) w_.seen_in.resize(field_.tets().size(), 0);
-    constexpr std::uint32_t kNearEnd = 0x80000000u;
-    if (++w_.call > kNearEnd) {
-      std::fill(w_.placed_in.begin(), w_.placed_in.end(), 0u);
-      w_.call = 1;
-    }
-    if (w_.triangle > kNearEnd) {
-      std::fill(w_.seen_in.begin(), w_.seen_in.end(), 0u);
-      w_.triangle = 0;
-    }
-  }
-
   /// Position and tet of a vertex, found once per call.
   HWY_INLINE void place(std::int32_t vertex) {
     if (w_.placed_in[at(vertex)] == w_.call) return;
@@ -70,8 +54,8 @@ class TetsAndTriangles {
     w_.tet_of[at(vertex)] = w_.tree_form ? kOutside : locate(x);
   }
 
-  /// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of it
-  /// and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
+  /// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of
+  /// it and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
   HWY_INLINE std::int32_t locate(const dvec3& x) const {
     constexpr int kMostSteps = 64;
     const DistanceGrid::Cell& cell = field_.grid().cell_of(x);
@@ -107,10 +91,11 @@ class TetsAndTriangles {
       for (int axis = 0; axis < 3; ++axis) c.corners[k][axis] = x[k][axis];
     }
     c.normal = X_SR_.R * source.normal;
-    c.triangle = writer_.triangle(x, c.normal);
     c.face = source.face;
+    const dvec3 u = x[1] - x[0], v = x[2] - x[0];
     const double large = kLarge * field_.mean_tet_size();
-    if (w_.tree_form || std::max(c.triangle.metric.uu, c.triangle.metric.vv) > large * large) {
+    if (w_.tree_form || std::max(glm::dot(u, u), glm::dot(v, v)) > large * large) {
+      c.triangle = writer_.triangle(x, c.normal);
       add_by_tree(c);
       return;
     }
@@ -118,17 +103,17 @@ class TetsAndTriangles {
     ++w_.triangle;
     for (const std::int32_t tet : held) meet(tet);
     const bool inside = held[0] >= 0 && held[1] >= 0 && held[2] >= 0;
-    if (!inside) {
-      add_seeds_at_boundary(c);
-      walk(c);
-      return;
-    }
+    if (!inside) add_seeds_at_boundary(x, c.normal);
+    if (w_.tets.empty()) return;
+    c.triangle = writer_.triangle(x, c.normal);
     const SurfaceWriter::Mark before = writer_.mark();
+    flat_ = false;
     walk(c);
     constexpr double kWhole = 1e-12;
-    if (std::abs(writer_.area_since(before) - c.triangle.area) <= kWhole * c.triangle.area) return;
-    writer_.forget_since(before);
-    add_by_tree(c);
+    if (flat_ || (inside && std::abs(writer_.area_since(before) - c.triangle.area) > kWhole * c.triangle.area)) {
+      writer_.forget_since(before);
+      add_by_tree(c);
+    }
   }
 
   HWY_INLINE void meet(std::int32_t tet) {
@@ -137,12 +122,12 @@ class TetsAndTriangles {
     w_.tets.push_back(tet);
   }
 
-  void add_seeds_at_boundary(const Current& c) {
+  void add_seeds_at_boundary(const std::array<dvec3, 3>& x, const dvec3& normal) {
     TriangleQuery query;
-    query.set(c.triangle.x_S, c.normal, field_.boundary_tree(), 0);
+    query.set(x, normal, field_.boundary_tree(), 0);
     w_.found.clear();
     collect(field_.boundary_tree(), query, w_.found);
-    for (const std::int32_t face : w_.found) meet(field_.boundary_tets()[at(face)]);
+    for (const std::int32_t face : w_.found) meet(field_.boundary_faces()[at(face)].tet);
   }
 
   void walk(const Current& c) {
@@ -166,14 +151,15 @@ class TetsAndTriangles {
     const PackedTet& tet = field_.tets()[at(index)];
     TriangleInTet in_tet;
     classify(c.corners, tet, index, in_tet);
+    flat_ = flat_ || in_tet.flat;
     if (in_tet.disjoint) return 0;
     PlanePolygon polygon, other;
     set_whole_triangle(polygon);
     set_whole_triangle(other);
-    const ClipResult clipped = clip(in_tet, tet, &polygon, &other);
-    if (clipped.polygon == nullptr) return 0;
-    emit(*clipped.polygon, clipped.at_core, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
-    return clipped.crossed;
+    const PlanePolygon* clipped = clip(in_tet, &polygon, &other);
+    if (clipped == nullptr) return 0;
+    emit(*clipped, tet.core_faces, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
+    return edge_bits(*clipped) & kPlanes;
   }
 
   const FieldIndex& field_;
@@ -181,6 +167,7 @@ class TetsAndTriangles {
   const RigidTransform& X_SR_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
+  bool flat_ = false;  ///< the current triangle lies in a plane of some tet
 };
 
 void run_triangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,

@@ -92,8 +92,7 @@ struct TriangleQuery {
                           hn::And(hn::Le(b.ly, hn::Set(f, hi[1])), hn::Ge(b.hy, hn::Set(f, lo[1]))));
       meet = hn::And(meet, hn::And(hn::Le(b.lz, hn::Set(f, hi[2])), hn::Ge(b.hz, hn::Set(f, lo[2]))));
       meet = hn::And(meet, hn::Le(hn::Abs(box_position(plane, b)), box_reach(plane, b, s)));
-      for (const QueryPlane& edge : edges)
-        meet = hn::And(meet, hn::Le(box_position(edge, b), box_reach(edge, b, s)));
+      for (const QueryPlane& edge : edges) meet = hn::And(meet, hn::Le(box_position(edge, b), box_reach(edge, b, s)));
       bits |= mask_bits(f, meet) << i;
     }
     return bits;

@@ -1,4 +1,5 @@
-// Static trees of eight children per node, single precision: what SIMD walks. The exact tests that follow are in double.
+// Static trees of eight children per node, single precision: what SIMD walks. The exact tests that follow are in
+// double.
 #pragma once
 
 #include <array>

@@ -1,0 +1,110 @@
+// The walk from tet to tet finds the polygons of the tree form, one by one.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/base/rng.h"
+#include "core/mesh/primitives.h"
+#include "fixtures/hydro_bodies.h"
+#include "fixtures/random_pose.h"
+#include "fixtures/slab_field.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kSize = 0.01;
+
+/// A sphere with dents and bumps.
+TriMesh lumpy_mesh(int level, std::uint64_t seed, double low) {
+  const TriMesh sphere = make_icosphere(kSize, level);
+  std::vector<dvec3> vertices = sphere.vertices();
+  const CounterRng rng(seed);
+  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] *= low + 0.4 * rng.uniform(v);
+  return {std::move(vertices), sphere.faces()};
+}
+
+struct PairCase {
+  const char* name;
+  HydroBodyPtr a, b;
+  int poses;
+  double reach;  ///< poses of b are this near to a [m]
+};
+
+std::vector<PairCase> cases() {
+  const Material soft = soft_material(1e5), other = soft_material(3e5), pad = soft_material(1e5, 0.25 * kSize);
+  const auto sphere = make_simple_body(ShapeType::sphere, dvec3(kSize), soft, 0.35 * kSize);
+  const auto coarse = make_simple_body(ShapeType::sphere, dvec3(0.9 * kSize), other, 0.6 * kSize);
+  const auto padded = make_mesh_body(make_ellipsoid(kSize * dvec3(1.3, 1.0, 0.8), 0.4 * kSize), pad);
+  const auto dented = make_mesh_body(lumpy_mesh(2, 7, 0.8), pad);
+  const auto rigid_lumps = make_mesh_body(lumpy_mesh(3, 5, 0.6));
+  const auto rigid_sphere = make_simple_body(ShapeType::sphere, dvec3(kSize), {}, 0.2 * kSize);
+  const auto box = make_simple_body(ShapeType::box, kSize * dvec3(1, 0.8, 0.6));
+  const auto soft_box = make_simple_body(ShapeType::box, kSize * dvec3(1, 0.8, 0.6), other);
+  return {{"sphere in fine sphere", sphere, rigid_sphere, 2000, 1.6 * kSize},
+          {"sphere in lumps", sphere, rigid_lumps, 2000, 1.4 * kSize},
+          {"pad on lumps", padded, rigid_lumps, 1500, 1.5 * kSize},
+          {"dented pad on sphere", dented, rigid_sphere, 1500, 1.5 * kSize},
+          {"dented pad on box", dented, box, 1000, 1.3 * kSize},
+          {"two spheres", sphere, coarse, 1000, 1.5 * kSize},
+          {"pad and sphere", padded, coarse, 500, 1.5 * kSize},
+          {"two pads", padded, dented, 500, 1.5 * kSize},
+          {"sphere and soft box", sphere, soft_box, 500, 1.5 * kSize},
+          {"coplanar", make_slab(dvec2(2 * kSize), kSize, {4, 4, 2}, 1e7), soft_box, 500, 1.5 * kSize}};
+}
+
+using Key = std::tuple<int, int, int>;
+
+/// Area by tet and face; one that makes up less than a sliver of rounding is left out.
+std::map<Key, double> polygons(const HydroBody& a, const HydroBody& b, const Pose& X_WB, bool tree_form) {
+  IntersectWorkspace workspace;
+  workspace.tree_form = tree_form;
+  ContactSurface surface;
+  intersect(a, b, Pose{}, X_WB, surface, workspace);
+  std::map<Key, double> areas;
+  for (const ContactPolygon& p : surface.polygons) {
+    EXPECT_TRUE(areas.try_emplace({p.tet, p.tet_b, p.face}, p.area).second);
+  }
+  std::erase_if(areas, [](const auto& entry) { return entry.second < 1e-12 * kSize * kSize; });
+  return areas;
+}
+
+void expect_equal(const PairCase& c, const Pose& X_WB, const std::string& what) {
+  const auto tree = polygons(*c.a, *c.b, X_WB, true), walk = polygons(*c.a, *c.b, X_WB, false);
+  ASSERT_EQ(tree.size(), walk.size()) << c.name << " " << what;
+  for (const auto& [key, area] : tree) {
+    const auto found = walk.find(key);
+    ASSERT_NE(found, walk.end()) << c.name << " " << what;
+    ASSERT_NEAR(found->second, area, 1e-12 * kSize * kSize) << c.name << " " << what;
+  }
+}
+
+TEST(Walk, EqualsTheTreeFormPolygonByPolygon) {
+  int total = 0, touching = 0;
+  for (const PairCase& c : cases()) {
+    for (int i = 0; i < c.poses; ++i) {
+      const Pose X_WB = random_pose(21, i, c.reach);
+      expect_equal(c, X_WB, "pose " + std::to_string(i));
+      touching += touch(*c.a, *c.b, Pose{}, X_WB).surface.empty() ? 0 : 1;
+    }
+    total += c.poses;
+  }
+  EXPECT_GE(total, 10000);
+  EXPECT_GE(touching, total / 2);
+}
+
+/// Faces of the boxes in planes of the slab's tets, and moved along these by small steps.
+TEST(Walk, EqualsTheTreeFormOnCoplanarFaces) {
+  const auto slab = make_slab(dvec2(2 * kSize), kSize, {4, 4, 2}, 1e7);
+  for (const Material& material : {Material{}, soft_material(3e5)}) {
+    const PairCase c{"coplanar", slab, make_simple_body(ShapeType::box, 0.5 * kSize * dvec3(1, 1, 0.5), material), 0,
+                     0};
+    for (int i = 0; i < 200; ++i) {
+      const dvec3 p(0.5 * kSize * (i % 3), 0.25 * kSize * (i % 5), -0.25 * kSize * (1 + i % 4));
+      const Pose X_WB{dquat(1, 0, 0, 0), p + 1e-3 * kSize * (i / 20) * dvec3(1, 0, 0)};
+      expect_equal(c, X_WB, "pose " + std::to_string(i));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taxel
