@@ -75,9 +75,11 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
 }
 
 std::vector<std::string> contact_warnings(const ContactResult& result) {
-  if (result.surface.at_core == 0) return {};
-  return {fmt::format("{} polygons end at the rigid core of a pad: pressure is missing where the overlap is deeper",
-                      result.surface.at_core)};
+  const RejectedPolygons& core = result.surface.left_out(Rejection::beyond_core);
+  if (core.count == 0) return {};
+  return {fmt::format("{} polygons end at the rigid core of a pad: pressure is missing where the overlap is deeper, on about "
+                      "{:.3g} m^2 and at least {:.3g} N",
+                      core.count, core.area, core.force)};
 }
 
 Twist relative_twist(const CaseBody& a, const CaseBody& b) {
