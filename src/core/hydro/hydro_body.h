@@ -44,7 +44,7 @@ enum class ShapeType { plane, sphere, capsule, ellipsoid, cylinder, box, mesh, t
 struct Shape {
   ShapeType type = ShapeType::sphere;
   dvec3 size{0};              ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
-  TriMeshPtr mesh;            ///< for type mesh
+  TriMeshPtr mesh = nullptr;  ///< for type mesh
   double resolution = 0;      ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
   TetMeshPtr tets = nullptr;  ///< for type tets
   const char* rigid_only = nullptr;    ///< what the mesh stands for that can only be rigid: "a height field"
