@@ -94,7 +94,10 @@ TEST_F(PickingTest, FindsThePolygonAndItsPressure) {
     EXPECT_NEAR(picked->pressure, polygon.pressure, 1e-6 * input.range.hi);
   }
   camera.elevation_deg = -50;  // the box stands before it
-  const dvec3 pixel = camera.project(state.X_WM * state.surfaces[0].polygons[0].centroid, kWidth, kHeight);
+  const auto& polygons = state.surfaces[0].polygons;
+  const auto deepest = std::max_element(polygons.begin(), polygons.end(),
+                                        [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
+  const dvec3 pixel = camera.project(state.X_WM * deepest->centroid, kWidth, kHeight);
   const auto below = pick(input, camera, pixel.x, pixel.y, kWidth, kHeight);
   ASSERT_TRUE(below);
   EXPECT_EQ(below->polygon, -1);

@@ -161,16 +161,18 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
   return Cut::done;
 }
 
-/// Cuts by the planes of in_tet.cut. Returns the polygon, in one of the two buffers, or null where nothing is left.
-HWY_INLINE const PlanePolygon* clip(const TriangleInTet& in_tet, PlanePolygon* polygon, PlanePolygon* other) {
+/// Cuts by the planes of in_tet.cut. Returns what is left of the polygon, itself or one of the two buffers; null where
+/// nothing is. The buffers hold finite numbers.
+HWY_INLINE const PlanePolygon* clip(const TriangleInTet& in_tet, const PlanePolygon* polygon, PlanePolygon* buffers) {
+  std::size_t next = 0;
   for (unsigned planes = in_tet.cut; planes != 0; planes &= planes - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(planes));
-    const Cut cut = keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, *polygon, *other);
+    const Cut cut =
+        keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, *polygon, buffers[next]);
     if (cut == Cut::nothing_inside) return nullptr;
     if (cut == Cut::nothing_outside) continue;
-    PlanePolygon* swap = polygon;
-    polygon = other;
-    other = swap;
+    polygon = &buffers[next];
+    next = 1 - next;
   }
   return polygon;
 }

@@ -37,13 +37,14 @@ void spread_line(std::vector<float>& along, std::vector<float>& scratch, const s
 }  // namespace
 
 DistanceGrid::DistanceGrid(const PressureField& field) {
-  constexpr double kCellsPerTet = 8, kFewest = 4096, kMost = 100000;
+  constexpr double kCellsPerTet = 16, kFewest = 32768, kMost = 131072;
   if (field.tets().empty()) return;
   const double wanted = std::clamp(kCellsPerTet * static_cast<double>(field.tets().size()), kFewest, kMost);
   const Aabb& box = field.bounds();
   const dvec3 extent = glm::max(box.extent(), dvec3(1e-3 * box.diagonal()));
   edge_ = std::cbrt(extent.x * extent.y * extent.z / wanted);
   edge_ = std::max(edge_, std::max({extent.x, extent.y, extent.z}) / 256.0);
+  per_metre_ = 1.0 / edge_;
   const double margin = 1e-6 * box.diagonal();
   for (int axis = 0; axis < 3; ++axis)
     dims_[axis] = 1 + static_cast<int>(std::floor((extent[axis] + 2 * margin) / edge_));

@@ -21,12 +21,12 @@ class DistanceGrid {
   /// Bounds of the field, enlarged a little.
   [[nodiscard]] const dvec3& low() const { return low_; }
   [[nodiscard]] const ivec3& dims() const { return dims_; }
-  [[nodiscard]] double cells_per_metre() const { return 1.0 / edge_; }
+  [[nodiscard]] double cells_per_metre() const { return per_metre_; }
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }  ///< x runs fastest
 
   /// The cell of a point; of the nearest point of the grid, for one outside of it.
   [[nodiscard]] const Cell& cell_of(const dvec3& p) const {
-    const dvec3 r = glm::clamp((p - low_) / edge_, dvec3(0), dvec3(dims_ - 1));
+    const dvec3 r = glm::clamp((p - low_) * per_metre_, dvec3(0), dvec3(dims_ - 1));
     return cells_[index(static_cast<int>(r.x), static_cast<int>(r.y), static_cast<int>(r.z))];
   }
 
@@ -39,7 +39,7 @@ class DistanceGrid {
 
   dvec3 low_{0};
   ivec3 dims_{0};
-  double edge_ = 1;
+  double edge_ = 1, per_metre_ = 1;  ///< of a cell, and its inverse
   std::vector<Cell> cells_;
 };
 

@@ -45,6 +45,20 @@ HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metr
   return {sum_of_eight(cross), sum_of_eight(moment_u), sum_of_eight(moment_v), close != 0};
 }
 
+/// The pressure in the coordinates of the triangle.
+HWY_INLINE PlanePressure pressure_on(const SurfaceTriangle& triangle, const LinearPressure& pressure) {
+  const dvec3& g = pressure.gradient;
+  const double p0 = glm::dot(g, triangle.x_S[0]) + pressure.constant;
+  return {p0, glm::dot(g, triangle.x_S[1]) + pressure.constant - p0,
+          glm::dot(g, triangle.x_S[2]) + pressure.constant - p0};
+}
+
+/// Whether a mean pressure stands out of what rounding leaves in the skin.
+HWY_INLINE bool pushes(double mean, const dvec3& gradient, double size) {
+  const double least = kTouchingPressure * size;
+  return mean > 0 && mean * mean > least * least * glm::dot(gradient, gradient);
+}
+
 /// Adds a polygon of `triangle`, or counts why not. `core_edges`: bit i, edges marked i lie on a pad's core.
 HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const SurfaceTriangle& triangle,
                      const LinearPressure& pressure, const PolygonSource& source, SurfaceWriter& writer) {
@@ -55,13 +69,11 @@ HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const Sur
   if (!(area > kSliverArea * source.size * source.size))
     return writer.reject(Rejection::sliver, in_plane, triangle, area, 0);
   const dvec3& g = pressure.gradient;
-  const double p0 = glm::dot(g, triangle.x_S[0]) + pressure.constant;
-  const PlanePressure p{p0, glm::dot(g, triangle.x_S[1]) + pressure.constant - p0,
-                        glm::dot(g, triangle.x_S[2]) + pressure.constant - p0};
+  const PlanePressure p = pressure_on(triangle, pressure);
   const double third = 1.0 / (3.0 * sums.twice_area);
   const dvec2 centroid(polygon.u[0] + sums.u * third, polygon.v[0] + sums.v * third);
-  const double p_mean = p.at(centroid.x, centroid.y), least = kTouchingPressure * source.size;
-  if (!(p_mean > 0 && p_mean * p_mean > least * least * glm::dot(g, g)))
+  const double p_mean = p.at(centroid.x, centroid.y);
+  if (!pushes(p_mean, g, source.size))
     return writer.reject(Rejection::touching, in_plane, triangle, area, p_mean * area);
   if (sums.crowded) {
     writer.add_merged(in_plane, triangle, p, g, area, centroid, source);
@@ -74,6 +86,23 @@ HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const Sur
     // In the second round the vertex after the last one is the first one.
     writer.count_at_core(triangle, {polygon.u[i], polygon.v[i]}, {polygon.u[i + 1], polygon.v[i + 1]}, p);
   }
+}
+
+/// The same for the whole triangle, `polygon`, which no plane cuts.
+HWY_INLINE void emit_whole(const PlanePolygon& polygon, const SurfaceTriangle& triangle, const LinearPressure& pressure,
+                           const PolygonSource& source, SurfaceWriter& writer) {
+  const PlaneMetric& m = triangle.metric;
+  const double near = kMergeDistance * source.size, third = 1.0 / 3.0;
+  const double shortest = std::min(std::min(m.uu, m.vv), m.uu - 2 * m.uv + m.vv);
+  const PlanePressure p = pressure_on(triangle, pressure);
+  const double p_mean = p.at(third, third);
+  if (!(shortest > near * near) || !(triangle.area > kSliverArea * source.size * source.size) ||
+      !pushes(p_mean, pressure.gradient, source.size)) {
+    emit(polygon, 0, triangle, pressure, source, writer);
+    return;
+  }
+  writer.add({polygon.u, polygon.v, polygon.count}, triangle, p, pressure.gradient, triangle.area, dvec2(third),
+             source);
 }
 
 }  // namespace taxel::HWY_NAMESPACE

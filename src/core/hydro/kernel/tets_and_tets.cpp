@@ -21,7 +21,9 @@ class TetsAndTets {
  public:
   TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
               IntersectWorkspace& workspace)
-      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {}
+      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {
+    std::memset(buffers_, 0, sizeof(buffers_));
+  }
 
   void run() {
     w_.begin_call(a_.field().vertices().size());
@@ -53,11 +55,12 @@ class TetsAndTets {
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
   HWY_INLINE const dvec3& position(int vertex) {
-    if (w_.placed_in[at(vertex)] != w_.call) {
-      w_.placed_in[at(vertex)] = w_.call;
-      w_.position[at(vertex)] = X_BA_(a_.field().vertices()[at(vertex)]);
+    PlacedVertex& placed = w_.placed[at(vertex)];
+    if (placed.call != w_.call) {
+      placed.call = w_.call;
+      placed.x = X_BA_(a_.field().vertices()[at(vertex)]);
     }
-    return w_.position[at(vertex)];
+    return placed.x;
   }
 
   HWY_INLINE void load(std::int32_t index, TetOfA& k) {
@@ -176,11 +179,10 @@ class TetsAndTets {
     const double corners[3][3] = {{x[0].x, x[0].y, x[0].z}, {x[1].x, x[1].y, x[1].z}, {x[2].x, x[2].y, x[2].z}};
     TriangleInTet in_tet;
     classify(corners, l, index, in_tet);  // for the distances: the basis is not the whole slice
-    PlanePolygon polygon, other;
+    PlanePolygon polygon;
     to_plane(slice, basis, x, polygon);
     if (polygon.count == 0 || !find_cuts(polygon, l, index, in_tet)) return 0;
-    std::memset(&other, 0, sizeof(other));
-    const PlanePolygon* clipped = clip(in_tet, &polygon, &other);
+    const PlanePolygon* clipped = clip(in_tet, &polygon, buffers_);
     if (clipped == nullptr) return 0;
     emit(*clipped, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
          {k.index, -1, std::min(own.size, l.size), index}, writer_);
@@ -216,6 +218,7 @@ class TetsAndTets {
   const RigidTransform& X_BA_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
+  PlanePolygon buffers_[2];
   bool degenerate_ = false;  ///< the surface passes through an edge or along a face of tets
 };
 

@@ -20,7 +20,10 @@ class TetsAndTriangles {
  public:
   TetsAndTriangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
                    SurfaceWriter& writer, IntersectWorkspace& workspace)
-      : field_(field), rigid_(rigid), X_SR_(X_SR), writer_(writer), w_(workspace) {}
+      : field_(field), rigid_(rigid), X_SR_(X_SR), writer_(writer), w_(workspace) {
+    set_whole_triangle(whole_);
+    buffers_[0] = buffers_[1] = whole_;
+  }
 
   void run() {
     GridQuery query;
@@ -45,13 +48,14 @@ class TetsAndTriangles {
 
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-  /// Position and tet of a vertex, found once per call.
-  HWY_INLINE void place(std::int32_t vertex) {
-    if (w_.placed_in[at(vertex)] == w_.call) return;
-    w_.placed_in[at(vertex)] = w_.call;
-    const dvec3 x = X_SR_(rigid_.vertices()[at(vertex)]);
-    w_.position[at(vertex)] = x;
-    w_.tet_of[at(vertex)] = w_.tree_form ? kOutside : locate(x);
+  /// Position and tet of a vertex of the mesh, found once per call.
+  HWY_INLINE const PlacedVertex& place(std::int32_t vertex) {
+    PlacedVertex& placed = w_.placed[at(vertex)];
+    if (placed.call == w_.call) return placed;
+    placed.call = w_.call;
+    placed.x = X_SR_(rigid_.vertices()[at(vertex)]);
+    placed.tet = w_.tree_form ? kOutside : locate(placed.x);
+    return placed;
   }
 
   /// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of
@@ -85,9 +89,9 @@ class TetsAndTriangles {
     std::array<dvec3, 3> x;
     std::array<std::int32_t, 3> held;
     for (std::size_t k = 0; k < 3; ++k) {
-      place(source.vertex[k]);
-      x[k] = w_.position[at(source.vertex[k])];
-      held[k] = w_.tet_of[at(source.vertex[k])];
+      const PlacedVertex& placed = place(source.vertex[k]);
+      x[k] = placed.x;
+      held[k] = placed.tet;
       for (int axis = 0; axis < 3; ++axis) c.corners[k][axis] = x[k][axis];
     }
     c.normal = X_SR_.R * source.normal;
@@ -99,6 +103,7 @@ class TetsAndTriangles {
       add_by_tree(c);
       return;
     }
+    if (held[0] >= 0 && held[0] == held[1] && held[0] == held[2] && add_whole(x, c, held[0])) return;
     w_.tets.clear();
     ++w_.triangle;
     for (const std::int32_t tet : held) meet(tet);
@@ -114,6 +119,17 @@ class TetsAndTriangles {
       writer_.forget_since(before);
       add_by_tree(c);
     }
+  }
+
+  /// A triangle whose corners one tet holds is wholly inside of it. False where it lies in a plane of the tet.
+  HWY_INLINE bool add_whole(const std::array<dvec3, 3>& x, Current& c, std::int32_t index) {
+    const PackedTet& tet = field_.tets()[at(index)];
+    TriangleInTet in_tet;
+    classify(c.corners, tet, index, in_tet);
+    if (in_tet.flat || in_tet.disjoint || in_tet.cut != 0) return false;
+    c.triangle = writer_.triangle(x, c.normal);
+    emit_whole(whole_, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
+    return true;
   }
 
   HWY_INLINE void meet(std::int32_t tet) {
@@ -153,10 +169,7 @@ class TetsAndTriangles {
     classify(c.corners, tet, index, in_tet);
     flat_ = flat_ || in_tet.flat;
     if (in_tet.disjoint) return 0;
-    PlanePolygon polygon, other;
-    set_whole_triangle(polygon);
-    set_whole_triangle(other);
-    const PlanePolygon* clipped = clip(in_tet, &polygon, &other);
+    const PlanePolygon* clipped = clip(in_tet, &whole_, buffers_);
     if (clipped == nullptr) return 0;
     emit(*clipped, tet.core_faces, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
     return edge_bits(*clipped) & kPlanes;
@@ -167,6 +180,7 @@ class TetsAndTriangles {
   const RigidTransform& X_SR_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
+  PlanePolygon whole_, buffers_[2];
   bool flat_ = false;  ///< the current triangle lies in a plane of some tet
 };
 

@@ -16,9 +16,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// A half-space n . x + offset <= 0 relative to the tree's origin, in single precision. |n| = 1.
+/// A half-space n . x + offset <= 0 relative to the tree's origin, in single precision; n of any length.
 struct QueryPlane {
   float n[3], size[3], offset;  ///< size: absolute components of n
+  [[nodiscard]] HWY_INLINE float length() const { return size[0] + size[1] + size[2]; }  ///< no less than |n|
 
   HWY_INLINE void set(const dvec3& normal, double at_origin) {
     for (int i = 0; i < 3; ++i) {
@@ -76,9 +77,7 @@ struct TriangleQuery {
     const dvec3 corners[3] = {a, b, c}, ends[3] = {b, c, a};
     for (int k = 0; k < 3; ++k) {
       const dvec3 out = glm::cross(ends[k] - corners[k], normal);
-      const double length = glm::length(out);
-      const dvec3 n = length > 0 ? out / length : dvec3(0);
-      edges[k].set(n, -glm::dot(n, corners[k]));
+      edges[k].set(out, -glm::dot(out, corners[k]));
     }
   }
 

@@ -36,15 +36,11 @@ void MetPairs::grow(std::uint32_t call) {
 }
 
 void IntersectWorkspace::begin_call(std::size_t vertices, std::size_t tets_of_field) {
-  if (position.size() < vertices) {
-    position.resize(vertices);
-    tet_of.resize(vertices);
-    placed_in.resize(vertices, 0);
-  }
+  if (placed.size() < vertices) placed.resize(vertices);
   if (seen_in.size() < tets_of_field) seen_in.resize(tets_of_field, 0);
   constexpr std::uint32_t kNearEnd = 0x80000000u;  // then the counters begin again, and what they marked is forgotten
   if (++call > kNearEnd) {
-    std::fill(placed_in.begin(), placed_in.end(), 0u);
+    placed.assign(placed.size(), {});
     met.clear();
     call = 1;
   }

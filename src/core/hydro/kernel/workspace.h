@@ -32,6 +32,13 @@ class MetPairs {
   std::uint32_t last_call_ = 0;
 };
 
+/// A vertex in the frame of the other body.
+struct PlacedVertex {
+  dvec3 x{0};
+  std::int32_t tet = -1;   ///< that holds it; -1: none was found
+  std::uint32_t call = 0;  ///< that wrote this
+};
+
 /// No step allocates after warm-up. One per thread; its content means nothing between calls.
 struct IntersectWorkspace {
   /// Finds pairs by trees alone, without walking from tet to tet: the same polygons in another order. For tests.
@@ -40,14 +47,12 @@ struct IntersectWorkspace {
   struct TetPair {
     std::int32_t a, b;
   };
-  std::vector<std::int32_t> triangles;   ///< of the rigid mesh, or tets or faces of A, that may meet the other body
-  std::vector<std::int32_t> tets;        ///< that may meet one triangle
-  std::vector<std::int32_t> found;       ///< faces of the boundary that may
-  std::vector<dvec3> position;           ///< of the vertices of the rigid mesh, or of A, in the frame of the other body
-  std::vector<std::int32_t> tet_of;      ///< of each such vertex: the tet that holds it, -1: none was found
-  std::vector<std::uint32_t> placed_in;  ///< of each such vertex: the call that wrote the two above
-  std::vector<std::uint32_t> seen_in;    ///< of each tet: the triangle, counted over all calls, that last met it
-  std::vector<TetPair> pairs;            ///< yet to be cut
+  std::vector<std::int32_t> triangles;  ///< of the rigid mesh, or tets or faces of A, that may meet the other body
+  std::vector<std::int32_t> tets;       ///< that may meet one triangle
+  std::vector<std::int32_t> found;      ///< faces of the boundary that may
+  std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of A
+  std::vector<std::uint32_t> seen_in;   ///< of each tet: the triangle, counted over all calls, that last met it
+  std::vector<TetPair> pairs;           ///< yet to be cut
   MetPairs met;
   std::uint32_t call = 0, triangle = 0;
 
