@@ -11,14 +11,15 @@ POSES = 40  # compared of each pair of shapes
 TRIES = 1000
 SOFT = {"sphere": (0.05,), "box": (0.04, 0.05, 0.06), "capsule": (0.03, 0.04), "cylinder": (0.03, 0.05),
         "ellipsoid": (0.03, 0.04, 0.06)}
-RIGID = {"sphere": (0.04,), "box": (0.03, 0.04, 0.05)}
-SOFT_EDGE, RIGID_EDGE = 0.008, 0.010  # m
+OTHER = {"sphere": (0.04,), "box": (0.03, 0.04, 0.05)}  # rigid, and soft
+OTHER_MODULUS = 3 * MODULUS
+SOFT_EDGE, OTHER_EDGE = 0.008, 0.010  # m
 
 
 @dataclasses.dataclass
 class Row:
     soft: str
-    rigid: str
+    other: str
     tets: int
     poses: int          # that touch and from which Drake's face filter takes nothing
     filtered: int       # that touch and from which it takes something: not compared
@@ -27,49 +28,51 @@ class Row:
     centroid: float = 0  # of the area's centroid, relative to the root of the area
 
 
-def exported(pair, folder, name):
-    """Drake's tets as an unscaled VTK file, and their numbers: 0 at the boundary, E at the medial axis."""
-    mesh = pair.mesh(0)
+def exported(library, pair, number, modulus, folder):
+    """Drake's tets of body 0 or 1 as an unscaled VTK file, and our body of them: p = 0 at the boundary, E at the medial axis."""
+    mesh = pair.mesh(number)
     x = np.array(mesh.vertices())
     tets = np.array([[e.vertex(i) for i in range(4)] for e in mesh.tetrahedra()])
-    shapes.write_vtk(folder / f"{name}.vtk", x, tets)
-    pressure = np.full(len(x), MODULUS)
+    shapes.write_vtk(folder / f"drake_{number}.vtk", x, tets)
+    pressure = np.full(len(x), modulus)
     pressure[sorted(shapes.boundary_vertices(tets))] = 0
-    return x, tets, pressure
+    return library.tets(x, tets, pressure, modulus)
 
 
-def exported_triangles(pair, folder, name):
+def exported_triangles(library, pair, folder):
     mesh = pair.mesh(1)
-    path = folder / f"{name}.obj"
+    path = folder / "drake_triangles.obj"
     shapes.write_obj(path, np.array(mesh.vertices()), [[t.vertex(i) for i in range(3)] for t in mesh.triangles()])
-    return path
+    return library.shape("mesh", file=path)
 
 
-def random_pose(rng, x_soft, x_rigid):
-    """The rigid body pushed into the soft one from a random side, both at random orientations: 1 to 8 % of the soft one's
+def random_pose(rng, x_soft, x_other):
+    """The other body pushed into the soft one from a random side, both at random orientations: 1 to 8 % of the soft one's
     size deep, measured along the line of the centres."""
     turn = [v / np.linalg.norm(v) for v in (rng.standard_normal(4), rng.standard_normal(4))]
     side = rng.standard_normal(3)
     side /= np.linalg.norm(side)
-    reach = np.max(x_soft @ rotation(turn[0]).T @ side) - np.min(x_rigid @ rotation(turn[1]).T @ side)
+    reach = np.max(x_soft @ rotation(turn[0]).T @ side) - np.min(x_other @ rotation(turn[1]).T @ side)
     depth = rng.uniform(0.01, 0.08) * np.ptp(x_soft, axis=0).max()
     offset = rng.uniform(-0.01, 0.01, 3)
     return np.array([*offset, *turn[0]]), np.array([*(offset + side * (reach - depth)), *turn[1]])
 
 
-def compare(library, folder, soft, rigid, seed):
+def compare(library, folder, soft, other, other_modulus, seed):
+    properties = drake_peer.compliant(other_modulus, OTHER_EDGE) if other_modulus > 0 else drake_peer.rigid(OTHER_EDGE)
     drakes = drake_peer.Pair(drake_peer.shape(soft, SOFT[soft]), drake_peer.compliant(MODULUS, SOFT_EDGE),
-                             drake_peer.shape(rigid, RIGID[rigid]), drake_peer.rigid(RIGID_EDGE))
-    x, tets, pressure = exported(drakes, folder, f"drake_{soft}")
-    file = exported_triangles(drakes, folder, f"drake_rigid_{rigid}")
-    ours = library.pair(library.tets(x, tets, pressure, MODULUS), library.shape("mesh", file=file))
-    row = Row(soft, rigid, len(tets), 0, 0)
+                             drake_peer.shape(other, OTHER[other]), properties)
+    b = (exported(library, drakes, 1, other_modulus, folder) if other_modulus > 0
+         else exported_triangles(library, drakes, folder))
+    ours = library.pair(exported(library, drakes, 0, MODULUS, folder), b)
+    row = Row(soft, ("soft " if other_modulus > 0 else "rigid ") + other, drakes.mesh(0).num_elements(), 0, 0)
+    x = np.array(drakes.mesh(0).vertices())
     rng = np.random.default_rng(seed)
-    x_rigid = np.array(drakes.mesh(1).vertices())
+    x_other = np.array(drakes.mesh(1).vertices())
     for _ in range(TRIES):
         if row.poses == POSES:
             break
-        pose = random_pose(rng, x, x_rigid)
+        pose = random_pose(rng, x, x_other)
         mine, theirs = ours.contact(*pose), drakes.contact(*pose)
         if mine.polygons == 0 and theirs is None:
             continue
@@ -88,5 +91,5 @@ def compare(library, folder, soft, rigid, seed):
 
 
 def run(library, folder):
-    return [compare(library, folder, soft, rigid, seed)
-            for seed, (soft, rigid) in enumerate((s, r) for s in SOFT for r in RIGID)]
+    pairs = [(soft, other, modulus) for modulus in (0, OTHER_MODULUS) for soft in SOFT for other in OTHER]
+    return [compare(library, folder, *pair, seed) for seed, pair in enumerate(pairs)]

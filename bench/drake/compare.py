@@ -52,7 +52,7 @@ def say(row):
 def failures(same_tets, closed_forms):
     for row in same_tets:
         if row.poses < 30 or max(row.area, row.force, row.centroid) > LARGEST_DIFFERENCE:
-            yield f"same tets, {row.soft} and {row.rigid}: {row}"
+            yield f"same tets, {row.soft} and {row.other}: {row}"
     for row in closed_forms:
         for ours, theirs in ((row.force, row.drake_force), (row.area, row.drake_area)):
             if ours > max(LARGEST_PART_OF_ERROR * theirs, ROUNDING):

@@ -61,12 +61,20 @@ const PressureField* field_of(const HydroBody& body) {
   return soft == nullptr ? nullptr : soft->field.get();
 }
 
-/// Whether Drake's filter would drop this polygon because of A's field; the soft-soft surface has B's gradient only
-/// implicitly.
-bool drake_drops(const ContactPolygon& polygon, const PressureField& field_A) {
-  if (polygon.tet < 0) return false;
-  const dvec3 g = field_A.tets()[static_cast<std::size_t>(polygon.tet)].gradient;
-  return glm::dot(polygon.normal, g) <= std::cos(kDrakeFilterAngle) * glm::length(g);
+/// Whether the angle of Drake's filter lies between a polygon's normal and the gradient of a body's pressure, both in
+/// one frame, the normal pointing into that body.
+bool drops(const dvec3& normal, const dvec3& gradient) {
+  return glm::dot(normal, gradient) <= std::cos(kDrakeFilterAngle) * glm::length(gradient);
+}
+
+/// Whether Drake's filter would drop this polygon, which lies in frame A and whose normal pushes A.
+bool drake_drops(const ContactPolygon& polygon, const PressureField* field_A, const PressureField* field_B,
+                 const dmat3& R_AB) {
+  const auto gradient = [](const PressureField& field, int tet) {
+    return field.tets()[static_cast<std::size_t>(tet)].gradient;
+  };
+  if (field_A != nullptr && polygon.tet >= 0 && drops(polygon.normal, gradient(*field_A, polygon.tet))) return true;
+  return field_B != nullptr && polygon.tet_b >= 0 && drops(-polygon.normal, R_AB * gradient(*field_B, polygon.tet_b));
 }
 
 }  // namespace
@@ -175,11 +183,12 @@ TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* p
   out->polygons = static_cast<double>(surface.polygons.size());
   out->area = surface.area();
   out->max_pressure = surface.max_pressure();
-  const PressureField* field = field_of(*pair->a);
+  const PressureField *field_A = field_of(*pair->a), *field_B = field_of(*pair->b);
+  const dmat3 R_AB = (X_WA.inverse() * X_WB).rotation();
   dvec3 moment{0};
   for (const ContactPolygon& polygon : surface.polygons) {
     moment += polygon.area * polygon.centroid;
-    if (field != nullptr && drake_drops(polygon, *field)) out->dropped_by_drake += 1;
+    if (drake_drops(polygon, field_A, field_B, R_AB)) out->dropped_by_drake += 1;
   }
   const auto write = [](const dvec3& v, double* to) { std::copy_n(&v[0], 3, to); };
   if (surface.empty()) return 0;

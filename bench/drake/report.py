@@ -29,8 +29,8 @@ def speed(rows, overhead_us):
 
 
 def agreement(rows):
-    head = ["soft", "rigid", "tets", "poses", "filtered", "area", "force", "centroid"]
-    cells = [(r.soft, r.rigid, r.tets, r.poses, r.filtered, _small(r.area), _small(r.force), _small(r.centroid)) for r in rows]
+    head = ["soft", "against", "tets", "poses", "filtered", "area", "force", "centroid"]
+    cells = [(r.soft, r.other, r.tets, r.poses, r.filtered, _small(r.area), _small(r.force), _small(r.centroid)) for r in rows]
     return ("## The same tets on both sides\n\n"
             "Drake on its own tets, and our kernel on these tets, exported unscaled. Random poses; those from which Drake's face filter "
             "takes polygons are counted as filtered and not compared. Largest relative differences; centroid relative to the root of "

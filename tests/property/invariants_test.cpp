@@ -29,6 +29,11 @@ HydroBodyPtr soft() {
   return shape_body(type, material);
 }
 
+/// Another pad, on a dented sphere, twice as stiff.
+HydroBodyPtr soft_pad() {
+  return shape_body(ShapeType::mesh, soft_material(2e5, 0.2 * kSize));
+}
+
 class EveryPair : public testing::TestWithParam<BodyPair> {
  protected:
   HydroBodyPtr a_ = GetParam().a(), b_ = GetParam().b();
@@ -37,10 +42,18 @@ class EveryPair : public testing::TestWithParam<BodyPair> {
   Contact b_touches_a(const Pose& X_WA, const Pose& X_WB) const { return touch(*b_, *a_, X_WB, X_WA); }
 };
 
-double push(const ContactSurface& surface) {
+// Rounding in the poses moves edges by about 1e-17 m. Contacts narrower than a thousandth of the bodies are held to
+// what that means for one of this width.
+constexpr double kNarrow = 1e-3 * kSize;
+
+double area_scale(const ContactSurface& surface) {
+  return std::max(surface.area(), kNarrow * kNarrow);
+}
+/// Integral of the pressure without direction; that of a narrow contact: E (width/size)^2 over width^2.
+double push_scale(const ContactSurface& surface) {
   double sum = 0;
   for (const ContactPolygon& p : surface.polygons) sum += p.area * p.pressure;
-  return sum;
+  return std::max(sum, 1e5 * kNarrow * kNarrow * 1e-6);
 }
 
 /// A wrench at the origin of a frame of pose X_WA, in the world at the world's origin.
@@ -54,10 +67,10 @@ TEST_P(EveryPair, ActionEqualsReactionWhenTheBodiesSwap) {
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
     const Contact on_a = a_touches_b(X_WA, X_WB), on_b = b_touches_a(X_WA, X_WB);
-    const double scale = push(on_a.surface);
+    const double scale = push_scale(on_a.surface);
     const Wrench a = in_world(on_a.wrench, X_WA), b = in_world(on_b.wrench, X_WB);
     ASSERT_EQ(on_a.surface.polygons.size(), on_b.surface.polygons.size()) << "pose " << i;
-    ASSERT_NEAR(on_a.surface.area(), on_b.surface.area(), 1e-10 * on_a.surface.area()) << "pose " << i;
+    ASSERT_NEAR(on_a.surface.area(), on_b.surface.area(), 1e-10 * area_scale(on_a.surface)) << "pose " << i;
     ASSERT_LE(glm::length(a.force + b.force), 1e-10 * scale) << "pose " << i;
     ASSERT_LE(glm::length(a.torque + b.torque), 1e-10 * scale * kSize * 10) << "pose " << i;
     touching += on_a.surface.empty() ? 0 : 1;
@@ -80,12 +93,12 @@ TEST_P(EveryPair, ActionEqualsReactionInMotion) {
     const Twist V{drift - glm::cross(spin, X_WA.p), spin};  // of A past B: about A's origin
     const Twist back{-V.linear, -V.angular};
     const Contact on_a = a_touches_b(X_WA, X_WB), on_b = b_touches_a(X_WA, X_WB);
-    const double scale = push(on_a.surface);
+    const double scale = push_scale(on_a.surface);
     const Wrench a = in_world(traction(on_a.surface, pair, in_frame(V, X_WA)).wrench, X_WA);
     const Wrench b = in_world(traction(on_b.surface, pair, in_frame(back, X_WB)).wrench, X_WB);
     ASSERT_LE(glm::length(a.force + b.force), 1e-10 * scale) << "pose " << i;
     ASSERT_LE(glm::length(a.torque + b.torque), 1e-10 * scale * kSize * 10) << "pose " << i;
-    if (scale == 0) continue;
+    if (on_a.surface.area() < kNarrow * kNarrow) continue;
     ASSERT_GT(glm::distance(a.force, in_world(on_a.wrench, X_WA).force), 1e-6 * scale) << "pose " << i;  // it damps
   }
 }
@@ -94,8 +107,8 @@ TEST_P(EveryPair, ACommonMotionChangesNothing) {
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i), motion = random_pose(13, i, 20 * kSize);
     const Contact here = a_touches_b(X_WA, X_WB), there = a_touches_b(motion * X_WA, motion * X_WB);
-    const double scale = push(here.surface);
-    ASSERT_NEAR(here.surface.area(), there.surface.area(), 1e-10 * here.surface.area()) << "pose " << i;
+    const double scale = push_scale(here.surface);
+    ASSERT_NEAR(here.surface.area(), there.surface.area(), 1e-10 * area_scale(here.surface)) << "pose " << i;
     ASSERT_LE(glm::distance(here.wrench.force, there.wrench.force), 1e-10 * scale) << "pose " << i;
     ASSERT_LE(glm::distance(here.wrench.torque, there.wrench.torque), 1e-10 * scale * kSize) << "pose " << i;
   }
@@ -127,6 +140,13 @@ const BodyPair kPairs[] = {
     {"HalfSpaceSphere", soft<plane>, rigid<sphere>},
     {"HalfSpaceBox", soft<plane>, rigid<box>},
     {"HalfSpaceMesh", soft<plane>, rigid<mesh>},
+    {"PadPad", soft_body, soft_pad},
+    {"PadSoftBox", soft_body, soft<box>},
+    {"SoftSphereSoftSphere", soft<sphere>, soft<sphere>},
+    {"SoftBoxSoftCapsule", soft<box>, soft<capsule>},
+    {"SoftEllipsoidSoftCylinder", soft<ellipsoid>, soft<cylinder>},
+    {"HalfSpacePad", soft<plane>, soft_body},
+    {"HalfSpaceSoftBox", soft<plane>, soft<box>},
 };
 
 INSTANTIATE_TEST_SUITE_P(Property, EveryPair, testing::ValuesIn(kPairs),

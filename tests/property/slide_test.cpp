@@ -140,6 +140,11 @@ const Slide kSlides[] = {
     // facets against facets: edges, face boundaries and vertices of both, in turn
     {"BallOverABall", soft_ball, rigid_ball, tilted(20, 30, {0, 0.001, 0}), {1, 0.2, 0}, false, 0.02},
     {"FingerOverABall", pad_finger, rigid_ball, tilted(135, 90, {0, 0.001, 0}), {1, 0.2, 0}, false, 0.02, 0.0015},
+    // both soft
+    {"BallOverASoftEdge", soft_ball, soft_crate, tilted(20, 30, {0.03, 0.004, 0}), {1, 0.1, 0}},
+    {"BallOverASoftVertex", soft_ball, soft_crate, tilted(20, 30, {0.03, 0.03, 0}), {1, 1.1, 0}},
+    {"BlockOverASoftFace", soft_block, soft_crate, tilted(0, 0, {-0.012, -0.015, 0}), {1, 0, 0}, true},
+    {"FingerOverASoftEdge", pad_finger, soft_crate, tilted(135, 90, {0.03, 0.002, 0}), {1, 0, 0}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Property, Slides, testing::ValuesIn(kSlides),
