@@ -13,6 +13,14 @@ BruteForceContact oracle(const HydroBody& soft, const HydroBody& rigid, const Po
   return brute_force_contact(field_of(soft), X_SR);
 }
 
+/// What both found, relative to the size of the contact.
+void expect_equal(const Contact& found, const BruteForceContact& expected) {
+  ASSERT_EQ(found.surface.polygons.size(), static_cast<std::size_t>(expected.polygons));
+  ASSERT_NEAR(found.surface.area(), expected.area, 1e-9 * expected.area);
+  ASSERT_LE(glm::distance(found.wrench.force, expected.force), 1e-9 * expected.push);
+  ASSERT_LE(glm::distance(found.wrench.torque, expected.torque), 1e-9 * expected.push * kSize);
+}
+
 class EveryShape : public testing::TestWithParam<ShapeType> {};
 
 TEST_P(EveryShape, EqualsTheBruteForceOracle) {
@@ -22,13 +30,30 @@ TEST_P(EveryShape, EqualsTheBruteForceOracle) {
     const Pose X_WS = soft_pose(i), X_WR = rigid_pose(X_WS, i);
     const BruteForceContact expected = oracle(*soft, *rigid, X_WS.inverse() * X_WR);
     const Contact found = touch(*soft, *rigid, X_WS, X_WR);
-    ASSERT_EQ(found.surface.polygons.size(), static_cast<std::size_t>(expected.polygons)) << "pose " << i;
-    ASSERT_NEAR(found.surface.area(), expected.area, 1e-9 * expected.area) << "pose " << i;
-    ASSERT_LE(glm::distance(found.wrench.force, expected.force), 1e-9 * expected.push) << "pose " << i;
-    ASSERT_LE(glm::distance(found.wrench.torque, expected.torque), 1e-9 * expected.push * kSize) << "pose " << i;
+    SCOPED_TRACE(testing::Message() << "pose " << i);
+    ASSERT_NO_FATAL_FAILURE(expect_equal(found, expected));
     touching += expected.polygons > 0 ? 1 : 0;
   }
   EXPECT_GE(touching, kPoses / 2);
+}
+
+TEST(TwoSoftBodies, EqualTheBruteForceOracle) {
+  const HydroBodyPtr pad = soft_body(), other_pad = shape_body(ShapeType::mesh, soft_material(2e5, 0.2 * kSize));
+  Material material = soft_material(3e5);
+  material.field = FieldKind::medial_axis;
+  for (const HydroBodyPtr& other :
+       {other_pad, shape_body(ShapeType::box, material), shape_body(ShapeType::ellipsoid, material),
+        shape_body(ShapeType::capsule, material)}) {
+    int touching = 0;
+    for (int i = 0; i < 50; ++i) {
+      const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
+      const BruteForceContact expected = brute_force_contact(field_of(*pad), field_of(*other), X_WA.inverse() * X_WB);
+      SCOPED_TRACE(testing::Message() << "pose " << i);
+      ASSERT_NO_FATAL_FAILURE(expect_equal(touch(*pad, *other, X_WA, X_WB), expected));
+      touching += expected.polygons > 0 ? 1 : 0;
+    }
+    EXPECT_GE(touching, 20);
+  }
 }
 
 /// Every polygon: flat, convex, turning about its normal, its stored numbers those of its vertices.
