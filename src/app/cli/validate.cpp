@@ -23,8 +23,8 @@ std::string error_text(const ClosedFormCheck& check) {
 }
 
 std::string computed_text(const ClosedFormCheck& check, int digits) {
-  if (std::abs(check.computed) < kRounding * std::max(1.0, std::abs(check.exact)))
-    return fmt::format("< {:g}", kRounding);
+  const bool rounding = std::abs(check.computed) < kRounding * std::max(1.0, std::abs(check.exact));
+  if (check.relation != Relation::equal && rounding) return fmt::format("< {:g}", kRounding);
   return fmt::format("{:.{}g}", check.computed, digits);
 }
 
