@@ -115,7 +115,11 @@ TEST(BadInput, ContactCases) {
     write_text(folder / "case.json", good.patch(patch).dump());
     expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: case.json: " + line);
   };
-  refused(replace("/a/material/modulus", 0), "a and b are both rigid; one must have a modulus, the other none");
+  refused(replace("/a/material/modulus", 0), "a and b are both rigid; one must have a modulus");
+  refused(replace("/a/shape", {{"type", "plane"}}), "/a: a soft plane needs a thickness > 0");
+  refused(Json::array({{{"op", "replace"}, {"path", "/a/shape"}, {"value", {{"type", "plane"}}}},
+                       {{"op", "add"}, {"path", "/a/material/thickness"}, {"value", 0.01}}}),
+          "a and b are both planes: their contact has no end");
   refused(replace("/b", {{"pos", {0, 0, 0}}}), "/b: needs a shape or a layout");
   refused(replace("/a/shape/size/0", 0), "/a/shape/size/0: must be greater than 0, is 0");
   refused(replace("/version", 2), "/version: 2 is unknown, this program reads version 1");

@@ -228,7 +228,7 @@ TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
   const auto code = [&](const char* file) {
     return Json::parse(taxel({"check", file, "--json"}, folder).out)["problems"].at(0)["code"];
   };
-  EXPECT_EQ(code("case.json"), "not_soft_and_rigid");
+  EXPECT_EQ(code("case.json"), "both_rigid");
   EXPECT_EQ(code("open.obj"), "mesh_open");
   EXPECT_EQ(taxel({"check", "scene.xml"}, folder).status, 0);
   EXPECT_EQ(taxel({"check", "bad.xml"}, folder).status, 2);

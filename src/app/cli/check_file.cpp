@@ -82,10 +82,12 @@ Problems check_case(const ContactCase& contact_case) {
   };
   const HydroBodyPtr a = make(contact_case.a, "a");
   const HydroBodyPtr b = make(contact_case.b, "b");
-  if (a && b && a->soft() == b->soft()) {
-    problems.push_back({file, "", Severity::error, "not_soft_and_rigid",
-                        a->soft() ? "a and b are both soft" : "a and b are both rigid",
-                        "give a modulus to exactly one of them"});
+  if (a && b && !a->soft() && !b->soft())
+    problems.push_back(
+        {file, "", Severity::error, "both_rigid", "a and b are both rigid", "give a modulus to one of them"});
+  if (a && b && a->half_space() && b->half_space()) {
+    problems.push_back({file, "", Severity::error, "both_planes", "a and b are both planes: their contact has no end",
+                        "give one of them another shape"});
   }
   return problems;
 }

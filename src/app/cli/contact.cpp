@@ -56,10 +56,9 @@ int run(const Options& options, Console& console) {
   const ContactCase contact_case = read_contact_case(options.file);
   const MadeBody a = make_case_body(contact_case, contact_case.a, "a");
   const MadeBody b = make_case_body(contact_case, contact_case.b, "b");
-  if (a.body->soft() == b.body->soft()) {
-    throw Error(options.file, fmt::format("a and b are both {}; one must have a modulus, the other none",
-                                          a.body->soft() ? "soft" : "rigid"));
-  }
+  if (!a.body->soft() && !b.body->soft()) throw Error(options.file, "a and b are both rigid; one must have a modulus");
+  if (a.body->half_space() && b.body->half_space())
+    throw Error(options.file, "a and b are both planes: their contact has no end");
   ContactResult result;
   ContactReport report{result, contact_case.a.X_WB, a.warnings, {}, 0, options.repeat};
   report.warnings.insert(report.warnings.end(), b.warnings.begin(), b.warnings.end());
@@ -86,7 +85,7 @@ Command add_contact(CLI::App& parent, CommonOptions& common) {
       ->option_text("(required)");
   app->add_option("--polygons", options->polygons,
                   "Write the contact surface: one polygon each with vertices [m], pressures [Pa], normal, area [m^2], "
-                  "tet, face; .json or .csv")
+                  "tet (of a where both are soft), tet_b, face; .json or .csv")
       ->type_name("FILE");
   app->add_option(
          "--tets", options->tets,

@@ -36,15 +36,15 @@ std::string contact_text(const ContactReport& report) {
 std::string polygons_csv(const ContactReport& report) {
   const ContactSurface& surface = report.result.surface;
   const RigidTransform X_WA(report.X_WA);
-  std::string text = "polygon,x,y,z,pressure,nx,ny,nz,area,tet,face\n";
+  std::string text = "polygon,x,y,z,pressure,nx,ny,nz,area,tet,tet_b,face\n";
   int number = 0;
   for (const ContactPolygon& polygon : surface.polygons) {
     const dvec3 n = X_WA.R * polygon.normal;
     for (int i = polygon.first; i < polygon.first + polygon.count; ++i) {
       const dvec3 v = X_WA(surface.vertices[static_cast<std::size_t>(i)]);
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\n", number, v.x, v.y, v.z,
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}\n", number, v.x, v.y, v.z,
                      surface.pressure[static_cast<std::size_t>(i)], n.x, n.y, n.z, polygon.area, polygon.tet,
-                     polygon.face);
+                     polygon.tet_b, polygon.face);
     }
     ++number;
   }

@@ -83,6 +83,7 @@ std::string polygons_json(const ContactReport& report) {
     one["normal"] = numbers<Json>(X_WA.R * polygon.normal);
     one["area"] = polygon.area;
     one["tet"] = polygon.tet;
+    one["tet_b"] = polygon.tet_b;
     one["face"] = polygon.face;
     json["polygons"].push_back(std::move(one));
   }

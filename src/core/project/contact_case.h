@@ -67,8 +67,8 @@ struct ContactResult {
   dvec3 centroid_W{0};     ///< of the pressure; a's origin where nothing touches
 };
 
-/// The contact of two bodies placed as the case says; velocities enter damping and friction. One of them must be soft,
-/// the other rigid: throws Error otherwise.
+/// The contact of two bodies placed as the case says; velocities enter damping and friction. Throws Error where both are
+/// rigid, or both half-spaces.
 void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const HydroBody& b, ContactResult& out,
                       IntersectWorkspace& workspace);
 

@@ -89,6 +89,28 @@ TEST_P(UnderIntegrator, BlockOnASteepSlopeAccelerates) {
   EXPECT_NEAR(acceleration, exact, 0.01 * exact);
 }
 
+/// Depth of a soft block at rest on a level floor, of a material.
+double depth_at_rest(const std::string& floor_material) {
+  SensorScene s;
+  s.add_sensor("block", make_box({0.03, 0.03, 0.015}), pad(2e4, 0.005, 20));
+  s.compile("<mujoco>" + sensor_extension("block", key("others", "floor") + key("materials", floor_material)) +
+            R"(<asset><mesh name='block' file='block.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1' contype='0' conaffinity='0'/>
+      <body pos='0 0 0.0145'><freejoint/><inertial mass='0.1' pos='0 0 0' diaginertia='3.7e-5 3.7e-5 6e-5'/>
+        <geom name='block' type='mesh' mesh='block' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  if (s.model == nullptr) throw Error(s.error);
+  s.step(1000);
+  return 0.015 - s.data->qpos[2];
+}
+
+// A8: stiffnesses in series. The block is pressed as deep as on a rigid floor, the floor kA/kB times that.
+TEST(ContactDynamics, ASoftFloorYieldsAsASpringInSeries) {
+  const double rigid = depth_at_rest("{}"), kA = 2e4 / 0.005, kB = 1e5 / 0.01;
+  const double soft = depth_at_rest(R"({"floor": {"modulus": 1e5, "thickness": 0.01}})");
+  EXPECT_NEAR(rigid, 0.1 * kGravity / (0.06 * 0.06 * kA), 0.03 * rigid);  // the rim yields more
+  EXPECT_NEAR(soft, rigid * (1 + kA / kB), 1e-4 * rigid);
+}
+
 TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
   // A heavy free box far from anything else, a soft ball moving into it and sliding along: momentum is kept.
   SensorScene s;

@@ -76,9 +76,6 @@ TEST_F(PluginConfig, MistakesAreCompileErrorsThatNameThem) {
   expect_error(with(layout + geom + key("materials", "{\"box\": {\"colour\": 1}}")), {"/box/colour"});
   expect_error(with(layout + geom + key("materials", "{\"bax\": {}}")), {"materials", "\"bax\""});
   expect_error(with(layout + geom + key("materials", "{")), {"materials", "line 1"});
-  expect_error(with(layout + geom + key("others", "box") +
-                    key("materials", "{\"box\": {\"modulus\": 1e5, \"field\": \"pad\", \"thickness\": 0.002}}")),
-               {"box", "both soft"});
   expect_error(with(layout + geom + key("taxels", "1")), {"taxels", "layout"});
   expect_error(with(geom + key("taxels", "many")), {"taxels", "many"});
 }

@@ -91,15 +91,14 @@ void HydroInstance::compile_others(const mjModel& m) {
   for (const int geom : config_.others) {
     try {
       if (is_sensor(m, geom, instance_) && model_->body->soft())
-        throw Error("geom \"" + geom_name(m, geom) + "\" is a sensor too: soft against soft is not supported");
+        throw Error("geom \"" + geom_name(m, geom) + "\" is a sensor too: each would push the other once more");
       Shape shape = geom_shape(m, geom);
       const OtherMaterial other = other_material(m, config_, geom, shape.type);
       if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
       shape.resolution = other.resolution;
       TouchedGeom touched{geom, make_body(shape, other.material, geom_name(m, geom)), {}, m.geom_rbound[geom]};
-      if (touched.body->soft() == model_->body->soft())
-        throw Error(fmt::format("sensor and geom \"{0}\" are both {1}: one of them must be soft, the other rigid",
-                                geom_name(m, geom), touched.body->soft() ? "soft" : "rigid"));
+      if (!touched.body->soft() && !model_->body->soft())
+        throw Error(fmt::format("sensor and geom \"{}\" are both rigid: one of them must be soft", geom_name(m, geom)));
       touched.properties = combine(model_->body->material, other.material);
       touched_.push_back(std::move(touched));
     } catch (const Error& error) {
