@@ -1,5 +1,5 @@
 """Both on their own tessellations of one shape, ours with no more tets than Drake's, against the closed form: shapes on a rigid
-plane (A1, A4, A5, A6 of docs/theory.md; capsule: A1 + A6; ellipsoid: the affine image of A1)."""
+plane (A1, A4, A5, A6 of docs/theory.md; capsule: A1 + A6; ellipsoid: the affine image of A1), and two soft spheres (A7)."""
 import dataclasses
 
 import numpy as np
@@ -90,11 +90,11 @@ def turned_down(n):
     return about(axis, np.arctan2(np.linalg.norm(axis), cosine))
 
 
-def finest_within(library, kind, size, tets):
+def finest_within(library, kind, size, tets, modulus=MODULUS):
     """Our tessellation with the most tets that are not more than Drake's."""
     best, best_count = None, 0
     for edge in np.geomspace(2 * min(size), 0.02 * min(size), 60):
-        body = library.shape(kind, size, resolution=edge, modulus=MODULUS)
+        body = library.shape(kind, size, resolution=edge, modulus=modulus)
         count = len(library.field(body)[1])
         if count > tets:
             break
@@ -121,5 +121,42 @@ def compare(library, name, seed):
     return Row(name, tets, drake_tets, *np.mean(np.abs(errors), axis=0))
 
 
+def two_spheres(R, modulus_a, modulus_b, depth, steps=20000):
+    """A7: force and area of the surface kA rA - kB rB = EA - EB of two soft spheres of one radius, by the midpoint rule over the
+    radius: at each radius the height where the pressures agree, by bisection."""
+    D, kA, kB = 2 * R - depth, modulus_a / R, modulus_b / R
+    rim = np.sqrt(R * R - D * D / 4)
+    rho = (np.arange(steps) + 0.5) * rim / steps
+    low, high = np.zeros(steps), np.full(steps, D)
+    for _ in range(60):
+        z = (low + high) / 2
+        above = kA * (R - np.hypot(rho, z)) > kB * (R - np.hypot(rho, D - z))
+        low, high = np.where(above, z, low), np.where(above, high, z)
+    rA, rB = np.hypot(rho, z), np.hypot(rho, D - z)
+    gradient = -kA * np.array([rho, z]) / rA + kB * np.array([rho, z - D]) / rB
+    ring = 2 * np.pi * rho * rim / steps
+    return np.sum(ring * kA * (R - rA)), np.sum(ring * np.linalg.norm(gradient, axis=0) / np.abs(gradient[1]))
+
+
+def compare_two_spheres(library, seed):
+    R, modulus_a, modulus_b, hint, depth = 0.05, 1e5, 4e5, 0.008, 0.004
+    drakes = drake_peer.Pair(drake_peer.shape("sphere", (R,)), drake_peer.compliant(modulus_a, hint),
+                             drake_peer.shape("sphere", (R,)), drake_peer.compliant(modulus_b, hint))
+    drake_tets = drakes.mesh(0).num_elements()
+    a, tets = finest_within(library, "sphere", (R,), drake_tets, modulus_a)
+    b, _ = finest_within(library, "sphere", (R,), drake_tets, modulus_b)
+    ours = library.pair(a, b)
+    force, area = two_spheres(R, modulus_a, modulus_b, depth)
+    rng = np.random.default_rng(seed)
+    errors = []
+    for _ in range(POSES):
+        turn = [q / np.linalg.norm(q) for q in rng.standard_normal((2, 4))]
+        pose = (np.array([0, 0, 0, *turn[0]]), np.array([0, 0, depth - 2 * R, *turn[1]]))
+        mine, theirs = ours.contact(*pose), drakes.contact(*pose)
+        errors.append([mine.force[2] / force - 1, theirs.force[2] / force - 1, mine.area / area - 1, theirs.area / area - 1])
+    return Row("two soft spheres", tets, drake_tets, *np.mean(np.abs(errors), axis=0))
+
+
 def run(library):
-    return [compare(library, name, seed) for seed, name in enumerate(SHAPES)]
+    rows = [compare(library, name, seed) for seed, name in enumerate(SHAPES)]
+    return rows + [compare_two_spheres(library, len(SHAPES))]

@@ -41,7 +41,7 @@ def accuracy(rows):
     def ratio(drake, ours):
         return "both exact" if drake < 1e-12 and ours < 1e-12 else f"{drake / ours:.0f}" if ours > 1e-12 else "> 1e6"
 
-    head = ["soft shape on a rigid plane", "tets ours / Drake", "force error ours", "Drake", "Drake / ours",
+    head = ["soft shape on a rigid plane, or two", "tets ours / Drake", "force error ours", "Drake", "Drake / ours",
             "area error ours", "Drake", "Drake / ours"]
     cells = [(r.name, f"{r.tets} / {r.drake_tets}", _small(r.force), _small(r.drake_force), ratio(r.drake_force, r.force),
               _small(r.area), _small(r.drake_area), ratio(r.drake_area, r.area)) for r in rows]
