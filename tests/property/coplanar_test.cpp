@@ -1,0 +1,96 @@
+// Two soft bodies whose tets share planes with each other and with the surface of contact: everything counts once.
+#include <gtest/gtest.h>
+
+#include "fixtures/hydro_bodies.h"
+#include "fixtures/random_pose.h"
+#include "fixtures/slab_field.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kStiffness = 1e7;  // E/H [Pa/m]
+constexpr double kThickness = 0.01;
+const dvec2 kHalf(0.01, 0.015), kWide(0.04);
+
+/// Upside down, so that its skin at z = 0 faces the other slab; four layers of 2.5 mm.
+HydroBodyPtr upper_slab() {
+  return make_slab(kHalf, kThickness, {4, 6, 4}, kStiffness);
+}
+/// Skin up; a grid of 5 mm cells, as the upper slab's.
+HydroBodyPtr lower_slab(double stiffness = kStiffness) {
+  return make_slab(kWide, kThickness, {16, 16, 4}, stiffness);
+}
+
+/// The upper slab pressed `depth` into the lower one at a place and yaw. A turn by pi about x takes the plane z = 0 to
+/// itself.
+Pose upper_pose(double depth, const dvec2& place, double yaw) {
+  return {glm::angleAxis(yaw, dvec3(0, 0, 1)) * dquat(0, 1, 0, 0), dvec3(place, -depth)};
+}
+
+void expect_one_layer(const HydroBody& upper, const HydroBody& lower, const Pose& X_WU, const Pose& X_WL, double depth,
+                      double tolerance = 1e-12) {
+  const Contact c = touch(upper, lower, X_WU, X_WL);
+  const double area = 4 * kHalf.x * kHalf.y, pressure = 0.5 * kStiffness * depth;  // A8 with equal slabs
+  EXPECT_NEAR(c.surface.area(), area, tolerance * area);
+  EXPECT_NEAR(glm::length(c.wrench.force), pressure * area, tolerance * pressure * area);
+}
+
+struct Placing {
+  const char* name;
+  dvec2 place;
+  double yaw;
+};
+const Placing kPlacings[] = {{"grids agree", dvec2(0), 0},
+                             {"vertices on diagonals", dvec2(0.0025, 0.0025), 0},
+                             {"vertices on edges", dvec2(0.0025, 0), 0},
+                             {"a quarter turn", dvec2(0.005, 0), 0.5 * kPi},
+                             {"edges along diagonals", dvec2(0), 0.25 * kPi},
+                             {"anyhow", dvec2(0.00123, -0.00321), 0.4}};
+
+// The equal-pressure plane lies half the overlap deep in both slabs: at 5 mm the overlap puts it into planes of both
+// grids.
+TEST(Coplanar, ASurfaceInPlanesOfBothGridsIsCountedOnce) {
+  const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
+  for (const Placing& placing : kPlacings) {
+    for (const double noise : {0.0, 1e-19, -1e-19, 1e-18, -1e-18, 1e-17, -1e-17, 1e-16, -1e-16}) {
+      SCOPED_TRACE(testing::Message() << placing.name << ", noise " << noise);
+      const double depth = 0.005 + noise;
+      expect_one_layer(*upper, *lower, upper_pose(depth, placing.place, placing.yaw), Pose{}, depth);
+      expect_one_layer(*lower, *upper, Pose{}, upper_pose(depth, placing.place, placing.yaw), depth);
+    }
+  }
+}
+
+// So close to the planes that rounding decides between neighbours: strips as narrow as that may be lost.
+TEST(Coplanar, ASurfaceBesideThePlanesOfTheGridsIsCountedOnce) {
+  const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
+  for (const Placing& placing : kPlacings) {
+    for (const double beside : {1e-15, -1e-15, 1e-14, -1e-14, 1e-13, -1e-13, 1e-12, -1e-12, 1e-11, -1e-11, 1e-9}) {
+      SCOPED_TRACE(testing::Message() << placing.name << ", beside " << beside);
+      const double depth = 0.005 + beside;
+      expect_one_layer(*upper, *lower, upper_pose(depth, placing.place, placing.yaw), Pose{}, depth, 1e-8);
+    }
+  }
+}
+
+TEST(Coplanar, ASurfaceInPlanesOfOneGridIsCountedOnce) {
+  const HydroBodyPtr upper = upper_slab(), lower = make_slab(kWide, kThickness, {16, 16, 3}, kStiffness);
+  for (const Placing& placing : kPlacings) {
+    SCOPED_TRACE(placing.name);
+    expect_one_layer(*upper, *lower, upper_pose(0.005, placing.place, placing.yaw), Pose{}, 0.005);
+    expect_one_layer(*lower, *upper, Pose{}, upper_pose(0.005, placing.place, placing.yaw), 0.005);
+  }
+}
+
+TEST(Coplanar, AnyFrameWillDo) {
+  const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
+  for (int i = 0; i < 100; ++i) {
+    const Placing& placing = kPlacings[i % 6];
+    const Pose motion = random_pose(32, i, 0.5);
+    SCOPED_TRACE(testing::Message() << placing.name << ", motion " << i);
+    expect_one_layer(*upper, *lower, motion * upper_pose(0.005, placing.place, placing.yaw), motion, 0.005);
+  }
+}
+
+}  // namespace
+}  // namespace taxel
