@@ -33,10 +33,11 @@ def exported(library, pair, number, modulus, folder):
     mesh = pair.mesh(number)
     x = np.array(mesh.vertices())
     tets = np.array([[e.vertex(i) for i in range(4)] for e in mesh.tetrahedra()])
-    shapes.write_vtk(folder / f"drake_{number}.vtk", x, tets)
     pressure = np.full(len(x), modulus)
     pressure[sorted(shapes.boundary_vertices(tets))] = 0
-    return library.tets(x, tets, pressure, modulus)
+    file = folder / f"drake_{number}.vtk"
+    shapes.write_vtk(file, x, tets, pressure)
+    return library.tets(file, modulus)
 
 
 def exported_triangles(library, pair, folder):

@@ -66,7 +66,7 @@ class Sphere:
             self.file = folder / f"{name}.vtk"
             x, tets = shapes.star(vertices * radius, faces)
             shapes.write_vtk(self.file, x, tets)
-            self.ours = library.tets(x, tets, [0.0] * len(vertices) + [modulus], modulus)
+            self.ours = library.tets(self.file, modulus)
             self.properties = drake_peer.compliant(modulus)
         else:
             self.file = folder / f"{name}.obj"
@@ -111,7 +111,7 @@ class Pad:
         at_apex = modulus / thickness * depth_below(self.vertices, skin, apex)
         self.properties = drake_peer.compliant(at_apex)
         if filled:
-            self.ours = library.tets(x, tets, [*pressure, at_apex], at_apex)
+            self.ours = library.tets(self.file, at_apex)
 
     def drakes(self):
         return drake_peer.shape("mesh", file=self.file), self.properties

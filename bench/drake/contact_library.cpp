@@ -10,6 +10,7 @@
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
+#include "core/hydro/vtk_tets.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/sensor_model.h"
 
@@ -43,14 +44,6 @@ Body* guarded(const Make& make) {
     error_text = e.what();
     return nullptr;
   }
-}
-
-HydroBodyPtr soft_body(PressureFieldPtr field, double modulus) {
-  HydroBody body;
-  body.geometry = SoftBody{std::move(field)};
-  body.material.modulus = modulus;
-  body.name = "tets";
-  return std::make_shared<const HydroBody>(std::move(body));
 }
 
 /// Drake drops a polygon whose normal makes an angle of 5 pi/8 or more with the gradient of a body's pressure.
@@ -95,30 +88,17 @@ TAXEL_EXPORT const char* taxel_last_error() {
   return error_text.c_str();
 }
 
-/// Tets with a pressure at each vertex.
-TAXEL_EXPORT Body* taxel_tets(const double* vertices, int vertex_count, const int* tets, int tet_count,
-                              const double* pressure, double modulus) {
-  return guarded([&] {
-    std::vector<dvec3> x;
-    for (int i = 0; i < vertex_count; ++i) x.emplace_back(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
-    std::vector<ivec4> t;
-    for (int i = 0; i < tet_count; ++i) t.emplace_back(tets[4 * i], tets[4 * i + 1], tets[4 * i + 2], tets[4 * i + 3]);
-    return soft_body(
-        std::make_shared<const PressureField>(std::move(x), std::move(t),
-                                              std::vector<double>(pressure, pressure + vertex_count), FieldReport{}),
-        modulus);
-  });
-}
-
-/// A primitive or, with type mesh, a file; modulus 0 is rigid.
-TAXEL_EXPORT Body* taxel_shape(int type, const double* size, const char* mesh_file, double resolution, int field,
+/// A primitive, or of a file: a mesh, or tets as legacy VTK (with their pressures, or Drake's field); modulus 0 is
+/// rigid.
+TAXEL_EXPORT Body* taxel_shape(int type, const double* size, const char* file, double resolution, int field,
                                double modulus, double thickness) {
   return guarded([&] {
     Shape shape;
     shape.type = static_cast<ShapeType>(type);
     shape.size = dvec3(size[0], size[1], size[2]);
     shape.resolution = resolution;
-    if (shape.type == ShapeType::mesh) shape.mesh = load_mesh(mesh_file).mesh;
+    if (shape.type == ShapeType::mesh) shape.mesh = load_mesh(file).mesh;
+    if (shape.type == ShapeType::tets) shape.tets = std::make_shared<const TetMesh>(load_vtk_tets(file));
     Material material;
     material.field = static_cast<FieldKind>(field);
     material.modulus = modulus;

@@ -12,11 +12,11 @@ def _table(head, rows):
 
 def speed(rows, overhead_us):
     head = ["class", "path", "polygons ours / Drake", "ours [us]", "Drake [us]", "Drake / ours", "ours [ns per polygon]",
-            "area difference",
-            "force difference", "polygons that Drake's filter drops"]
+            "area difference", "force difference", "polygons that Drake's filter drops"]
     cells = [(r.name, r.path, r.refused, *[""] * 7) if r.refused else
              (r.name, r.path, f"{r.polygons:.0f} / {r.drake_polygons:.0f}", f"{r.ours_us:.1f}", f"{r.drake_us:.1f}",
-              f"**{r.ratio:.1f}**", f"{1e3 * r.ours_us / r.polygons:.0f}", _small(r.area_difference), _small(r.force_difference), f"{r.dropped:.1f}")
+              f"**{r.ratio:.1f}**", f"{1e3 * r.ours_us / r.polygons:.0f}", _small(r.area_difference),
+              _small(r.force_difference), f"{r.dropped:.1f}")
              for r in rows]
     return ("## Time of one contact surface\n\n"
             "Both sides get the same tets and triangles, bit for bit, and the same 20 poses of a path, in turn, in one process on one core. "

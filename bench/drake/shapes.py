@@ -65,12 +65,15 @@ def write_obj(path, vertices, faces):
     path.write_text("\n".join(lines) + "\n")
 
 
-def write_vtk(path, vertices, tets):
-    """Legacy VTK, ASCII, every bit of every number."""
+def write_vtk(path, vertices, tets, pressure=None):
+    """Legacy VTK, ASCII, every bit of every number; pressures [Pa] as point data, which we read and Drake passes over."""
     lines = ["# vtk DataFile Version 3.0", "tets of the contact bench", "ASCII", "DATASET UNSTRUCTURED_GRID",
              f"POINTS {len(vertices)} double"]
     lines += ["{!r} {!r} {!r}".format(*(float(c) for c in v)) for v in vertices]
     lines += [f"CELLS {len(tets)} {5 * len(tets)}"]
     lines += ["4 {} {} {} {}".format(*(int(i) for i in t)) for t in tets]
     lines += [f"CELL_TYPES {len(tets)}"] + ["10"] * len(tets)
+    if pressure is not None:
+        lines += [f"POINT_DATA {len(vertices)}", "SCALARS pressure double 1", "LOOKUP_TABLE default"]
+        lines += [repr(float(p)) for p in pressure]
     path.write_text("\n".join(lines) + "\n")

@@ -26,7 +26,7 @@ class Library:
         self.c = ctypes.CDLL(str(path))
         pointer = ctypes.c_void_p
         self.c.taxel_last_error.restype = ctypes.c_char_p
-        for name in ("taxel_tets", "taxel_shape", "taxel_layout", "taxel_pair"):
+        for name in ("taxel_shape", "taxel_layout", "taxel_pair"):
             getattr(self.c, name).restype = pointer
         self.c.taxel_field_size.restype = ctypes.c_bool
 
@@ -35,17 +35,15 @@ class Library:
             raise Refused(self.c.taxel_last_error().decode())
         return ctypes.c_void_p(body)
 
-    def tets(self, vertices, tets, pressure, modulus):
-        x, x_at = _numbers(vertices, np.float64)
-        t, t_at = _numbers(tets, np.int32)
-        p, p_at = _numbers(pressure, np.float64)
-        return self._made(self.c.taxel_tets(x_at, len(vertices), t_at, len(tets), p_at, ctypes.c_double(modulus)))
-
     def shape(self, kind, size=(), file="", resolution=0.0, field="medial_axis", modulus=0.0, thickness=0.0):
         _, size_at = _numbers(list(size) + [0.0] * (3 - len(size)), np.float64)
         number = ctypes.c_double
         return self._made(self.c.taxel_shape(SHAPES.index(kind), size_at, str(file).encode(), number(resolution),
                                              FIELDS.index(field), number(modulus), number(thickness)))
+
+    def tets(self, file, modulus):
+        """A soft body from a VTK file: its own pressures where it has some, else Drake's rule."""
+        return self.shape("tets", file=file, field="tets", modulus=modulus)
 
     def layout(self, file):
         return self._made(self.c.taxel_layout(str(file).encode()))
