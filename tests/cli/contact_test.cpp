@@ -210,7 +210,7 @@ TEST(Validate, EveryClosedFormHolds) {
     EXPECT_LE(check["bound"].get<double>(), 0.03);
     EXPECT_EQ(check["pass"], true);
   }
-  EXPECT_EQ(forms.size(), 7U);
+  EXPECT_EQ(forms.size(), 9U);
   EXPECT_GE(forms["A1"], 2);
 }
 
