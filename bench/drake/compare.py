@@ -70,7 +70,8 @@ def main():
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     library = Library(options.library)
     text = (f"# Side by side with Drake {importlib.metadata.version('drake')}\n\n"
-            f"Written by `bench/drake/run --out bench/drake/results.md`. Processor: {processor()}, one core.\n")
+            f"Written by `bench/drake/run --out bench/drake/results.md`. Processor: {processor()}, one core; "
+            f"load average at the start {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores.\n")
     same_tets, closed_forms = [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -6,7 +6,7 @@ import numpy as np
 import drake_peer
 from taxel_peer import Refused
 
-ROUNDS = 5  # how often a path is gone through
+ROUNDS = 10  # how often a path is gone through
 
 
 @dataclasses.dataclass
