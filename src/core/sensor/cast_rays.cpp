@@ -111,9 +111,10 @@ void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> 
   workspace.others.assign(surfaces.begin(), surfaces.end());
   if (path == RayPath::tet_table && model.tet_table) {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      if (!surfaces[i] || !model.tet_table->covers(*surfaces[i])) continue;
-      cast_through_tets(*model.tet_table, *surfaces[i], static_cast<int>(i), workspace.planes, hits);
-      workspace.others[i] = nullptr;
+      if (!surfaces[i]) continue;
+      const bool complete =
+          cast_through_tets(*model.tet_table, *surfaces[i], static_cast<int>(i), workspace.edges, hits);
+      if (complete) workspace.others[i] = nullptr;
     }
   }
   workspace.caster.build(workspace.others);

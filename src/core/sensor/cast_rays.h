@@ -58,7 +58,7 @@ enum class RayPath { bvh, tet_table };
 struct CastWorkspace {
   SurfaceCaster caster;
   std::vector<const ContactSurface*> others;  ///< by surface number; null: cast through the tets
-  std::vector<EdgePlane> planes;
+  EdgeLanes edges;
 };
 
 /// The first hits of all rays on all surfaces (frame M; null or empty ones hold nothing). With RayPath::tet_table the

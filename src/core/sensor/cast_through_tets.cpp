@@ -5,6 +5,7 @@
 // The line above includes this file once per instruction set: it stays first.
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "core/sensor/tet_table.h"
@@ -13,15 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Rays = hn::CappedTag<double, RayBlock::kRays>;
-using Lanes = hn::Vec<Rays>;
+using Wide = hn::CappedTag<double, RayBlock::kRays>;
+using Lanes = hn::Vec<Wide>;
 
 struct Lanes3 {
   Lanes x, y, z;
 };
 
 HWY_INLINE Lanes3 broadcast(const dvec3& v) {
-  const Rays d;
+  const Wide d;
   return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
 }
 
@@ -30,68 +31,164 @@ HWY_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-/// hit_polygon() for the rays of a block from lane `first` on: bit i, lane first + i.
+/// hit_polygon() in two parts: the plane against as many rays as there are lanes; then, for each ray that meets it, as
+/// many edges as there are lanes. The edges are made ready when a ray asks for them.
 class PolygonTest {
  public:
-  PolygonTest(const ContactPolygon& polygon, const EdgePlane* planes)
-      : normal_(broadcast(polygon.normal)),
-        centroid_(broadcast(polygon.centroid)),
-        gradient_(broadcast(polygon.gradient)),
-        pressure_(polygon.pressure),
-        planes_(planes),
-        count_(polygon.count) {}
+  PolygonTest(const ContactSurface& surface, const ContactPolygon& polygon, EdgeLanes& edges)
+      : surface_(surface),
+        polygon_(polygon),
+        edges_(edges),
+        normal_(broadcast(polygon.normal)),
+        centroid_(broadcast(polygon.centroid)) {}
 
-  HWY_INLINE unsigned operator()(const RayBlock& block, std::size_t first, double* HWY_RESTRICT depth,
-                                 double* HWY_RESTRICT pressure) const {
-    const Rays d;
+  /// Offers the hits of the rays of a block.
+  HWY_INLINE void offer(const RayBlock& block, RayHit hit, RayHits& hits) {
+    const Wide d;
+    alignas(64) double t[RayBlock::kRays] = {}, x[RayBlock::kRays] = {}, y[RayBlock::kRays] = {},
+                       z[RayBlock::kRays] = {};
+    for (std::size_t first = 0; first < static_cast<std::size_t>(block.count); first += hn::Lanes(d)) {
+      for (unsigned met = meet_plane(block, first, t, x, y, z); met != 0; met &= met - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(met));
+        const dvec3 from_centroid(x[i], y[i], z[i]);
+        if (!inside(from_centroid)) continue;
+        hit.depth = t[i];
+        hit.pressure = std::max(0.0, polygon_.pressure + glm::dot(polygon_.gradient, from_centroid));
+        hits.offer(block.ray[first + i], hit);
+      }
+    }
+  }
+
+ private:
+  /// Bit i: lane first + i of the block meets the plane within its range, and within the polygon's circle about its
+  /// centroid. Distance, and point from the centroid.
+  HWY_INLINE unsigned meet_plane(const RayBlock& block, std::size_t first, double* HWY_RESTRICT distance,
+                                 double* HWY_RESTRICT x, double* HWY_RESTRICT y, double* HWY_RESTRICT z) {
+    const Wide d;
     const Lanes3 w{hn::Sub(hn::Load(d, &block.ox[first]), centroid_.x),
                    hn::Sub(hn::Load(d, &block.oy[first]), centroid_.y),
                    hn::Sub(hn::Load(d, &block.oz[first]), centroid_.z)};
     const Lanes3 direction{hn::Load(d, &block.dx[first]), hn::Load(d, &block.dy[first]), hn::Load(d, &block.dz[first])};
     const Lanes t = hn::Div(hn::Neg(dot(normal_, w)), dot(normal_, direction));
-    auto inside = hn::And(hn::Ge(t, hn::Load(d, &block.t_min[first])), hn::Le(t, hn::Load(d, &block.t_max[first])));
-    if (hn::AllFalse(d, inside)) return 0;
-    const Lanes3 y{hn::Add(w.x, hn::Mul(t, direction.x)), hn::Add(w.y, hn::Mul(t, direction.y)),
-                   hn::Add(w.z, hn::Mul(t, direction.z))};
-    for (int k = 0; k < count_; ++k) {
-      const Lanes side = hn::Add(dot(broadcast(planes_[k].m), y), hn::Set(d, planes_[k].c));
-      inside = hn::And(inside, hn::Ge(side, hn::Zero(d)));
-    }
-    if (hn::AllFalse(d, inside)) return 0;
-    hn::Store(t, d, depth);
-    hn::Store(hn::Max(hn::Add(hn::Set(d, pressure_), dot(gradient_, y)), hn::Zero(d)), d, pressure);
+    auto met = hn::And(hn::Ge(t, hn::Load(d, &block.t_min[first])), hn::Le(t, hn::Load(d, &block.t_max[first])));
+    if (hn::AllFalse(d, met)) return 0;
+    if (!ready_) make_ready();
+    const Lanes3 at{hn::Add(w.x, hn::Mul(t, direction.x)), hn::Add(w.y, hn::Mul(t, direction.y)),
+                    hn::Add(w.z, hn::Mul(t, direction.z))};
+    met = hn::And(met, hn::Le(dot(at, at), hn::Set(d, circle_)));
+    if (hn::AllFalse(d, met)) return 0;
+    hn::Store(t, d, distance);
+    hn::Store(at.x, d, x);
+    hn::Store(at.y, d, y);
+    hn::Store(at.z, d, z);
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, inside, bits);
+    hn::StoreMaskBits(d, met, bits);
     return bits[0];
   }
 
- private:
-  Lanes3 normal_, centroid_, gradient_;
-  double pressure_;
-  const EdgePlane* planes_;
-  int count_;
-};
-
-void run_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number,
-                      std::vector<EdgePlane>& planes, RayHits& hits) {
-  const std::size_t lanes = hn::Lanes(Rays());
-  alignas(64) double depth[RayBlock::kRays], pressure[RayBlock::kRays];
-  for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
-    const ContactPolygon& polygon = surface.polygons[p];
-    const std::span<const RayBlock> blocks = table.blocks(polygon.tet);
-    if (blocks.empty()) continue;
-    if (planes.size() < static_cast<std::size_t>(polygon.count)) planes.resize(static_cast<std::size_t>(polygon.count));
-    fill_edge_planes(surface, polygon, planes.data());
-    const PolygonTest test(polygon, planes.data());
-    for (const RayBlock& block : blocks) {
-      for (std::size_t first = 0; first < static_cast<std::size_t>(block.count); first += lanes) {
-        for (unsigned found = test(block, first, depth, pressure); found != 0; found &= found - 1) {
-          const auto i = static_cast<std::size_t>(std::countr_zero(found));
-          hits.offer(block.ray[first + i], {surface_number, static_cast<int>(p), depth[i], pressure[i]});
-        }
+  [[nodiscard]] HWY_INLINE bool inside(const dvec3& from_centroid) const {
+    const Wide d;
+    const Lanes3 y = broadcast(from_centroid);
+    for (std::size_t g = 0; g * EdgeLanes::kEdges < static_cast<std::size_t>(polygon_.count); ++g) {
+      const EdgeLanes::Group& group = edges_.groups[g];
+      for (std::size_t i = 0; i < EdgeLanes::kEdges; i += hn::Lanes(d)) {
+        const Lanes3 m{hn::Load(d, &group.mx[i]), hn::Load(d, &group.my[i]), hn::Load(d, &group.mz[i])};
+        const Lanes side = hn::Add(dot(m, y), hn::Load(d, &group.c[i]));
+        if (!hn::AllTrue(d, hn::Ge(side, hn::Zero(d)))) return false;
       }
     }
+    return true;
   }
+
+  /// Corners from number `first` on, as many as there are lanes; what lies beyond the last one is anything.
+  static HWY_INLINE Lanes3 load_corners(const dvec3* corners, std::size_t first) {
+    Lanes3 v;
+    hn::LoadInterleaved3(Wide(), &corners[first].x, v.x, v.y, v.z);
+    return v;
+  }
+
+  /// The polygon's corners with room behind them to load whole vectors.
+  const dvec3* corners() {
+    const auto first = static_cast<std::size_t>(polygon_.first), count = static_cast<std::size_t>(polygon_.count);
+    const dvec3* corner = surface_.vertices.data() + first;
+    if (first + count + EdgeLanes::kEdges < surface_.vertices.size()) return corner;
+    edges_.corners.resize(count + EdgeLanes::kEdges + 1);
+    std::copy_n(corner, count, edges_.corners.begin());
+    return edges_.corners.data();
+  }
+
+  /// fill_edge_planes(), in its order of operations.
+  void make_ready() {
+    const Wide d;
+    const auto count = static_cast<std::size_t>(polygon_.count);
+    const dvec3* corner = corners();
+    const Lanes3 first_corner = broadcast(corner[0]);
+    edges_.groups.resize(std::max(edges_.groups.size(), (count + EdgeLanes::kEdges - 1) / EdgeLanes::kEdges));
+    Lanes longest = hn::Zero(d), farthest = hn::Zero(d);
+    for (std::size_t k = 0; k < edges_.groups.size() * EdgeLanes::kEdges; k += hn::Lanes(d)) {
+      EdgeLanes::Group& group = edges_.groups[k / EdgeLanes::kEdges];
+      const std::size_t i = k % EdgeLanes::kEdges;
+      if (k >= count) {
+        for (auto* values : {&group.mx, &group.my, &group.mz, &group.c}) hn::Store(hn::Zero(d), d, &(*values)[i]);
+        continue;
+      }
+      const auto used = hn::FirstN(d, count - k);
+      const auto wraps = hn::AndNot(hn::FirstN(d, count - k - 1), used);
+      const Lanes3 a = load_corners(corner, k), next = load_corners(corner, k + 1);
+      const auto edge = [&](Lanes from, Lanes to, Lanes around) {
+        return hn::IfThenElseZero(used, hn::Sub(hn::IfThenElse(wraps, around, to), from));
+      };
+      const Lanes3 e{edge(a.x, next.x, first_corner.x), edge(a.y, next.y, first_corner.y),
+                     edge(a.z, next.z, first_corner.z)};
+      const Lanes3 size{hn::Abs(e.x), hn::Abs(e.y), hn::Abs(e.z)};
+      longest = hn::Max(longest, hn::Add(hn::Add(size.x, size.y), size.z));
+      const Lanes3 m{hn::Sub(hn::Mul(normal_.y, e.z), hn::Mul(e.y, normal_.z)),
+                     hn::Sub(hn::Mul(normal_.z, e.x), hn::Mul(e.z, normal_.x)),
+                     hn::Sub(hn::Mul(normal_.x, e.y), hn::Mul(e.x, normal_.y))};
+      const Lanes3 inward{hn::Sub(centroid_.x, a.x), hn::Sub(centroid_.y, a.y), hn::Sub(centroid_.z, a.z)};
+      hn::Store(hn::Max(hn::Max(size.x, size.y), size.z), d, &group.length[i]);
+      hn::Store(m.x, d, &group.mx[i]);
+      hn::Store(m.y, d, &group.my[i]);
+      hn::Store(m.z, d, &group.mz[i]);
+      hn::Store(hn::IfThenElseZero(used, dot(m, inward)), d, &group.c[i]);
+      farthest = hn::Max(farthest, hn::IfThenElseZero(used, dot(inward, inward)));
+    }
+    const double longest_edge = hn::GetLane(hn::MaxOfLanes(d, longest));
+    shift_outward(hn::Set(d, edge_shift(polygon_, longest_edge)));
+    // (r + reach)^2 <= (1 + 1e-4) r^2 + (1 + 1e4) reach^2: only rays outside for certain are left out.
+    const double reach = polygon_reach(polygon_, longest_edge);
+    circle_ = 1.0002 * hn::GetLane(hn::MaxOfLanes(d, farthest)) + 1.1e4 * reach * reach;
+    ready_ = true;
+  }
+
+  HWY_INLINE void shift_outward(Lanes s) {
+    const Wide d;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(polygon_.count); k += hn::Lanes(d)) {
+      EdgeLanes::Group& group = edges_.groups[k / EdgeLanes::kEdges];
+      const std::size_t i = k % EdgeLanes::kEdges;
+      hn::Store(hn::Add(hn::Load(d, &group.c[i]), hn::Mul(s, hn::Load(d, &group.length[i]))), d, &group.c[i]);
+    }
+  }
+
+  const ContactSurface& surface_;
+  const ContactPolygon& polygon_;
+  EdgeLanes& edges_;
+  Lanes3 normal_, centroid_;
+  bool ready_ = false;
+  double circle_ = 0;  // squared radius that holds the polygon and what reaches over its rim [m^2]
+};
+
+bool run_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
+                      RayHits& hits) {
+  for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
+    const ContactPolygon& polygon = surface.polygons[p];
+    if (!table.has(polygon.tet)) return false;
+    const std::span<const RayBlock> blocks = table.blocks(polygon.tet);
+    if (blocks.empty()) continue;
+    PolygonTest test(surface, polygon, edges);
+    for (const RayBlock& block : blocks) test.offer(block, {surface_number, static_cast<int>(p), 0, 0}, hits);
+  }
+  return true;
 }
 
 }  // namespace taxel::HWY_NAMESPACE
@@ -101,9 +198,9 @@ HWY_AFTER_NAMESPACE();
 namespace taxel {
 HWY_EXPORT(run_through_tets);
 
-void cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number,
-                       std::vector<EdgePlane>& planes, RayHits& hits) {
-  HWY_DYNAMIC_DISPATCH(run_through_tets)(table, surface, surface_number, planes, hits);
+bool cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
+                       RayHits& hits) {
+  return HWY_DYNAMIC_DISPATCH(run_through_tets)(table, surface, surface_number, edges, hits);
 }
 }  // namespace taxel
 #endif

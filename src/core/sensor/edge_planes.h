@@ -26,17 +26,30 @@ inline double rim_reach(double l1_of_centroid, double perimeter) {
   return kRimReach * (l1_of_centroid + perimeter);
 }
 
-/// Fills one plane per corner. Moving every edge of a convex polygon outward by s enlarges it about its inscribed
-/// circle at most by 1 + s/r, r >= area/perimeter: so s = reach 2 area / perimeter^2 keeps even a needle's tips within
-/// reach.
+/// The same of one polygon, its perimeter being at most its number of edges times the longest one [m].
+inline double polygon_reach(const ContactPolygon& polygon, double longest_edge) {
+  const dvec3& c = polygon.centroid;
+  return rim_reach(std::abs(c.x) + std::abs(c.y) + std::abs(c.z), polygon.count * longest_edge);
+}
+
+/// Moving every edge of a convex polygon outward by s enlarges it about its inscribed circle at most by 1 + s/r,
+/// r >= area/perimeter: so s = reach 2 area / perimeter^2 keeps even a needle's tips within reach. For the perimeter
+/// stands what is not less: the number of edges times the longest one, by the sum of its components [m].
+inline double edge_shift(const ContactPolygon& polygon, double longest_edge) {
+  const double perimeter = polygon.count * longest_edge, reach = polygon_reach(polygon, longest_edge);
+  return perimeter > 0 ? reach * 2.0 * polygon.area / (perimeter * perimeter) : 0.0;
+}
+
+/// Fills one plane per corner.
 inline void fill_edge_planes(const ContactSurface& surface, const ContactPolygon& polygon, EdgePlane* planes) {
   const dvec3* corner = surface.vertices.data() + polygon.first;
-  const auto l1 = [](const dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
   const int last = polygon.count - 1;
-  double perimeter = l1(corner[0] - corner[last]);  // by the sum of components: not less than the length
-  for (int k = 0; k < last; ++k) perimeter += l1(corner[k + 1] - corner[k]);
-  const double reach = rim_reach(l1(polygon.centroid), perimeter);
-  const double s = perimeter > 0 ? reach * 2.0 * polygon.area / (perimeter * perimeter) : 0.0;
+  double longest = 0;
+  for (int k = 0; k <= last; ++k) {
+    const dvec3 edge = glm::abs(corner[k < last ? k + 1 : 0] - corner[k]);
+    longest = std::max(longest, edge.x + edge.y + edge.z);
+  }
+  const double s = edge_shift(polygon, longest);
   for (int k = 0; k <= last; ++k) {
     const dvec3 edge = corner[k < last ? k + 1 : 0] - corner[k];
     const dvec3 m = glm::cross(polygon.normal, edge);

@@ -102,9 +102,4 @@ TetTable::TetTable(const PressureField& field, std::span<const SensorRay> rays) 
   }
 }
 
-bool TetTable::covers(const ContactSurface& surface) const {
-  return std::all_of(surface.polygons.begin(), surface.polygons.end(),
-                     [&](const ContactPolygon& polygon) { return polygon.tet >= 0 && polygon.tet < tet_count(); });
-}
-
 }  // namespace taxel

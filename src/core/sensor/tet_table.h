@@ -36,19 +36,28 @@ class TetTable {
     const auto t = static_cast<std::size_t>(tet);
     return {blocks_.data() + first_[t], blocks_.data() + first_[t + 1]};
   }
+  [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
   [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(RayBlock); }
-
-  /// Whether every polygon names a tet of this table.
-  [[nodiscard]] bool covers(const ContactSurface& surface) const;
 
  private:
   std::vector<std::size_t> first_{0};
   std::vector<RayBlock> blocks_;
 };
 
-/// Offers the hits of all rays on one surface, whose tets are those of the table. `planes` is memory, kept between
-/// calls.
-void cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number,
-                       std::vector<EdgePlane>& planes, RayHits& hits);
+/// A polygon's edge planes (edge_planes.h) side by side, for up to eight edges at a time; kept between calls.
+struct EdgeLanes {
+  static constexpr std::size_t kEdges = 8;
+  struct alignas(64) Group {
+    std::array<double, kEdges> mx, my, mz, c;  ///< all 0 beyond the last edge: everything is inside
+    std::array<double, kEdges> length;         ///< of the edge, by its largest component [m]
+  };
+  std::vector<Group> groups{1};
+  std::vector<dvec3> corners;  ///< of a polygon at the end of its surface, with room behind them
+};
+
+/// Offers the hits of all rays on one surface, whose tets are those of the table. False where a polygon names none: the
+/// surface is then for the trees, and what was offered so far is right but not all.
+bool cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
+                       RayHits& hits);
 
 }  // namespace taxel
