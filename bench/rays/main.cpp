@@ -1,0 +1,123 @@
+// Rays and readings beside Embree and the paper's scheme on recorded frames, on one core: a table in Markdown.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "core/sensor/reading.h"
+#include "rays/frames.h"
+#include "rays/peers.h"
+#include "unit/sensor/ray_oracles.h"
+
+namespace {
+using namespace taxel;
+using namespace taxel::bench;
+
+constexpr int kRounds = 40;
+constexpr double kDepthTolerance = 1e-6;  // Embree works in single precision [m]
+
+/// Processor time of this thread: what other programs do on the machine does not count [us].
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
+}
+
+struct Times {
+  double median = 0, p99 = 0;  // [us]
+};
+Times summary(std::vector<double> samples) {
+  std::sort(samples.begin(), samples.end());
+  const auto at = [&](double part) {
+    return samples[static_cast<std::size_t>(part * static_cast<double>(samples.size() - 1))];
+  };
+  return {at(0.5), at(0.99)};
+}
+
+template <class Body>
+Times time_frames(const Path& path, const Body& body) {
+  std::vector<double> samples;
+  for (int round = -2; round < kRounds; ++round) {
+    for (const auto& frame : path.frames) {
+      const auto list = pointers(frame);
+      const double start = now();
+      body(list);
+      if (round >= 0) samples.push_back(now() - start);
+    }
+  }
+  return summary(std::move(samples));
+}
+
+/// Rays whose answer differs from brute force in double: in surface, polygon or any bit of the depth.
+struct Differences {
+  long exact = 0;  ///< of both own paths
+  long peer = 0;   ///< hit or miss, or depth by more than the tolerance, of the peer
+};
+
+bool same(const RayHit& a, const RayHit& b) {
+  return a.surface == b.surface && a.polygon == b.polygon && a.depth == b.depth && a.pressure == b.pressure;
+}
+
+Differences compare(const SensorModel& sensor, const Path& path, RayCaster& table, RayCaster& tree, RayCaster& peer) {
+  Differences d;
+  for (const auto& frame : path.frames) {
+    const auto list = pointers(frame);
+    const WithoutTrees brute_force(list);
+    for (RayCaster* caster : {&table, &tree, &peer}) caster->cast(list);
+    const auto a = table.hits(), b = tree.hits(), c = peer.hits();
+    for (std::size_t r = 0; r < sensor.rays.size(); ++r) {
+      const RayHit expected = brute_force.cast(sensor.rays[r]);
+      d.exact += !same(a[r], expected) + !same(b[r], expected);
+      d.peer += expected.hit() != c[r].hit() || std::abs(expected.depth - c[r].depth) > kDepthTolerance;
+    }
+  }
+  return d;
+}
+
+void print_class(const SensorModelPtr& sensor, Object object) {
+  const auto table = make_own(*sensor, RayPath::tet_table), tree = make_own(*sensor, RayPath::bvh);
+  const auto paper = make_paper(*sensor);
+  const auto embree = make_embree(*sensor);
+  for (const Path& path : record_paths(*sensor, object)) {
+    const auto run = [&](RayCaster& caster) { return time_frames(path, [&](const auto& list) { caster.cast(list); }); };
+    const Times t = run(*table), b = run(*tree), p = run(*paper);
+    SensorReading reading;
+    const Times r = time_frames(path, [&](const auto& list) { read_sensor(*sensor, list, reading); });
+    Times best;
+    RayCaster* best_variant = nullptr;
+    for (const auto& variant : embree) {
+      const Times e = run(*variant);
+      if (best_variant == nullptr || e.median < best.median) best = e, best_variant = variant.get();
+    }
+    const Differences d = compare(*sensor, path, *table, *tree, best_variant ? *best_variant : *paper);
+    const std::string of_embree =
+        best_variant ? fmt::format("{:.0f} / {:.0f} ({})", best.median, best.p99, best_variant->name()) : "absent";
+    const std::string ratio = best_variant ? fmt::format("**{:.1f}**", best.median / t.median) : "";
+    fmt::print(
+        "| {} | {:.0f} | {} | {:.1f} / {:.1f} | {:.1f} / {:.1f} | {:.0f} / {:.0f} | {:.0f} / {:.0f} | {} | {} | "
+        "**{:.0f}** | {} | {} |\n",
+        path.name, path.mean_polygons(), sensor->rays.size(), t.median, t.p99, r.median, r.p99, b.median, b.p99,
+        p.median, p.p99, of_embree, ratio, p.median / t.median, d.exact, d.peer);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main() {
+  fmt::print(
+      "Times of one step in microseconds of processor time, median / 99 %. Each way pays for its own conversion.\n\n");
+  fmt::print(
+      "| path | polygons | rays | tet table | and reading | BVH | paper's scheme | Embree's best | Embree / table | "
+      "paper / table | rays unlike brute force: ours | the peer's, in single precision |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const int rays : {1000, 10000}) {
+    const SensorModelPtr sensor = fingertip_with_rays(rays);
+    for (const Object object : {Object::box, Object::sphere}) print_class(sensor, object);
+  }
+  if (make_embree(*fingertip_with_rays(100)).empty())
+    fmt::print("\nskipped: Embree 3 was not found when this was built (Debian libembree-dev)\n");
+  return 0;
+}
