@@ -1,5 +1,8 @@
 #include "core/hydro/kernel/field_index.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace taxel {
 namespace {
 
@@ -57,6 +60,49 @@ void FieldIndex::index_boundary() {
     }
   }
   boundary_tree_ = WideBvh(boxes);
+  convex_ = !ends_inside_ && boundary_is_convex();
+}
+
+/// A closed surface of one piece without handles (Euler: V - E + F = 2) that bends inward at no edge.
+bool FieldIndex::boundary_is_convex() const {
+  constexpr double kFlat = 1e-9;  // of the tet's size: rounding of coplanar faces
+  struct Side {
+    std::int32_t low, high, face, opposite;
+  };
+  std::vector<Side> sides;
+  std::vector<char> used(field_->vertices().size(), 0);
+  for (std::size_t f = 0; f < boundary_faces_.size(); ++f) {
+    const auto& v = boundary_faces_[f].vertices;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int32_t a = v[c], b = v[(c + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), v[(c + 2) % 3]});
+      used[static_cast<std::size_t>(a)] = 1;
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+  });
+  const auto bends_inward = [&](const Side& at, const Side& other) {
+    const BoundaryFace& face = boundary_faces_[static_cast<std::size_t>(at.face)];
+    const PackedTet& tet = tets_[static_cast<std::size_t>(face.tet)];
+    const dvec3& x = vertex(other.opposite);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::int32_t corner = vertices_of(face.tet)[static_cast<int>(i)];
+      if (corner == face.vertices[0] || corner == face.vertices[1] || corner == face.vertices[2]) continue;
+      return tet.nx[i] * x.x + tet.ny[i] * x.y + tet.nz[i] * x.z + tet.offset[i] < -kFlat * tet.size;
+    }
+    return true;
+  };
+  if (sides.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const Side &a = sides[i], &b = sides[i + 1];
+    const bool shared = a.low == b.low && a.high == b.high;
+    const bool third = i + 2 < sides.size() && sides[i + 2].low == a.low && sides[i + 2].high == a.high;
+    if (!shared || third || bends_inward(a, b)) return false;
+  }
+  const auto vertices = std::count(used.begin(), used.end(), 1);
+  const auto edges = static_cast<std::ptrdiff_t>(sides.size() / 2);
+  return vertices - edges + static_cast<std::ptrdiff_t>(boundary_faces_.size()) == 2;
 }
 
 }  // namespace taxel

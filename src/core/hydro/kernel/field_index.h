@@ -42,6 +42,8 @@ class FieldIndex {
   [[nodiscard]] const DistanceGrid& grid() const { return grid_; }
   /// Whether some face of the boundary is not skin: the field ends there although it pushes.
   [[nodiscard]] bool ends_inside() const { return ends_inside_; }
+  /// Whether the tets fill a convex body, but for rounding.
+  [[nodiscard]] bool convex() const { return convex_; }
   [[nodiscard]] double mean_tet_size() const { return mean_tet_size_; }  ///< mean of the longest edges [m]
 
   [[nodiscard]] const ivec4& vertices_of(std::int32_t tet) const {
@@ -59,6 +61,7 @@ class FieldIndex {
 
  private:
   void index_boundary();
+  [[nodiscard]] bool boundary_is_convex() const;
   [[nodiscard]] const dvec3& vertex(int i) const { return field_->vertices()[static_cast<std::size_t>(i)]; }
 
   PressureFieldPtr field_;
@@ -67,7 +70,7 @@ class FieldIndex {
   std::vector<BoundaryFace> boundary_faces_;
   DistanceGrid grid_;
   double mean_tet_size_ = 0;
-  bool ends_inside_ = false;
+  bool ends_inside_ = false, convex_ = false;
 };
 
 using FieldIndexPtr = std::shared_ptr<const FieldIndex>;

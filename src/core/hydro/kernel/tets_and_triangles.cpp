@@ -79,9 +79,28 @@ class TetsAndTriangles {
       const std::size_t other = distance[3] < distance[2] ? 3 : 2;
       if (distance[other] < distance[least]) least = other;
       if (!(distance[least] < 0)) return tet;
+      if (t.neighbour[least] < 0) return left_by(tet, least);
       tet = t.neighbour[least];
     }
     return kOutside;
+  }
+
+  static std::int32_t left_by(std::int32_t tet, std::size_t face) {
+    return kOutside - 1 - (4 * tet + static_cast<std::int32_t>(face));
+  }
+
+  /// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
+  HWY_INLINE bool beyond_a_face(const std::array<dvec3, 3>& x, const std::array<std::int32_t, 3>& held) const {
+    for (const std::int32_t h : held) {
+      if (h >= kOutside) continue;
+      const std::int32_t code = kOutside - 1 - h;
+      const PackedTet& t = field_.tets()[at(code / 4)];
+      const std::size_t i = at(code % 4);
+      const dvec3 n(t.nx[i], t.ny[i], t.nz[i]);
+      const double nearest = std::max({glm::dot(n, x[0]), glm::dot(n, x[1]), glm::dot(n, x[2])}) + t.offset[i];
+      if (nearest < -kNearlyFlat * t.size) return true;
+    }
+    return false;
   }
 
   void add(const TriangleTree::Triangle& source) {
@@ -108,7 +127,8 @@ class TetsAndTriangles {
     ++w_.triangle;
     for (const std::int32_t tet : held) meet(tet);
     const bool inside = held[0] >= 0 && held[1] >= 0 && held[2] >= 0;
-    if (!inside) add_seeds_at_boundary(x, c.normal);
+    if (!inside && !(field_.convex() && (!w_.tets.empty() || beyond_a_face(x, held))))
+      add_seeds_at_boundary(x, c.normal);
     if (w_.tets.empty()) return;
     c.triangle = writer_.triangle(x, c.normal);
     const SurfaceWriter::Mark before = writer_.mark();
