@@ -106,5 +106,20 @@ TEST(Walk, EqualsTheTreeFormOnCoplanarFaces) {
   }
 }
 
+/// Corners exactly in faces between tets: held by one tet, while the triangle goes on in another.
+TEST(Walk, EqualsTheTreeFormWithCornersInSharedFaces) {
+  // A flat octahedron much larger than the tets, one corner above the middle.
+  const double wide = 4 * kSize, high = 0.5 * kSize;
+  const auto fan = std::make_shared<const TriMesh>(
+      std::vector<dvec3>{{0, 0, high}, {wide, 0, 0}, {0, wide, 0}, {-wide, 0, 0}, {0, -wide, 0}, {0, 0, -wide}},
+      std::vector<ivec3>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}});
+  const PairCase c{"fan", make_simple_body(ShapeType::box, kSize * dvec3(2, 2, 1), soft_material(1e5)),
+                   make_body({ShapeType::mesh, dvec3(0), fan, 0}, {}, "fan"), 0, 0};
+  for (int i = 0; i < 125; ++i) {
+    const Pose X_WB{dquat(1, 0, 0, 0), 0.5 * kSize * dvec3(i % 5 - 2, i / 5 % 5 - 2, -2 + i / 25 * 0.5)};
+    expect_equal(c, X_WB, "pose " + std::to_string(i));
+  }
+}
+
 }  // namespace
 }  // namespace taxel

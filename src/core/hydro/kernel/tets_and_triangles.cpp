@@ -127,13 +127,19 @@ class TetsAndTriangles {
     ++w_.triangle;
     for (const std::int32_t tet : held) meet(tet);
     const bool inside = held[0] >= 0 && held[1] >= 0 && held[2] >= 0;
-    if (!inside && !(field_.convex() && (!w_.tets.empty() || beyond_a_face(x, held))))
-      add_seeds_at_boundary(x, c.normal);
+    const bool one_part = field_.convex() && !w_.tets.empty();
+    if (!inside && !one_part && !(field_.convex() && beyond_a_face(x, held))) add_seeds_at_boundary(x, c.normal);
     if (w_.tets.empty()) return;
     c.triangle = writer_.triangle(x, c.normal);
     const SurfaceWriter::Mark before = writer_.mark();
     flat_ = false;
-    walk(c);
+    walk(c, 0);
+    if (!inside && one_part && writer_.polygon_count() == before.polygons) {
+      // A corner in a face between tets may be held by one that the triangle only touches.
+      const std::size_t walked = w_.tets.size();
+      add_seeds_at_boundary(x, c.normal);
+      walk(c, walked);
+    }
     constexpr double kWhole = 1e-12;
     if (flat_ || (inside && std::abs(writer_.area_since(before) - c.triangle.area) > kWhole * c.triangle.area)) {
       writer_.forget_since(before);
@@ -166,8 +172,8 @@ class TetsAndTriangles {
     for (const std::int32_t face : w_.found) meet(field_.boundary_faces()[at(face)].tet);
   }
 
-  void walk(const Current& c) {
-    for (std::size_t next = 0; next < w_.tets.size(); ++next) {
+  void walk(const Current& c, std::size_t first) {
+    for (std::size_t next = first; next < w_.tets.size(); ++next) {
       const std::int32_t index = w_.tets[next];
       for (unsigned crossed = add_pair(c, index); crossed != 0; crossed &= crossed - 1)
         meet(field_.tets()[at(index)].neighbour[static_cast<std::size_t>(std::countr_zero(crossed))]);
