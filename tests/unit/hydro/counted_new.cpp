@@ -26,6 +26,15 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return taxel::counted_allocation(size);
 }
+// The standard library asks for its temporary buffers this way: all forms come from one place and go back there.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++taxel::allocations;
+  return std::malloc(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  ++taxel::allocations;
+  return std::malloc(size);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
