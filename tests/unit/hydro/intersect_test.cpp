@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "counted_new.h"
+#include "fixtures/counted_new.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"
 #include "fixtures/slab_field.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/sensor/counting_new.h"
+#include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 #include "unit/sensor/ray_oracles.h"
 

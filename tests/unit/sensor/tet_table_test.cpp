@@ -7,7 +7,7 @@
 #include "core/base/random_pose.h"
 #include "core/hydro/intersect.h"
 #include "core/sensor/reading.h"
-#include "unit/sensor/counting_new.h"
+#include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 #include "unit/sensor/ray_oracles.h"
 

@@ -14,9 +14,8 @@ void run_half_space(double stiffness, const TriangleTree& rigid, const RigidTran
                     IntersectWorkspace& workspace) {
   // In the frame of the tree: up is the half-space's normal.
   const dvec3 up(X_SR.R[0].z, X_SR.R[1].z, X_SR.R[2].z);
-  HalfSpaceQuery query;
-  query.slack = static_cast<float>(2e-6 * rigid.tree().size());
-  query.plane.set(up, X_SR(rigid.tree().origin()).z);
+  BehindPlane query;
+  query.plane.set(up, X_SR(rigid.tree().origin()).z, rigid.tree());
   workspace.triangles.clear();
   collect(rigid.tree(), query, workspace.triangles);
   const LinearPressure pressure{{0, 0, -stiffness}, 0};

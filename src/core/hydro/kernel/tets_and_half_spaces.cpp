@@ -31,9 +31,8 @@ HWY_INLINE void add_slice(const FieldIndex& field, std::int32_t index, const std
 
 void run_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,
                IntersectWorkspace& workspace) {
-  PlaneQuery query;
-  query.slack = static_cast<float>(2e-6 * field.tree().size());
-  query.plane.set(normal, glm::dot(normal, field.tree().origin()) + offset);
+  ThroughPlane query;
+  query.plane.set(normal, glm::dot(normal, field.tree().origin()) + offset, field.tree());
   workspace.tets.clear();
   collect(field.tree(), query, workspace.tets);
   for (const std::int32_t index : workspace.tets) {
@@ -48,9 +47,8 @@ void run_soft_half_space(const FieldIndex& field, const LinearPressure& pressure
                          IntersectWorkspace& workspace) {
   const double stiffness = glm::length(pressure.gradient);
   const dvec3 inward = pressure.gradient / stiffness;
-  HalfSpaceQuery query;
-  query.slack = static_cast<float>(2e-6 * field.tree().size());
-  query.plane.set(-inward, -(glm::dot(inward, field.tree().origin()) + pressure.constant / stiffness));
+  BehindPlane query;
+  query.plane.set(-inward, -(glm::dot(inward, field.tree().origin()) + pressure.constant / stiffness), field.tree());
   workspace.tets.clear();
   collect(field.tree(), query, workspace.tets);
   for (const std::int32_t index : workspace.tets) {

@@ -84,7 +84,7 @@ class TetsAndTets {
       const std::array<dvec3, 3> x{position(face.vertices[0]), position(face.vertices[1]), position(face.vertices[2])};
       TriangleQuery query;
       const WideBvh& tree = face.skin ? b_.boundary_tree() : b_.tree();
-      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), tree, 0);
+      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), tree);
       w_.found.clear();
       collect(tree, query, w_.found);
       for (const std::int32_t other : w_.found) meet(face.tet, face.skin ? b_.boundary_faces()[at(other)].tet : other);
@@ -105,7 +105,7 @@ class TetsAndTets {
       std::array<dvec3, 3> x;
       for (std::size_t i = 0; i < 3; ++i) x[i] = X_AB(b_.field().vertices()[at(face.vertices[i])]);
       TriangleQuery query;
-      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), a_.tree(), 0);
+      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), a_.tree());
       w_.found.clear();
       collect(a_.tree(), query, w_.found);
       for (const std::int32_t other : w_.found) meet(other, face.tet);

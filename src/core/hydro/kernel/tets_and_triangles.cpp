@@ -166,7 +166,7 @@ class TetsAndTriangles {
 
   void add_seeds_at_boundary(const std::array<dvec3, 3>& x, const dvec3& normal) {
     TriangleQuery query;
-    query.set(x, normal, field_.boundary_tree(), 0);
+    query.set(x, normal, field_.boundary_tree());
     w_.found.clear();
     collect(field_.boundary_tree(), query, w_.found);
     for (const std::int32_t face : w_.found) meet(field_.boundary_faces()[at(face)].tet);
@@ -182,7 +182,7 @@ class TetsAndTriangles {
 
   void add_by_tree(const Current& c) {
     TriangleQuery query;
-    query.set(c.triangle.x_S, c.normal, field_.tree(), 0);
+    query.set(c.triangle.x_S, c.normal, field_.tree());
     w_.tets.clear();
     collect(field_.tree(), query, w_.tets);
     for (const std::int32_t index : w_.tets) add_pair(c, index);
