@@ -38,4 +38,26 @@ int ContactSurface::triangle_count() const {
   return sum;
 }
 
+void mirror(const ContactSurface& surface, const RigidTransform& X_BA, ContactSurface& out) {
+  out.clear();
+  out.vertices.resize(surface.vertices.size());
+  out.pressure.resize(surface.pressure.size());
+  for (ContactPolygon polygon : surface.polygons) {
+    const auto first = static_cast<std::size_t>(polygon.first), count = static_cast<std::size_t>(polygon.count);
+    for (std::size_t i = 0; i < count; ++i) {  // the first corner stays the first: fans keep their triangles
+      const std::size_t from = first + (count - i) % count;
+      out.vertices[first + i] = X_BA(surface.vertices[from]);
+      out.pressure[first + i] = surface.pressure[from];
+    }
+    polygon.normal = -(X_BA.R * polygon.normal);
+    polygon.centroid = X_BA(polygon.centroid);
+    polygon.gradient = X_BA.R * polygon.gradient;
+    if (polygon.tet_b >= 0) std::swap(polygon.tet, polygon.tet_b);
+    out.polygons.push_back(polygon);
+  }
+  out.rejected = surface.rejected;
+  for (const dvec3& vertex : surface.filtered_vertices) out.filtered_vertices.push_back(X_BA(vertex));
+  out.filtered = surface.filtered;
+}
+
 }  // namespace taxel

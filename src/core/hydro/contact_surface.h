@@ -65,4 +65,8 @@ struct ContactSurface {
   [[nodiscard]] int triangle_count() const;  ///< sum of (count - 2)
 };
 
+/// The surface as body B sees it: in the frame of B, with the normals that push B, polygons turned round, and the tets
+/// of two soft bodies exchanged. Keeps the memory of `out`.
+void mirror(const ContactSurface& surface, const RigidTransform& X_BA, ContactSurface& out);
+
 }  // namespace taxel

@@ -193,18 +193,5 @@ TEST(SeveralSensors, EachReadsItsOwnAndTheFirstMovesAll) {
   EXPECT_GT(s.data->qfrc_passive[8], 0);
 }
 
-TEST(SeveralSensors, TwoSoftSensorsAgainstEachOtherAreRefusedByName) {
-  SensorScene s;
-  for (const char* name : {"a", "b"}) s.add_sensor(name, make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
-  s.compile(R"(<mujoco><extension><plugin plugin="taxel.sensor">
-      <instance name="a"><config key="layout" value="a.taxels.json"/><config key="geom" value="a"/><config key="others" value="b"/></instance>
-      <instance name="b"><config key="layout" value="b.taxels.json"/><config key="geom" value="b"/></instance>
-      </plugin></extension><asset><mesh name='a' file='a.obj'/><mesh name='b' file='b.obj'/></asset><worldbody>
-      <body><freejoint/><geom name='a' type='mesh' mesh='a'/></body>
-      <body pos='1 0 0'><freejoint/><geom name='b' type='mesh' mesh='b'/></body></worldbody></mujoco>)");
-  EXPECT_EQ(s.model, nullptr);
-  EXPECT_NE(s.error.find("geom \"b\" is a sensor too"), std::string::npos) << s.error;
-}
-
 }  // namespace
 }  // namespace taxel

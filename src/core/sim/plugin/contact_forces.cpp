@@ -135,6 +135,10 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
     Evaluation& e = instance->evaluate(m, d);
     for (std::size_t i = 0; i < e.pairs.size(); ++i) {
       if (e.pairs[i].surface.empty()) continue;
+      if (!instance->touched()[i].role.applies) {
+        e.pairs[i].wrench = traction(e.pairs[i].surface, instance->touched()[i].properties, e.pairs[i].V).wrench;
+        continue;
+      }
       if (work.active_count == work.active.size()) work.active.emplace_back();
       Active& a = work.active[work.active_count++];
       a.instance = instance;

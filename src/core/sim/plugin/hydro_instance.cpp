@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/plugin/plugin_table.h"
 
 namespace taxel {
 namespace {
@@ -26,16 +27,6 @@ Twist body_twist(const mjModel& m, const mjData& d, int body, const dvec3& p_W) 
   return {dvec3(v[3], v[4], v[5]) + glm::cross(w, p_W - origin), w};
 }
 
-/// Whether another instance of the same plugin senses with this geom.
-bool is_sensor(const mjModel& m, int geom, int instance) {
-  for (int i = 0; i < m.nplugin; ++i) {
-    if (i == instance || m.plugin[i] != m.plugin[instance]) continue;
-    const char* name = mj_getPluginConfig(&m, i, "geom");
-    if (name != nullptr && m.names + m.name_geomadr[geom] == std::string(name)) return true;
-  }
-  return false;
-}
-
 /// Material of a touched geom: as configured, else rigid with the geom's own friction.
 OtherMaterial other_material(const mjModel& m, const SensorConfig& config, int geom, ShapeType type) {
   OtherMaterial other;
@@ -46,10 +37,22 @@ OtherMaterial other_material(const mjModel& m, const SensorConfig& config, int g
   return other;
 }
 
+void check_one_soft(const HydroBody& sensor, const HydroBody& other, const std::string& name) {
+  if (!sensor.soft() && !other.soft())
+    throw Error(fmt::format("sensor and geom \"{}\" are both rigid: one of them must be soft", name));
+}
+
+/// The wrench on the other body, about the origin of its frame B and in B's axes, of a wrench on A.
+Wrench reaction(const Wrench& on_A, const RigidTransform& X_BA) {
+  const dvec3 force = -(X_BA.R * on_A.force);
+  return {force, -(X_BA.R * on_A.torque) + glm::cross(X_BA.p, force)};
+}
+
 }  // namespace
 
 HydroInstance::HydroInstance(const mjModel& m, int instance)
-    : instance_(instance), config_(read_sensor_config(m, instance)) {
+    : instance_(instance), config_(read_sensor_config(m, instance)), declared_(declared_sensors(m, instance)) {
+  add_sensors_that_touch(declared_, config_);
   if (!config_.layout.empty())
     hand_over(m, compile_layout(find_layout(config_.layout, layout_folders(m, config_.geom))));
 }
@@ -58,6 +61,7 @@ HydroInstance::HydroInstance(const HydroInstance& other)
     : failure(other.failure),
       instance_(other.instance_),
       config_(other.config_),
+      declared_(other.declared_),
       model_(other.model_),
       X_GM_(other.X_GM_),
       touched_(other.touched_),
@@ -90,22 +94,60 @@ void HydroInstance::compile_others(const mjModel& m) {
   touched_.clear();
   for (const int geom : config_.others) {
     try {
-      if (is_sensor(m, geom, instance_) && model_->body->soft())
-        throw Error("geom \"" + geom_name(m, geom) + "\" is a sensor too: each would push the other once more");
-      Shape shape = geom_shape(m, geom);
-      const OtherMaterial other = other_material(m, config_, geom, shape.type);
-      if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
-      shape.resolution = other.resolution;
-      TouchedGeom touched{geom, make_body(shape, other.material, geom_name(m, geom)), {}, m.geom_rbound[geom]};
-      if (!touched.body->soft() && !model_->body->soft())
-        throw Error(fmt::format("sensor and geom \"{}\" are both rigid: one of them must be soft", geom_name(m, geom)));
-      touched.properties = combine(model_->body->material, other.material);
-      touched_.push_back(std::move(touched));
+      touched_.push_back(compile_other(m, geom));
     } catch (const Error& error) {
       if (config_.others_named) throw Error("", "others", error.what());
       warnings_.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
     }
   }
+}
+
+TouchedGeom HydroInstance::compile_other(const mjModel& m, int geom) {
+  TouchedGeom touched;
+  touched.geom = geom;
+  touched.role = pair_role(declared_, instance_, config_, geom);
+  if (touched.role.sensor >= 0) {  // its body comes with link()
+    if (config_.materials.contains(geom_name(m, geom)))
+      warnings_.push_back(fmt::format(
+          "\"materials\" names geom \"{}\", which is a sensor: its layout's material counts", geom_name(m, geom)));
+    return touched;
+  }
+  Shape shape = geom_shape(m, geom);
+  const OtherMaterial other = other_material(m, config_, geom, shape.type);
+  if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
+  shape.resolution = other.resolution;
+  touched.body = make_body(shape, other.material, geom_name(m, geom));
+  touched.radius = m.geom_rbound[geom];
+  check_one_soft(*model_->body, *touched.body, geom_name(m, geom));
+  touched.properties = combine(model_->body->material, other.material);
+  return touched;
+}
+
+void HydroInstance::link(const mjModel& m, const HydroInstance& other) {
+  if (model_ == nullptr) return;
+  for (TouchedGeom& t : touched_) {
+    if (t.role.sensor != other.instance_ || other.model_ == nullptr || t.body == other.model_->body) continue;
+    t.body = nullptr;
+    try {
+      check_one_soft(*model_->body, *other.model_->body, geom_name(m, t.geom));
+    } catch (const Error& error) {
+      if (config_.others_named) throw Error("", "others", error.what());
+      if (!t.role.mirrored) warnings_.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
+      t.role.sensor = -1;  // not asked again
+      continue;
+    }
+    t.body = other.model_->body;
+    t.properties = combine(model_->body->material, t.body->material);
+    t.X_GB = other.X_GM_;
+    const Aabb& box = other.model_->skin->mesh().bounds();
+    t.center = box.center();
+    t.radius = 0.5 * box.diagonal();
+  }
+}
+
+void HydroInstance::link_all(const mjModel& m, mjData& d) {
+  for (std::size_t i = 0; i < touched_.size(); ++i)
+    if (touched_[i].role.sensor >= 0) link(m, own_sensor(m, d, touched_[i].role.sensor));
 }
 
 void HydroInstance::compare_with_model(const mjModel& m) {
@@ -137,6 +179,7 @@ void HydroInstance::locate(const mjModel& m, const mjData& d, Evaluation& e) con
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     const Twist V_WB = body_twist(m, d, m.geom_bodyid[touched_[i].geom], e.X_WM.p);
     e.pairs[i].X_WB = geom_pose(m, d, touched_[i].geom);
+    if (touched_[i].role.sensor >= 0) e.pairs[i].X_WB = e.pairs[i].X_WB * touched_[i].X_GB;
     e.pairs[i].V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
   }
 }
@@ -147,11 +190,12 @@ bool HydroInstance::near(const Evaluation& e, std::size_t pair) const {
   const double radius = 0.5 * box.diagonal();
   const Pose& X_WB = e.pairs[pair].X_WB;
   if (touched_[pair].body->half_space()) return glm::dot(center_W - X_WB.p, X_WB.rotation()[2]) <= radius;
-  return glm::distance(center_W, X_WB.p) <= radius + touched_[pair].radius;
+  return glm::distance(center_W, X_WB * touched_[pair].center) <= radius + touched_[pair].radius;
 }
 
-Evaluation& HydroInstance::evaluate(const mjModel& m, const mjData& d) {
+Evaluation& HydroInstance::evaluate(const mjModel& m, mjData& d) {
   const Stopwatch watch(times.surfaces);
+  link_all(m, d);
   if (latest_ == sensed_) latest_ = 1 - latest_;
   Evaluation& e = slots_[latest_];
   locate(m, d, e);
@@ -159,6 +203,7 @@ Evaluation& HydroInstance::evaluate(const mjModel& m, const mjData& d) {
     PairState& pair = e.pairs[i];
     pair.wrench = {};
     pair.surface.clear();
+    if (touched_[i].body == nullptr || touched_[i].role.mirrored) continue;
     if (near(e, i)) intersect(*model_->body, *touched_[i].body, e.X_WM, pair.X_WB, pair.surface, workspace_);
   }
   e.valid = true;
@@ -189,6 +234,7 @@ void HydroInstance::note_mujoco_contacts(const mjModel& m, const mjData& d) {
     const mjContact& contact = d.contact[c];
     if (contact.efc_address < 0) continue;
     for (TouchedGeom& t : touched_) {
+      if (!t.role.applies || t.role.mirrored) continue;
       const bool ours = std::minmax(contact.geom[0], contact.geom[1]) == std::minmax(config_.geom, t.geom);
       if (!ours || t.mujoco_too) continue;
       t.mujoco_too = true;
@@ -200,15 +246,40 @@ void HydroInstance::note_mujoco_contacts(const mjModel& m, const mjData& d) {
   }
 }
 
-void HydroInstance::sense(const mjModel& m, mjData& d) {
-  if (!fresh(m, d)) {
-    Evaluation& e = evaluate(m, d);
-    for (std::size_t i = 0; i < touched_.size(); ++i)
-      e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
+Evaluation& HydroInstance::present(const mjModel& m, mjData& d) {
+  if (fresh(m, d)) return slots_[latest_];
+  Evaluation& e = evaluate(m, d);
+  for (std::size_t i = 0; i < touched_.size(); ++i)
+    e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
+  return e;
+}
+
+std::size_t HydroInstance::pair_with(int geom) const {
+  const auto found = std::find_if(touched_.begin(), touched_.end(), [&](const auto& t) { return t.geom == geom; });
+  return static_cast<std::size_t>(found - touched_.begin());
+}
+
+void HydroInstance::mirror_pairs(const mjModel& m, mjData& d) {
+  Evaluation& e = slots_[sensed_];
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    if (!touched_[i].role.mirrored || touched_[i].body == nullptr) continue;
+    HydroInstance& other = own_sensor(m, d, touched_[i].role.sensor);
+    const std::size_t theirs = other.pair_with(config_.geom);
+    if (!other.failure.empty() || theirs == other.touched_.size()) continue;
+    const Evaluation& computed = other.present(m, d);
+    const Stopwatch watch(times.surfaces);
+    const RigidTransform X_MB(e.X_WM.inverse() * computed.X_WM);
+    mirror(computed.pairs[theirs].surface, X_MB, e.pairs[i].surface);
+    e.pairs[i].wrench = reaction(computed.pairs[theirs].wrench, X_MB);
   }
+}
+
+void HydroInstance::sense(const mjModel& m, mjData& d) {
+  present(m, d);
   sensed_ = latest_;
+  mirror_pairs(m, d);
   note_pressed_through();
-  if (config_.apply) note_mujoco_contacts(m, d);
+  note_mujoco_contacts(m, d);
   surfaces_.clear();
   for (const PairState& pair : slots_[sensed_].pairs) surfaces_.push_back(&pair.surface);
   const Stopwatch watch(times.readings);

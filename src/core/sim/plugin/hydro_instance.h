@@ -13,6 +13,7 @@
 #include "core/hydro/traction.h"
 #include "core/sensor/reading.h"
 #include "core/sim/plugin/sensor_config.h"
+#include "core/sim/plugin/sensor_pairs.h"
 #include "core/sim/sensor_times.h"
 
 namespace taxel {
@@ -20,16 +21,19 @@ namespace taxel {
 /// A geom that the sensor touches.
 struct TouchedGeom {
   int geom = -1;
-  HydroBodyPtr body;  ///< frame of the geom
+  HydroBodyPtr body;  ///< null: a sensor that has no model yet, or none that can be touched
   PairProperties properties;
-  double radius = 0;        ///< of the bounding sphere about the geom's origin; 0: plane [m]
+  Pose X_GB;                ///< of the body's frame: the geom's own; of a sensor that of its mesh file
+  dvec3 center{0};          ///< of the bounding sphere, frame B [m]
+  double radius = 0;        ///< 0: plane [m]
+  PairRole role;            ///< towards a sensor on the geom
   bool mujoco_too = false;  ///< MuJoCo's own contact of the pair was seen: reported once
   bool at_core = false;     ///< the geom was seen to press through to the pad's core: reported once
 };
 
 /// A pair in one state.
 struct PairState {
-  Pose X_WB;               ///< of the other geom
+  Pose X_WB;               ///< of the other body's frame
   Twist V;                 ///< of the sensor relative to it, at M's origin, frame M
   ContactSurface surface;  ///< frame M
   Wrench wrench;           ///< on the sensor
@@ -60,12 +64,18 @@ class HydroInstance {
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Poses, twists and surfaces of the present state of `d`; wrenches are zeroed.
-  Evaluation& evaluate(const mjModel& m, const mjData& d);
+  /// Pairs that another sensor computes stay empty: sense() takes them from there.
+  Evaluation& evaluate(const mjModel& m, mjData& d);
   /// The state that evaluate() saw last.
   [[nodiscard]] Evaluation& latest() { return slots_[latest_]; }
+  /// latest() if it is of the present state, else that state evaluated, its wrenches without implicit step.
+  Evaluation& present(const mjModel& m, mjData& d);
 
-  /// Fills sensordata for the present state; evaluates it first (wrenches without implicit step) where the latest
-  /// evaluation is of another state.
+  /// Takes the body of a sensor that this one touches; to be called again when that gets another. Throws Error where
+  /// both are rigid and the geom was named.
+  void link(const mjModel& m, const HydroInstance& other);
+
+  /// Fills sensordata for the present state.
   void sense(const mjModel& m, mjData& d);
   /// What sense() saw, and what it read. Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
@@ -81,6 +91,10 @@ class HydroInstance {
 
  private:
   void compile_others(const mjModel& m);
+  TouchedGeom compile_other(const mjModel& m, int geom);
+  void link_all(const mjModel& m, mjData& d);
+  void mirror_pairs(const mjModel& m, mjData& d);
+  [[nodiscard]] std::size_t pair_with(int geom) const;
   void compare_with_model(const mjModel& m);
   void note_pressed_through();
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
@@ -91,6 +105,7 @@ class HydroInstance {
 
   int instance_ = -1;
   SensorConfig config_;
+  std::vector<DeclaredSensor> declared_;
   SensorModelPtr model_;
   Pose X_GM_;
   std::vector<TouchedGeom> touched_;

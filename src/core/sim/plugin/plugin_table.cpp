@@ -84,6 +84,12 @@ int count_sensor_values(const mjModel* m, int instance, int) {
 /// Makes the sensor of a new mjData, or of one that came as a bitwise copy.
 Slot* make_slot(const mjModel& m, mjData& d, int instance) {
   auto slot = std::make_unique<Slot>(m, instance);
+  for (int i = 0; i < instance; ++i) {  // those after it are not made yet, or know it when they are asked
+    Slot* before = find_slot(d, i);
+    if (before == nullptr) continue;
+    slot->sensor.link(m, before->sensor);
+    before->sensor.link(m, slot->sensor);
+  }
   for (const std::string& text : slot->sensor.warnings()) warn(m, instance, text);
   slot->warnings_told = slot->sensor.warnings().size();
   d.plugin_data[instance] = seal(d, slot.get());
@@ -191,6 +197,10 @@ bool register_sensor_plugin() {
   plugin.advance = advance;
   mjp_registerPlugin(&plugin);
   return true;
+}
+
+HydroInstance& own_sensor(const mjModel& m, mjData& d, int instance) {
+  return own_slot(m, d, instance).sensor;
 }
 
 HydroInstance* find_sensor(const mjData& d, int instance) {

@@ -19,6 +19,9 @@ bool register_sensor_plugin();
 /// pickling makes) whose sensors live in another mjData.
 HydroInstance* find_sensor(const mjData& d, int instance);
 
+/// The sensor of instance `instance`, one of ours, in `d`; made first where `d` is such a copy. Throws Error.
+HydroInstance& own_sensor(const mjModel& m, mjData& d, int instance);
+
 /// Instances of `taxel.sensor` in the model, ascending.
 std::vector<int> sensor_instances(const mjModel& m);
 

@@ -77,9 +77,9 @@ int read_count(const std::string& value, const char* key) {
 SensorConfig read_basics(const mjModel& m, int instance) {
   SensorConfig config;
   config.name = instance_name(m, instance);
-  const std::string geom = config_value(m, instance, "geom");
-  if (geom.empty()) throw Error("", "geom", "is required: the name of the sensor's geom");
-  config.geom = geom_by_name(m, geom, "geom");
+  config.geom_name = config_value(m, instance, "geom");
+  if (config.geom_name.empty()) throw Error("", "geom", "is required: the name of the sensor's geom");
+  config.geom = geom_by_name(m, config.geom_name, "geom");
   config.layout = config_value(m, instance, "layout");
   const std::string taxels = config_value(m, instance, "taxels");
   if (config.layout.empty() && taxels.empty()) throw Error("", "layout", "is required: the layout file");

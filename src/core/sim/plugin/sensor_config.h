@@ -33,6 +33,7 @@ struct SensorConfig {
   std::string layout;       ///< value of the key `layout`; empty when the program hands the sensor over
   int handed_taxels = 0;    ///< value of the key `taxels`: how many taxels the handed-over sensor has
   int geom = -1;            ///< the sensor's
+  std::string geom_name;    ///< value of the key `geom`
   std::vector<int> others;  ///< geoms it touches, ascending
   bool others_named = false;
   OtherMaterials materials;
