@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/stopwatch.h"
+#include "core/hydro/contact_stiffness.h"
+#include "core/sim/plugin/largest_step.h"
 
 namespace taxel {
 namespace {
@@ -128,6 +130,23 @@ void apply(const mjModel& m, mjData& d, Active& a) {
   keep_awake(m, d, other_body(m, a));
 }
 
+/// Friction and damping are implicit, stiffness is not. Two bounds that are quick to have spare most pairs the rest.
+void check_step(const mjModel& m, Active& a) {
+  const TouchedGeom& touched = a.instance->touched()[a.pair];
+  if (touched.step_too_large) return;
+  const PairState& pair = state_of(a);
+  const double h = m.opt.timestep, limit = m.opt.integrator == mjINT_RK4 ? kRungeKuttaLimit : kEulerLimit;
+  const Matrix6& A = a.step.inverse_inertia;
+  const StiffnessBound bound = stiffness_bound(pair.surface);
+  const double reach = bound.reach + a.step.length;  // corners lie farther out than centroids
+  if (h * h * stiffest_mode_bound(A, bound.linear, reach) < limit) return;
+  const Pose X_MB = a.instance->latest().X_WM.inverse() * pair.X_WB;
+  const Matrix6 K = contact_stiffness(pair.surface, *a.instance->model()->body, *touched.body, RigidTransform(X_MB));
+  const Matrix6 S = a.points.evaluate(touched.properties, a.step.V_start).secant;
+  const double largest = largest_stable_step({A, K, S}, limit, h);
+  if (largest < h) a.instance->note_step_too_large(m, a.pair, largest);
+}
+
 /// All pairs that have a surface, with their dynamics and a first wrench: the elastic one.
 void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances, ContactForceWorkspace& work) {
   work.active_count = 0;
@@ -167,7 +186,10 @@ void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* 
     for (Active& a : active) change = std::max(change, solve_pair(m, work, a));
     if (active.size() == 1 || change < kRoundTolerance) break;
   }
-  for (Active& a : active) apply(m, d, a);
+  for (Active& a : active) {
+    check_step(m, a);
+    apply(m, d, a);
+  }
 }
 
 }  // namespace taxel

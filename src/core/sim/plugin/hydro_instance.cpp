@@ -220,6 +220,17 @@ bool HydroInstance::fresh(const mjModel& m, const mjData& d) {
   return equal;
 }
 
+void HydroInstance::note_step_too_large(const mjModel& m, std::size_t pair, double largest) {
+  TouchedGeom& touched = touched_[pair];
+  if (touched.step_too_large) return;
+  touched.step_too_large = true;
+  warnings_.push_back(
+      fmt::format("the contact of geoms \"{}\" and \"{}\" is too stiff for the time step of {:.4g} s: as it is now, "
+                  "the largest stable "
+                  "step is {:.3g} s",
+                  geom_name(m, config_.geom), geom_name(m, touched.geom), m.opt.timestep, largest));
+}
+
 void HydroInstance::note_pressed_through() {
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     if (touched_[i].at_core || slots_[sensed_].pairs[i].surface.at_core() == 0) continue;

@@ -23,12 +23,13 @@ struct TouchedGeom {
   int geom = -1;
   HydroBodyPtr body;  ///< null: a sensor that has no model yet, or none that can be touched
   PairProperties properties;
-  Pose X_GB;                ///< of the body's frame: the geom's own; of a sensor that of its mesh file
-  dvec3 center{0};          ///< of the bounding sphere, frame B [m]
-  double radius = 0;        ///< 0: plane [m]
-  PairRole role;            ///< towards a sensor on the geom
-  bool mujoco_too = false;  ///< MuJoCo's own contact of the pair was seen: reported once
-  bool at_core = false;     ///< the geom was seen to press through to the pad's core: reported once
+  Pose X_GB;                    ///< of the body's frame: the geom's own; of a sensor that of its mesh file
+  dvec3 center{0};              ///< of the bounding sphere, frame B [m]
+  double radius = 0;            ///< 0: plane [m]
+  PairRole role;                ///< towards a sensor on the geom
+  bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
+  bool step_too_large = false;  ///< the contact was seen to be too stiff for the time step: reported once
+  bool at_core = false;         ///< the geom was seen to press through to the pad's core: reported once
 };
 
 /// A pair in one state.
@@ -80,6 +81,9 @@ class HydroInstance {
   /// What sense() saw, and what it read. Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
   [[nodiscard]] const SensorReading& reading() const { return reading_; }
+
+  /// Reports, once, that a pair's contact is stiffer than the time step bears; `largest` is the step it does [s].
+  void note_step_too_large(const mjModel& m, std::size_t pair, double largest);
 
   /// Forgets all states.
   void reset();

@@ -1,0 +1,74 @@
+#include "core/hydro/contact_stiffness.h"
+
+#include <algorithm>
+
+namespace taxel {
+namespace {
+
+/// K of a piece of the surface is left right^T, made symmetric.
+struct PointStiffness {
+  dvec3 left{0}, right{0};
+};
+
+/// Gradient of the pressure in a soft body, frame of the body.
+dvec3 gradient_in(const HydroBody& body, int tet) {
+  if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
+    return soft->field->tets()[static_cast<std::size_t>(tet)].gradient;
+  return {0, 0, -std::get<SoftHalfSpace>(body.geometry).stiffness};
+}
+
+PointStiffness stiffness_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b, const dmat3& R_AB) {
+  const dvec3 &n = polygon.normal, &g = polygon.gradient;
+  if (!a.soft() || !b.soft()) return {n, glm::dot(g, n) < 0 ? -g : g};
+  const int tet_b =
+      polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet;  // one of tets and half-space is in the half-space
+  const dvec3 gA = gradient_in(a, polygon.tet), gB = R_AB * gradient_in(b, tet_b);
+  const double steepness = glm::length(gA - gB);
+  if (!(steepness > 0)) return {};
+  return {-gB, gA / steepness};
+}
+
+void add_point(const dvec3& x, const PointStiffness& k, double weight, Matrix6& K) {
+  const dvec3 m = glm::cross(x, k.left), w = glm::cross(x, k.right);
+  const std::array<double, 6> l{k.left.x, k.left.y, k.left.z, m.x, m.y, m.z};
+  const std::array<double, 6> r{k.right.x, k.right.y, k.right.z, w.x, w.y, w.z};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) K[i][j] += 0.5 * weight * (l[i] * r[j] + l[j] * r[i]);
+}
+
+}  // namespace
+
+Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
+                          const RigidTransform& X_AB) {
+  Matrix6 K{};
+  for (const ContactPolygon& polygon : surface.polygons) {
+    const PointStiffness k = stiffness_of(polygon, a, b, X_AB.R);
+    const dvec3* corners = surface.vertices.data() + polygon.first;
+    double fan_area = 0;
+    const auto triangle_area = [&](int i) {
+      return 0.5 * glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), polygon.normal);
+    };
+    for (int i = 1; i + 1 < polygon.count; ++i) fan_area += triangle_area(i);
+    if (!(fan_area > 0)) continue;
+    for (int i = 1; i + 1 < polygon.count; ++i) {  // the middles of the edges: exact for polynomials of degree 2
+      const double weight = triangle_area(i) * (polygon.area / fan_area) / 3;
+      add_point(0.5 * (corners[0] + corners[i]), k, weight, K);
+      add_point(0.5 * (corners[i] + corners[i + 1]), k, weight, K);
+      add_point(0.5 * (corners[i + 1] + corners[0]), k, weight, K);
+    }
+  }
+  return K;
+}
+
+StiffnessBound stiffness_bound(const ContactSurface& surface) {
+  StiffnessBound bound;
+  double farthest = 0;
+  for (const ContactPolygon& polygon : surface.polygons) {
+    bound.linear += polygon.area * glm::length(polygon.gradient);
+    farthest = std::max(farthest, glm::dot(polygon.centroid, polygon.centroid));
+  }
+  bound.reach = std::sqrt(farthest);
+  return bound;
+}
+
+}  // namespace taxel

@@ -1,0 +1,76 @@
+// The stiffness of a contact is the derivative of its wrench.
+#include "core/hydro/contact_stiffness.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/hydro_bodies.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kE = 1e5;
+
+RigidTransform pose_in(const Pose& X_WA, const Pose& X_WB) {
+  return RigidTransform(X_WA.inverse() * X_WB);
+}
+
+/// -dF/dz on A over the stiffness that is claimed, for A moving along z.
+void expect_derivative(const HydroBody& a, const HydroBody& b, double height, double tolerance) {
+  const double step = 1e-6;
+  const Contact here = touch(a, b, at_height(height), Pose{});
+  const Matrix6 K = contact_stiffness(here.surface, a, b, pose_in(at_height(height), Pose{}));
+  const double force_below = touch(a, b, at_height(height - step), Pose{}).wrench.force.z;
+  const double force_above = touch(a, b, at_height(height + step), Pose{}).wrench.force.z;
+  const double slope = (force_below - force_above) / (2 * step);
+  EXPECT_GT(slope, 0);
+  EXPECT_NEAR(K[2][2], slope, tolerance * slope);
+  EXPECT_GE(stiffness_bound(here.surface).linear, (1 - 1e-12) * K[2][2]);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) EXPECT_NEAR(K[i][j], K[j][i], 1e-12 * K[2][2]);
+}
+
+TEST(ContactStiffness, IsTheSlopeOfTheForce) {
+  const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
+  const HydroBodyPtr soft_floor = make_simple_body(ShapeType::plane, dvec3(0), soft_material(4 * kE, 0.02));
+  const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.05), soft_material(kE), 0.004);
+  const HydroBodyPtr stiff_ball = make_simple_body(ShapeType::sphere, dvec3(0.05), soft_material(4 * kE), 0.004);
+  const HydroBodyPtr rigid_ball = make_simple_body(ShapeType::sphere, dvec3(0.05), {}, 0.004);
+  const HydroBodyPtr box = make_mesh_body(make_box({0.03, 0.02, 0.015}), soft_material(kE, 0.005));
+  expect_derivative(*ball, *floor, 0.046, 0.01);
+  expect_derivative(*ball, *soft_floor, 0.046, 0.01);
+  expect_derivative(*rigid_ball, *soft_floor, 0.046, 0.01);
+  expect_derivative(*ball, *stiff_ball, 0.096, 0.01);
+  expect_derivative(*stiff_ball, *ball, 0.096, 0.01);
+  expect_derivative(*box, *floor, 0.0145, 0.1);  // the rim of a pad yields as its corners move
+}
+
+// A1: dF/dx = 2 pi E x (1 - x/R).
+TEST(ContactStiffness, OfASoftSphereOnAPlaneIsTheClosedForm) {
+  const double R = 0.05, x = 0.004;
+  const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
+  const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(R), soft_material(kE), 0.003);
+  const Contact contact = touch(*ball, *floor, at_height(R - x), Pose{});
+  const Matrix6 K = contact_stiffness(contact.surface, *ball, *floor, pose_in(at_height(R - x), Pose{}));
+  const double exact = 2 * kPi * kE * x * (1 - x / R);
+  EXPECT_NEAR(K[2][2], exact, 0.01 * exact);
+  EXPECT_NEAR(K[0][0], 0, 1e-9 * exact);
+}
+
+// A8: a slab of area L^2 turned about x through its middle answers with k L^4/12 per radian, springs in series.
+TEST(ContactStiffness, OfStackedSlabsCountsBothAndTheirLevers) {
+  const double L = 0.06, H = 0.015;
+  const HydroBodyPtr slab = make_mesh_body(make_box({L / 2, L / 2, H}), soft_material(kE, 0.004));
+  const HydroBodyPtr rigid = make_simple_body(ShapeType::plane, dvec3(0));
+  const HydroBodyPtr soft = make_simple_body(ShapeType::plane, dvec3(0), soft_material(3 * kE, 0.006));
+  const Pose X = at_height(H - 0.0002);
+  for (const auto& [floor, k] : {std::pair(rigid, kE / 0.004), std::pair(soft, 1 / (0.004 / kE + 0.006 / (3 * kE)))}) {
+    const Contact contact = touch(*slab, *floor, X, Pose{});
+    const Matrix6 K = contact_stiffness(contact.surface, *slab, *floor, pose_in(X, Pose{}));
+    EXPECT_NEAR(K[2][2], k * L * L, 0.03 * k * L * L);  // the rim is less stiff
+    EXPECT_NEAR(K[3][3], k * std::pow(L, 4) / 12, 0.05 * k * std::pow(L, 4) / 12);
+    EXPECT_NEAR(K[4][4], K[3][3], 1e-3 * K[3][3]);
+  }
+}
+
+}  // namespace
+}  // namespace taxel
