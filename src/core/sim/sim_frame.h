@@ -45,7 +45,7 @@ struct SensorFrameState {
   Pose X_WM;                             ///< mesh-file frame in the world
   std::vector<double> readings;          ///< exactly what stands in sensordata
   dvec3 force_W{0};                      ///< contact force on the sensor [N]
-  std::vector<ContactSurface> surfaces;  ///< frame M
+  std::vector<ContactSurface> surfaces;  ///< frame M, of the bodies near the sensor: hits name them by number
   std::vector<RayHit> hits;              ///< parallel to model->rays
 };
 

@@ -242,7 +242,8 @@ SimRow Simulator::row() const {
     dvec3 force(0);
     double area = 0;
     std::size_t polygons = 0;
-    for (const PairState& pair : e.pairs) {
+    for (const std::size_t k : e.near) {
+      const PairState& pair = e.pairs[k];
       force += e.X_WM.rotate(pair.wrench.force);
       area += pair.surface.area();
       polygons += pair.surface.polygons.size();
@@ -275,7 +276,8 @@ void Simulator::fill_frame(SimFrame& frame) const {
     state.force_W = now.force_W[i];
     state.hits = sensor.reading().hits.all();
     state.surfaces.clear();
-    for (const PairState& pair : sensor.sensed().pairs) state.surfaces.push_back(pair.surface);
+    const Evaluation& e = sensor.sensed();
+    for (const std::size_t k : e.near) state.surfaces.push_back(e.pairs[k].surface);  // as the hits number them
   }
 }
 

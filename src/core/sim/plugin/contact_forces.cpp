@@ -152,7 +152,7 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
   work.active_count = 0;
   for (HydroInstance* instance : instances) {
     Evaluation& e = instance->evaluate(m, d);
-    for (std::size_t i = 0; i < e.pairs.size(); ++i) {
+    for (const std::size_t i : e.near) {
       if (e.pairs[i].surface.empty()) continue;
       if (!instance->touched()[i].role.applies) {
         e.pairs[i].wrench = traction(e.pairs[i].surface, instance->touched()[i].properties, e.pairs[i].V).wrench;

@@ -65,6 +65,8 @@ HydroInstance::HydroInstance(const HydroInstance& other)
       model_(other.model_),
       X_GM_(other.X_GM_),
       touched_(other.touched_),
+      sensors_(other.sensors_),
+      broad_phase_(other.broad_phase_),
       warnings_(other.warnings_),
       slots_(other.slots_),
       latest_(other.latest_),
@@ -92,9 +94,15 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
 
 void HydroInstance::compile_others(const mjModel& m) {
   touched_.clear();
+  sensors_.clear();
+  broad_phase_.clear();
   for (const int geom : config_.others) {
     try {
-      touched_.push_back(compile_other(m, geom));
+      const TouchedGeom touched = compile_other(m, geom);
+      broad_phase_.add(geom);
+      if (touched.role.sensor >= 0) sensors_.push_back(touched_.size());
+      if (touched.body != nullptr) broad_phase_.set_body(touched_.size(), *touched.body, touched.X_GB);
+      touched_.push_back(touched);
     } catch (const Error& error) {
       if (config_.others_named) throw Error("", "others", error.what());
       warnings_.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
@@ -117,7 +125,6 @@ TouchedGeom HydroInstance::compile_other(const mjModel& m, int geom) {
   if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
   shape.resolution = other.resolution;
   touched.body = make_body(shape, other.material, geom_name(m, geom));
-  touched.radius = m.geom_rbound[geom];
   check_one_soft(*model_->body, *touched.body, geom_name(m, geom));
   touched.properties = combine(model_->body->material, other.material);
   return touched;
@@ -125,9 +132,11 @@ TouchedGeom HydroInstance::compile_other(const mjModel& m, int geom) {
 
 void HydroInstance::link(const mjModel& m, const HydroInstance& other) {
   if (model_ == nullptr) return;
-  for (TouchedGeom& t : touched_) {
+  for (const std::size_t i : sensors_) {
+    TouchedGeom& t = touched_[i];
     if (t.role.sensor != other.instance_ || other.model_ == nullptr || t.body == other.model_->body) continue;
     t.body = nullptr;
+    broad_phase_.remove_body(i);
     try {
       check_one_soft(*model_->body, *other.model_->body, geom_name(m, t.geom));
     } catch (const Error& error) {
@@ -139,14 +148,12 @@ void HydroInstance::link(const mjModel& m, const HydroInstance& other) {
     t.body = other.model_->body;
     t.properties = combine(model_->body->material, t.body->material);
     t.X_GB = other.X_GM_;
-    const Aabb& box = other.model_->skin->mesh().bounds();
-    t.center = box.center();
-    t.radius = 0.5 * box.diagonal();
+    broad_phase_.set_body(i, *t.body, t.X_GB);
   }
 }
 
 void HydroInstance::link_all(const mjModel& m, mjData& d) {
-  for (std::size_t i = 0; i < touched_.size(); ++i)
+  for (const std::size_t i : sensors_)
     if (touched_[i].role.sensor >= 0) link(m, own_sensor(m, d, touched_[i].role.sensor));
 }
 
@@ -171,26 +178,30 @@ void HydroInstance::compare_with_model(const mjModel& m) {
         geom_name(m, geom), worst));
 }
 
+void HydroInstance::clear_pairs(Evaluation& e) const {
+  for (const std::size_t i : e.near) {
+    e.pairs[i].wrench = {};
+    e.pairs[i].surface.clear();
+  }
+  e.near.clear();
+}
+
 void HydroInstance::locate(const mjModel& m, const mjData& d, Evaluation& e) const {
   e.X_WM = geom_pose(m, d, config_.geom) * X_GM_;
   e.pairs.resize(touched_.size());
+  e.near.reserve(touched_.size());
+  const Aabb& box = model_->skin->mesh().bounds();
+  broad_phase_.find(d, e.X_WM * box.center(), 0.5 * box.diagonal(), e.near);
+  if (e.near.empty()) return;
   const Twist V_WM = body_twist(m, d, m.geom_bodyid[config_.geom], e.X_WM.p);
   const dmat3 R_WM = e.X_WM.rotation();
-  for (std::size_t i = 0; i < touched_.size(); ++i) {
+  for (const std::size_t i : e.near) {
     const Twist V_WB = body_twist(m, d, m.geom_bodyid[touched_[i].geom], e.X_WM.p);
-    e.pairs[i].X_WB = geom_pose(m, d, touched_[i].geom);
-    if (touched_[i].role.sensor >= 0) e.pairs[i].X_WB = e.pairs[i].X_WB * touched_[i].X_GB;
-    e.pairs[i].V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
+    PairState& pair = e.pairs[i];
+    pair.X_WB = geom_pose(m, d, touched_[i].geom);
+    if (touched_[i].role.sensor >= 0) pair.X_WB = pair.X_WB * touched_[i].X_GB;
+    pair.V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
   }
-}
-
-bool HydroInstance::near(const Evaluation& e, std::size_t pair) const {
-  const Aabb& box = model_->skin->mesh().bounds();
-  const dvec3 center_W = e.X_WM * box.center();
-  const double radius = 0.5 * box.diagonal();
-  const Pose& X_WB = e.pairs[pair].X_WB;
-  if (touched_[pair].body->half_space()) return glm::dot(center_W - X_WB.p, X_WB.rotation()[2]) <= radius;
-  return glm::distance(center_W, X_WB * touched_[pair].center) <= radius + touched_[pair].radius;
 }
 
 Evaluation& HydroInstance::evaluate(const mjModel& m, mjData& d) {
@@ -198,13 +209,11 @@ Evaluation& HydroInstance::evaluate(const mjModel& m, mjData& d) {
   link_all(m, d);
   if (latest_ == sensed_) latest_ = 1 - latest_;
   Evaluation& e = slots_[latest_];
+  clear_pairs(e);
   locate(m, d, e);
-  for (std::size_t i = 0; i < touched_.size(); ++i) {
-    PairState& pair = e.pairs[i];
-    pair.wrench = {};
-    pair.surface.clear();
-    if (touched_[i].body == nullptr || touched_[i].role.mirrored) continue;
-    if (near(e, i)) intersect(*model_->body, *touched_[i].body, e.X_WM, pair.X_WB, pair.surface, workspace_);
+  for (const std::size_t i : e.near) {
+    if (touched_[i].role.mirrored) continue;
+    intersect(*model_->body, *touched_[i].body, e.X_WM, e.pairs[i].X_WB, e.pairs[i].surface, workspace_);
   }
   e.valid = true;
   return e;
@@ -214,10 +223,10 @@ bool HydroInstance::fresh(const mjModel& m, const mjData& d) {
   const Evaluation& e = slots_[latest_];
   if (!e.valid) return false;
   locate(m, d, probe_);
-  bool equal = same(e.X_WM, probe_.X_WM);
-  for (std::size_t i = 0; i < touched_.size() && equal; ++i)
-    equal = same(e.pairs[i].X_WB, probe_.pairs[i].X_WB) && same(e.pairs[i].V, probe_.pairs[i].V);
-  return equal;
+  return same(e.X_WM, probe_.X_WM) && e.near == probe_.near &&
+         std::all_of(e.near.begin(), e.near.end(), [&](std::size_t i) {
+           return same(e.pairs[i].X_WB, probe_.pairs[i].X_WB) && same(e.pairs[i].V, probe_.pairs[i].V);
+         });
 }
 
 void HydroInstance::note_step_too_large(const mjModel& m, std::size_t pair, double largest) {
@@ -232,7 +241,7 @@ void HydroInstance::note_step_too_large(const mjModel& m, std::size_t pair, doub
 }
 
 void HydroInstance::note_pressed_through() {
-  for (std::size_t i = 0; i < touched_.size(); ++i) {
+  for (const std::size_t i : slots_[sensed_].near) {
     if (touched_[i].at_core || slots_[sensed_].pairs[i].surface.at_core() == 0) continue;
     touched_[i].at_core = true;
     warnings_.push_back(fmt::format("geom \"{}\" presses through the skin to its rigid core: pressure is missing there",
@@ -244,36 +253,38 @@ void HydroInstance::note_mujoco_contacts(const mjModel& m, const mjData& d) {
   for (int c = 0; c < d.ncon; ++c) {
     const mjContact& contact = d.contact[c];
     if (contact.efc_address < 0) continue;
-    for (TouchedGeom& t : touched_) {
-      if (!t.role.applies || t.role.mirrored) continue;
-      const bool ours = std::minmax(contact.geom[0], contact.geom[1]) == std::minmax(config_.geom, t.geom);
-      if (!ours || t.mujoco_too) continue;
-      t.mujoco_too = true;
-      warnings_.push_back(
-          fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
-                      "set contype and conaffinity to 0 and name the geom in \"others\"",
-                      geom_name(m, config_.geom), geom_name(m, t.geom)));
-    }
+    if (contact.geom[0] != config_.geom && contact.geom[1] != config_.geom) continue;
+    const std::size_t i = pair_with(contact.geom[0] == config_.geom ? contact.geom[1] : contact.geom[0]);
+    if (i == touched_.size()) continue;
+    TouchedGeom& t = touched_[i];
+    if (!t.role.applies || t.role.mirrored || t.mujoco_too) continue;
+    t.mujoco_too = true;
+    warnings_.push_back(
+        fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
+                    "set contype and conaffinity to 0 and name the geom in \"others\"",
+                    geom_name(m, config_.geom), geom_name(m, t.geom)));
   }
 }
 
 Evaluation& HydroInstance::present(const mjModel& m, mjData& d) {
   if (fresh(m, d)) return slots_[latest_];
   Evaluation& e = evaluate(m, d);
-  for (std::size_t i = 0; i < touched_.size(); ++i)
+  for (const std::size_t i : e.near)
     e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
   return e;
 }
 
 std::size_t HydroInstance::pair_with(int geom) const {
-  const auto found = std::find_if(touched_.begin(), touched_.end(), [&](const auto& t) { return t.geom == geom; });
-  return static_cast<std::size_t>(found - touched_.begin());
+  const auto found =
+      std::lower_bound(touched_.begin(), touched_.end(), geom, [](const TouchedGeom& t, int g) { return t.geom < g; });
+  return found != touched_.end() && found->geom == geom ? static_cast<std::size_t>(found - touched_.begin())
+                                                        : touched_.size();
 }
 
 void HydroInstance::mirror_pairs(const mjModel& m, mjData& d) {
   Evaluation& e = slots_[sensed_];
-  for (std::size_t i = 0; i < touched_.size(); ++i) {
-    if (!touched_[i].role.mirrored || touched_[i].body == nullptr) continue;
+  for (const std::size_t i : e.near) {
+    if (!touched_[i].role.mirrored) continue;
     HydroInstance& other = own_sensor(m, d, touched_[i].role.sensor);
     const std::size_t theirs = other.pair_with(config_.geom);
     if (!other.failure.empty() || theirs == other.touched_.size()) continue;
@@ -292,7 +303,7 @@ void HydroInstance::sense(const mjModel& m, mjData& d) {
   note_pressed_through();
   note_mujoco_contacts(m, d);
   surfaces_.clear();
-  for (const PairState& pair : slots_[sensed_].pairs) surfaces_.push_back(&pair.surface);
+  for (const std::size_t i : slots_[sensed_].near) surfaces_.push_back(&slots_[sensed_].pairs[i].surface);
   const Stopwatch watch(times.readings);
   read_sensor(*model_, surfaces_, reading_);
   for (int s = 0; s < m.nsensor; ++s)
@@ -305,7 +316,8 @@ void HydroInstance::write_output(mjtNum* out) {
     if (block == Output::readings) out = std::copy(reading_.values.begin(), reading_.values.end(), out);
     if (block == Output::wrench) {
       Wrench sum;
-      for (const PairState& pair : e.pairs) {
+      for (const std::size_t i : e.near) {
+        const PairState& pair = e.pairs[i];
         sum.force += e.X_WM.rotate(pair.wrench.force);
         sum.torque += e.X_WM.rotate(pair.wrench.torque);
       }
@@ -314,7 +326,7 @@ void HydroInstance::write_output(mjtNum* out) {
     }
     if (block == Output::area) {
       *out = 0;
-      for (const PairState& pair : e.pairs) *out += pair.surface.area();
+      for (const std::size_t i : e.near) *out += e.pairs[i].surface.area();
       ++out;
     }
   }
@@ -322,12 +334,8 @@ void HydroInstance::write_output(mjtNum* out) {
 
 void HydroInstance::reset() {
   for (Evaluation& e : slots_) {
-    e.valid = false;
+    e = {};
     e.pairs.resize(touched_.size());
-    for (PairState& pair : e.pairs) {
-      pair.wrench = {};
-      pair.surface.clear();
-    }
   }
   read_sensor(*model_, {}, reading_);
 }

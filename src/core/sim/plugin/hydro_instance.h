@@ -12,6 +12,7 @@
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
 #include "core/sensor/reading.h"
+#include "core/sim/plugin/broad_phase.h"
 #include "core/sim/plugin/sensor_config.h"
 #include "core/sim/plugin/sensor_pairs.h"
 #include "core/sim/sensor_times.h"
@@ -24,8 +25,6 @@ struct TouchedGeom {
   HydroBodyPtr body;  ///< null: a sensor that has no model yet, or none that can be touched
   PairProperties properties;
   Pose X_GB;                    ///< of the body's frame: the geom's own; of a sensor that of its mesh file
-  dvec3 center{0};              ///< of the bounding sphere, frame B [m]
-  double radius = 0;            ///< 0: plane [m]
   PairRole role;                ///< towards a sensor on the geom
   bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
   bool step_too_large = false;  ///< the contact was seen to be too stiff for the time step: reported once
@@ -44,7 +43,8 @@ struct PairState {
 struct Evaluation {
   bool valid = false;
   Pose X_WM;
-  std::vector<PairState> pairs;  ///< parallel to touched()
+  std::vector<PairState> pairs;   ///< parallel to touched(); of those that are not near only surface and wrench count
+  std::vector<std::size_t> near;  ///< numbers of the pairs that may touch, ascending; all others are empty
 };
 
 class HydroInstance {
@@ -98,13 +98,14 @@ class HydroInstance {
   TouchedGeom compile_other(const mjModel& m, int geom);
   void link_all(const mjModel& m, mjData& d);
   void mirror_pairs(const mjModel& m, mjData& d);
+  /// Number of the pair with a geom; touched().size() where there is none.
   [[nodiscard]] std::size_t pair_with(int geom) const;
   void compare_with_model(const mjModel& m);
   void note_pressed_through();
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
+  void clear_pairs(Evaluation& e) const;
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
   [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
-  [[nodiscard]] bool near(const Evaluation& e, std::size_t pair) const;
   void write_output(mjtNum* out);
 
   int instance_ = -1;
@@ -112,7 +113,9 @@ class HydroInstance {
   std::vector<DeclaredSensor> declared_;
   SensorModelPtr model_;
   Pose X_GM_;
-  std::vector<TouchedGeom> touched_;
+  std::vector<TouchedGeom> touched_;  // ascending by geom
+  std::vector<std::size_t> sensors_;  // numbers of those that are sensors
+  BroadPhase broad_phase_;            // numbers as touched_
   std::vector<std::string> warnings_;
   std::array<Evaluation, 2> slots_;  // one may still be shown as sensed() while RK4 evaluates further
   std::size_t latest_ = 0, sensed_ = 0;
