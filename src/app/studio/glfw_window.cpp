@@ -38,6 +38,8 @@ class GlfwWindow final : public Window {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the 3-D view has its own; a software renderer fills rectangles faster
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) throw Error("cannot open a window with OpenGL 4.5: " + glfw_reason());
     glfwMakeContextCurrent(window_);
@@ -71,11 +73,11 @@ class GlfwWindow final : public Window {
     glfwPollEvents();
     glfwGetFramebufferSize(window_, &width_, &height_);
   }
-  void begin_picture() override {
+  void begin_picture(const ImVec4& background) override {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width_, height_);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearColor(background.x, background.y, background.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
   }
   [[nodiscard]] gl::RgbImage read() const override { return gl::read_pixels(0, width_, height_); }
   void show() override { glfwSwapBuffers(window_); }

@@ -17,13 +17,13 @@ class OffscreenWindow final : public Window {
   [[nodiscard]] int width() const override { return picture_->width(); }
   [[nodiscard]] int height() const override { return picture_->height(); }
   void resize(int width, int height) final { picture_.emplace(width, height); }
-  void begin_picture() override {
+  void begin_picture(const ImVec4& background) override {
     picture_->bind();
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearColor(background.x, background.y, background.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
   }
   [[nodiscard]] gl::RgbImage read() const override { return picture_->read(); }
-  void show() override {}
+  void show() override { glFinish(); }  // as a real window waits for its picture
   void set_title(const std::string&) override {}
   void set_cursor(ImGuiMouseCursor) override {}
   void set_clipboard(const std::string& text) override { clipboard_ = text; }

@@ -81,7 +81,6 @@ Studio::Studio(const Options& options) : options_(options), session_(options.by_
 Studio::~Studio() = default;
 
 bool Studio::run() {
-  keep_picture_ = !options_.screenshot.empty();
   options_.by_clock() ? run_by_clock() : run_by_frames();
   if (options_.by_clock()) save_settings();
   finish_outputs();
@@ -237,10 +236,13 @@ void Studio::draw_contents() {
   ui::draw_interface(ui_, input_, *renderer_);
   window_->set_cursor(ImGui::GetMouseCursor());
   ImGui::Render();
-  window_->begin_picture();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  if (keep_picture_ || screenshot_wanted_ || script_) last_picture_ = window_->read();
+  fill_window();
   if (std::exchange(screenshot_wanted_, false)) save_numbered_screenshot();
+}
+
+void Studio::fill_window() {
+  window_->begin_picture(ImGui::GetStyle().Colors[ImGuiCol_WindowBg]);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 bool Studio::input_taken() const {

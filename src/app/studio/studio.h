@@ -44,6 +44,7 @@ class Studio {
   void update_range();
   void draw_picture(double seconds);
   void draw_contents();
+  void fill_window();  ///< with the picture laid out last
   void carry_out_requests();
   void carry_out(const ui::Request& request);
   void set_mode(ui::Mode mode);
@@ -66,8 +67,6 @@ class Studio {
   ui::UiInput input_;
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;
-  gl::RgbImage last_picture_;
-  bool keep_picture_ = false;
   bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
   bool anything_opened_ = false, argument_refused_ = false;
   bool themed_dark_ = true;

@@ -72,7 +72,8 @@ void Studio::set_mode(ui::Mode mode) {
 }
 
 void Studio::save_screenshot(const std::string& file) {
-  write_png(file, last_picture_);
+  fill_window();  // what was shown last may be gone
+  write_png(file, window_->read());
 }
 
 void Studio::save_numbered_screenshot() {

@@ -2,6 +2,8 @@
 // both.
 #pragma once
 
+#include <imgui.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,8 +28,8 @@ class Window {
     return 1.0f;
   }  ///< what the screen asks texts to be multiplied with
   virtual void resize(int width, int height) = 0;
-  virtual void begin_picture() = 0;                     ///< binds and clears what is drawn into
-  [[nodiscard]] virtual gl::RgbImage read() const = 0;  ///< the picture drawn, before show()
+  virtual void begin_picture(const ImVec4& background) = 0;  ///< binds what is drawn into and fills it
+  [[nodiscard]] virtual gl::RgbImage read() const = 0;       ///< the picture drawn, before show()
   virtual void show() = 0;
   virtual void set_title(const std::string& title) = 0;
   virtual void set_cursor(ImGuiMouseCursor cursor) = 0;

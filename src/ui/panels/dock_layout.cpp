@@ -41,6 +41,7 @@ void draw_dock_space(UiState& ui) {
   const ImGuiID space = ImGui::GetID("Taxel Studio");
   if (ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr) arrange(space, viewport->WorkSize);
   ui.reset_arrangement = false;
+  ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);
 }
 

@@ -37,6 +37,7 @@ void draw_menu(UiState& ui, const UiInput& input, const char* menu) {
 }  // namespace
 
 void draw_menu_bar(UiState& ui, const UiInput& input) {
+  ImGui::SetNextWindowBgAlpha(0);  // it has a colour of its own
   if (!ImGui::BeginMainMenuBar()) return;
   for (const char* menu : std::array{"File", "Mode", "Simulation", "View", "Panels", "Help"})
     draw_menu(ui, input, menu);

@@ -102,6 +102,7 @@ void draw_toolbar(UiState& ui, const UiInput& input) {
   const float height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
+  ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   if (ImGui::BeginViewportSideBar("Toolbar", ImGui::GetMainViewport(), ImGuiDir_Up, height, kFlags)) {
     draw_modes(ui, input);
     gap();

@@ -151,7 +151,10 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
     render_if_changed(ui, input, renderer, width, height);
     const ImTextureRef texture(static_cast<ImTextureID>(renderer.texture()));
     const Rect& r = ui.view.rect;  // rows of GL textures run upward
-    ImGui::GetWindowDrawList()->AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
+    list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
+    list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
     draw_over_scene(ui, input);
   }
   ImGui::End();

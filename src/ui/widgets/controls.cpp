@@ -1,5 +1,7 @@
 #include "ui/widgets/controls.h"
 
+#include <imgui_internal.h>
+
 #include <cmath>
 
 #include "ui/theme.h"
@@ -42,9 +44,18 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
   }
 }
 
+/// Whether a panel was docked in the window itself, which is cleared to the colour of panels: filling it once more
+/// costs a software renderer a third of the picture.
+bool lies_on_its_color(const char* title) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(title);
+  return window != nullptr && window->DockNode != nullptr &&
+         ImGui::DockNodeGetRootNode(window->DockNode)->IsDockSpace();
+}
+
 }  // namespace
 
 bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
+  if (lies_on_its_color(title)) ImGui::SetNextWindowBgAlpha(0);
   // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was.
   const bool visible =
       ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoFocusOnAppearing);
