@@ -94,8 +94,10 @@ double Studio::waiting_time() const {
 }
 
 void Studio::run_by_clock() {
+  bool drew = false;
   for (int frame = 0; !quit_ && (options_.frames == 0 || frame < options_.frames);) {
-    const std::vector<InputEvent> events = window_->take_events(waiting_time());
+    const bool newer = std::exchange(drew, false) && session_.playing();  // a frame is likely to lie ready
+    const std::vector<InputEvent> events = window_->take_events(newer ? 0 : waiting_time());
     if (!events.empty()) pictures_due_ = kSettlingPictures;
     take(events);
     const SessionNews news = session_.update();
@@ -111,6 +113,7 @@ void Studio::run_by_clock() {
     --pictures_due_;
     draw_picture(std::max(1e-4, seconds_between(last_picture_at_, Clock::now())));
     window_->show();
+    drew = true;
     ++frame;
   }
 }

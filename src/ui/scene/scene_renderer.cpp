@@ -129,6 +129,7 @@ void SceneRenderer::render(const SceneInput& input, const Camera& camera, int wi
   impl_->draw_scene(input, camera, colors);
   impl_->draw_overlay(camera, colors);
   impl_->target->resolve();
+  glFlush();  // a software renderer fills the picture while the panels are laid out
   impl_->cache.end_frame();
   impl_->last = std::move(key);
 }
