@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/math.h"
@@ -20,6 +22,26 @@ struct ContactPolygon {
   int tet_b = -1;       ///< of B where both are soft
   int face = -1;        ///< of the rigid mesh; -1 on a half-space
 };
+
+/// Of plain numbers, whose new elements hold anything: growing costs nothing.
+template <class T>
+struct UninitializedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UninitializedAllocator<U>;
+  };
+  template <class U>
+  void construct(U* p) noexcept {
+    static_assert(std::is_trivially_default_constructible_v<U>);
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* p, Args&&... args) {
+    std::construct_at(p, std::forward<Args>(args)...);
+  }
+};
+template <class T>
+using NumberBuffer = std::vector<T, UninitializedAllocator<T>>;
 
 /// Why something of the overlap is not part of the surface.
 enum class Rejection {
@@ -46,8 +68,8 @@ struct FilteredPolygon {
 
 /// Everything in the frame of body A. Reused from step to step: clear() keeps the memory.
 struct ContactSurface {
-  std::vector<dvec3> vertices;
-  std::vector<double> pressure;  ///< p0 at each vertex, never negative [Pa]
+  NumberBuffer<dvec3> vertices;
+  NumberBuffer<double> pressure;  ///< p0 at each vertex, never negative [Pa]
   std::vector<ContactPolygon> polygons;
   std::array<RejectedPolygons, kRejections> rejected;  ///< by reason
   std::vector<dvec3> filtered_vertices;

@@ -7,40 +7,34 @@
 #endif
 
 #include <bit>
-#include <cstring>
 
 #include "core/hydro/kernel/field_index.h"
-#include "core/hydro/kernel/lanes_inl.h"
+#include "core/hydro/kernel/eight_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. The vertices stand twice,
-/// one round after the other, so that any run of them lies side by side in memory.
-struct alignas(64) PlanePolygon {
-  static constexpr int kMost = 8;
-  double u[2 * kMost], v[2 * kMost];
-  std::uint64_t edges;  ///< byte i: what the edge from vertex i to the next one lies on, a plane of the tet or kOwnEdge
-  int count;
-
-  HWY_INLINE void close() {                 // writes the second round
-    double first_u[kMost], first_v[kMost];  // the rounds overlap where there are fewer than kMost vertices
-    std::memcpy(first_u, u, sizeof(first_u));
-    std::memcpy(first_v, v, sizeof(first_v));
-    std::memcpy(u + count, first_u, sizeof(first_u));
-    std::memcpy(v + count, first_v, sizeof(first_v));
-  }
-};
-
 /// Marks of edges: 0 to 3 the planes of the tet that cuts, from here on those of what is cut.
 inline constexpr std::uint64_t kOwnEdge = 4;
 
+/// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. Lanes from `count` on hold
+/// finite numbers that mean nothing.
+struct PlanePolygon {
+  static constexpr unsigned kMost = 8;
+  Eight u, v;
+  std::uint64_t edges;  ///< byte i: what the edge from vertex i to the next one lies on; 0 from `count` on
+  unsigned count;
+};
+
 /// Bit i: some edge lies on i.
 HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
+  constexpr unsigned kNone = 31;
+  const unsigned used = 8 * polygon.count;
+  const std::uint64_t unused = used >= 64 ? 0 : ~std::uint64_t{0} << used;
+  const std::uint64_t edges = polygon.edges | (unused & kNone * 0x0101010101010101u);
   unsigned bits = 0;
-  std::uint64_t edges = polygon.edges;
-  for (int i = 0; i < polygon.count; ++i, edges >>= 8) bits |= 1u << (edges & 0xff);
-  return bits;
+  for (unsigned i = 0; i < PlanePolygon::kMost; ++i) bits |= 1u << (edges >> (8 * i) & 0xff);
+  return bits & ~(1u << kNone);
 }
 
 /// Signed distances of a triangle's corners to the planes of a tet, lanes over planes, and what they say.
@@ -85,106 +79,87 @@ HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int
 }
 
 /// Sutherland and Hodgman (1974) vertex by vertex: where rounding has left a polygon not quite convex.
-inline HWY_NOINLINE void keep_inside_slowly(const double* HWY_RESTRICT distance, std::uint64_t mark,
-                                            const PlanePolygon& in, PlanePolygon& out) {
-  out.count = 0;
-  out.edges = 0;
-  const auto push = [&out](double u, double v, std::uint64_t edge) {
-    if (out.count == PlanePolygon::kMost) return;
-    out.u[out.count] = u;
-    out.v[out.count] = v;
-    out.edges |= edge << (8 * out.count++);
+inline HWY_NOINLINE void keep_inside_slowly(const Eight& distances, std::uint64_t mark, PlanePolygon& polygon) {
+  double distance[8], in_u[8], in_v[8], u[8] = {}, v[8] = {};
+  store_eight(distances, distance);
+  store_eight(polygon.u, in_u);
+  store_eight(polygon.v, in_v);
+  unsigned count = 0;
+  std::uint64_t edges = 0;
+  const auto push = [&](double at_u, double at_v, std::uint64_t edge) {
+    if (count == PlanePolygon::kMost) return;
+    u[count] = at_u;
+    v[count] = at_v;
+    edges |= edge << (8 * count++);
   };
-  const auto edge = [&in](int i) { return in.edges >> (8 * i) & 0xff; };
-  int a = in.count - 1;
-  for (int b = 0; b < in.count; a = b++) {
+  const auto edge = [&](unsigned i) { return polygon.edges >> (8 * i) & 0xff; };
+  unsigned a = polygon.count - 1;
+  for (unsigned b = 0; b < polygon.count; a = b++) {
     const double da = distance[a], db = distance[b];
     if ((da < 0) != (db < 0)) {
       const double t = da / (da - db);
-      push(in.u[a] + t * (in.u[b] - in.u[a]), in.v[a] + t * (in.v[b] - in.v[a]), da < 0 ? edge(a) : mark);
+      push(in_u[a] + t * (in_u[b] - in_u[a]), in_v[a] + t * (in_v[b] - in_v[a]), da < 0 ? edge(a) : mark);
     }
-    if (!(db < 0)) push(in.u[b], in.v[b], edge(b));
+    if (!(db < 0)) push(in_u[b], in_v[b], edge(b));
   }
-  out.close();
+  polygon = {load_eight(u), load_eight(v), edges, count};
 }
 
 /// What a cut made of a polygon.
 enum class Cut { nothing_outside, nothing_inside, done };
 
-/// Keeps what has distance >= 0, the linear function with values d0, d1, d2 at the triangle's corners. Two tets that
-/// share a plane see these exactly negated, hence the same line, however small the angle. The new edge gets `mark`.
-/// `out` is untouched unless `done`.
-HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, const PlanePolygon& in,
-                           PlanePolygon& out) {
-  const TagD d;
-  alignas(64) double distance[PlanePolygon::kMost];
-  unsigned outside = 0;
-  for (std::size_t i = 0; i < PlanePolygon::kMost; i += kLanesD) {
-    const VecD u = hn::Load(d, in.u + i), v = hn::Load(d, in.v + i);
-    const VecD w = hn::Sub(hn::Sub(hn::Set(d, 1.0), u), v);
-    const VecD value =
-        hn::Add(hn::Add(hn::Mul(w, hn::Set(d, d0)), hn::Mul(u, hn::Set(d, d1))), hn::Mul(v, hn::Set(d, d2)));
-    hn::Store(value, d, distance + i);
-    outside |= mask_bits(d, hn::Lt(value, hn::Zero(d))) << i;
-  }
-  const auto n = static_cast<unsigned>(in.count);
-  const unsigned all = (1u << n) - 1;
-  outside &= all;
+/// Signed distances of a polygon's vertices: the linear function with values d0, d1, d2 at the triangle's corners.
+HWY_INLINE Eight distances_of(const PlanePolygon& p, double d0, double d1, double d2) {
+  const Eight w = set_eight(1.0) - p.u - p.v;
+  return w * set_eight(d0) + p.u * set_eight(d1) + p.v * set_eight(d2);
+}
+
+/// Keeps what has distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line, however
+/// small the angle. The new edge gets `mark`. The polygon is untouched unless `done`.
+HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, PlanePolygon& p) {
+  const Eight distance = distances_of(p, d0, d1, d2);
+  const unsigned n = p.count, all = (1u << n) - 1;
+  const unsigned outside = less(distance, set_eight(0.0)) & all;
   if (outside == 0) return Cut::nothing_outside;
   if (outside == all) return Cut::nothing_inside;
   const unsigned inside = all & ~outside;
   const unsigned starts = inside & ~((inside << 1) | (inside >> (n - 1)));  // inside, and the one before is not
-  if ((starts & (starts - 1)) != 0) {
-    keep_inside_slowly(distance, mark, in, out);
-    return out.count < 3 ? Cut::nothing_inside : Cut::done;
+  if ((starts & (starts - 1)) != 0 || n == PlanePolygon::kMost) {
+    keep_inside_slowly(distance, mark, p);
+    return p.count < 3 ? Cut::nothing_inside : Cut::done;
   }
+  // Where the plane crosses the edge that begins at each vertex; means something at two of them.
+  const LaneNumbers& next = kCutLanes.next(n);
+  const Eight t = distance / (distance - take(distance, next));
+  const Eight crossing_u = p.u + t * (take(p.u, next) - p.u);
+  const Eight crossing_v = p.v + t * (take(p.v, next) - p.v);
   const auto first = static_cast<unsigned>(std::countr_zero(starts));
   const auto run = static_cast<unsigned>(std::popcount(inside));
   const unsigned before = first == 0 ? n - 1 : first - 1;
-  unsigned last = first + run - 1, after = first + run;
-  if (last >= n) last -= n;
-  if (after >= n) after -= n;
-  const double s = distance[before] / (distance[before] - distance[first]);
-  const double t = distance[last] / (distance[last] - distance[after]);
-  std::memcpy(out.u + 1, in.u + first, PlanePolygon::kMost * sizeof(double));
-  std::memcpy(out.v + 1, in.v + first, PlanePolygon::kMost * sizeof(double));
-  out.u[0] = in.u[before] + s * (in.u[first] - in.u[before]);
-  out.v[0] = in.v[before] + s * (in.v[first] - in.v[before]);
-  out.u[run + 1] = in.u[last] + t * (in.u[after] - in.u[last]);
-  out.v[run + 1] = in.v[last] + t * (in.v[after] - in.v[last]);
-  // Edges: those from `before` to `last` in a row, then the new one.
-  const std::uint64_t turned = before == 0 ? in.edges : in.edges >> (8 * before) | in.edges << (8 * (n - before));
-  const unsigned kept = 8 * (run + 1);  // at most 7 edges: one vertex at least is outside, and n is at most 8
-  out.edges = (kept == 64 ? turned : turned & ((std::uint64_t{1} << kept) - 1)) | (kept == 64 ? 0 : mark << kept);
-  out.count = static_cast<int>(run) + 2;
-  out.close();
+  const LaneNumbers& kept = kCutLanes.kept(n, before, run);
+  p.u = take(p.u, crossing_u, kept);
+  p.v = take(p.v, crossing_v, kept);
+  // Edges: those from `before` to the last one inside in a row, then the new one. One vertex at least is outside.
+  const std::uint64_t turned = before == 0 ? p.edges : p.edges >> (8 * before) | p.edges << (8 * (n - before));
+  const unsigned place = 8 * (run + 1);  // at most 7 vertices are inside
+  p.edges = (turned & ((std::uint64_t{1} << place) - 1)) | mark << place;
+  p.count = run + 2;
   return Cut::done;
 }
 
-/// Cuts by the planes of in_tet.cut. Returns what is left of the polygon, itself or one of the two buffers; null where
-/// nothing is. The buffers hold finite numbers.
-HWY_INLINE const PlanePolygon* clip(const TriangleInTet& in_tet, const PlanePolygon* polygon, PlanePolygon* buffers) {
-  std::size_t next = 0;
+/// Cuts by the planes of in_tet.cut. False where nothing is left.
+HWY_INLINE bool clip(const TriangleInTet& in_tet, PlanePolygon& polygon) {
   for (unsigned planes = in_tet.cut; planes != 0; planes &= planes - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(planes));
-    const Cut cut =
-        keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, *polygon, buffers[next]);
-    if (cut == Cut::nothing_inside) return nullptr;
-    if (cut == Cut::nothing_outside) continue;
-    polygon = &buffers[next];
-    next = 1 - next;
+    const Cut cut = keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, polygon);
+    if (cut == Cut::nothing_inside) return false;
   }
-  return polygon;
+  return true;
 }
 
-HWY_INLINE void set_whole_triangle(PlanePolygon& polygon) {
-  static constexpr double kU[8] = {0, 1, 0, 0, 1, 0, 0, 0}, kV[8] = {0, 0, 1, 0, 0, 1, 0, 0};
-  std::memcpy(polygon.u, kU, sizeof(kU));
-  std::memcpy(polygon.v, kV, sizeof(kV));
-  std::memset(polygon.u + 8, 0, sizeof(kU));
-  std::memset(polygon.v + 8, 0, sizeof(kV));
-  polygon.edges = kOwnEdge | kOwnEdge << 8 | kOwnEdge << 16;
-  polygon.count = 3;
+HWY_INLINE PlanePolygon whole_triangle() {
+  alignas(64) static constexpr double kU[8] = {0, 1, 0, 0, 0, 0, 0, 0}, kV[8] = {0, 0, 1, 0, 0, 0, 0, 0};
+  return {load_eight(kU), load_eight(kV), kOwnEdge | kOwnEdge << 8 | kOwnEdge << 16, 3};
 }
 
 }  // namespace taxel::HWY_NAMESPACE

@@ -101,4 +101,34 @@ void DistanceGrid::spread(const std::vector<char>& marked) {
     cells_[c].distance = static_cast<float>(edge_) * 0.99999f * std::sqrt(squared[c]);
 }
 
+/// Each cell begins with the best face of the cells before it and climbs from face to face while that pays.
+void DistanceGrid::set_faces(std::vector<Face> faces) {
+  faces_ = std::move(faces);
+  if (faces_.empty()) return;
+  for (int z = 0; z < dims_.z; ++z) {
+    for (int y = 0; y < dims_.y; ++y) {
+      for (int x = 0; x < dims_.x; ++x) {
+        const dvec3 middle = low_ + edge_ * (dvec3(x, y, z) + 0.5);
+        const auto value = [&](std::int32_t f) { return glm::dot(faces_[at(f)].n, middle) + faces_[at(f)].offset; };
+        std::int32_t best = 0;
+        double least = value(best);
+        const auto consider = [&](std::int32_t f) {
+          const double v = value(f);
+          if (!(v < least)) return;
+          least = v;
+          best = f;
+        };
+        if (x > 0) consider(cells_[index(x - 1, y, z)].face);
+        if (y > 0) consider(cells_[index(x, y - 1, z)].face);
+        if (z > 0) consider(cells_[index(x, y, z - 1)].face);
+        for (std::int32_t from = -1; from != best;) {
+          from = best;
+          for (const std::int32_t neighbour : faces_[at(from)].neighbours) consider(neighbour);
+        }
+        cells_[index(x, y, z)].face = best;
+      }
+    }
+  }
+}
+
 }  // namespace taxel

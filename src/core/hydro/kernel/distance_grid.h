@@ -1,6 +1,7 @@
 // How far is it at least to the nearest tetrahedron, and which one is near? Answers by one look-up.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,14 @@ class DistanceGrid {
   struct Cell {
     float distance = 0;     ///< every point of the cell is at least this far from every tet [m]; 0 in cells with tets
     std::int32_t tet = -1;  ///< one that meets the cell, that of its middle where there is one; -1 where none does
+    std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none
+  };
+  /// The plane of a face of the boundary: the whole field lies at n . x + offset >= 0, but for rounding.
+  struct Face {
+    dvec3 n{0};  ///< unit, inward
+    double offset = 0;
+    std::int32_t tet = -1, side = -1;             ///< the tet's face `side`
+    std::array<std::int32_t, 3> neighbours{{}};  ///< across its edges
   };
 
   DistanceGrid() = default;
@@ -23,6 +32,9 @@ class DistanceGrid {
   [[nodiscard]] const ivec3& dims() const { return dims_; }
   [[nodiscard]] double cells_per_metre() const { return per_metre_; }
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }  ///< x runs fastest
+  /// For a convex field alone: its whole boundary.
+  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+  void set_faces(std::vector<Face> faces);
 
   /// The cell of a point; of the nearest point of the grid, for one outside of it.
   [[nodiscard]] const Cell& cell_of(const dvec3& p) const {
@@ -41,6 +53,7 @@ class DistanceGrid {
   ivec3 dims_{0};
   double edge_ = 1, per_metre_ = 1;  ///< of a cell, and its inverse
   std::vector<Cell> cells_;
+  std::vector<Face> faces_;
 };
 
 }  // namespace taxel

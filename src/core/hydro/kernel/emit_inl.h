@@ -20,29 +20,18 @@ struct FanSums {
 };
 
 HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metric, double merge_distance) {
-  // Lanes beyond the last vertex hold the second round: they count with weight 0.
+  // Lanes beyond the last vertex count with weight 0.
   alignas(64) static constexpr double kCount[16] = {1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
-  const double* count = kCount + 8 - polygon.count;
-  const TagD d;
-  alignas(64) double cross[8], moment_u[8], moment_v[8];
-  const VecD u0 = hn::Set(d, polygon.u[0]), v0 = hn::Set(d, polygon.v[0]);
-  const VecD near = hn::Set(d, merge_distance * merge_distance);
-  unsigned close = 0;
-  for (std::size_t i = 0; i < 8; i += kLanesD) {
-    const VecD ua = hn::Sub(hn::Load(d, polygon.u + i), u0), va = hn::Sub(hn::Load(d, polygon.v + i), v0);
-    const VecD ub = hn::Sub(hn::LoadU(d, polygon.u + i + 1), u0), vb = hn::Sub(hn::LoadU(d, polygon.v + i + 1), v0);
-    const VecD c = hn::Mul(hn::LoadU(d, count + i), hn::Sub(hn::Mul(ua, vb), hn::Mul(ub, va)));
-    hn::Store(c, d, cross + i);
-    hn::Store(hn::Mul(c, hn::Add(ua, ub)), d, moment_u + i);
-    hn::Store(hn::Mul(c, hn::Add(va, vb)), d, moment_v + i);
-    const VecD du = hn::Sub(ub, ua), dv = hn::Sub(vb, va);
-    const VecD squared = hn::Add(
-        hn::Mul(hn::Set(d, metric.uu), hn::Mul(du, du)),
-        hn::Add(hn::Mul(hn::Set(d, 2 * metric.uv), hn::Mul(du, dv)), hn::Mul(hn::Set(d, metric.vv), hn::Mul(dv, dv))));
-    close |= mask_bits(d, hn::Lt(squared, near)) << i;
-  }
-  close &= (1u << static_cast<unsigned>(polygon.count)) - 1;
-  return {sum_of_eight(cross), sum_of_eight(moment_u), sum_of_eight(moment_v), close != 0};
+  const Eight count = load_eight(kCount + 8 - polygon.count);
+  const LaneNumbers& next = kCutLanes.next(polygon.count);
+  const Eight u0 = set_eight(first_lane(polygon.u)), v0 = set_eight(first_lane(polygon.v));
+  const Eight ua = polygon.u - u0, va = polygon.v - v0, ub = take(ua, next), vb = take(va, next);
+  const Eight cross = count * (ua * vb - ub * va);
+  const Eight du = ub - ua, dv = vb - va;
+  const Eight squared = set_eight(metric.uu) * (du * du) +
+                        (set_eight(2 * metric.uv) * (du * dv) + set_eight(metric.vv) * (dv * dv));
+  const unsigned close = less(squared, set_eight(merge_distance * merge_distance));
+  return {sum(cross), sum(cross * (ua + ub)), sum(cross * (va + vb)), (close & ((1u << polygon.count) - 1)) != 0};
 }
 
 /// The pressure in the coordinates of the triangle.
@@ -59,33 +48,73 @@ HWY_INLINE bool pushes(double mean, const dvec3& gradient, double size) {
   return mean > 0 && mean * mean > least * least * glm::dot(gradient, gradient);
 }
 
+/// A polygon's vertices in memory.
+struct StoredPolygon {
+  double u[8], v[8];
+  int count;
+  explicit HWY_INLINE StoredPolygon(const PlanePolygon& polygon) : count(static_cast<int>(polygon.count)) {
+    store_eight(polygon.u, u);
+    store_eight(polygon.v, v);
+  }
+  [[nodiscard]] PolygonInPlane in_plane() const { return {u, v, count}; }
+};
+
+/// x of component `axis` of origin + u du + v dv.
+HWY_INLINE Eight component(const SurfaceTriangle& t, int axis, const Eight& u, const Eight& v) {
+  return set_eight(t.origin_A[axis]) + u * set_eight(t.u_A[axis]) + v * set_eight(t.v_A[axis]);
+}
+
+/// Takes the polygon into the surface. Writes eight vertices, of which `count` mean something.
+HWY_INLINE void add(const PlanePolygon& polygon, const SurfaceTriangle& triangle, const PlanePressure& p,
+                    const dvec3& gradient, double area, const dvec2& centroid, const PolygonSource& source,
+                    SurfaceWriter& writer) {
+  Eight u = polygon.u, v = polygon.v;
+  if (writer.reverse()) {
+    const LaneNumbers& backward = kCutLanes.backward(polygon.count);
+    u = take(u, backward);
+    v = take(v, backward);
+  }
+  const SurfaceWriter::Slots slots = writer.slots();
+  store_interleaved(component(triangle, 0, u, v), component(triangle, 1, u, v), component(triangle, 2, u, v),
+                    &slots.vertices->x);
+  const Eight pressure = set_eight(p.p0) + u * set_eight(p.pu) + v * set_eight(p.pv);
+  store_eight(larger(set_eight(0.0), pressure), slots.pressure);
+  writer.close(static_cast<int>(polygon.count), triangle, p, gradient, area, centroid, source);
+}
+
+/// Notes where the polygon ends on a pad's core. `core_edges`: bit i, edges marked i lie there.
+inline HWY_NOINLINE void count_at_core(const PlanePolygon& polygon, unsigned core_edges,
+                                       const SurfaceTriangle& triangle, const PlanePressure& p,
+                                       SurfaceWriter& writer) {
+  const StoredPolygon stored(polygon);
+  for (int i = 0; i < stored.count; ++i) {
+    if ((core_edges >> (polygon.edges >> (8 * i) & 0xff) & 1u) == 0) continue;
+    const int next = i + 1 < stored.count ? i + 1 : 0;
+    writer.count_at_core(triangle, {stored.u[i], stored.v[i]}, {stored.u[next], stored.v[next]}, p);
+  }
+}
+
 /// Adds a polygon of `triangle`, or counts why not. `core_edges`: bit i, edges marked i lie on a pad's core.
 HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const SurfaceTriangle& triangle,
                      const LinearPressure& pressure, const PolygonSource& source, SurfaceWriter& writer) {
-  const PolygonInPlane in_plane{polygon.u, polygon.v, polygon.count};
   const FanSums sums = fan_sums(polygon, triangle.metric, kMergeDistance * source.size);
   const double area = triangle.area * sums.twice_area;
   if (!(area > kNoArea * source.size * source.size)) return;
   if (!(area > kSliverArea * source.size * source.size))
-    return writer.reject(Rejection::sliver, in_plane, triangle, area, 0);
+    return writer.reject(Rejection::sliver, StoredPolygon(polygon).in_plane(), triangle, area, 0);
   const dvec3& g = pressure.gradient;
   const PlanePressure p = pressure_on(triangle, pressure);
   const double third = 1.0 / (3.0 * sums.twice_area);
-  const dvec2 centroid(polygon.u[0] + sums.u * third, polygon.v[0] + sums.v * third);
+  const dvec2 centroid(first_lane(polygon.u) + sums.u * third, first_lane(polygon.v) + sums.v * third);
   const double p_mean = p.at(centroid.x, centroid.y);
   if (!pushes(p_mean, g, source.size))
-    return writer.reject(Rejection::touching, in_plane, triangle, area, p_mean * area);
+    return writer.reject(Rejection::touching, StoredPolygon(polygon).in_plane(), triangle, area, p_mean * area);
   if (sums.crowded) {
-    writer.add_merged(in_plane, triangle, p, g, area, centroid, source);
+    writer.add_merged(StoredPolygon(polygon).in_plane(), triangle, p, g, area, centroid, source);
   } else {
-    writer.add(in_plane, triangle, p, g, area, centroid, source);
+    add(polygon, triangle, p, g, area, centroid, source, writer);
   }
-  if (core_edges == 0) return;
-  for (int i = 0; i < polygon.count; ++i) {
-    if ((core_edges >> (polygon.edges >> (8 * i) & 0xff) & 1u) == 0) continue;
-    // In the second round the vertex after the last one is the first one.
-    writer.count_at_core(triangle, {polygon.u[i], polygon.v[i]}, {polygon.u[i + 1], polygon.v[i + 1]}, p);
-  }
+  if (core_edges != 0) count_at_core(polygon, core_edges, triangle, p, writer);
 }
 
 /// The same for the whole triangle, `polygon`, which no plane cuts.
@@ -101,8 +130,7 @@ HWY_INLINE void emit_whole(const PlanePolygon& polygon, const SurfaceTriangle& t
     emit(polygon, 0, triangle, pressure, source, writer);
     return;
   }
-  writer.add({polygon.u, polygon.v, polygon.count}, triangle, p, pressure.gradient, triangle.area, dvec2(third),
-             source);
+  add(polygon, triangle, p, pressure.gradient, triangle.area, dvec2(third), source, writer);
 }
 
 }  // namespace taxel::HWY_NAMESPACE

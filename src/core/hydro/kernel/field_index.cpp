@@ -48,7 +48,7 @@ void FieldIndex::index_boundary() {
       if (tets_[t].neighbour[static_cast<std::size_t>(face)] >= 0) continue;
       const bool skin = field_->is_skin(field_->tets()[t], face);
       ends_inside_ = ends_inside_ || !skin;
-      BoundaryFace boundary{{}, static_cast<std::int32_t>(t), skin};
+      BoundaryFace boundary{{}, static_cast<std::int32_t>(t), face, skin};
       Aabb& box = boxes.emplace_back();
       std::size_t k = 0;
       for (int i = 0; i < 4; ++i) {
@@ -63,19 +63,25 @@ void FieldIndex::index_boundary() {
   convex_ = !ends_inside_ && boundary_is_convex();
 }
 
-/// A closed surface of one piece without handles (Euler: V - E + F = 2) that bends inward at no edge.
-bool FieldIndex::boundary_is_convex() const {
+/// A closed surface of one piece without handles (Euler: V - E + F = 2) that bends inward at no edge. Then the grid
+/// learns its faces.
+bool FieldIndex::boundary_is_convex() {
   constexpr double kFlat = 1e-9;  // of the tet's size: rounding of coplanar faces
   struct Side {
-    std::int32_t low, high, face, opposite;
+    std::int32_t low, high, face, opposite, edge;
   };
+  std::vector<DistanceGrid::Face> faces;
   std::vector<Side> sides;
   std::vector<char> used(field_->vertices().size(), 0);
   for (std::size_t f = 0; f < boundary_faces_.size(); ++f) {
-    const auto& v = boundary_faces_[f].vertices;
+    const auto& [v, t, side, skin] = boundary_faces_[f];
+    const PackedTet& tet = tets_[static_cast<std::size_t>(t)];
+    const auto i = static_cast<std::size_t>(side);
+    faces.push_back({{tet.nx[i], tet.ny[i], tet.nz[i]}, tet.offset[i], t, side});
     for (std::size_t c = 0; c < 3; ++c) {
       const std::int32_t a = v[c], b = v[(c + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), v[(c + 2) % 3]});
+      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), v[(c + 2) % 3],
+                       static_cast<std::int32_t>(c)});
       used[static_cast<std::size_t>(a)] = 1;
     }
   }
@@ -83,15 +89,9 @@ bool FieldIndex::boundary_is_convex() const {
     return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
   });
   const auto bends_inward = [&](const Side& at, const Side& other) {
-    const BoundaryFace& face = boundary_faces_[static_cast<std::size_t>(at.face)];
-    const PackedTet& tet = tets_[static_cast<std::size_t>(face.tet)];
-    const dvec3& x = vertex(other.opposite);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::int32_t corner = vertices_of(face.tet)[static_cast<int>(i)];
-      if (corner == face.vertices[0] || corner == face.vertices[1] || corner == face.vertices[2]) continue;
-      return tet.nx[i] * x.x + tet.ny[i] * x.y + tet.nz[i] * x.z + tet.offset[i] < -kFlat * tet.size;
-    }
-    return true;
+    const DistanceGrid::Face& face = faces[static_cast<std::size_t>(at.face)];
+    const double size = tets_[static_cast<std::size_t>(face.tet)].size;
+    return glm::dot(face.n, vertex(other.opposite)) + face.offset < -kFlat * size;
   };
   if (sides.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < sides.size(); i += 2) {
@@ -99,10 +99,14 @@ bool FieldIndex::boundary_is_convex() const {
     const bool shared = a.low == b.low && a.high == b.high;
     const bool third = i + 2 < sides.size() && sides[i + 2].low == a.low && sides[i + 2].high == a.high;
     if (!shared || third || bends_inward(a, b)) return false;
+    faces[static_cast<std::size_t>(a.face)].neighbours[static_cast<std::size_t>(a.edge)] = b.face;
+    faces[static_cast<std::size_t>(b.face)].neighbours[static_cast<std::size_t>(b.edge)] = a.face;
   }
   const auto vertices = std::count(used.begin(), used.end(), 1);
   const auto edges = static_cast<std::ptrdiff_t>(sides.size() / 2);
-  return vertices - edges + static_cast<std::ptrdiff_t>(boundary_faces_.size()) == 2;
+  if (vertices - edges + static_cast<std::ptrdiff_t>(faces.size()) != 2) return false;
+  grid_.set_faces(std::move(faces));
+  return true;
 }
 
 }  // namespace taxel

@@ -34,7 +34,7 @@ class FieldIndex {
   /// A face that only one tet has: on the skin or on a core.
   struct BoundaryFace {
     std::array<std::int32_t, 3> vertices;
-    std::int32_t tet;
+    std::int32_t tet, side;  ///< the tet's face `side`
     bool skin;  ///< no pressure at its vertices
   };
   [[nodiscard]] const std::vector<BoundaryFace>& boundary_faces() const { return boundary_faces_; }
@@ -61,7 +61,7 @@ class FieldIndex {
 
  private:
   void index_boundary();
-  [[nodiscard]] bool boundary_is_convex() const;
+  [[nodiscard]] bool boundary_is_convex();
   [[nodiscard]] const dvec3& vertex(int i) const { return field_->vertices()[static_cast<std::size_t>(i)]; }
 
   PressureFieldPtr field_;

@@ -42,7 +42,7 @@ struct GridQuery {
 
   HWY_INLINE unsigned meets(const WideBvh::Node& node) const {
     const TagF f;
-    alignas(32) float place[3][kWide], radius[kWide];
+    alignas(32) float place[3][kWide], clamped[3][kWide], radius[kWide];
     unsigned bits = 0;
     const VecF zero = hn::Zero(f);
     for (std::size_t i = 0; i < kWide; i += kLanesF) {
@@ -56,7 +56,8 @@ struct GridQuery {
         const VecF inside = hn::Min(hn::Max(p, zero), hn::Set(f, top[axis]));
         const VecF beyond = hn::Sub(p, inside);
         squared = hn::Add(squared, hn::Mul(beyond, beyond));
-        hn::Store(inside, f, place[axis] + i);
+        hn::Store(p, f, place[axis] + i);
+        hn::Store(inside, f, clamped[axis] + i);
       }
       const auto near = hn::And(hn::Le(squared, hn::Mul(reach, reach)), hn::Le(b.lx, b.hx));  // unused lanes are empty
       bits |= mask_bits(f, near) << i;
@@ -66,12 +67,18 @@ struct GridQuery {
     const float scale = 1.0f / edge;
     for (unsigned rest = bits; rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-      const int x = std::min(static_cast<int>(place[0][lane] * scale), most.x);
-      const int y = std::min(static_cast<int>(place[1][lane] * scale), most.y);
-      const int z = std::min(static_cast<int>(place[2][lane] * scale), most.z);
-      const float distance =
-          grid->cells()[static_cast<std::size_t>(x + grid->dims().x * (y + grid->dims().y * z))].distance;
-      if (distance <= radius[lane]) kept |= 1u << lane;
+      const int x = std::min(static_cast<int>(clamped[0][lane] * scale), most.x);
+      const int y = std::min(static_cast<int>(clamped[1][lane] * scale), most.y);
+      const int z = std::min(static_cast<int>(clamped[2][lane] * scale), most.z);
+      const DistanceGrid::Cell& cell =
+          grid->cells()[static_cast<std::size_t>(x + grid->dims().x * (y + grid->dims().y * z))];
+      if (cell.distance > radius[lane]) continue;
+      if (cell.face >= 0) {
+        const DistanceGrid::Face& face = grid->faces()[static_cast<std::size_t>(cell.face)];
+        const dvec3 center(place[0][lane], place[1][lane], place[2][lane]);
+        if (glm::dot(face.n, center + grid->low()) + face.offset < -radius[lane]) continue;
+      }
+      kept |= 1u << lane;
     }
     return kept;
   }

@@ -25,13 +25,10 @@ void run_half_space(double stiffness, const TriangleTree& rigid, const RigidTran
     for (std::size_t c = 0; c < 3; ++c) x[c] = X_SR(rigid.vertices()[static_cast<std::size_t>(source.vertex[c])]);
     if (!(x[0].z < 0 || x[1].z < 0 || x[2].z < 0)) continue;
     const SurfaceTriangle triangle = writer.triangle(x, X_SR.R * source.normal);
-    PlanePolygon whole, below;
-    set_whole_triangle(whole);
-    set_whole_triangle(below);
-    const Cut cut = keep_inside(-x[0].z, -x[1].z, -x[2].z, 0, whole, below);
-    if (cut == Cut::nothing_inside) continue;
+    PlanePolygon polygon = whole_triangle();
+    if (keep_inside(-x[0].z, -x[1].z, -x[2].z, 0, polygon) == Cut::nothing_inside) continue;
     const PolygonSource from{-1, source.face, std::sqrt(2.0 * triangle.area)};
-    emit(cut == Cut::done ? below : whole, 0, triangle, pressure, from, writer);
+    emit(polygon, 0, triangle, pressure, from, writer);
   }
 }
 

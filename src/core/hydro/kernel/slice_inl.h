@@ -35,7 +35,9 @@ HWY_INLINE std::array<int, 3> basis_of(const TetSlice& slice, const dvec3& norma
 /// where it has no area.
 HWY_INLINE void to_plane(const TetSlice& slice, const std::array<int, 3>& basis, const std::array<dvec3, 3>& x,
                          PlanePolygon& polygon) {
-  std::memset(&polygon, 0, sizeof(polygon));
+  polygon.count = 0;
+  polygon.edges = 0;
+  double at_u[8] = {}, at_v[8] = {};
   const dvec3 eu = x[1] - x[0], ev = x[2] - x[0];
   const PlaneMetric m{glm::dot(eu, eu), glm::dot(eu, ev), glm::dot(ev, ev)};
   const double det = m.uu * m.vv - m.uv * m.uv;
@@ -48,12 +50,13 @@ HWY_INLINE void to_plane(const TetSlice& slice, const std::array<int, 3>& basis,
       u = (ru * m.vv - rv * m.uv) / det;
       v = (rv * m.uu - ru * m.uv) / det;
     }
-    polygon.u[i] = u;
-    polygon.v[i] = v;
+    at_u[i] = u;
+    at_v[i] = v;
     polygon.edges |= (kOwnEdge + static_cast<std::uint64_t>(slice.face[static_cast<std::size_t>(i)])) << (8 * i);
   }
-  polygon.count = slice.count;
-  polygon.close();
+  polygon.u = load_eight(at_u);
+  polygon.v = load_eight(at_v);
+  polygon.count = static_cast<unsigned>(slice.count);
 }
 
 }  // namespace taxel::HWY_NAMESPACE

@@ -28,33 +28,10 @@ SurfaceTriangle SurfaceWriter::triangle(const std::array<dvec3, 3>& x_S, const d
   return t;
 }
 
-void SurfaceWriter::add_vertices(const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
-                                 const PlanePressure& pressure) {
-  const auto count = static_cast<std::size_t>(polygon.count), first = out_.vertices.size();
-  out_.vertices.resize(first + count);
-  out_.pressure.resize(first + count);
-  dvec3* x = out_.vertices.data() + first;
-  double* p = out_.pressure.data() + first;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t k = reverse_ ? count - 1 - i : i;
-    x[i] = triangle.point_A(polygon.u[k], polygon.v[k]);
-    p[i] = std::max(0.0, pressure.at(polygon.u[k], polygon.v[k]));
-  }
-}
-
-void SurfaceWriter::close(int count, const SurfaceTriangle& triangle, const PlanePressure& pressure,
-                          const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source) {
-  ContactPolygon& polygon = out_.polygons.emplace_back();
-  polygon.first = static_cast<int>(out_.vertices.size()) - count;
-  polygon.count = count;
-  polygon.normal = triangle.push_A;
-  polygon.area = area;
-  polygon.centroid = triangle.point_A(centroid.x, centroid.y);
-  polygon.pressure = pressure.at(centroid.x, centroid.y);
-  polygon.gradient = same_frame_ ? gradient_S : X_AS_.R * gradient_S;
-  polygon.tet = source.tet;
-  polygon.face = source.face;
-  polygon.tet_b = source.tet_b;
+void SurfaceWriter::make_room() {
+  const std::size_t room = std::max(out_.vertices.capacity(), 2 * used_ + 64 * kSlots);
+  out_.vertices.resize(room);
+  out_.pressure.resize(room);
 }
 
 void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
@@ -75,7 +52,14 @@ void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTrian
   while (count > 1 && near(u[count - 1] - u[0], v[count - 1] - v[0])) --count;
   // A strip narrower than the merging distance keeps what makes its area.
   const PolygonInPlane merged{u.data(), v.data(), static_cast<int>(count)};
-  add(count < 3 ? polygon : merged, triangle, pressure, gradient_S, area, centroid, source);
+  const PolygonInPlane& kept = count < 3 ? polygon : merged;
+  const Slots to = slots();
+  for (int i = 0; i < kept.count; ++i) {
+    const int k = reverse_ ? kept.count - 1 - i : i;
+    to.vertices[i] = triangle.point_A(kept.u[k], kept.v[k]);
+    to.pressure[i] = std::max(0.0, pressure.at(kept.u[k], kept.v[k]));
+  }
+  close(kept.count, triangle, pressure, gradient_S, area, centroid, source);
 }
 
 void SurfaceWriter::reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
@@ -101,6 +85,8 @@ void SurfaceWriter::count_at_core(const SurfaceTriangle& triangle, const dvec2& 
 }
 
 void SurfaceWriter::finish() {
+  out_.vertices.resize(used_);
+  out_.pressure.resize(used_);
   RejectedPolygons& core = out_.rejected[static_cast<std::size_t>(Rejection::beyond_core)];
   if (core.count == 0) return;
   core.area = glm::length(hole_);
@@ -108,14 +94,13 @@ void SurfaceWriter::finish() {
 }
 
 SurfaceWriter::Mark SurfaceWriter::mark() const {
-  return {out_.vertices.size(), out_.polygons.size(), out_.filtered_vertices.size(),
+  return {used_,                out_.polygons.size(), out_.filtered_vertices.size(),
           out_.filtered.size(), out_.rejected,        hole_,
           rim_length_,          rim_pressure_};
 }
 
 void SurfaceWriter::forget_since(const Mark& mark) {
-  out_.vertices.resize(mark.vertices);
-  out_.pressure.resize(mark.vertices);
+  used_ = mark.vertices;
   out_.polygons.resize(mark.polygons);
   out_.filtered_vertices.resize(mark.filtered_vertices);
   out_.filtered.resize(mark.filtered);

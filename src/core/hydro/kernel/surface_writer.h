@@ -65,19 +65,34 @@ class SurfaceWriter {
   /// The triangle with these corners and this unit normal.
   [[nodiscard]] SurfaceTriangle triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const;
 
-  void add(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
-           const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source) {
-    add_vertices(polygon, triangle, pressure);
-    close(polygon.count, triangle, pressure, gradient_S, area, centroid, source);
+  /// Whether vertices are to be written the last one first.
+  [[nodiscard]] bool reverse() const { return reverse_; }
+  /// Room for eight vertices [frame A, m] and their pressures [Pa], of the polygon that close() adds next.
+  struct Slots {
+    dvec3* vertices;
+    double* pressure;
+  };
+  [[nodiscard]] Slots slots() {
+    if (out_.vertices.size() < used_ + kSlots) make_room();
+    return {out_.vertices.data() + used_, out_.pressure.data() + used_};
   }
-  /// Leaves out vertices nearer than the merging distance to the one before, unless too few would be left.
+  /// Adds the polygon whose first `count` vertices are in slots().
+  void close(int count, const SurfaceTriangle& triangle, const PlanePressure& pressure, const dvec3& gradient_S,
+             double area, const dvec2& centroid, const PolygonSource& source) {
+    out_.polygons.emplace_back(static_cast<int>(used_), count, triangle.push_A, area,
+                               triangle.point_A(centroid.x, centroid.y), pressure.at(centroid.x, centroid.y),
+                               same_frame_ ? gradient_S : X_AS_.R * gradient_S, source.tet, source.tet_b, source.face);
+    used_ += static_cast<std::size_t>(count);
+  }
+  /// Adds a polygon without its vertices that are nearer than the merging distance to the one before, unless too few
+  /// would be left.
   void add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
                   const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source);
   void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle, double area,
               double force);
   /// Notes that a polygon ends on a pad's rigid core along the edge from a to b, in its own sense of turning.
   void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
-  /// Enters what the cores hide. Call once, at the end.
+  /// Gives back unused room and enters what the cores hide. Call once, at the end.
   void finish();
 
   [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
@@ -95,11 +110,11 @@ class SurfaceWriter {
   [[nodiscard]] double area_since(const Mark& mark) const;
 
  private:
-  void add_vertices(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure);
-  void close(int count, const SurfaceTriangle& triangle, const PlanePressure& pressure, const dvec3& gradient_S,
-             double area, const dvec2& centroid, const PolygonSource& source);
+  static constexpr std::size_t kSlots = 8;
+  void make_room();
 
   ContactSurface& out_;
+  std::size_t used_ = 0;  ///< vertices; out_ has room for more until finish()
   RigidTransform X_AS_;
   bool same_frame_, reverse_;
   dvec3 hole_{0};            ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]

@@ -21,9 +21,7 @@ class TetsAndTets {
  public:
   TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
               IntersectWorkspace& workspace)
-      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {
-    std::memset(buffers_, 0, sizeof(buffers_));
-  }
+      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {}
 
   void run() {
     w_.begin_call(a_.field().vertices().size());
@@ -182,11 +180,10 @@ class TetsAndTets {
     PlanePolygon polygon;
     to_plane(slice, basis, x, polygon);
     if (polygon.count == 0 || !find_cuts(polygon, l, index, in_tet)) return 0;
-    const PlanePolygon* clipped = clip(in_tet, &polygon, buffers_);
-    if (clipped == nullptr) return 0;
-    emit(*clipped, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
+    if (!clip(in_tet, polygon)) return 0;
+    emit(polygon, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
          {k.index, -1, std::min(own.size, l.size), index}, writer_);
-    return edge_bits(*clipped);
+    return edge_bits(polygon);
   }
 
   /// Sets which planes of l to cut by; false where l does not hold the polygon. One that lies in a face shared by two
@@ -195,20 +192,16 @@ class TetsAndTets {
   HWY_INLINE bool find_cuts(const PlanePolygon& polygon, const PackedTet& l, std::int32_t index,
                             TriangleInTet& in_tet) {
     const double most = 1e-10 * l.size;
+    const unsigned all = (1u << polygon.count) - 1;
     in_tet.cut = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      const double d0 = in_tet.corner[0][i], d1 = in_tet.corner[1][i], d2 = in_tet.corner[2][i];
-      bool in_face = true, outside = true, inside = true;
-      for (int n = 0; n < polygon.count; ++n) {
-        const double u = polygon.u[n], v = polygon.v[n], distance = (1 - u - v) * d0 + u * d1 + v * d2;
-        in_face = in_face && std::abs(distance) <= most;
-        outside = outside && distance < 0;
-        inside = inside && !(distance < 0);
-      }
+      const Eight distance = distances_of(polygon, in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i]);
+      const unsigned below = less(distance, set_eight(0.0)) & all;
+      const bool in_face = ((less(distance, set_eight(-most)) | less(set_eight(most), distance)) & all) == 0;
       degenerate_ = degenerate_ || in_face;
       if (in_face && l.neighbour[i] >= 0 && l.neighbour[i] < index) return false;
-      if (in_face || inside) continue;
-      if (outside) return false;
+      if (in_face || below == 0) continue;
+      if (below == all) return false;
       in_tet.cut |= 1u << i;
     }
     return true;
@@ -218,7 +211,6 @@ class TetsAndTets {
   const RigidTransform& X_BA_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
-  PlanePolygon buffers_[2];
   bool degenerate_ = false;  ///< the surface passes through an edge or along a face of tets
 };
 

@@ -20,10 +20,7 @@ class TetsAndTriangles {
  public:
   TetsAndTriangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
                    SurfaceWriter& writer, IntersectWorkspace& workspace)
-      : field_(field), rigid_(rigid), X_SR_(X_SR), writer_(writer), w_(workspace) {
-    set_whole_triangle(whole_);
-    buffers_[0] = buffers_[1] = whole_;
-  }
+      : field_(field), rigid_(rigid), X_SR_(X_SR), writer_(writer), w_(workspace) {}
 
   void run() {
     GridQuery query;
@@ -63,6 +60,10 @@ class TetsAndTriangles {
   HWY_INLINE std::int32_t locate(const dvec3& x) const {
     constexpr int kMostSteps = 64;
     const DistanceGrid::Cell& cell = field_.grid().cell_of(x);
+    if (cell.face >= 0) {
+      const DistanceGrid::Face& face = field_.grid().faces()[at(cell.face)];
+      if (glm::dot(face.n, x) + face.offset < 0) return left_by(face.tet, static_cast<std::size_t>(face.side));
+    }
     if (cell.distance > 0) return kOutside;
     std::int32_t tet = cell.tet;
     const TagD d;
@@ -154,7 +155,7 @@ class TetsAndTriangles {
     classify(c.corners, tet, index, in_tet);
     if (in_tet.flat || in_tet.disjoint || in_tet.cut != 0) return false;
     c.triangle = writer_.triangle(x, c.normal);
-    emit_whole(whole_, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
+    emit_whole(whole_triangle(), c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
     return true;
   }
 
@@ -195,10 +196,10 @@ class TetsAndTriangles {
     classify(c.corners, tet, index, in_tet);
     flat_ = flat_ || in_tet.flat;
     if (in_tet.disjoint) return 0;
-    const PlanePolygon* clipped = clip(in_tet, &whole_, buffers_);
-    if (clipped == nullptr) return 0;
-    emit(*clipped, tet.core_faces, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
-    return edge_bits(*clipped) & kPlanes;
+    PlanePolygon polygon = whole_triangle();
+    if (!clip(in_tet, polygon)) return 0;
+    emit(polygon, tet.core_faces, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
+    return edge_bits(polygon) & kPlanes;
   }
 
   const FieldIndex& field_;
@@ -206,7 +207,6 @@ class TetsAndTriangles {
   const RigidTransform& X_SR_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
-  PlanePolygon whole_, buffers_[2];
   bool flat_ = false;  ///< the current triangle lies in a plane of some tet
 };
 

@@ -1,0 +1,145 @@
+// Eight doubles in as few registers as the instruction set has for them. Included once per target.
+#if defined(TAXEL_EIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TAXEL_EIGHT_INL_H
+#undef TAXEL_EIGHT_INL_H
+#else
+#define TAXEL_EIGHT_INL_H
+#endif
+
+#include "core/hydro/kernel/cut_lanes.h"
+#include "core/hydro/kernel/lanes_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taxel::HWY_NAMESPACE {
+
+using TagE = hn::CappedTag<double, 8>;
+using VecE = hn::Vec<TagE>;
+using TagEI = hn::RebindToSigned<TagE>;
+
+struct Eight {
+  static constexpr std::size_t kLanes = hn::MaxLanes(TagE()), kParts = 8 / kLanes;
+  VecE part[kParts];
+};
+
+HWY_INLINE Eight set_eight(double x) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Set(TagE(), x);
+  return r;
+}
+HWY_INLINE Eight load_eight(const double* HWY_RESTRICT x) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::LoadU(TagE(), x + i * Eight::kLanes);
+  return r;
+}
+HWY_INLINE void store_eight(const Eight& a, double* HWY_RESTRICT x) {
+  for (std::size_t i = 0; i < Eight::kParts; ++i) hn::StoreU(a.part[i], TagE(), x + i * Eight::kLanes);
+}
+HWY_INLINE double first_lane(const Eight& a) { return hn::GetLane(a.part[0]); }
+
+HWY_INLINE Eight operator+(const Eight& a, const Eight& b) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Add(a.part[i], b.part[i]);
+  return r;
+}
+HWY_INLINE Eight operator-(const Eight& a, const Eight& b) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Sub(a.part[i], b.part[i]);
+  return r;
+}
+HWY_INLINE Eight operator*(const Eight& a, const Eight& b) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Mul(a.part[i], b.part[i]);
+  return r;
+}
+HWY_INLINE Eight operator/(const Eight& a, const Eight& b) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Div(a.part[i], b.part[i]);
+  return r;
+}
+HWY_INLINE Eight larger(const Eight& a, const Eight& b) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Max(a.part[i], b.part[i]);
+  return r;
+}
+/// Bit i: lane i of a is less than that of b.
+HWY_INLINE unsigned less(const Eight& a, const Eight& b) {
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < Eight::kParts; ++i)
+    bits |= mask_bits(TagE(), hn::Lt(a.part[i], b.part[i])) << (i * Eight::kLanes);
+  return bits;
+}
+
+#if HWY_MAX_BYTES == 32
+/// Four lanes of what is taken.
+HWY_INLINE VecE take_half(const Eight& a, hn::Vec<TagEI> number) {
+  const auto lane = hn::IndicesFromVec(TagE(), hn::And(number, hn::Set(TagEI(), 3)));
+  const auto upper = hn::RebindMask(TagE(), hn::TestBit(number, hn::Set(TagEI(), 4)));
+  return hn::IfThenElse(upper, hn::TableLookupLanes(a.part[1], lane), hn::TableLookupLanes(a.part[0], lane));
+}
+#endif
+
+/// Lane i is lane n[i] of a, where n[i] < kOther, and lane n[i] - kOther of b otherwise.
+HWY_INLINE Eight take(const Eight& a, const Eight& b, const LaneNumbers& n) {
+  Eight r;
+#if HWY_MAX_BYTES == 64
+  const auto number = hn::Load(TagEI(), n.lane);
+  const auto lane = hn::IndicesFromVec(TagE(), hn::And(number, hn::Set(TagEI(), 7)));
+  const auto other = hn::RebindMask(TagE(), hn::TestBit(number, hn::Set(TagEI(), LaneNumbers::kOther)));
+  r.part[0] = hn::IfThenElse(other, hn::TableLookupLanes(b.part[0], lane), hn::TableLookupLanes(a.part[0], lane));
+#elif HWY_MAX_BYTES == 32
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto number = hn::Load(TagEI(), n.lane + 4 * i);
+    const auto other = hn::RebindMask(TagE(), hn::TestBit(number, hn::Set(TagEI(), LaneNumbers::kOther)));
+    r.part[i] = hn::IfThenElse(other, take_half(b, number), take_half(a, number));
+  }
+#else
+  double table[16];
+  store_eight(a, table);
+  store_eight(b, table + 8);
+  double taken[8];
+  for (std::size_t i = 0; i < 8; ++i) taken[i] = table[n.lane[i]];
+  r = load_eight(taken);
+#endif
+  return r;
+}
+
+/// Lane i is lane n[i] of a.
+HWY_INLINE Eight take(const Eight& a, const LaneNumbers& n) {
+  Eight r;
+#if HWY_MAX_BYTES == 64
+  r.part[0] = hn::TableLookupLanes(a.part[0], hn::SetTableIndices(TagE(), n.lane));
+#elif HWY_MAX_BYTES == 32
+  for (std::size_t i = 0; i < 2; ++i) r.part[i] = take_half(a, hn::Load(TagEI(), n.lane + 4 * i));
+#else
+  double table[8], taken[8];
+  store_eight(a, table);
+  for (std::size_t i = 0; i < 8; ++i) taken[i] = table[n.lane[i]];
+  r = load_eight(taken);
+#endif
+  return r;
+}
+
+/// x0 y0 z0 x1 y1 z1 and so on: 24 numbers.
+HWY_INLINE void store_interleaved(const Eight& x, const Eight& y, const Eight& z, double* HWY_RESTRICT out) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t i = 0; i < 8; ++i) {
+    out[3 * i] = hn::GetLane(x.part[i]);
+    out[3 * i + 1] = hn::GetLane(y.part[i]);
+    out[3 * i + 2] = hn::GetLane(z.part[i]);
+  }
+#else
+  for (std::size_t i = 0; i < Eight::kParts; ++i)
+    hn::StoreInterleaved3(x.part[i], y.part[i], z.part[i], TagE(), out + 3 * i * Eight::kLanes);
+#endif
+}
+
+/// ((a0 + a4) + (a2 + a6)) + ((a1 + a5) + (a3 + a7)).
+HWY_INLINE double sum(const Eight& a) {
+  alignas(64) double s[8];
+  store_eight(a, s);
+  return sum_of_eight(s);
+}
+
+}  // namespace taxel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
