@@ -135,9 +135,22 @@ HWY_INLINE void store_interleaved(const Eight& x, const Eight& y, const Eight& z
 
 /// ((a0 + a4) + (a2 + a6)) + ((a1 + a5) + (a3 + a7)).
 HWY_INLINE double sum(const Eight& a) {
-  alignas(64) double s[8];
+#if HWY_MAX_BYTES == 64 || HWY_MAX_BYTES == 32
+#if HWY_MAX_BYTES == 64
+  const hn::Half<TagE> four;
+  const auto s = hn::Add(hn::LowerHalf(four, a.part[0]), hn::UpperHalf(four, a.part[0]));
+#else
+  const TagE four;
+  const auto s = hn::Add(a.part[0], a.part[1]);
+#endif
+  const hn::Half<decltype(four)> two;
+  const auto t = hn::Add(hn::LowerHalf(two, s), hn::UpperHalf(two, s));
+  return hn::GetLane(t) + hn::GetLane(hn::Reverse2(two, t));
+#else
+  double s[8];
   store_eight(a, s);
-  return sum_of_eight(s);
+  return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+#endif
 }
 
 }  // namespace taxel::HWY_NAMESPACE

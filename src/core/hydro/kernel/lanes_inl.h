@@ -36,15 +36,6 @@ HWY_INLINE VecD plane(VecD nx, VecD x, VecD ny, VecD y, VecD nz, VecD z, VecD o)
   return hn::Add(hn::Add(hn::Add(hn::Mul(nx, x), hn::Mul(ny, y)), hn::Mul(nz, z)), o);
 }
 
-/// ((s0 + s4) + (s2 + s6)) + ((s1 + s5) + (s3 + s7)) of eight doubles.
-HWY_INLINE double sum_of_eight(const double* HWY_RESTRICT s) {
-  const TagD d;
-  alignas(32) double four[4];
-  for (std::size_t i = 0; i < 4; i += kLanesD)
-    hn::Store(hn::Add(hn::Load(d, s + i), hn::Load(d, s + i + 4)), d, four + i);
-  return (four[0] + four[2]) + (four[1] + four[3]);
-}
-
 }  // namespace taxel::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
