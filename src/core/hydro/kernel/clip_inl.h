@@ -8,8 +8,8 @@
 
 #include <bit>
 
-#include "core/hydro/kernel/field_index.h"
 #include "core/hydro/kernel/eight_inl.h"
+#include "core/hydro/kernel/field_index.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
@@ -114,8 +114,8 @@ HWY_INLINE Eight distances_of(const PlanePolygon& p, double d0, double d1, doubl
   return w * set_eight(d0) + p.u * set_eight(d1) + p.v * set_eight(d2);
 }
 
-/// Keeps what has distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line, however
-/// small the angle. The new edge gets `mark`. The polygon is untouched unless `done`.
+/// Keeps what has distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line,
+/// however small the angle. The new edge gets `mark`. The polygon is untouched unless `done`.
 HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, PlanePolygon& p) {
   const Eight distance = distances_of(p, d0, d1, d2);
   const unsigned n = p.count, all = (1u << n) - 1;

@@ -12,15 +12,15 @@ namespace taxel {
 class DistanceGrid {
  public:
   struct Cell {
-    float distance = 0;     ///< every point of the cell is at least this far from every tet [m]; 0 in cells with tets
-    std::int32_t tet = -1;  ///< one that meets the cell, that of its middle where there is one; -1 where none does
+    float distance = 0;      ///< every point of the cell is at least this far from every tet [m]; 0 in cells with tets
+    std::int32_t tet = -1;   ///< one that meets the cell, that of its middle where there is one; -1 where none does
     std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none
   };
   /// The plane of a face of the boundary: the whole field lies at n . x + offset >= 0, but for rounding.
   struct Face {
     dvec3 n{0};  ///< unit, inward
     double offset = 0;
-    std::int32_t tet = -1, side = -1;             ///< the tet's face `side`
+    std::int32_t tet = -1, side = -1;            ///< the tet's face `side`
     std::array<std::int32_t, 3> neighbours{{}};  ///< across its edges
   };
 

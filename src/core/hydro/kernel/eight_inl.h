@@ -34,7 +34,9 @@ HWY_INLINE Eight load_eight(const double* HWY_RESTRICT x) {
 HWY_INLINE void store_eight(const Eight& a, double* HWY_RESTRICT x) {
   for (std::size_t i = 0; i < Eight::kParts; ++i) hn::StoreU(a.part[i], TagE(), x + i * Eight::kLanes);
 }
-HWY_INLINE double first_lane(const Eight& a) { return hn::GetLane(a.part[0]); }
+HWY_INLINE double first_lane(const Eight& a) {
+  return hn::GetLane(a.part[0]);
+}
 
 HWY_INLINE Eight operator+(const Eight& a, const Eight& b) {
   Eight r;

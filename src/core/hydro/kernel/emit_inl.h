@@ -28,8 +28,8 @@ HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metr
   const Eight ua = polygon.u - u0, va = polygon.v - v0, ub = take(ua, next), vb = take(va, next);
   const Eight cross = count * (ua * vb - ub * va);
   const Eight du = ub - ua, dv = vb - va;
-  const Eight squared = set_eight(metric.uu) * (du * du) +
-                        (set_eight(2 * metric.uv) * (du * dv) + set_eight(metric.vv) * (dv * dv));
+  const Eight squared =
+      set_eight(metric.uu) * (du * du) + (set_eight(2 * metric.uv) * (du * dv) + set_eight(metric.vv) * (dv * dv));
   const unsigned close = less(squared, set_eight(merge_distance * merge_distance));
   return {sum(cross), sum(cross * (ua + ub)), sum(cross * (va + vb)), (close & ((1u << polygon.count) - 1)) != 0};
 }
@@ -84,8 +84,7 @@ HWY_INLINE void add(const PlanePolygon& polygon, const SurfaceTriangle& triangle
 
 /// Notes where the polygon ends on a pad's core. `core_edges`: bit i, edges marked i lie there.
 inline HWY_NOINLINE void count_at_core(const PlanePolygon& polygon, unsigned core_edges,
-                                       const SurfaceTriangle& triangle, const PlanePressure& p,
-                                       SurfaceWriter& writer) {
+                                       const SurfaceTriangle& triangle, const PlanePressure& p, SurfaceWriter& writer) {
   const StoredPolygon stored(polygon);
   for (int i = 0; i < stored.count; ++i) {
     if ((core_edges >> (polygon.edges >> (8 * i) & 0xff) & 1u) == 0) continue;

@@ -80,8 +80,8 @@ bool FieldIndex::boundary_is_convex() {
     faces.push_back({{tet.nx[i], tet.ny[i], tet.nz[i]}, tet.offset[i], t, side});
     for (std::size_t c = 0; c < 3; ++c) {
       const std::int32_t a = v[c], b = v[(c + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), v[(c + 2) % 3],
-                       static_cast<std::int32_t>(c)});
+      sides.push_back(
+          {std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), v[(c + 2) % 3], static_cast<std::int32_t>(c)});
       used[static_cast<std::size_t>(a)] = 1;
     }
   }

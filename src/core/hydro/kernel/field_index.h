@@ -35,7 +35,7 @@ class FieldIndex {
   struct BoundaryFace {
     std::array<std::int32_t, 3> vertices;
     std::int32_t tet, side;  ///< the tet's face `side`
-    bool skin;  ///< no pressure at its vertices
+    bool skin;               ///< no pressure at its vertices
   };
   [[nodiscard]] const std::vector<BoundaryFace>& boundary_faces() const { return boundary_faces_; }
   [[nodiscard]] const WideBvh& boundary_tree() const { return boundary_tree_; }  ///< over these

@@ -31,32 +31,41 @@ HWY_INLINE std::array<int, 3> basis_of(const TetSlice& slice, const dvec3& norma
   return {best, (best + 1) % 4, (best + 2) % 4};
 }
 
-/// The slice as a polygon of its basis triangle x, its edges marked kOwnEdge + the sliced tet's face; without vertices
-/// where it has no area.
-HWY_INLINE void to_plane(const TetSlice& slice, const std::array<int, 3>& basis, const std::array<dvec3, 3>& x,
-                         PlanePolygon& polygon) {
-  polygon.count = 0;
-  polygon.edges = 0;
-  double at_u[8] = {}, at_v[8] = {};
+/// A slice in the coordinates of its basis triangle, its edges marked kOwnEdge + the sliced tet's face.
+struct SliceInPlane {
+  PlanePolygon polygon;
+  dvec2 fourth{0};  ///< coordinates of a quadrangle's point that is not of the basis
+};
+
+/// False where the slice has no area.
+HWY_INLINE bool to_plane(const TetSlice& slice, const std::array<int, 3>& basis, const std::array<dvec3, 3>& x,
+                         SliceInPlane& out) {
+  out.polygon.edges = 0;
+  for (int i = 0; i < slice.count; ++i)
+    out.polygon.edges |= (kOwnEdge + static_cast<std::uint64_t>(slice.face[static_cast<std::size_t>(i)])) << (8 * i);
+  out.polygon.count = static_cast<unsigned>(slice.count);
+  if (slice.count == 3) {
+    const PlanePolygon whole = whole_triangle();
+    out.polygon.u = whole.u;
+    out.polygon.v = whole.v;
+    return true;
+  }
   const dvec3 eu = x[1] - x[0], ev = x[2] - x[0];
   const PlaneMetric m{glm::dot(eu, eu), glm::dot(eu, ev), glm::dot(ev, ev)};
   const double det = m.uu * m.vv - m.uv * m.uv;
-  if (!(det > 0)) return;
-  for (int i = 0; i < slice.count; ++i) {
-    double u = i == basis[1] ? 1 : 0, v = i == basis[2] ? 1 : 0;
-    if (i != basis[0] && i != basis[1] && i != basis[2]) {
-      const dvec3 r = slice.points[static_cast<std::size_t>(i)] - x[0];
-      const double ru = glm::dot(r, eu), rv = glm::dot(r, ev);
-      u = (ru * m.vv - rv * m.uv) / det;
-      v = (rv * m.uu - ru * m.uv) / det;
-    }
-    at_u[i] = u;
-    at_v[i] = v;
-    polygon.edges |= (kOwnEdge + static_cast<std::uint64_t>(slice.face[static_cast<std::size_t>(i)])) << (8 * i);
-  }
-  polygon.u = load_eight(at_u);
-  polygon.v = load_eight(at_v);
-  polygon.count = static_cast<unsigned>(slice.count);
+  if (!(det > 0)) return false;
+  const auto other = static_cast<std::size_t>((basis[2] + 1) % 4);
+  const dvec3 r = slice.points[other] - x[0];
+  const double ru = glm::dot(r, eu), rv = glm::dot(r, ev);
+  out.fourth = dvec2(ru * m.vv - rv * m.uv, rv * m.uu - ru * m.uv) / det;
+  double u[8] = {}, v[8] = {};
+  u[basis[1]] = 1;
+  v[basis[2]] = 1;
+  u[other] = out.fourth.x;
+  v[other] = out.fourth.y;
+  out.polygon.u = load_eight(u);
+  out.polygon.v = load_eight(v);
+  return true;
 }
 
 }  // namespace taxel::HWY_NAMESPACE

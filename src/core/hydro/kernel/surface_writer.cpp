@@ -94,9 +94,8 @@ void SurfaceWriter::finish() {
 }
 
 SurfaceWriter::Mark SurfaceWriter::mark() const {
-  return {used_,                out_.polygons.size(), out_.filtered_vertices.size(),
-          out_.filtered.size(), out_.rejected,        hole_,
-          rim_length_,          rim_pressure_};
+  return {used_,       out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size(), out_.rejected, hole_,
+          rim_length_, rim_pressure_};
 }
 
 void SurfaceWriter::forget_since(const Mark& mark) {

@@ -23,10 +23,9 @@ HWY_INLINE void add_slice(const FieldIndex& field, std::int32_t index, const std
       {slice.points[static_cast<std::size_t>(basis[0])], slice.points[static_cast<std::size_t>(basis[1])],
        slice.points[static_cast<std::size_t>(basis[2])]},
       normal);
-  PlanePolygon polygon;
-  to_plane(slice, basis, triangle.x_S, polygon);
-  if (polygon.count == 0) return;
-  emit(polygon, tet.core_faces << kOwnEdge, triangle, tet.pressure(), {index, -1, tet.size}, writer);
+  SliceInPlane in_plane;
+  if (!to_plane(slice, basis, triangle.x_S, in_plane)) return;
+  emit(in_plane.polygon, tet.core_faces << kOwnEdge, triangle, tet.pressure(), {index, -1, tet.size}, writer);
 }
 
 void run_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,

@@ -6,6 +6,7 @@
 #include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/grid_query_inl.h"
 #include "core/hydro/kernel/kernels.h"
+#include "core/hydro/kernel/locate_inl.h"
 #include "core/hydro/kernel/slice_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,13 +22,15 @@ class TetsAndTets {
  public:
   TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
               IntersectWorkspace& workspace)
-      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {}
+      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {
+    no_pressure_ = kNearlyFlat * std::max(a.field().max_pressure(), b.field().max_pressure());
+  }
 
   void run() {
     w_.begin_call(a_.field().vertices().size());
     const SurfaceWriter::Mark nothing = writer_.mark();
     if (!w_.tree_form) {
-      w_.pairs.clear();
+      w_.met.begin(w_.call, a_.tets().size());
       seed_from_boundary_of_a();
       if (b_.ends_inside()) seed_from_inner_boundary_of_b();
       flood();
@@ -47,8 +50,11 @@ class TetsAndTets {
     std::int32_t index;
     std::array<dvec3, 4> corners;
     std::array<double, 4> pressure;
+    dvec3 gradient;
     alignas(32) double x[4], y[4], z[4];
   };
+
+  static constexpr std::int32_t kNotLocated = std::numeric_limits<std::int32_t>::min();
 
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -57,12 +63,33 @@ class TetsAndTets {
     if (placed.call != w_.call) {
       placed.call = w_.call;
       placed.x = X_BA_(a_.field().vertices()[at(vertex)]);
+      placed.tet = kNotLocated;
     }
     return placed.x;
   }
 
+  /// Whether B has pressure at x, which its tet `index` holds: x is not in its skin.
+  [[nodiscard]] HWY_INLINE bool pushes_at(std::int32_t index, const dvec3& x) const {
+    const LinearPressure p = b_.tets()[at(index)].pressure();
+    return glm::dot(p.gradient, x) + p.constant > no_pressure_;
+  }
+
+  /// Whether a face of A's skin, at x, lies off the skin of B, which is convex.
+  HWY_INLINE bool clears_skin(const FieldIndex::BoundaryFace& face, const std::array<dvec3, 3>& x) {
+    std::array<std::int32_t, 3> held;
+    for (std::size_t i = 0; i < 3; ++i) {
+      PlacedVertex& placed = w_.placed[at(face.vertices[i])];
+      if (placed.tet == kNotLocated) placed.tet = locate(b_, placed.x);
+      held[i] = placed.tet;
+    }
+    bool inside = true;
+    for (std::size_t i = 0; inside && i < 3; ++i) inside = held[i] >= 0 && pushes_at(held[i], x[i]);
+    return inside || beyond_a_face(b_, x, held);
+  }
+
   HWY_INLINE void load(std::int32_t index, TetOfA& k) {
     k.index = index;
+    k.gradient = X_BA_.R * a_.tets()[at(index)].pressure().gradient;
     const ivec4& v = a_.vertices_of(index);
     for (int i = 0; i < 4; ++i) {
       const dvec3& c = position(v[i]);
@@ -80,13 +107,42 @@ class TetsAndTets {
     for (const std::int32_t number : w_.triangles) {
       const FieldIndex::BoundaryFace& face = a_.boundary_faces()[at(number)];
       const std::array<dvec3, 3> x{position(face.vertices[0]), position(face.vertices[1]), position(face.vertices[2])};
+      if (face.skin && b_.convex() && clears_skin(face, x)) continue;
       TriangleQuery query;
       const WideBvh& tree = face.skin ? b_.boundary_tree() : b_.tree();
-      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), tree);
+      const dvec3 normal = glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0]));
+      query.set(x, normal, tree);
       w_.found.clear();
       collect(tree, query, w_.found);
-      for (const std::int32_t other : w_.found) meet(face.tet, face.skin ? b_.boundary_faces()[at(other)].tet : other);
+      for (const std::int32_t other : w_.found) {
+        if (!face.skin) {
+          meet(face.tet, other);
+        } else if (const FieldIndex::BoundaryFace& skin = b_.boundary_faces()[at(other)]; may_cross(x, normal, skin)) {
+          meet(face.tet, skin.tet);
+        }
+      }
     }
+  }
+
+  /// Whether a triangle and a face of B reach both sides of each other's plane, or touch it.
+  [[nodiscard]] HWY_INLINE bool may_cross(const std::array<dvec3, 3>& x, const dvec3& normal,
+                                          const FieldIndex::BoundaryFace& face) const {
+    const PackedTet& tet = b_.tets()[at(face.tet)];
+    const std::size_t i = at(face.side);
+    const dvec3 n(tet.nx[i], tet.ny[i], tet.nz[i]);
+    const double touching = kNearlyFlat * tet.size;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const dvec3& corner : x) {
+      const double d = glm::dot(n, corner) + tet.offset[i];
+      least = std::min(least, d), most = std::max(most, d);
+    }
+    if (least > touching || most < -touching) return false;
+    least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const std::int32_t v : face.vertices) {
+      const double d = glm::dot(normal, b_.field().vertices()[at(v)] - x[0]);
+      least = std::min(least, d), most = std::max(most, d);
+    }
+    return !(least > touching || most < -touching);
   }
 
   void seed_from_inner_boundary_of_b() {
@@ -112,20 +168,20 @@ class TetsAndTets {
 
   void flood() {
     TetOfA k;
-    while (!w_.pairs.empty()) {
-      const auto [tet_a, tet_b] = w_.pairs.back();
-      w_.pairs.pop_back();
+    for (std::int32_t tet_a = w_.met.next(); tet_a >= 0; tet_a = w_.met.next()) {
       load(tet_a, k);
-      const unsigned edges = add_pair(k, tet_b);
-      for (unsigned bits = edges & 0xF; bits != 0; bits &= bits - 1)
-        meet(tet_a, b_.tets()[at(tet_b)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))]);
-      for (unsigned bits = edges >> kOwnEdge; bits != 0; bits &= bits - 1)
-        meet(a_.tets()[at(tet_a)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))], tet_b);
+      w_.met.for_each_new(tet_a, [&](std::int32_t tet_b) HWY_ATTR {
+        const unsigned edges = add_pair(k, tet_b);
+        for (unsigned bits = edges & 0xF; bits != 0; bits &= bits - 1)
+          meet(tet_a, b_.tets()[at(tet_b)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))]);
+        for (unsigned bits = edges >> kOwnEdge; bits != 0; bits &= bits - 1)
+          meet(a_.tets()[at(tet_a)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))], tet_b);
+      });
     }
   }
 
   HWY_INLINE void meet(std::int32_t tet_a, std::int32_t tet_b) {
-    if (tet_a >= 0 && tet_b >= 0 && w_.met.insert(tet_a, tet_b, w_.call)) w_.pairs.push_back({tet_a, tet_b});
+    if (tet_a >= 0 && tet_b >= 0) w_.met.insert(tet_a, tet_b);
   }
 
   void add_by_tree(std::int32_t index) {
@@ -141,9 +197,10 @@ class TetsAndTets {
   }
 
   /// pA - pB at the corners of k, with the linear pressure of tet l, and which are negative.
-  static HWY_INLINE unsigned differences(const TetOfA& k, const PackedTet& l, std::array<double, 4>& difference) {
+  HWY_INLINE unsigned differences(const TetOfA& k, const PackedTet& l, std::array<double, 4>& difference) {
     const TagD d;
-    unsigned negative = 0;
+    const VecD small = hn::Set(d, no_pressure_);
+    unsigned negative = 0, zero = 0;
     for (std::size_t i = 0; i < 4; i += kLanesD) {
       const VecD p =
           plane(hn::Set(d, l.gradient[0]), hn::Load(d, k.x + i), hn::Set(d, l.gradient[1]), hn::Load(d, k.y + i),
@@ -151,7 +208,9 @@ class TetsAndTets {
       const VecD value = hn::Sub(hn::LoadU(d, k.pressure.data() + i), p);
       hn::StoreU(value, d, difference.data() + i);
       negative |= mask_bits(d, hn::Lt(value, hn::Zero(d))) << i;
+      zero |= mask_bits(d, hn::Le(hn::Abs(value), small)) << i;
     }
+    degenerate_ = degenerate_ || (zero & (zero - 1)) != 0;
     return negative;
   }
 
@@ -160,12 +219,8 @@ class TetsAndTets {
     const PackedTet &l = b_.tets()[at(index)], &own = a_.tets()[at(k.index)];
     std::array<double, 4> difference;
     const unsigned negative = differences(k, l, difference);
-    const double most = kNearlyFlat * std::max(a_.field().max_pressure(), b_.field().max_pressure());
-    int zeros = 0;
-    for (const double d : difference) zeros += std::abs(d) <= most ? 1 : 0;
-    degenerate_ = degenerate_ || zeros > 1;
     if (negative == 0 || negative == 15) return 0;
-    const dvec3 steepest = X_BA_.R * own.pressure().gradient - l.pressure().gradient;
+    const dvec3 steepest = k.gradient - l.pressure().gradient;
     const double steepness = glm::length(steepest);
     if (!(steepness > 0)) return 0;
     const dvec3 normal = steepest / steepness;
@@ -177,9 +232,9 @@ class TetsAndTets {
     const double corners[3][3] = {{x[0].x, x[0].y, x[0].z}, {x[1].x, x[1].y, x[1].z}, {x[2].x, x[2].y, x[2].z}};
     TriangleInTet in_tet;
     classify(corners, l, index, in_tet);  // for the distances: the basis is not the whole slice
-    PlanePolygon polygon;
-    to_plane(slice, basis, x, polygon);
-    if (polygon.count == 0 || !find_cuts(polygon, l, index, in_tet)) return 0;
+    SliceInPlane in_plane;
+    if (!to_plane(slice, basis, x, in_plane) || !find_cuts(in_plane, l, index, in_tet)) return 0;
+    PlanePolygon& polygon = in_plane.polygon;
     if (!clip(in_tet, polygon)) return 0;
     emit(polygon, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
          {k.index, -1, std::min(own.size, l.size), index}, writer_);
@@ -189,28 +244,38 @@ class TetsAndTets {
   /// Sets which planes of l to cut by; false where l does not hold the polygon. One that lies in a face shared by two
   /// tets belongs to that of the lower number. The two see its distances with different rounding, since each has its
   /// own linear pressure: within a small part of the tet's size the polygon counts as in the face.
-  HWY_INLINE bool find_cuts(const PlanePolygon& polygon, const PackedTet& l, std::int32_t index,
-                            TriangleInTet& in_tet) {
-    const double most = 1e-10 * l.size;
-    const unsigned all = (1u << polygon.count) - 1;
-    in_tet.cut = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Eight distance = distances_of(polygon, in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i]);
-      const unsigned below = less(distance, set_eight(0.0)) & all;
-      const bool in_face = ((less(distance, set_eight(-most)) | less(set_eight(most), distance)) & all) == 0;
-      degenerate_ = degenerate_ || in_face;
-      if (in_face && l.neighbour[i] >= 0 && l.neighbour[i] < index) return false;
-      if (in_face || below == 0) continue;
-      if (below == all) return false;
-      in_tet.cut |= 1u << i;
+  HWY_INLINE bool find_cuts(const SliceInPlane& slice, const PackedTet& l, std::int32_t index, TriangleInTet& in_tet) {
+    const TagD d;
+    const VecD tolerance = hn::Set(d, 1e-10 * l.size), u = hn::Set(d, slice.fourth.x), v = hn::Set(d, slice.fourth.y);
+    const VecD w = hn::Sub(hn::Sub(hn::Set(d, 1.0), u), v);
+    unsigned in_face = 0, outside = 0, below = 0;
+    for (std::size_t i = 0; i < 4; i += kLanesD) {
+      const VecD d0 = hn::Load(d, in_tet.corner[0] + i), d1 = hn::Load(d, in_tet.corner[1] + i);
+      const VecD d2 = hn::Load(d, in_tet.corner[2] + i);
+      VecD least = hn::Min(hn::Min(d0, d1), d2), most = hn::Max(hn::Max(d0, d1), d2);
+      if (slice.polygon.count == 4) {
+        const VecD fourth = hn::Add(hn::Add(hn::Mul(w, d0), hn::Mul(u, d1)), hn::Mul(v, d2));
+        least = hn::Min(least, fourth);
+        most = hn::Max(most, fourth);
+      }
+      in_face |= mask_bits(d, hn::Le(hn::Max(most, hn::Neg(least)), tolerance)) << i;
+      outside |= mask_bits(d, hn::Lt(most, hn::Zero(d))) << i;
+      below |= mask_bits(d, hn::Lt(least, hn::Zero(d))) << i;
     }
-    return true;
+    degenerate_ = degenerate_ || in_face != 0;
+    for (unsigned faces = in_face; faces != 0; faces &= faces - 1) {
+      const std::int32_t neighbour = l.neighbour[static_cast<std::size_t>(std::countr_zero(faces))];
+      if (neighbour >= 0 && neighbour < index) return false;
+    }
+    in_tet.cut = below & ~in_face;
+    return (outside & ~in_face) == 0;
   }
 
   const FieldIndex &a_, &b_;
   const RigidTransform& X_BA_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
+  double no_pressure_;       ///< a smaller one, and a smaller difference, is rounding [Pa]
   bool degenerate_ = false;  ///< the surface passes through an edge or along a face of tets
 };
 

@@ -7,6 +7,7 @@
 #include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/grid_query_inl.h"
 #include "core/hydro/kernel/kernels.h"
+#include "core/hydro/kernel/locate_inl.h"
 #include "core/hydro/kernel/tree_query_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,7 +33,6 @@ class TetsAndTriangles {
   }
 
  private:
-  static constexpr std::int32_t kOutside = -1;
   static constexpr unsigned kPlanes = 0xF;  // marks of a tet's planes
   static constexpr double kLarge = 6.0;     // times a tet: the walk meets as many tets as the tree, and needs its seeds
 
@@ -51,57 +51,8 @@ class TetsAndTriangles {
     if (placed.call == w_.call) return placed;
     placed.call = w_.call;
     placed.x = X_SR_(rigid_.vertices()[at(vertex)]);
-    placed.tet = w_.tree_form ? kOutside : locate(placed.x);
+    placed.tet = w_.tree_form ? kOutside : locate(field_, placed.x);
     return placed;
-  }
-
-  /// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of
-  /// it and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
-  HWY_INLINE std::int32_t locate(const dvec3& x) const {
-    constexpr int kMostSteps = 64;
-    const DistanceGrid::Cell& cell = field_.grid().cell_of(x);
-    if (cell.face >= 0) {
-      const DistanceGrid::Face& face = field_.grid().faces()[at(cell.face)];
-      if (glm::dot(face.n, x) + face.offset < 0) return left_by(face.tet, static_cast<std::size_t>(face.side));
-    }
-    if (cell.distance > 0) return kOutside;
-    std::int32_t tet = cell.tet;
-    const TagD d;
-    const VecD px = hn::Set(d, x.x), py = hn::Set(d, x.y), pz = hn::Set(d, x.z);
-    for (int step = 0; step < kMostSteps && tet >= 0; ++step) {
-      const PackedTet& t = field_.tets()[at(tet)];
-      alignas(32) double distance[4];
-      for (std::size_t i = 0; i < 4; i += kLanesD) {
-        hn::Store(plane(hn::Load(d, &t.nx[i]), px, hn::Load(d, &t.ny[i]), py, hn::Load(d, &t.nz[i]), pz,
-                        hn::Load(d, &t.offset[i])),
-                  d, distance + i);
-      }
-      std::size_t least = distance[1] < distance[0] ? 1 : 0;
-      const std::size_t other = distance[3] < distance[2] ? 3 : 2;
-      if (distance[other] < distance[least]) least = other;
-      if (!(distance[least] < 0)) return tet;
-      if (t.neighbour[least] < 0) return left_by(tet, least);
-      tet = t.neighbour[least];
-    }
-    return kOutside;
-  }
-
-  static std::int32_t left_by(std::int32_t tet, std::size_t face) {
-    return kOutside - 1 - (4 * tet + static_cast<std::int32_t>(face));
-  }
-
-  /// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
-  HWY_INLINE bool beyond_a_face(const std::array<dvec3, 3>& x, const std::array<std::int32_t, 3>& held) const {
-    for (const std::int32_t h : held) {
-      if (h >= kOutside) continue;
-      const std::int32_t code = kOutside - 1 - h;
-      const PackedTet& t = field_.tets()[at(code / 4)];
-      const std::size_t i = at(code % 4);
-      const dvec3 n(t.nx[i], t.ny[i], t.nz[i]);
-      const double nearest = std::max({glm::dot(n, x[0]), glm::dot(n, x[1]), glm::dot(n, x[2])}) + t.offset[i];
-      if (nearest < -kNearlyFlat * t.size) return true;
-    }
-    return false;
   }
 
   void add(const TriangleTree::Triangle& source) {
@@ -129,7 +80,8 @@ class TetsAndTriangles {
     for (const std::int32_t tet : held) meet(tet);
     const bool inside = held[0] >= 0 && held[1] >= 0 && held[2] >= 0;
     const bool one_part = field_.convex() && !w_.tets.empty();
-    if (!inside && !one_part && !(field_.convex() && beyond_a_face(x, held))) add_seeds_at_boundary(x, c.normal);
+    if (!inside && !one_part && !(field_.convex() && beyond_a_face(field_, x, held)))
+      add_seeds_at_boundary(x, c.normal);
     if (w_.tets.empty()) return;
     c.triangle = writer_.triangle(x, c.normal);
     const SurfaceWriter::Mark before = writer_.mark();

@@ -4,35 +4,22 @@
 
 namespace taxel {
 
-bool MetPairs::insert(std::int32_t a, std::int32_t b, std::uint32_t call) {
-  if (call != last_call_) {
-    last_call_ = call;
-    count_ = 0;
-  }
-  if (2 * (count_ + 1) > entries_.size()) grow(call);
-  const std::size_t mask = entries_.size() - 1;
-  for (std::size_t i = hash(a, b) & mask;; i = (i + 1) & mask) {
-    Entry& entry = entries_[i];
-    if (entry.call != call) {
-      entry = {a, b, call};
-      ++count_;
-      return true;
-    }
-    if (entry.a == a && entry.b == b) return false;
-  }
+void MetPairs::begin(std::uint32_t call, std::size_t tets_of_a) {
+  call_ = call;
+  entries_.clear();
+  waiting_.clear();
+  if (lists_.size() < tets_of_a) lists_.resize(tets_of_a);
+}
+
+std::int32_t MetPairs::next() {
+  if (waiting_.empty()) return -1;
+  const std::int32_t a = waiting_.back();
+  waiting_.pop_back();
+  return a;
 }
 
 void MetPairs::clear() {
-  entries_.assign(entries_.size(), {});
-}
-
-void MetPairs::grow(std::uint32_t call) {
-  const std::vector<Entry> old = std::move(entries_);
-  entries_.assign(std::max<std::size_t>(1024, 2 * old.size()), {});
-  count_ = 0;
-  for (const Entry& entry : old) {
-    if (entry.call == call) insert(entry.a, entry.b, call);
-  }
+  lists_.assign(lists_.size(), {});
 }
 
 void IntersectWorkspace::begin_call(std::size_t vertices, std::size_t tets_of_field) {

@@ -8,29 +8,61 @@
 
 namespace taxel {
 
-/// Pairs of tets that were met in a call: a hash table that is never cleared, its entries name the call.
+/// Pairs of tets that were met in a call, as one list per tet of A. Nothing is cleared between calls: lists name
+/// theirs.
 class MetPairs {
  public:
-  /// False when the pair is there already. Calls count from 1.
-  bool insert(std::int32_t a, std::int32_t b, std::uint32_t call);
+  /// Opens a new call, with room for lists of so many tets of A. Calls count from 1.
+  void begin(std::uint32_t call, std::size_t tets_of_a);
+  void insert(std::int32_t a, std::int32_t b);
+  /// A tet of A with pairs that for_each_new has not given yet; -1: there is none.
+  std::int32_t next();
+  /// For each b that met `a`, also of those that f adds: f(b), once.
+  template <class F>
+  void for_each_new(std::int32_t a, F&& f);
+  /// Forgets all calls.
   void clear();
 
  private:
   struct Entry {
-    std::int32_t a = -1, b = -1;
-    std::uint32_t call = 0;
+    std::int32_t b, older;
   };
-  static std::size_t hash(std::int32_t a, std::int32_t b) {
-    const std::uint64_t key =
-        static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
-    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15u) >> 24);  // golden ratio: Knuth, volume 3, 6.4
-  }
-  void grow(std::uint32_t call);
+  struct List {
+    std::uint32_t call = 0;
+    std::int32_t newest = -1, done = -1;  ///< entries; those from `done` on were given
+    bool waits = false;
+  };
+  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
   std::vector<Entry> entries_;
-  std::size_t count_ = 0;
-  std::uint32_t last_call_ = 0;
+  std::vector<List> lists_;  ///< by tet of A
+  std::vector<std::int32_t> waiting_;
+  std::uint32_t call_ = 0;
 };
+
+inline void MetPairs::insert(std::int32_t a, std::int32_t b) {
+  List& list = lists_[at(a)];
+  if (list.call != call_) list = {call_};
+  for (std::int32_t e = list.newest; e >= 0; e = entries_[at(e)].older) {
+    if (entries_[at(e)].b == b) return;
+  }
+  entries_.push_back({b, list.newest});
+  list.newest = static_cast<std::int32_t>(entries_.size()) - 1;
+  if (list.waits) return;
+  list.waits = true;
+  waiting_.push_back(a);
+}
+
+template <class F>
+void MetPairs::for_each_new(std::int32_t a, F&& f) {
+  List& list = lists_[at(a)];
+  while (list.newest != list.done) {
+    const std::int32_t newest = list.newest;
+    for (std::int32_t e = newest; e != list.done; e = entries_[at(e)].older) f(entries_[at(e)].b);
+    list.done = newest;
+  }
+  list.waits = false;
+}
 
 /// A vertex in the frame of the other body.
 struct PlacedVertex {
@@ -44,15 +76,11 @@ struct IntersectWorkspace {
   /// Finds pairs by trees alone, without walking from tet to tet: the same polygons in another order. For tests.
   bool tree_form = false;
 
-  struct TetPair {
-    std::int32_t a, b;
-  };
   std::vector<std::int32_t> triangles;  ///< of the rigid mesh, or tets or faces of A, that may meet the other body
   std::vector<std::int32_t> tets;       ///< that may meet one triangle
   std::vector<std::int32_t> found;      ///< faces of the boundary that may
   std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of A
   std::vector<std::uint32_t> seen_in;   ///< of each tet: the triangle, counted over all calls, that last met it
-  std::vector<TetPair> pairs;           ///< yet to be cut
   MetPairs met;
   std::uint32_t call = 0, triangle = 0;
 

@@ -1,0 +1,70 @@
+// Which tet holds a point? Included once per target.
+#if defined(TAXEL_LOCATE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TAXEL_LOCATE_INL_H
+#undef TAXEL_LOCATE_INL_H
+#else
+#define TAXEL_LOCATE_INL_H
+#endif
+
+#include "core/hydro/kernel/clip_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taxel::HWY_NAMESPACE {
+
+/// Instead of a tet: the point is outside. Smaller numbers also say of which face.
+inline constexpr std::int32_t kOutside = -1;
+
+/// Outside of face `face` of `tet`.
+HWY_INLINE std::int32_t left_by(std::int32_t tet, std::size_t face) {
+  return kOutside - 1 - (4 * tet + static_cast<std::int32_t>(face));
+}
+
+/// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of
+/// it and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
+HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
+  constexpr int kMostSteps = 64;
+  const DistanceGrid::Cell& cell = field.grid().cell_of(x);
+  if (cell.face >= 0) {
+    const DistanceGrid::Face& face = field.grid().faces()[static_cast<std::size_t>(cell.face)];
+    if (glm::dot(face.n, x) + face.offset < 0) return left_by(face.tet, static_cast<std::size_t>(face.side));
+  }
+  if (cell.distance > 0) return kOutside;
+  std::int32_t tet = cell.tet;
+  const TagD d;
+  const VecD px = hn::Set(d, x.x), py = hn::Set(d, x.y), pz = hn::Set(d, x.z);
+  for (int step = 0; step < kMostSteps && tet >= 0; ++step) {
+    const PackedTet& t = field.tets()[static_cast<std::size_t>(tet)];
+    alignas(32) double distance[4];
+    for (std::size_t i = 0; i < 4; i += kLanesD) {
+      hn::Store(plane(hn::Load(d, &t.nx[i]), px, hn::Load(d, &t.ny[i]), py, hn::Load(d, &t.nz[i]), pz,
+                      hn::Load(d, &t.offset[i])),
+                d, distance + i);
+    }
+    std::size_t least = distance[1] < distance[0] ? 1 : 0;
+    const std::size_t other = distance[3] < distance[2] ? 3 : 2;
+    if (distance[other] < distance[least]) least = other;
+    if (!(distance[least] < 0)) return tet;
+    if (t.neighbour[least] < 0) return left_by(tet, least);
+    tet = t.neighbour[least];
+  }
+  return kOutside;
+}
+
+/// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
+HWY_INLINE bool beyond_a_face(const FieldIndex& field, const std::array<dvec3, 3>& x,
+                              const std::array<std::int32_t, 3>& held) {
+  for (const std::int32_t h : held) {
+    if (h >= kOutside) continue;
+    const std::int32_t code = kOutside - 1 - h;
+    const PackedTet& t = field.tets()[static_cast<std::size_t>(code / 4)];
+    const auto i = static_cast<std::size_t>(code % 4);
+    const dvec3 n(t.nx[i], t.ny[i], t.nz[i]);
+    const double nearest = std::max({glm::dot(n, x[0]), glm::dot(n, x[1]), glm::dot(n, x[2])}) + t.offset[i];
+    if (nearest < -kNearlyFlat * t.size) return true;
+  }
+  return false;
+}
+
+}  // namespace taxel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
