@@ -62,8 +62,9 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
   // Triangles have the normal that leads into the body with tets: the surface pushes that body along it, the other one
   // against it. A rigid mesh in a soft half-space has normals that lead into the half-space.
   if (field_a != nullptr && field_b != nullptr) {
-    SurfaceWriter writer(out, X_AB, false);
-    intersect_tets(*field_a->index, *field_b->index, X_BA, writer, workspace);
+    // The normal is that of growing pB - pA: it leads into B.
+    SurfaceWriter writer(out, RigidTransform(), true);
+    intersect_tets(*field_a->index, *field_b->index, X_AB, writer, workspace);
     writer.finish();
   } else if (field_a != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), false);

@@ -25,9 +25,9 @@ void intersect_soft_half_space(const FieldIndex& field, const LinearPressure& pr
 void intersect_half_space(double stiffness, const TriangleTree& rigid, const RigidTransform& X_SR,
                           SurfaceWriter& writer, IntersectWorkspace& workspace);
 
-/// Soft tets of A against those of B, pose X_BA: where their pressures are equal. Written in the frame of B; the
-/// triangles' normals lead into A.
-void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
+/// Soft tets of A against those of B, pose X_AB: where their pressures are equal. Written in the frame of A, with the
+/// pressure of A's tets; the triangles' normals lead into B.
+void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
                     IntersectWorkspace& workspace);
 
 }  // namespace taxel

@@ -12,41 +12,41 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// All in the frame of B. Where the surface ends, it ends on both skins at once, or on a face of one body's boundary
-/// that has pressure, such as a pad's core. So every connected part of it passes through a tet of A and a tet of B
-/// whose skins cross, or through a tet at such a face. From those pairs a flood reaches the rest, across the face of A
-/// or of B that an edge of the polygon lies on. A body that lies wholly inside the other one leaves nothing to begin
+/// All in the frame of A. Where the surface ends, it ends on both skins at once, or on a face of one body's boundary
+/// that has pressure, such as a pad's core. So every connected part of it passes through a tet of B and a tet of A
+/// whose skins cross, or through a tet at such a face. From those pairs a flood reaches the rest, across the face of B
+/// or of A that an edge of the polygon lies on. A body that lies wholly inside the other one leaves nothing to begin
 /// with, and a surface through an edge or along a face of tets leaves the flood without a way on: then, and for the
-/// tests, every tet of A near B meets the tets of B in its box (the tree form).
+/// tests, every tet of B near A meets the tets of A in its box (the tree form).
 class TetsAndTets {
  public:
-  TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
+  TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
               IntersectWorkspace& workspace)
-      : a_(a), b_(b), X_BA_(X_BA), writer_(writer), w_(workspace) {
+      : a_(a), b_(b), X_AB_(X_AB), writer_(writer), w_(workspace) {
     no_pressure_ = kNearlyFlat * std::max(a.field().max_pressure(), b.field().max_pressure());
   }
 
   void run() {
-    w_.begin_call(a_.field().vertices().size());
+    w_.begin_call(b_.field().vertices().size());
     const SurfaceWriter::Mark nothing = writer_.mark();
     if (!w_.tree_form) {
-      w_.met.begin(w_.call, a_.tets().size());
-      seed_from_boundary_of_a();
-      if (b_.ends_inside()) seed_from_inner_boundary_of_b();
+      w_.met.begin(w_.call, b_.tets().size());
+      seed_from_boundary_of_b();
+      if (a_.ends_inside()) seed_from_inner_boundary_of_a();
       flood();
       if (writer_.polygon_count() > 0 && !degenerate_) return;
       writer_.forget_since(nothing);
     }
     GridQuery near;
-    near.set(b_.grid(), X_BA_, a_.tree());
+    near.set(a_.grid(), X_AB_, b_.tree());
     w_.triangles.clear();
-    collect(a_.tree(), near, w_.triangles);
+    collect(b_.tree(), near, w_.triangles);
     for (const std::int32_t k : w_.triangles) add_by_tree(k);
   }
 
  private:
-  /// A tet of A, frame B.
-  struct TetOfA {
+  /// A tet of B, frame A.
+  struct TetOfB {
     std::int32_t index;
     std::array<dvec3, 4> corners;
     std::array<double, 4> pressure;
@@ -62,54 +62,54 @@ class TetsAndTets {
     PlacedVertex& placed = w_.placed[at(vertex)];
     if (placed.call != w_.call) {
       placed.call = w_.call;
-      placed.x = X_BA_(a_.field().vertices()[at(vertex)]);
+      placed.x = X_AB_(b_.field().vertices()[at(vertex)]);
       placed.tet = kNotLocated;
     }
     return placed.x;
   }
 
-  /// Whether B has pressure at x, which its tet `index` holds: x is not in its skin.
+  /// Whether A has pressure at x, which its tet `index` holds: x is not in its skin.
   [[nodiscard]] HWY_INLINE bool pushes_at(std::int32_t index, const dvec3& x) const {
-    const LinearPressure p = b_.tets()[at(index)].pressure();
+    const LinearPressure p = a_.tets()[at(index)].pressure();
     return glm::dot(p.gradient, x) + p.constant > no_pressure_;
   }
 
-  /// Whether a face of A's skin, at x, lies off the skin of B, which is convex.
+  /// Whether a face of B's skin, at x, lies off the skin of A, which is convex.
   HWY_INLINE bool clears_skin(const FieldIndex::BoundaryFace& face, const std::array<dvec3, 3>& x) {
     std::array<std::int32_t, 3> held;
     for (std::size_t i = 0; i < 3; ++i) {
       PlacedVertex& placed = w_.placed[at(face.vertices[i])];
-      if (placed.tet == kNotLocated) placed.tet = locate(b_, placed.x);
+      if (placed.tet == kNotLocated) placed.tet = locate(a_, placed.x);
       held[i] = placed.tet;
     }
     bool inside = true;
     for (std::size_t i = 0; inside && i < 3; ++i) inside = held[i] >= 0 && pushes_at(held[i], x[i]);
-    return inside || beyond_a_face(b_, x, held);
+    return inside || beyond_a_face(a_, x, held);
   }
 
-  HWY_INLINE void load(std::int32_t index, TetOfA& k) {
+  HWY_INLINE void load(std::int32_t index, TetOfB& k) {
     k.index = index;
-    k.gradient = X_BA_.R * a_.tets()[at(index)].pressure().gradient;
-    const ivec4& v = a_.vertices_of(index);
+    k.gradient = X_AB_.R * b_.tets()[at(index)].pressure().gradient;
+    const ivec4& v = b_.vertices_of(index);
     for (int i = 0; i < 4; ++i) {
       const dvec3& c = position(v[i]);
       k.corners[at(i)] = c;
-      k.pressure[at(i)] = a_.field().vertex_pressure()[at(v[i])];
+      k.pressure[at(i)] = b_.field().vertex_pressure()[at(v[i])];
       k.x[i] = c.x, k.y[i] = c.y, k.z[i] = c.z;
     }
   }
 
-  void seed_from_boundary_of_a() {
+  void seed_from_boundary_of_b() {
     GridQuery near;
-    near.set(b_.grid(), X_BA_, a_.boundary_tree());
+    near.set(a_.grid(), X_AB_, b_.boundary_tree());
     w_.triangles.clear();
-    collect(a_.boundary_tree(), near, w_.triangles);
+    collect(b_.boundary_tree(), near, w_.triangles);
     for (const std::int32_t number : w_.triangles) {
-      const FieldIndex::BoundaryFace& face = a_.boundary_faces()[at(number)];
+      const FieldIndex::BoundaryFace& face = b_.boundary_faces()[at(number)];
       const std::array<dvec3, 3> x{position(face.vertices[0]), position(face.vertices[1]), position(face.vertices[2])};
-      if (face.skin && b_.convex() && clears_skin(face, x)) continue;
+      if (face.skin && a_.convex() && clears_skin(face, x)) continue;
       TriangleQuery query;
-      const WideBvh& tree = face.skin ? b_.boundary_tree() : b_.tree();
+      const WideBvh& tree = face.skin ? a_.boundary_tree() : a_.tree();
       const dvec3 normal = glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0]));
       query.set(x, normal, tree);
       w_.found.clear();
@@ -117,17 +117,17 @@ class TetsAndTets {
       for (const std::int32_t other : w_.found) {
         if (!face.skin) {
           meet(face.tet, other);
-        } else if (const FieldIndex::BoundaryFace& skin = b_.boundary_faces()[at(other)]; may_cross(x, normal, skin)) {
+        } else if (const FieldIndex::BoundaryFace& skin = a_.boundary_faces()[at(other)]; may_cross(x, normal, skin)) {
           meet(face.tet, skin.tet);
         }
       }
     }
   }
 
-  /// Whether a triangle and a face of B reach both sides of each other's plane, or touch it.
+  /// Whether a triangle and a face of A reach both sides of each other's plane, or touch it.
   [[nodiscard]] HWY_INLINE bool may_cross(const std::array<dvec3, 3>& x, const dvec3& normal,
                                           const FieldIndex::BoundaryFace& face) const {
-    const PackedTet& tet = b_.tets()[at(face.tet)];
+    const PackedTet& tet = a_.tets()[at(face.tet)];
     const std::size_t i = at(face.side);
     const dvec3 n(tet.nx[i], tet.ny[i], tet.nz[i]);
     const double touching = kNearlyFlat * tet.size;
@@ -139,65 +139,65 @@ class TetsAndTets {
     if (least > touching || most < -touching) return false;
     least = std::numeric_limits<double>::infinity(), most = -least;
     for (const std::int32_t v : face.vertices) {
-      const double d = glm::dot(normal, b_.field().vertices()[at(v)] - x[0]);
+      const double d = glm::dot(normal, a_.field().vertices()[at(v)] - x[0]);
       least = std::min(least, d), most = std::max(most, d);
     }
     return !(least > touching || most < -touching);
   }
 
-  void seed_from_inner_boundary_of_b() {
-    RigidTransform X_AB;
-    X_AB.R = glm::transpose(X_BA_.R);
-    X_AB.p = -(X_AB.R * X_BA_.p);
+  void seed_from_inner_boundary_of_a() {
+    RigidTransform X_BA;
+    X_BA.R = glm::transpose(X_AB_.R);
+    X_BA.p = -(X_BA.R * X_AB_.p);
     GridQuery near;
-    near.set(a_.grid(), X_AB, b_.boundary_tree());
+    near.set(b_.grid(), X_BA, a_.boundary_tree());
     w_.triangles.clear();
-    collect(b_.boundary_tree(), near, w_.triangles);
+    collect(a_.boundary_tree(), near, w_.triangles);
     for (const std::int32_t number : w_.triangles) {
-      const FieldIndex::BoundaryFace& face = b_.boundary_faces()[at(number)];
+      const FieldIndex::BoundaryFace& face = a_.boundary_faces()[at(number)];
       if (face.skin) continue;
       std::array<dvec3, 3> x;
-      for (std::size_t i = 0; i < 3; ++i) x[i] = X_AB(b_.field().vertices()[at(face.vertices[i])]);
+      for (std::size_t i = 0; i < 3; ++i) x[i] = X_BA(a_.field().vertices()[at(face.vertices[i])]);
       TriangleQuery query;
-      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), a_.tree());
+      query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), b_.tree());
       w_.found.clear();
-      collect(a_.tree(), query, w_.found);
+      collect(b_.tree(), query, w_.found);
       for (const std::int32_t other : w_.found) meet(other, face.tet);
     }
   }
 
   void flood() {
-    TetOfA k;
-    for (std::int32_t tet_a = w_.met.next(); tet_a >= 0; tet_a = w_.met.next()) {
-      load(tet_a, k);
-      w_.met.for_each_new(tet_a, [&](std::int32_t tet_b) HWY_ATTR {
-        const unsigned edges = add_pair(k, tet_b);
+    TetOfB k;
+    for (std::int32_t tet_b = w_.met.next(); tet_b >= 0; tet_b = w_.met.next()) {
+      load(tet_b, k);
+      w_.met.for_each_new(tet_b, [&](std::int32_t tet_a) HWY_ATTR {
+        const unsigned edges = add_pair(k, tet_a);
         for (unsigned bits = edges & 0xF; bits != 0; bits &= bits - 1)
-          meet(tet_a, b_.tets()[at(tet_b)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))]);
+          meet(tet_b, a_.tets()[at(tet_a)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))]);
         for (unsigned bits = edges >> kOwnEdge; bits != 0; bits &= bits - 1)
-          meet(a_.tets()[at(tet_a)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))], tet_b);
+          meet(b_.tets()[at(tet_b)].neighbour[static_cast<std::size_t>(std::countr_zero(bits))], tet_a);
       });
     }
   }
 
-  HWY_INLINE void meet(std::int32_t tet_a, std::int32_t tet_b) {
-    if (tet_a >= 0 && tet_b >= 0) w_.met.insert(tet_a, tet_b);
+  HWY_INLINE void meet(std::int32_t tet_b, std::int32_t tet_a) {
+    if (tet_b >= 0 && tet_a >= 0) w_.met.insert(tet_b, tet_a);
   }
 
   void add_by_tree(std::int32_t index) {
-    TetOfA k;
+    TetOfB k;
     load(index, k);
     Aabb box;
     for (const dvec3& c : k.corners) box.include(c);
     BoxQuery query;
-    query.set(box, b_.tree());
+    query.set(box, a_.tree());
     w_.tets.clear();
-    collect(b_.tree(), query, w_.tets);
+    collect(a_.tree(), query, w_.tets);
     for (const std::int32_t l : w_.tets) add_pair(k, l);
   }
 
-  /// pA - pB at the corners of k, with the linear pressure of tet l, and which are negative.
-  HWY_INLINE unsigned differences(const TetOfA& k, const PackedTet& l, std::array<double, 4>& difference) {
+  /// pB - pA at the corners of k, with the linear pressure of tet l, and which are negative.
+  HWY_INLINE unsigned differences(const TetOfB& k, const PackedTet& l, std::array<double, 4>& difference) {
     const TagD d;
     const VecD small = hn::Set(d, no_pressure_);
     unsigned negative = 0, zero = 0;
@@ -215,8 +215,8 @@ class TetsAndTets {
   }
 
   /// Returns the marks of the polygon's edges: those of l's planes and, from kOwnEdge on, of k's.
-  unsigned add_pair(const TetOfA& k, std::int32_t index) {
-    const PackedTet &l = b_.tets()[at(index)], &own = a_.tets()[at(k.index)];
+  unsigned add_pair(const TetOfB& k, std::int32_t index) {
+    const PackedTet &l = a_.tets()[at(index)], &own = b_.tets()[at(k.index)];
     std::array<double, 4> difference;
     const unsigned negative = differences(k, l, difference);
     if (negative == 0 || negative == 15) return 0;
@@ -225,7 +225,7 @@ class TetsAndTets {
     if (!(steepness > 0)) return 0;
     const dvec3 normal = steepest / steepness;
     TetSlice slice;
-    slice_tet(k.corners, a_.vertices_of(k.index), difference, slice);
+    slice_tet(k.corners, b_.vertices_of(k.index), difference, slice);
     const std::array<int, 3> basis = basis_of(slice, normal);
     std::array<dvec3, 3> x;
     for (std::size_t i = 0; i < 3; ++i) x[i] = slice.points[at(basis[i])];
@@ -237,7 +237,7 @@ class TetsAndTets {
     PlanePolygon& polygon = in_plane.polygon;
     if (!clip(in_tet, polygon)) return 0;
     emit(polygon, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
-         {k.index, -1, std::min(own.size, l.size), index}, writer_);
+         {index, -1, std::min(own.size, l.size), k.index}, writer_);
     return edge_bits(polygon);
   }
 
@@ -272,16 +272,16 @@ class TetsAndTets {
   }
 
   const FieldIndex &a_, &b_;
-  const RigidTransform& X_BA_;
+  const RigidTransform& X_AB_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
   double no_pressure_;       ///< a smaller one, and a smaller difference, is rounding [Pa]
   bool degenerate_ = false;  ///< the surface passes through an edge or along a face of tets
 };
 
-void run_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
+void run_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
               IntersectWorkspace& workspace) {
-  TetsAndTets(a, b, X_BA, writer, workspace).run();
+  TetsAndTets(a, b, X_AB, writer, workspace).run();
 }
 
 }  // namespace taxel::HWY_NAMESPACE
@@ -291,9 +291,9 @@ HWY_AFTER_NAMESPACE();
 namespace taxel {
 HWY_EXPORT(run_tets);
 
-void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_BA, SurfaceWriter& writer,
+void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
                     IntersectWorkspace& workspace) {
-  HWY_DYNAMIC_DISPATCH(run_tets)(a, b, X_BA, writer, workspace);
+  HWY_DYNAMIC_DISPATCH(run_tets)(a, b, X_AB, writer, workspace);
 }
 }  // namespace taxel
 #endif

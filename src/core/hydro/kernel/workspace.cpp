@@ -4,18 +4,18 @@
 
 namespace taxel {
 
-void MetPairs::begin(std::uint32_t call, std::size_t tets_of_a) {
+void MetPairs::begin(std::uint32_t call, std::size_t tets_of_b) {
   call_ = call;
   entries_.clear();
   waiting_.clear();
-  if (lists_.size() < tets_of_a) lists_.resize(tets_of_a);
+  if (lists_.size() < tets_of_b) lists_.resize(tets_of_b);
 }
 
 std::int32_t MetPairs::next() {
   if (waiting_.empty()) return -1;
-  const std::int32_t a = waiting_.back();
+  const std::int32_t b = waiting_.back();
   waiting_.pop_back();
-  return a;
+  return b;
 }
 
 void MetPairs::clear() {

@@ -8,24 +8,24 @@
 
 namespace taxel {
 
-/// Pairs of tets that were met in a call, as one list per tet of A. Nothing is cleared between calls: lists name
+/// Pairs of tets that were met in a call, as one list per tet of B. Nothing is cleared between calls: lists name
 /// theirs.
 class MetPairs {
  public:
-  /// Opens a new call, with room for lists of so many tets of A. Calls count from 1.
-  void begin(std::uint32_t call, std::size_t tets_of_a);
-  void insert(std::int32_t a, std::int32_t b);
-  /// A tet of A with pairs that for_each_new has not given yet; -1: there is none.
+  /// Opens a new call, with room for lists of so many tets of B. Calls count from 1.
+  void begin(std::uint32_t call, std::size_t tets_of_b);
+  void insert(std::int32_t b, std::int32_t a);
+  /// A tet of B with pairs that for_each_new has not given yet; -1: there is none.
   std::int32_t next();
-  /// For each b that met `a`, also of those that f adds: f(b), once.
+  /// For each a that met `b`, also of those that f adds: f(a), once.
   template <class F>
-  void for_each_new(std::int32_t a, F&& f);
+  void for_each_new(std::int32_t b, F&& f);
   /// Forgets all calls.
   void clear();
 
  private:
   struct Entry {
-    std::int32_t b, older;
+    std::int32_t a, older;
   };
   struct List {
     std::uint32_t call = 0;
@@ -35,30 +35,30 @@ class MetPairs {
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
   std::vector<Entry> entries_;
-  std::vector<List> lists_;  ///< by tet of A
+  std::vector<List> lists_;  ///< by tet of B
   std::vector<std::int32_t> waiting_;
   std::uint32_t call_ = 0;
 };
 
-inline void MetPairs::insert(std::int32_t a, std::int32_t b) {
-  List& list = lists_[at(a)];
+inline void MetPairs::insert(std::int32_t b, std::int32_t a) {
+  List& list = lists_[at(b)];
   if (list.call != call_) list = {call_};
   for (std::int32_t e = list.newest; e >= 0; e = entries_[at(e)].older) {
-    if (entries_[at(e)].b == b) return;
+    if (entries_[at(e)].a == a) return;
   }
-  entries_.push_back({b, list.newest});
+  entries_.push_back({a, list.newest});
   list.newest = static_cast<std::int32_t>(entries_.size()) - 1;
   if (list.waits) return;
   list.waits = true;
-  waiting_.push_back(a);
+  waiting_.push_back(b);
 }
 
 template <class F>
-void MetPairs::for_each_new(std::int32_t a, F&& f) {
-  List& list = lists_[at(a)];
+void MetPairs::for_each_new(std::int32_t b, F&& f) {
+  List& list = lists_[at(b)];
   while (list.newest != list.done) {
     const std::int32_t newest = list.newest;
-    for (std::int32_t e = newest; e != list.done; e = entries_[at(e)].older) f(entries_[at(e)].b);
+    for (std::int32_t e = newest; e != list.done; e = entries_[at(e)].older) f(entries_[at(e)].a);
     list.done = newest;
   }
   list.waits = false;
@@ -76,10 +76,10 @@ struct IntersectWorkspace {
   /// Finds pairs by trees alone, without walking from tet to tet: the same polygons in another order. For tests.
   bool tree_form = false;
 
-  std::vector<std::int32_t> triangles;  ///< of the rigid mesh, or tets or faces of A, that may meet the other body
+  std::vector<std::int32_t> triangles;  ///< of the rigid mesh, or tets or faces of B, that may meet the other body
   std::vector<std::int32_t> tets;       ///< that may meet one triangle
   std::vector<std::int32_t> found;      ///< faces of the boundary that may
-  std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of A
+  std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of B
   std::vector<std::uint32_t> seen_in;   ///< of each tet: the triangle, counted over all calls, that last met it
   MetPairs met;
   std::uint32_t call = 0, triangle = 0;
