@@ -32,13 +32,14 @@ Fidelity fidelity(const PressureField& field, const MeshIndex& index, double mod
   const Aabb& box = index.mesh().bounds();
   int inside = 0, found = 0;
   Fidelity result;
+  const Bvh tree = tree_of_tets(field);
   for (std::uint64_t i = 0; inside < 40000; ++i) {
     const dvec3 x = box.lo + box.extent() * dvec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
     const double depth = -index.signed_distance(x);
     if (!(depth > 0 && depth < thickness)) continue;
     ++inside;
     double pressure = -1;
-    field.bvh().visit(
+    tree.visit(
         [&](const Aabb& node) {
           return node.overlaps({x, x});
         },

@@ -142,7 +142,6 @@ PressureField::PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tet
     : vertices_(std::move(vertices)), vertex_pressure_(std::move(vertex_pressure)), report_(std::move(report)) {
   check_input(vertices_, tets, vertex_pressure_);
   for (const double p : vertex_pressure_) max_pressure_ = std::max(max_pressure_, p);
-  std::vector<Aabb> boxes(tets.size());
   tets_.resize(tets.size());
   for (std::size_t t = 0; t < tets.size(); ++t) {
     Tet& tet = tets_[t];
@@ -157,11 +156,9 @@ PressureField::PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tet
     set_planes(vertices_, tet);
     set_pressure(vertices_, vertex_pressure_, tet);
     if (glm::length(tet.gradient) * tet.size <= kZeroGradient * max_pressure_) ++report_.zero_gradient;
-    for (int i = 0; i < 4; ++i) boxes[t].include(vertices_[at(tet.vertices[i])]);
-    bounds_.include(boxes[t]);
+    for (int i = 0; i < 4; ++i) bounds_.include(vertices_[at(tet.vertices[i])]);
   }
   set_neighbours(static_cast<int>(vertices_.size()), tets_);
-  bvh_.build(boxes, 1);
   size_ = bounds_.diagonal();
   report_.tets = static_cast<int>(tets_.size());
   measure_skin_stiffness();
@@ -189,6 +186,15 @@ void PressureField::measure_skin_stiffness() {
   report_.stiffness_min = least;
   report_.stiffness_max = most;
   if (!(report_.skin_area > 0)) report_.skin_area = 0.5 * area;
+}
+
+Bvh tree_of_tets(const PressureField& field) {
+  std::vector<Aabb> boxes(field.tets().size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+    for (int i = 0; i < 4; ++i) boxes[t].include(field.vertices()[at(field.tets()[t].vertices[i])]);
+  Bvh tree;
+  tree.build(boxes, 1);
+  return tree;
 }
 
 bool PressureField::is_skin(const Tet& tet, int corner) const {

@@ -62,7 +62,6 @@ class PressureField {
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<double>& vertex_pressure() const { return vertex_pressure_; }
   [[nodiscard]] const std::vector<Tet>& tets() const { return tets_; }
-  [[nodiscard]] const Bvh& bvh() const { return bvh_; }  ///< over the tets
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] double max_pressure() const { return max_pressure_; }
   [[nodiscard]] double size() const { return size_; }  ///< diagonal of the bounds: the scale of tolerances [m]
@@ -76,13 +75,15 @@ class PressureField {
   std::vector<dvec3> vertices_;
   std::vector<double> vertex_pressure_;
   std::vector<Tet> tets_;
-  Bvh bvh_;
   Aabb bounds_;
   double max_pressure_ = 0, size_ = 0;
   FieldReport report_;
 };
 
 using PressureFieldPtr = std::shared_ptr<const PressureField>;
+
+/// A tree over the tets, one per leaf.
+Bvh tree_of_tets(const PressureField& field);
 
 /// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
 /// prism. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report; empty:

@@ -17,7 +17,7 @@ struct Crossing {
 /// Finds the tets that rays cross.
 class Crossings {
  public:
-  explicit Crossings(const PressureField& field) : field_(field) {
+  explicit Crossings(const PressureField& field) : field_(field), tree_(tree_of_tets(field)) {
     const Aabb& box = field.bounds();
     const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
     coordinates_ = largest.x + largest.y + largest.z;
@@ -28,7 +28,7 @@ class Crossings {
   void find(std::int32_t number, const SensorRay& ray, std::vector<Crossing>& out) const {
     const SlabTest slabs(Ray{ray.origin, ray.direction});
     const auto before = static_cast<std::ptrdiff_t>(out.size());
-    field_.bvh().visit(
+    tree_.visit(
         [&](const Aabb& box) {
           return slabs.entry({box.lo - widest_, box.hi + widest_}, ray.max_depth) < SlabTest::kMiss;
         },
@@ -56,6 +56,7 @@ class Crossings {
   }
 
   const PressureField& field_;
+  Bvh tree_;
   double coordinates_ = 0, widest_ = 0;
 };
 

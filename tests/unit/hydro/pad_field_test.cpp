@@ -44,10 +44,11 @@ double overlap(const PressureField& field) {
   const CounterRng rng(3);
   const Aabb& box = field.bounds();
   int filled = 0, twice = 0;
+  const Bvh tree = tree_of_tets(field);
   for (std::uint64_t i = 0; i < 60000; ++i) {
     const dvec3 x = box.lo + box.extent() * dvec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
     int inside = 0;
-    field.bvh().visit(
+    tree.visit(
         [&](const Aabb& node) {
           return node.overlaps({x, x});
         },
@@ -157,11 +158,12 @@ double depth_error(const TriMeshPtr& mesh, double thickness) {
   const Aabb& box = mesh->bounds();
   int found = 0;
   double sum = 0;
+  const Bvh tree = tree_of_tets(*field);
   for (std::uint64_t i = 0; found < 20000; ++i) {
     const dvec3 x = box.lo + box.extent() * dvec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
     const double depth = -index.signed_distance(x);
     if (!(depth > 0 && depth < thickness)) continue;
-    field->bvh().visit(
+    tree.visit(
         [&](const Aabb& node) {
           return node.overlaps({x, x});
         },
