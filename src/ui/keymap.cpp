@@ -40,6 +40,7 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_all_rays, kEverywhere, 0, false, "Rays of all taxels", "View", false},
     Binding{Action::toggle_contact, kEverywhere, ImGuiKey_C, false, "Contact surface", "View", false},
     Binding{Action::toggle_contact_edges, kEverywhere, 0, false, "Contact edges", "View", false},
+    Binding{Action::toggle_filtered, kEverywhere, 0, false, "Filtered polygons", "View", false},
     Binding{Action::toggle_samples, kEverywhere, ImGuiKey_P, false, "Samples", "View", false},
     Binding{Action::toggle_normals, kEverywhere, ImGuiKey_N, false, "Sample normals", "View", false},
     Binding{Action::toggle_taxels, kEverywhere, 0, false, "Taxels", "View", false},

@@ -32,6 +32,7 @@ enum class Action {
   toggle_all_rays,
   toggle_contact,
   toggle_contact_edges,
+  toggle_filtered,
   toggle_samples,
   toggle_normals,
   toggle_taxels,

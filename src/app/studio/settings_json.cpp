@@ -25,6 +25,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("all_rays", s.overlays.all_rays);
   visit("contact_surface", s.overlays.contact_surface);
   visit("contact_edges", s.overlays.contact_edges);
+  visit("filtered_polygons", s.overlays.filtered_polygons);
   visit("samples", s.overlays.samples);
   visit("sample_normals", s.overlays.sample_normals);
   visit("taxels", s.overlays.taxels);

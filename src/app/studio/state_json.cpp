@@ -62,6 +62,7 @@ Json overlays_json(const ui::Overlays& o) {
           {"all_rays", o.all_rays},
           {"contact_surface", o.contact_surface},
           {"contact_edges", o.contact_edges},
+          {"filtered_polygons", o.filtered_polygons},
           {"samples", o.samples},
           {"sample_normals", o.sample_normals},
           {"taxels", o.taxels},

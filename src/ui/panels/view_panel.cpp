@@ -8,6 +8,7 @@
 
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/filtered_legend.h"
 #include "ui/scene/scene_labels.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
@@ -125,6 +126,7 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   draw_labels(ui, list);
   if (input.model || input.frame) draw_heading(ui, input, list);
   if (shows_pressure(ui, input)) draw_pressure_legend(ui, legend_place(ui));
+  if (ui.saved.overlays.filtered_polygons && shows_pressure(ui, input)) draw_filtered_legend(ui, *input.sensor(ui));
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
 }

@@ -65,6 +65,17 @@ const unsigned char* viridis_table() {
   return kViridis.data();
 }
 
+glm::vec3 rejection_color(Rejection reason) {
+  switch (reason) {
+    case Rejection::sliver:
+      return glm::vec3(1.0f, 0.25f, 0.85f);
+    case Rejection::touching:
+      return glm::vec3(1.0f, 0.5f, 0.1f);
+    default:
+      return glm::vec3(0.95f, 0.2f, 0.2f);
+  }
+}
+
 glm::vec3 taxel_color(int index) {
   const unsigned rgb = kTaxelPalette[static_cast<unsigned>(index) % kTaxelPalette.size()];
   return glm::vec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0f;

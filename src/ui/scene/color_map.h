@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include "core/hydro/contact_surface.h"
+
 namespace taxel::ui {
 
 /// viridis (van der Walt, Smith 2015; CC0) at t in [0, 1], clamped: 256 entries, linear between them.
@@ -11,5 +13,7 @@ glm::vec3 viridis(double t);
 const unsigned char* viridis_table();
 /// Colour of the taxel at layout index i: Okabe-Ito, then the safe extension, repeating after 24.
 glm::vec3 taxel_color(int index);
+/// Colour of what was left out of a contact surface for one reason: none that viridis has.
+glm::vec3 rejection_color(Rejection reason);
 
 }  // namespace taxel::ui

@@ -26,9 +26,10 @@ struct Overlays {
   bool rays = true;                // [Y]
   bool contact_surface = true;     // [C]
   bool contact_edges = false;
-  bool samples = true;          // [P]
-  bool sample_normals = false;  // [N]
-  bool taxels = true;           // centre and normal arrow
+  bool filtered_polygons = false;  // what the overlap has and the surface left out
+  bool samples = true;             // [P]
+  bool sample_normals = false;     // [N]
+  bool taxels = true;              // centre and normal arrow
   bool taxel_labels = true;
   bool receptive_fields = true;  // ring on the surface
   bool path = true;              // red line

@@ -26,6 +26,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.overlays.contact_surface;
     case Action::toggle_contact_edges:
       return &saved.overlays.contact_edges;
+    case Action::toggle_filtered:
+      return &saved.overlays.filtered_polygons;
     case Action::toggle_samples:
       return &saved.overlays.samples;
     case Action::toggle_normals:

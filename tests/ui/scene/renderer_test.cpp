@@ -261,6 +261,42 @@ TEST_F(SceneRendererTest, EveryOverlayIsSeen) {
   EXPECT_GT(pixels_changed(whole, draw(input, camera)), 200);
 }
 
+TEST_F(SceneRendererTest, FilteredPolygonsAreOutlinedInTheColourOfTheirReason) {
+  auto frame = std::make_shared<SimFrame>(*frame_);
+  ContactSurface& surface = frame->sensors[0].surfaces[0];
+  surface.filtered.clear();
+  surface.filtered_vertices.clear();
+  const auto add = [&](Rejection reason, const ContactPolygon& like) {
+    surface.filtered.push_back({reason, static_cast<int>(surface.filtered_vertices.size()), like.count});
+    for (int i = 0; i < like.count; ++i)
+      surface.filtered_vertices.push_back(surface.vertices[static_cast<std::size_t>(like.first + i)]);
+  };
+  for (std::size_t i = 0; i < surface.polygons.size(); i += 5)
+    add(i % 2 == 0 ? Rejection::sliver : Rejection::touching, surface.polygons[i]);
+  SceneInput input = test::finger_input(frame);
+  Camera camera = test::finger_camera();
+  camera.distance = 0.06;
+  const gl::RgbImage without = draw(input, camera);
+  EXPECT_EQ(without, draw(test::finger_input(frame_), camera));  // off unless asked for
+  input.overlays.filtered_polygons = true;
+  const gl::RgbImage with = draw(input, camera);
+  test::write_picture("filtered", with);
+  const auto count = [](const gl::RgbImage& image, const glm::vec3& color) {
+    int found = 0;
+    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
+      bool same = true;
+      for (std::size_t k = 0; k < 3; ++k)
+        same = same && std::abs(image.rgb[i + k] - 255.0f * color[static_cast<int>(k)]) <= 2;
+      found += same ? 1 : 0;
+    }
+    return found;
+  };
+  for (const Rejection reason : {Rejection::sliver, Rejection::touching}) {
+    EXPECT_GT(count(with, rejection_color(reason)), 20) << to_string(reason);
+    EXPECT_EQ(count(without, rejection_color(reason)), 0) << to_string(reason);
+  }
+}
+
 TEST_F(SceneRendererTest, TheSameInputGivesTheSameBytes) {
   const SceneInput input = test::finger_input(frame_);
   const Camera camera = test::finger_camera();

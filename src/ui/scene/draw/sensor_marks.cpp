@@ -1,5 +1,6 @@
 #include "ui/scene/draw/sensor_marks.h"
 
+#include "ui/scene/draw/filtered_marks.h"
 #include "ui/scene/draw/frame_uniforms.h"
 #include "ui/scene/draw/ray_marks.h"
 
@@ -46,6 +47,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     const bool selected = view.selected_taxel >= 0;
     if (input.overlays.rays && !selected) draw_rays(scene, view);
     draw_contact(scene, view);
+    if (input.overlays.filtered_polygons) draw_filtered(scene, view);
     if (input.overlays.rays && selected) draw_rays(scene, view);
   }
   draw_path(scene);
@@ -98,6 +100,15 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
   state.toward_eye = kBeforeContact;
   state.depth_write = false;
   scene.segments.draw_lines(edges, state);
+}
+
+/// Before everything else, for what is left out lies on the skin or is a sliver.
+void SensorMarks::draw_filtered(const Scene& scene, const SensorView& view) {
+  const FilteredMarks marks = filtered_marks(view.state->surfaces);
+  const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin};
+  scene.segments.draw_lines(marks.edges, state);
+  const PointStyle dots{.diameter = kSelectedDotDiameter, .outline = scene.look.mark_outline, .outline_width = 0.6f};
+  scene.points.draw(marks.dots, dots, state);
 }
 
 /// Rays of all responding taxels go behind the contact surface, so that nothing tints its colours; those of a selected

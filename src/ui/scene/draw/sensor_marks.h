@@ -29,6 +29,7 @@ class SensorMarks {
   const ModelMarks& marks_of(const SensorView& view, const Look& look);
   void draw_fields(const Scene& scene, const SensorView& view);
   void draw_contact(const Scene& scene, const SensorView& view);
+  void draw_filtered(const Scene& scene, const SensorView& view);
   void draw_rays(const Scene& scene, const SensorView& view);
   void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
   void draw_force(const Scene& scene, const SensorView& view);
