@@ -33,7 +33,8 @@ TEST(MakeBody, RoundRigidShapesHaveTheirTrueVolume) {
 }
 
 TEST(MakeBody, ACylinderKeepsItsLength) {
-  const TriMesh& mesh = mesh_of(*make_simple_body(ShapeType::cylinder, dvec3(0.01, 0.2, 0)));
+  const HydroBodyPtr body = make_simple_body(ShapeType::cylinder, dvec3(0.01, 0.2, 0));
+  const TriMesh& mesh = mesh_of(*body);
   EXPECT_EQ(mesh.bounds().hi.z, 0.2);
   EXPECT_EQ(mesh.bounds().lo.z, -0.2);
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/hydro/body_cache.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
 
@@ -124,7 +125,7 @@ TouchedGeom HydroInstance::compile_other(const mjModel& m, int geom) {
   const OtherMaterial other = other_material(m, config_, geom, shape.type);
   if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
   shape.resolution = other.resolution;
-  touched.body = make_body(shape, other.material, geom_name(m, geom));
+  touched.body = share_body(shape, other.material, geom_name(m, geom));
   check_one_soft(*model_->body, *touched.body, geom_name(m, geom));
   touched.properties = combine(model_->body->material, other.material);
   return touched;

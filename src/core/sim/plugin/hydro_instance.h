@@ -27,6 +27,7 @@ struct TouchedGeom {
   Pose X_GB;                    ///< of the body's frame: the geom's own; of a sensor that of its mesh file
   PairRole role;                ///< towards a sensor on the geom
   bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
+  unsigned step_checks = 0;     ///< how often the time step was to be checked
   bool step_too_large = false;  ///< the contact was seen to be too stiff for the time step: reported once
   bool at_core = false;         ///< the geom was seen to press through to the pad's core: reported once
 };
@@ -82,6 +83,8 @@ class HydroInstance {
   [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
   [[nodiscard]] const SensorReading& reading() const { return reading_; }
 
+  /// True at the first call for a pair and at every `every`th.
+  bool time_to_check_step(std::size_t pair, unsigned every) { return touched_[pair].step_checks++ % every == 0; }
   /// Reports, once, that a pair's contact is stiffer than the time step bears; `largest` is the step it does [s].
   void note_step_too_large(const mjModel& m, std::size_t pair, double largest);
 

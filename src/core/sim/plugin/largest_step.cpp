@@ -6,7 +6,7 @@
 namespace taxel {
 namespace {
 
-constexpr int kSweeps = 30;  // Jacobi's method converges quadratically: about 6 are needed
+constexpr int kMostSweeps = 30;  // Jacobi's method converges quadratically: about 6 are needed
 
 Matrix6 product(const Matrix6& a, const Matrix6& b) {
   Matrix6 c{};
@@ -43,11 +43,20 @@ void rotate(Matrix6& m, Matrix6& vectors, std::size_t p, std::size_t q) {
   }
 }
 
+/// Whether what is off the diagonal is rounding.
+bool diagonal(const Matrix6& m) {
+  constexpr double kRounding = 1e-30;  // of squares
+  double on = 0, off = 0;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) (i == j ? on : off) += m[i][j] * m[i][j];
+  return !(off > kRounding * on);
+}
+
 /// Eigenvalues on the diagonal of m, eigenvectors in the columns of the result (Jacobi 1846).
 Matrix6 diagonalize(Matrix6& m) {
   Matrix6 vectors{};
   for (std::size_t i = 0; i < 6; ++i) vectors[i][i] = 1;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kMostSweeps && !diagonal(m); ++sweep) {
     for (std::size_t p = 0; p < 6; ++p)
       for (std::size_t q = p + 1; q < 6; ++q) rotate(m, vectors, p, q);
   }
