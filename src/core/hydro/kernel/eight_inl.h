@@ -84,10 +84,7 @@ HWY_INLINE VecE take_half(const Eight& a, hn::Vec<TagEI> number) {
 HWY_INLINE Eight take(const Eight& a, const Eight& b, const LaneNumbers& n) {
   Eight r;
 #if HWY_MAX_BYTES == 64
-  const auto number = hn::Load(TagEI(), n.lane);
-  const auto lane = hn::IndicesFromVec(TagE(), hn::And(number, hn::Set(TagEI(), 7)));
-  const auto other = hn::RebindMask(TagE(), hn::TestBit(number, hn::Set(TagEI(), LaneNumbers::kOther)));
-  r.part[0] = hn::IfThenElse(other, hn::TableLookupLanes(b.part[0], lane), hn::TableLookupLanes(a.part[0], lane));
+  r.part[0] = VecE{_mm512_permutex2var_pd(a.part[0].raw, hn::Load(TagEI(), n.lane).raw, b.part[0].raw)};
 #elif HWY_MAX_BYTES == 32
   for (std::size_t i = 0; i < 2; ++i) {
     const auto number = hn::Load(TagEI(), n.lane + 4 * i);

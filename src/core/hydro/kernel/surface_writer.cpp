@@ -64,7 +64,8 @@ void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTrian
 
 void SurfaceWriter::reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
                            double area, double force) {
-  RejectedPolygons& rejected = out_.rejected[static_cast<std::size_t>(reason)];
+  RejectedPolygons& rejected = since_mark_.rejected[static_cast<std::size_t>(reason)];
+  any_left_out_ = true;
   ++rejected.count;
   rejected.area += std::max(0.0, area);
   rejected.force += std::max(0.0, force);
@@ -75,27 +76,38 @@ void SurfaceWriter::reject(Rejection reason, const PolygonInPlane& polygon, cons
 
 void SurfaceWriter::count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b,
                                   const PlanePressure& pressure) {
-  ++out_.rejected[static_cast<std::size_t>(Rejection::beyond_core)].count;
+  any_left_out_ = true;
+  ++since_mark_.rejected[static_cast<std::size_t>(Rejection::beyond_core)].count;
   const dvec3 xa = triangle.point_A(a.x, a.y), xb = triangle.point_A(b.x, b.y);
   // The hole lies beyond the edge, so its rim runs the other way. About the frame's origin: the loops are closed.
-  hole_ += 0.5 * glm::cross(xb, xa);
+  since_mark_.hole += 0.5 * glm::cross(xb, xa);
   const double length = glm::distance(xa, xb);
-  rim_length_ += length;
-  rim_pressure_ += 0.5 * length * (pressure.at(a.x, a.y) + pressure.at(b.x, b.y));
+  since_mark_.rim_length += length;
+  since_mark_.rim_pressure += 0.5 * length * (pressure.at(a.x, a.y) + pressure.at(b.x, b.y));
+}
+
+void SurfaceWriter::settle() {
+  for (std::size_t r = 0; r < kRejections; ++r) {
+    whole_.rejected[r].count += since_mark_.rejected[r].count;
+    whole_.rejected[r].area += since_mark_.rejected[r].area;
+    whole_.rejected[r].force += since_mark_.rejected[r].force;
+  }
+  whole_.hole += since_mark_.hole;
+  whole_.rim_length += since_mark_.rim_length;
+  whole_.rim_pressure += since_mark_.rim_pressure;
+  since_mark_ = {};
+  any_left_out_ = false;
 }
 
 void SurfaceWriter::finish() {
   out_.vertices.resize(used_);
   out_.pressure.resize(used_);
+  settle();
+  out_.rejected = whole_.rejected;
   RejectedPolygons& core = out_.rejected[static_cast<std::size_t>(Rejection::beyond_core)];
   if (core.count == 0) return;
-  core.area = glm::length(hole_);
-  core.force = rim_length_ > 0 ? core.area * rim_pressure_ / rim_length_ : 0.0;
-}
-
-SurfaceWriter::Mark SurfaceWriter::mark() const {
-  return {used_,       out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size(), out_.rejected, hole_,
-          rim_length_, rim_pressure_};
+  core.area = glm::length(whole_.hole);
+  core.force = whole_.rim_length > 0 ? core.area * whole_.rim_pressure / whole_.rim_length : 0.0;
 }
 
 void SurfaceWriter::forget_since(const Mark& mark) {
@@ -103,16 +115,15 @@ void SurfaceWriter::forget_since(const Mark& mark) {
   out_.polygons.resize(mark.polygons);
   out_.filtered_vertices.resize(mark.filtered_vertices);
   out_.filtered.resize(mark.filtered);
-  out_.rejected = mark.rejected;
-  hole_ = mark.hole;
-  rim_length_ = mark.rim_length;
-  rim_pressure_ = mark.rim_pressure;
+  since_mark_ = {};
+  any_left_out_ = false;
 }
 
 double SurfaceWriter::area_since(const Mark& mark) const {
   double area = 0;
   for (std::size_t i = mark.polygons; i < out_.polygons.size(); ++i) area += out_.polygons[i].area;
-  for (std::size_t r = 0; r + 1 < kRejections; ++r) area += out_.rejected[r].area - mark.rejected[r].area;
+  if (!any_left_out_) return area;
+  for (std::size_t r = 0; r + 1 < kRejections; ++r) area += since_mark_.rejected[r].area;
   return area;
 }
 

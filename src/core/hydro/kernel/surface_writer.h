@@ -97,29 +97,37 @@ class SurfaceWriter {
 
   [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
 
-  /// The state before some polygons, to forget them again.
+  /// The state before some polygons, to forget them again. Only the last mark can be gone back to.
   struct Mark {
     std::size_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
-    std::array<RejectedPolygons, kRejections> rejected;
-    dvec3 hole{0};
-    double rim_length = 0, rim_pressure = 0;
   };
-  [[nodiscard]] Mark mark() const;
+  [[nodiscard]] Mark mark() {
+    if (any_left_out_) settle();
+    return {used_, out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size()};
+  }
   void forget_since(const Mark& mark);
-  /// Area of the polygons from number `first` on [m^2].
+  /// Area of the polygons since then, also of those kept out [m^2].
   [[nodiscard]] double area_since(const Mark& mark) const;
 
  private:
   static constexpr std::size_t kSlots = 8;
+  /// What is no part of the surface.
+  struct LeftOut {
+    std::array<RejectedPolygons, kRejections> rejected;
+    dvec3 hole{0};            ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]
+    double rim_length = 0;    ///< [m]
+    double rim_pressure = 0;  ///< integral of p along the rim [Pa m]
+  };
   void make_room();
+  /// Adds what was left out since the last mark to the whole.
+  void settle();
 
   ContactSurface& out_;
   std::size_t used_ = 0;  ///< vertices; out_ has room for more until finish()
   RigidTransform X_AS_;
   bool same_frame_, reverse_;
-  dvec3 hole_{0};            ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]
-  double rim_length_ = 0;    ///< [m]
-  double rim_pressure_ = 0;  ///< integral of p along the rim [Pa m]
+  LeftOut whole_, since_mark_;
+  bool any_left_out_ = false;  ///< since the last mark
 };
 
 }  // namespace taxel
