@@ -120,7 +120,14 @@ HWY_INLINE Eight take(const Eight& a, const LaneNumbers& n) {
 
 /// x0 y0 z0 x1 y1 z1 and so on: 24 numbers.
 HWY_INLINE void store_interleaved(const Eight& x, const Eight& y, const Eight& z, double* HWY_RESTRICT out) {
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_MAX_BYTES == 64
+  // Two picks for each third: of x and y first, where lanes without a meaning are 0, then those of z.
+  static constexpr LaneNumbers kXY[3] = {
+      {{0, 8, 0, 1, 9, 0, 2, 10}}, {{0, 3, 11, 0, 4, 12, 0, 5}}, {{13, 0, 6, 14, 0, 7, 15, 0}}};
+  static constexpr LaneNumbers kZ[3] = {
+      {{0, 1, 8, 3, 4, 9, 6, 7}}, {{10, 1, 2, 11, 4, 5, 12, 7}}, {{0, 13, 2, 3, 14, 5, 6, 15}}};
+  for (std::size_t i = 0; i < 3; ++i) store_eight(take(take(x, y, kXY[i]), z, kZ[i]), out + 8 * i);
+#elif HWY_TARGET == HWY_SCALAR
   for (std::size_t i = 0; i < 8; ++i) {
     out[3 * i] = hn::GetLane(x.part[i]);
     out[3 * i + 1] = hn::GetLane(y.part[i]);
