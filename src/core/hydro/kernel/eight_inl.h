@@ -83,7 +83,7 @@ HWY_INLINE VecE take_half(const Eight& a, hn::Vec<TagEI> number) {
 /// Lane i is lane n[i] of a, where n[i] < kOther, and lane n[i] - kOther of b otherwise.
 HWY_INLINE Eight take(const Eight& a, const Eight& b, const LaneNumbers& n) {
   Eight r;
-#if HWY_MAX_BYTES == 64
+#if HWY_MAX_BYTES == 64  // Highway 1.0 has no name for this one
   r.part[0] = VecE{_mm512_permutex2var_pd(a.part[0].raw, hn::Load(TagEI(), n.lane).raw, b.part[0].raw)};
 #elif HWY_MAX_BYTES == 32
   for (std::size_t i = 0; i < 2; ++i) {

@@ -9,7 +9,7 @@
 
 namespace taxel {
 
-/// Bounding spheres about the origins of geoms, whose positions MuJoCo has computed already: about a nanosecond each,
+/// Bounding spheres about the origins of geoms, whose positions MuJoCo has computed already: a few nanoseconds each,
 /// and right whatever moves, or is moved by the program that owns the model.
 class BroadPhase {
  public:

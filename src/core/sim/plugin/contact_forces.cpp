@@ -130,8 +130,8 @@ void apply(const mjModel& m, mjData& d, Active& a) {
   keep_awake(m, d, other_body(m, a));
 }
 
-/// Friction and damping are implicit, stiffness is not. Looks at the first step of a pair and at every eighth: as much
-/// as a fifth of a step's time. A bound that is quick to have spares most pairs the rest.
+/// Friction and damping are implicit, stiffness is not. Looks at the first step of a pair and at every eighth: a look
+/// takes up to a fifth of a step's time. A bound that is quick to have spares most pairs the rest.
 void check_step(const mjModel& m, Active& a) {
   constexpr unsigned kEvery = 8;
   const TouchedGeom& touched = a.instance->touched()[a.pair];
