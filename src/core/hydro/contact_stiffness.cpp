@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/hydro/quadrature.h"
+
 namespace taxel {
 namespace {
 
@@ -43,19 +45,12 @@ Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, con
   Matrix6 K{};
   for (const ContactPolygon& polygon : surface.polygons) {
     const PointStiffness k = stiffness_of(polygon, a, b, X_AB.R);
-    const dvec3* corners = surface.vertices.data() + polygon.first;
-    double fan_area = 0;
-    const auto triangle_area = [&](int i) {
-      return 0.5 * glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), polygon.normal);
-    };
-    for (int i = 1; i + 1 < polygon.count; ++i) fan_area += triangle_area(i);
-    if (!(fan_area > 0)) continue;
-    for (int i = 1; i + 1 < polygon.count; ++i) {  // the middles of the edges: exact for polynomials of degree 2
-      const double weight = triangle_area(i) * (polygon.area / fan_area) / 3;
-      add_point(0.5 * (corners[0] + corners[i]), k, weight, K);
-      add_point(0.5 * (corners[i] + corners[i + 1]), k, weight, K);
-      add_point(0.5 * (corners[i + 1] + corners[0]), k, weight, K);
-    }
+    for_each_triangle(surface, polygon, [&](const dvec3& a0, const dvec3& a1, const dvec3& a2, double area) {
+      const double weight = area / 3;  // the middles of the edges: exact for polynomials of degree 2
+      add_point(0.5 * (a0 + a1), k, weight, K);
+      add_point(0.5 * (a1 + a2), k, weight, K);
+      add_point(0.5 * (a2 + a0), k, weight, K);
+    });
   }
   return K;
 }

@@ -1,7 +1,9 @@
-// Numerical integration over a triangle.
+// Numerical integration over triangles and polygons.
 #pragma once
 
 #include <array>
+
+#include "core/hydro/contact_surface.h"
 
 namespace taxel {
 
@@ -18,5 +20,27 @@ inline constexpr std::array<QuadraturePoint, 6> kTriangleDegree4 = [] {
   return std::array<QuadraturePoint, 6>{
       {{a, a, wa}, {a, 1 - 2 * a, wa}, {1 - 2 * a, a, wa}, {b, b, wb}, {b, 1 - 2 * b, wb}, {1 - 2 * b, b, wb}}};
 }();
+
+/// Calls f(a, b, c, area) for the triangles of a polygon, fanned out from its first corner. Merging may have moved
+/// corners a little: the areas are scaled to add up to the polygon's. No call where the corners span no area.
+template <class F>
+void for_each_triangle(const ContactSurface& surface, const ContactPolygon& polygon, F&& f) {
+  const dvec3* corners = surface.vertices.data() + polygon.first;
+  const auto area = [&](int i) {
+    return 0.5 * glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), polygon.normal);
+  };
+  double sum = 0;
+  for (int i = 1; i + 1 < polygon.count; ++i) sum += area(i);
+  if (!(sum > 0)) return;
+  for (int i = 1; i + 1 < polygon.count; ++i) f(corners[0], corners[i], corners[i + 1], area(i) * (polygon.area / sum));
+}
+
+/// Calls f(x, dA) for points of the polygon whose sums are exact for polynomials of degree 4.
+template <class F>
+void for_each_quadrature_point(const ContactSurface& surface, const ContactPolygon& polygon, F&& f) {
+  for_each_triangle(surface, polygon, [&](const dvec3& a, const dvec3& b, const dvec3& c, double area) {
+    for (const QuadraturePoint& q : kTriangleDegree4) f(q.u * a + q.v * b + (1 - q.u - q.v) * c, q.weight * area);
+  });
+}
 
 }  // namespace taxel

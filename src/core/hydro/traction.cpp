@@ -89,28 +89,18 @@ class Integrator {
   Integrator(const PairProperties& pair, const Twist& V_BA) : pair_(pair), V_(V_BA) {}
 
   /// Adds the polygon's elastic wrench and secant.
-  void add(const ContactPolygon& polygon, std::span<const dvec3> corners, Wrench& elastic, Matrix6& secant) const {
+  void add(const ContactSurface& surface, const ContactPolygon& polygon, Wrench& elastic, Matrix6& secant) const {
+    const auto corners = corners_of(surface, polygon);
     const bool pushing = pushes_everywhere(polygon, corners);
     if (pushing) add_elastic(polygon, corners, elastic);
     PolygonSecant sums;
-    // Fan about the first corner; merging may have moved the corners a little, the area is the polygon's.
-    double fan_area = 0;
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) fan_area += triangle_area(polygon, corners, i);
-    if (!(fan_area > 0)) return;
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-      const double area = triangle_area(polygon, corners, i) * (polygon.area / fan_area);
-      for (const QuadraturePoint& q : kTriangleDegree4) {
-        const dvec3 x = q.u * corners[0] + q.v * corners[i] + (1 - q.u - q.v) * corners[i + 1];
-        add_point(polygon, x, q.weight * area, sums, pushing ? nullptr : &elastic);
-      }
-    }
+    for_each_quadrature_point(surface, polygon, [&](const dvec3& x, double dA) {
+      add_point(polygon, x, dA, sums, pushing ? nullptr : &elastic);
+    });
     add_secant(sums, polygon.normal, secant);
   }
 
  private:
-  static double triangle_area(const ContactPolygon& polygon, std::span<const dvec3> corners, std::size_t i) {
-    return 0.5 * glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), polygon.normal);
-  }
   [[nodiscard]] dvec3 velocity(const dvec3& x) const { return V_.linear + glm::cross(V_.angular, x); }
   /// (1 - d vn) of Hunt and Crossley (1975); p = p0 times this where it is positive, else 0.
   [[nodiscard]] double damping_factor(const ContactPolygon& polygon, const dvec3& v) const {
@@ -140,7 +130,8 @@ class Integrator {
   const Twist& V_;
 };
 
-/// elastic - S V.
+}  // namespace
+
 Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V) {
   const std::array<double, 6> velocity{V.linear.x, V.linear.y, V.linear.z, V.angular.x, V.angular.y, V.angular.z};
   std::array<double, 6> answer{};
@@ -149,18 +140,6 @@ Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V) {
   }
   return {elastic.force - dvec3(answer[0], answer[1], answer[2]),
           elastic.torque - dvec3(answer[3], answer[4], answer[5])};
-}
-
-}  // namespace
-
-double slip_factor(double speed) {
-  const double x = speed / kSlipSpeed;
-  if (x < 1e-8) return 2.0 / (kPi * kSlipSpeed);  // atan(x)/x = 1 to the last bit
-  if (x < 32.0) return 2.0 / kPi * std::atan(x) / speed;
-  // atan(x) = pi/2 - 1/x + 1/(3 x^3) - 1/(5 x^5) + ...: complete in double precision, and several times faster.
-  const double r = 1.0 / x, r2 = r * r;
-  const double rest = r * (1.0 - r2 * (1.0 / 3 - r2 * (1.0 / 5 - r2 * (1.0 / 7 - r2 * (1.0 / 9)))));
-  return (1.0 - 2.0 / kPi * rest) / speed;
 }
 
 dvec3 pressure_moment(const ContactSurface& surface, const ContactPolygon& polygon) {
@@ -188,7 +167,7 @@ Traction traction(const ContactSurface& surface, const PairProperties& pair, con
   }
   const Integrator integrator(pair, V_BA);
   for (const ContactPolygon& polygon : surface.polygons)
-    integrator.add(polygon, corners_of(surface, polygon), result.elastic, result.secant);
+    integrator.add(surface, polygon, result.elastic, result.secant);
   result.wrench = secant_wrench(result.elastic, result.secant, V_BA);
   return result;
 }

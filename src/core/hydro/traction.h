@@ -40,6 +40,9 @@ struct Traction {
 };
 Traction traction(const ContactSurface& surface, const PairProperties& pair, const Twist& V_BA);
 
+/// elastic - S V.
+Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V);
+
 /// Integral of p0 x dA over one polygon of the surface: exact for linear p0.
 dvec3 pressure_moment(const ContactSurface& surface, const ContactPolygon& polygon);
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/hydro/traction.h"
+#include "core/hydro/kernel/traction_sums.h"
 
 namespace taxel {
 
@@ -19,15 +19,16 @@ class TractionPoints {
   /// As traction(surface, pair, V_BA).
   [[nodiscard]] Traction evaluate(const PairProperties& pair, const Twist& V_BA) const;
 
- private:
-  struct Point {
-    dvec3 x{0};       // centre of pressure
-    dvec3 normal{0};  // of the polygon
-    double push = 0;  // integral of p0 dA [N]
-  };
-  void add_quadrature(const ContactSurface& surface, const ContactPolygon& polygon);
+  /// pressure_wrench(surface) of the surface.
+  [[nodiscard]] const Wrench& pressure_wrench() const { return pressure_wrench_; }
 
-  std::vector<Point> points_;
+ private:
+  /// A force of `push` newtons at x, along the unit vector n.
+  void add(const dvec3& x, const dvec3& n, double push);
+
+  std::vector<TractionBlock> blocks_;
+  std::size_t count_ = 0;
+  Wrench pressure_wrench_;
 };
 
 }  // namespace taxel

@@ -1,7 +1,10 @@
 // One binary, every machine: each instruction set that the kernel is compiled for gives the same bits.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
+#include <hwy/highway.h>
 
+#include <bit>
+
+#include "core/hydro/traction_points.h"
 #include "fixtures/hydro_bodies.h"
 
 namespace taxel {
@@ -14,28 +17,37 @@ struct Restored {
   }
 };
 
-ContactSurface on_target(std::int64_t target, const HydroBody& a, const HydroBody& b, const Pose& X_WB) {
+template <class F>
+auto on_target(std::int64_t target, const F& f) {
   const Restored restored;
   hwy::SetSupportedTargetsForTest(target);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  return touch(a, b, Pose{}, X_WB).surface;
+  return f();
 }
 
-TEST(InstructionSet, AllGiveTheSameBits) {
+/// Calls f(target) for each instruction set.
+template <class F>
+void for_each_set(const F& f) {
+  const auto supported = static_cast<std::uint64_t>(hwy::SupportedTargets());
+  if (HWY_ARCH_X86) {
+    ASSERT_GT(std::popcount(supported), 1) << "one instruction set proves nothing";
+  }
+  for (std::uint64_t rest = supported; rest != 0; rest &= rest - 1) f(static_cast<std::int64_t>(rest & -rest));
+}
+
+TEST(InstructionSet, AllGiveTheSameContactSurface) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));
   const auto ball = make_simple_body(ShapeType::sphere, dvec3(0.01), soft_material(2e5), 0.002);
   const auto rigid_ball = make_simple_body(ShapeType::sphere, dvec3(0.01), {}, 0.001);
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.01));
   const Pose beside{glm::angleAxis(0.3, glm::normalize(dvec3(1, 2, 3))), dvec3(0.001, -0.013, 0.01)};
   const Pose below{dquat(1, 0, 0, 0), dvec3(0, 0, 0.02)};
-  const std::int64_t supported = hwy::SupportedTargets();
-  int sets = 0;
   for (const HydroBodyPtr& other : {box, rigid_ball, ball, plane}) {
     const Pose& X_WB = other == plane ? below : beside;
     const ContactSurface usual = touch(*finger, *other, Pose{}, X_WB).surface;
     ASSERT_GT(usual.polygons.size(), 10u);
-    for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
-      const ContactSurface found = on_target(rest & -rest, *finger, *other, X_WB);
+    for_each_set([&](std::int64_t target) {
+      const ContactSurface found = on_target(target, [&] { return touch(*finger, *other, Pose{}, X_WB).surface; });
       ASSERT_EQ(found.vertices, usual.vertices);
       ASSERT_EQ(found.pressure, usual.pressure);
       ASSERT_EQ(found.polygons.size(), usual.polygons.size());
@@ -43,10 +55,25 @@ TEST(InstructionSet, AllGiveTheSameBits) {
         ASSERT_EQ(found.polygons[i].area, usual.polygons[i].area);
         ASSERT_EQ(found.polygons[i].centroid, usual.polygons[i].centroid);
       }
-      ++sets;
-    }
+    });
   }
-  EXPECT_GE(sets, 4);
+}
+
+TEST(InstructionSet, AllGiveTheSameTraction) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));
+  const auto box = make_simple_body(ShapeType::box, dvec3(0.01));
+  const Pose beside{glm::angleAxis(0.3, glm::normalize(dvec3(1, 2, 3))), dvec3(0.001, -0.013, 0.01)};
+  TractionPoints points;
+  points.assign(touch(*finger, *box, Pose{}, beside).surface);
+  const auto evaluate = [&] { return points.evaluate({3.0, 0.5}, {dvec3(2e-4, 1e-4, -0.01), dvec3(0.3, -0.2, 0.4)}); };
+  const Traction usual = evaluate();
+  ASSERT_NE(usual.wrench.force, usual.elastic.force);
+  for_each_set([&](std::int64_t target) {
+    const Traction found = on_target(target, evaluate);
+    EXPECT_EQ(found.wrench.force, usual.wrench.force);
+    EXPECT_EQ(found.wrench.torque, usual.wrench.torque);
+    EXPECT_EQ(found.secant, usual.secant);
+  });
 }
 
 }  // namespace

@@ -22,6 +22,26 @@ ContactSurface ball_on_floor(double edge) {
   return touch(*ball, *floor, Pose{glm::normalize(dquat(0.9, 0.1, 0.3, -0.2)), {0.1, 0.05, 0.017}}, Pose{}).surface;
 }
 
+TEST(SlipFactor, IsTheArcTangentAtAnySpeed) {
+  EXPECT_EQ(slip_factor(0), 2 / (kPi * kSlipSpeed));
+  long double worst = 0;
+  for (double speed = 1e-15; speed < 1e4; speed *= 1.0007) {
+    const long double v = speed, exact = 2 / 3.14159265358979323846264338328L *
+                                         std::atan(v / static_cast<long double>(kSlipSpeed)) / v;
+    worst = std::max(worst, std::abs(static_cast<long double>(slip_factor(speed)) / exact - 1));
+  }
+  EXPECT_LT(worst, 1e-15L);
+}
+
+TEST(TractionPoints, PressureWrenchIsThatOfTheSurface) {
+  const ContactSurface surface = ball_on_floor(0.003);
+  TractionPoints points;
+  points.assign(surface);
+  points.assign(surface);  // nothing is left of the first
+  EXPECT_LE(distance(points.pressure_wrench(), pressure_wrench(surface), 0.02),
+            1e-14 * size(pressure_wrench(surface), 0.02));
+}
+
 TEST(TractionPoints, MovingWithoutTurningIsExact) {
   const ContactSurface surface = ball_on_floor(0.003);
   TractionPoints points;

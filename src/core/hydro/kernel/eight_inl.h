@@ -63,6 +63,18 @@ HWY_INLINE Eight larger(const Eight& a, const Eight& b) {
   for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Max(a.part[i], b.part[i]);
   return r;
 }
+HWY_INLINE Eight square_root(const Eight& a) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Sqrt(a.part[i]);
+  return r;
+}
+/// Lane by lane: a < b ? yes : no.
+HWY_INLINE Eight if_less(const Eight& a, const Eight& b, const Eight& yes, const Eight& no) {
+  Eight r;
+  for (std::size_t i = 0; i < Eight::kParts; ++i)
+    r.part[i] = hn::IfThenElse(hn::Lt(a.part[i], b.part[i]), yes.part[i], no.part[i]);
+  return r;
+}
 /// Bit i: lane i of a is less than that of b.
 HWY_INLINE unsigned less(const Eight& a, const Eight& b) {
   unsigned bits = 0;

@@ -154,6 +154,7 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
   work.active_count = 0;
   for (HydroInstance* instance : instances) {
     Evaluation& e = instance->evaluate(m, d);
+    const Stopwatch watch(instance->times.forces);
     for (const std::size_t i : e.near) {
       if (e.pairs[i].surface.empty()) continue;
       if (!instance->touched()[i].role.applies) {
@@ -167,7 +168,7 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
       a.step.length = 0.5 * instance->model()->skin->mesh().bounds().diagonal();
       a.step.V_start = e.pairs[i].V;
       a.points.assign(e.pairs[i].surface);
-      e.pairs[i].wrench = pressure_wrench(e.pairs[i].surface);
+      e.pairs[i].wrench = a.points.pressure_wrench();
       fill_dynamics(m, d, work, a);
     }
   }
