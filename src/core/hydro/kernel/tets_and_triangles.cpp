@@ -9,6 +9,7 @@
 #include "core/hydro/kernel/kernels.h"
 #include "core/hydro/kernel/locate_inl.h"
 #include "core/hydro/kernel/tree_query_inl.h"
+#include <hwy/cache_control.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
@@ -114,6 +115,8 @@ class TetsAndTriangles {
   HWY_INLINE void meet(std::int32_t tet) {
     if (tet < 0 || w_.seen_in[at(tet)] == w_.triangle) return;
     w_.seen_in[at(tet)] = w_.triangle;
+    const char* lines = reinterpret_cast<const char*>(&field_.tets()[at(tet)]);
+    hwy::Prefetch(lines), hwy::Prefetch(lines + 64), hwy::Prefetch(lines + 128);
     w_.tets.push_back(tet);
   }
 
@@ -128,8 +131,10 @@ class TetsAndTriangles {
   void walk(const Current& c, std::size_t first) {
     for (std::size_t next = first; next < w_.tets.size(); ++next) {
       const std::int32_t index = w_.tets[next];
-      for (unsigned crossed = add_pair(c, index); crossed != 0; crossed &= crossed - 1)
-        meet(field_.tets()[at(index)].neighbour[static_cast<std::size_t>(std::countr_zero(crossed))]);
+      add_pair(c, index, [&](unsigned crossed) HWY_ATTR {
+        for (; crossed != 0; crossed &= crossed - 1)
+          meet(field_.tets()[at(index)].neighbour[static_cast<std::size_t>(std::countr_zero(crossed))]);
+      });
     }
   }
 
@@ -138,20 +143,21 @@ class TetsAndTriangles {
     query.set(c.triangle.x_S, c.normal, field_.tree());
     w_.tets.clear();
     collect(field_.tree(), query, w_.tets);
-    for (const std::int32_t index : w_.tets) add_pair(c, index);
+    for (const std::int32_t index : w_.tets) add_pair(c, index, [](unsigned) {});
   }
 
-  /// Returns the faces across which the triangle goes on.
-  HWY_INLINE unsigned add_pair(const Current& c, std::int32_t index) {
+  /// Calls go_on with the faces across which the triangle goes on.
+  template <class F>
+  HWY_INLINE void add_pair(const Current& c, std::int32_t index, const F& go_on) {
     const PackedTet& tet = field_.tets()[at(index)];
     TriangleInTet in_tet;
     classify(c.corners, tet, index, in_tet);
     flat_ = flat_ || in_tet.flat;
-    if (in_tet.disjoint) return 0;
+    if (in_tet.disjoint) return;
     PlanePolygon polygon = whole_triangle();
-    if (!clip(in_tet, polygon)) return 0;
+    if (!clip(in_tet, polygon)) return;
+    go_on(edge_bits(polygon) & kPlanes);
     emit(polygon, tet.core_faces, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
-    return edge_bits(polygon) & kPlanes;
   }
 
   const FieldIndex& field_;
