@@ -130,7 +130,8 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
   }
   // Where the plane crosses the edge that begins at each vertex; means something at two of them.
   const LaneNumbers& next = kCutLanes.next(n);
-  const Eight t = distance / (distance - take(distance, next));
+  const Eight drop = distance - take(distance, next);
+  const Eight t = n <= 4 ? divide_four(distance, drop) : distance / drop;
   const Eight crossing_u = p.u + t * (take(p.u, next) - p.u);
   const Eight crossing_v = p.v + t * (take(p.v, next) - p.v);
   const auto first = static_cast<unsigned>(std::countr_zero(starts));

@@ -58,6 +58,19 @@ HWY_INLINE Eight operator/(const Eight& a, const Eight& b) {
   for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Div(a.part[i], b.part[i]);
   return r;
 }
+/// a / b in the first four lanes, in the others 0: half as long as all of them.
+HWY_INLINE Eight divide_four(const Eight& a, const Eight& b) {
+  Eight r;
+#if HWY_MAX_BYTES == 64
+  const hn::Half<TagE> four;
+  const auto low = hn::Div(hn::LowerHalf(four, a.part[0]), hn::LowerHalf(four, b.part[0]));
+  r.part[0] = hn::ZeroExtendVector(TagE(), low);
+#else
+  for (std::size_t i = 0; i < Eight::kParts; ++i)
+    r.part[i] = 2 * i < Eight::kParts ? hn::Div(a.part[i], b.part[i]) : hn::Zero(TagE());
+#endif
+  return r;
+}
 HWY_INLINE Eight larger(const Eight& a, const Eight& b) {
   Eight r;
   for (std::size_t i = 0; i < Eight::kParts; ++i) r.part[i] = hn::Max(a.part[i], b.part[i]);
