@@ -9,25 +9,6 @@ SurfaceWriter::SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bo
   out_.clear();
 }
 
-SurfaceTriangle SurfaceWriter::triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const {
-  SurfaceTriangle t;
-  t.x_S = x_S;
-  const dvec3 u = x_S[1] - x_S[0], v = x_S[2] - x_S[0];
-  t.origin_A = x_S[0];
-  t.u_A = u;
-  t.v_A = v;
-  t.push_A = reverse_ ? -normal_S : normal_S;
-  if (!same_frame_) {
-    t.origin_A = X_AS_(t.origin_A);
-    t.u_A = X_AS_.R * u;
-    t.v_A = X_AS_.R * v;
-    t.push_A = X_AS_.R * t.push_A;
-  }
-  t.area = 0.5 * glm::dot(glm::cross(u, v), normal_S);
-  t.metric = {glm::dot(u, u), glm::dot(u, v), glm::dot(v, v)};
-  return t;
-}
-
 void SurfaceWriter::make_room() {
   const std::size_t room = std::max(out_.vertices.capacity(), 2 * used_ + 64 * kSlots);
   out_.vertices.resize(room);

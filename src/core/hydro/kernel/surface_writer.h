@@ -130,4 +130,23 @@ class SurfaceWriter {
   bool any_left_out_ = false;  ///< since the last mark
 };
 
+inline SurfaceTriangle SurfaceWriter::triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const {
+  SurfaceTriangle t;
+  t.x_S = x_S;
+  const dvec3 u = x_S[1] - x_S[0], v = x_S[2] - x_S[0];
+  t.origin_A = x_S[0];
+  t.u_A = u;
+  t.v_A = v;
+  t.push_A = reverse_ ? -normal_S : normal_S;
+  if (!same_frame_) {
+    t.origin_A = X_AS_(t.origin_A);
+    t.u_A = X_AS_.R * u;
+    t.v_A = X_AS_.R * v;
+    t.push_A = X_AS_.R * t.push_A;
+  }
+  t.area = 0.5 * glm::dot(glm::cross(u, v), normal_S);
+  t.metric = {glm::dot(u, u), glm::dot(u, v), glm::dot(v, v)};
+  return t;
+}
+
 }  // namespace taxel

@@ -3,13 +3,13 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_triangles.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
+#include <hwy/cache_control.h>
 #include "core/hydro/kernel/clip_inl.h"
 #include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/grid_query_inl.h"
 #include "core/hydro/kernel/kernels.h"
 #include "core/hydro/kernel/locate_inl.h"
 #include "core/hydro/kernel/tree_query_inl.h"
-#include <hwy/cache_control.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
