@@ -1,0 +1,264 @@
+#include "core/mesh/geodesic/geodesic_distance.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Windows are taken in the order of their distance up to the width of a bucket (Xu et al. 2015, "Fast wavefront
+// propagation"): the result does not depend on it, only how many windows are found to be late when they are taken.
+constexpr int kBuckets = 256;         // up to the radius, or
+constexpr int kBucketsAcross = 2048;  // along the diagonal of the mesh, if that makes more
+constexpr double kMostBuckets = 1e6;  // for paths far longer than the diagonal
+constexpr double kAtVertex = 1e-9;    // of an edge
+constexpr double kTie = 1.0 - 1e-12;  // far above the rounding of a path's length, far below any difference that counts
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+double cross(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Coordinates of v in the frame whose x axis is the unit vector u.
+dvec2 turned(const dvec2& v, const dvec2& u) {
+  return {glm::dot(v, u), cross(u, v)};
+}
+
+}  // namespace
+
+GeodesicDistance::GeodesicDistance(std::shared_ptr<const UnfoldedMesh> mesh)
+    : mesh_(std::move(mesh)),
+      first_window_(at(mesh_->edge_count()), -1),
+      arrivals_(at(mesh_->fan_count())),
+      face_reached_(mesh_->mesh().faces().size(), 0),
+      buckets_(at(kBuckets) + 1) {}
+
+void GeodesicDistance::reset() {
+  for (const int h : touched_edges_) first_window_[at(h)] = -1;
+  for (const int f : touched_fans_) arrivals_[at(f)] = Arrival{};
+  for (const int f : reached_) face_reached_[at(f)] = 0;
+  touched_edges_.clear();
+  touched_fans_.clear();
+  reached_.clear();
+  windows_.clear();
+}
+
+void GeodesicDistance::propagate(int face, const dvec3& source, double radius) {
+  reset();
+  radius_ = radius;
+  const double extent = mesh_->mesh().bounds().diagonal();
+  buckets_per_metre_ = std::max(kBuckets / radius, kBucketsAcross / extent);
+  bucket_ = 0;
+  start(face, source);
+  drain_buckets();
+}
+
+/// The source sees its own face: the three corners, and the faces across its three edges. From very near to a vertex
+/// the windows through the two edges there turn about it, in directions that rounding blurs: then the vertex is a
+/// source in all directions too. A path over it is never too short, and too long by no more than the way to the vertex
+/// and back.
+void GeodesicDistance::start(int face, const dvec3& source) {
+  source_face_ = face;
+  source_ = mesh_->flat(3 * face, source);
+  touch_face(face);
+  for (int h = 3 * face; h < 3 * face + 3; ++h) {
+    const FlatEdge& edge = mesh_->edge(h);
+    const dvec2 p = mesh_->flat(h, source);
+    const double to_apex = glm::distance(p, edge.apex);
+    arrive(h, to_apex, p);
+    if (to_apex <= kAtVertex * edge.length) {
+      const UnfoldedMesh::Fan& fan = mesh_->fan(edge.apex_fan);
+      for (int i = fan.first; i < fan.first + fan.count; ++i) {
+        const int corner = mesh_->corners()[at(i)];
+        emit_through(corner, 0.0, mesh_->apex_angle(next_edge(corner)), to_apex);
+      }
+    }
+    add_window(edge.twin, 0.0, edge.length, dvec2(edge.length - p.x, -p.y), 0.0);
+  }
+}
+
+void GeodesicDistance::drain_buckets() {
+  for (; bucket_ < buckets_.size(); ++bucket_) {
+    while (!buckets_[bucket_].empty()) {
+      const int item = buckets_[bucket_].back();
+      buckets_[bucket_].pop_back();
+      if (item >= 0) {
+        take(item);
+      } else {
+        emit(~item);
+      }
+    }
+  }
+}
+
+void GeodesicDistance::schedule(int item, double distance) {
+  const auto by_distance = static_cast<std::size_t>(std::min(distance * buckets_per_metre_, kMostBuckets));
+  const std::size_t bucket = std::max(bucket_, by_distance);  // not before this one, as rounding might have it
+  if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+  buckets_[bucket].push_back(item);
+}
+
+void GeodesicDistance::take(int window) {
+  const GeodesicWindow w = windows_[at(window)];  // a copy: more are added below
+  if (!late(w)) pass_face(w);
+}
+
+/// Whether every point of the window is reached earlier along the edge from one of its ends: if its far end is, so is
+/// every point between, by the triangle inequality (Xin, Wang 2009, theorem 3.2). Such a window is on no shortest path.
+/// What ties, up to rounding, is kept: windows that turn about a vertex very near to their source do.
+bool GeodesicDistance::late(const GeodesicWindow& w) const {
+  const double at_start = arrivals_[at(mesh_->edge(next_edge(w.halfedge)).apex_fan)].distance;
+  const double at_end = arrivals_[at(mesh_->edge(previous_edge(w.halfedge)).apex_fan)].distance;
+  return at_start + w.end < kTie * w.distance(w.end) ||
+         at_end + (mesh_->edge(w.halfedge).length - w.begin) < kTie * w.distance(w.begin);
+}
+
+/// Lays the face ahead beside what is unfolded already. The rays through the window meet the edge to the left, that to
+/// the right, or both, with the apex between them.
+void GeodesicDistance::pass_face(const GeodesicWindow& w) {
+  const FlatEdge& edge = mesh_->edge(w.halfedge);
+  const dvec2 s = w.source, to_apex = edge.apex - s;
+  // > 0: the apex lies left of the ray through the window's begin, its end.
+  const double side_of_begin = (w.begin - s.x) * to_apex.y + s.y * to_apex.x;
+  const double side_of_end = (w.end - s.x) * to_apex.y + s.y * to_apex.x;
+  reach_apex(w, edge, side_of_begin, side_of_end);
+  // Where a ray meets an edge: its ends lie on both sides, at distances from the ray that the cross products tell.
+  const auto part = [](double before, double after) { return before > 0.0 ? before / (before + after) : 0.0; };
+  if (side_of_begin < 0.0) {
+    const FlatEdge& left = mesh_->edge(previous_edge(w.halfedge));
+    const double lo = part(-s.y * w.begin, -side_of_begin);
+    const double hi = side_of_end < 0.0 ? part(-s.y * w.end, -side_of_end) : 1.0;
+    add_window(left.twin, lo * left.length, hi * left.length, turned(s, edge.to_apex), w.offset);
+  }
+  if (side_of_end > 0.0) {
+    const FlatEdge& right = mesh_->edge(next_edge(w.halfedge));
+    const double lo = side_of_begin > 0.0 ? part(side_of_begin, -s.y * (edge.length - w.begin)) : 0.0;
+    const double hi = part(side_of_end, -s.y * (edge.length - w.end));
+    add_window(right.twin, lo * right.length, hi * right.length, turned(-to_apex, edge.from_apex), w.offset);
+  }
+}
+
+/// The path to the apex: straight where the window shows it, else along the outermost ray and straight on. That is a
+/// path in any case, so no vertex is missed because rounding leaves a gap between two windows.
+void GeodesicDistance::reach_apex(const GeodesicWindow& w, const FlatEdge& edge, double side_of_begin,
+                                  double side_of_end) {
+  const Arrival& known = arrivals_[at(edge.apex_fan)];
+  const double straight = w.offset + glm::distance(w.source, edge.apex);
+  if (!(straight < known.distance)) return;
+  if (side_of_begin <= 0.0 && side_of_end >= 0.0) {
+    arrive(w.halfedge, straight, w.source);
+  } else {
+    const dvec2 bend(side_of_begin > 0.0 ? w.begin : w.end, 0.0);
+    arrive(w.halfedge, w.distance(bend.x) + glm::distance(bend, edge.apex), bend);
+  }
+}
+
+void GeodesicDistance::arrive(int opposite, double distance, const dvec2& from) {
+  const int fan = mesh_->edge(opposite).apex_fan;
+  Arrival& arrival = arrivals_[at(fan)];
+  if (!(distance < arrival.distance) || distance > radius_) return;
+  if (arrival.distance == kInfinity) touched_fans_.push_back(fan);
+  arrival.distance = distance;
+  arrival.opposite = opposite;
+  arrival.from = from;
+  if (mesh_->fan(fan).bends()) schedule(~fan, distance);
+}
+
+/// A vertex becomes a source of what no straight line reaches: the directions that make at least half a turn with the
+/// path that arrives, on either side (Mitchell, Mount, Papadimitriou 1987, lemma 3.4).
+void GeodesicDistance::emit(int fan_index) {
+  Arrival& arrival = arrivals_[at(fan_index)];
+  if (!(arrival.distance < arrival.emitted)) return;  // came here with a longer path before
+  arrival.emitted = arrival.distance;
+  const double offset = arrival.distance;
+  const UnfoldedMesh::Fan& fan = mesh_->fan(fan_index);
+  const FlatEdge& last = mesh_->edge(arrival.opposite);
+  // Directions by their angle from the fan's first edge. The apex sees the edge from its end to its start.
+  const dvec2 to_start = -last.apex, back = arrival.from - last.apex;
+  const double came_from =
+      mesh_->angle_before(arrival.opposite) + std::atan2(cross(to_start, back), glm::dot(to_start, back));
+  double wedges[2][2];
+  if (fan.closed) {
+    wedges[0][0] = came_from + kPi, wedges[0][1] = came_from + fan.angle - kPi;
+    wedges[1][0] = wedges[0][0] - fan.angle, wedges[1][1] = wedges[0][1] - fan.angle;
+  } else {
+    wedges[0][0] = 0.0, wedges[0][1] = came_from - kPi;
+    wedges[1][0] = came_from + kPi, wedges[1][1] = fan.angle;
+  }
+  for (int i = fan.first; i < fan.first + fan.count; ++i) {
+    const int corner = mesh_->corners()[at(i)];
+    const double before = mesh_->angle_before(next_edge(corner)), width = mesh_->apex_angle(next_edge(corner));
+    for (const auto& wedge : wedges) {
+      const double lo = wedge[0] - before, hi = wedge[1] - before;
+      if (hi >= 0.0 && lo <= width && lo <= hi) emit_through(corner, lo, hi, offset);
+    }
+  }
+}
+
+/// From the vertex at which the half-edge `corner` begins, across its face, between two directions: angles from that
+/// half-edge. Where they pass it or the face's other edge here, so does a path along it.
+void GeodesicDistance::emit_through(int corner, double lo, double hi, double offset) {
+  const int across = next_edge(corner);
+  const FlatEdge &edge = mesh_->edge(corner), &opposite = mesh_->edge(across),
+                 &last = mesh_->edge(previous_edge(corner));
+  touch_face(corner / 3);
+  // Where a direction meets the opposite edge: by cross products with the ends of that edge.
+  const auto meet = [&](double angle) {
+    const dvec2 ray(std::cos(angle), std::sin(angle));
+    const double before = ray.y * edge.length, after = cross(ray, edge.apex);
+    return after > 0.0 ? opposite.length * before / (before + after) : opposite.length;
+  };
+  const bool first_edge = lo <= 0.0, second_edge = hi >= mesh_->apex_angle(across);
+  arrive(previous_edge(corner), offset + edge.length, dvec2(last.length, 0.0));
+  arrive(corner, offset + last.length, dvec2(0));
+  const double begin = first_edge ? 0.0 : meet(lo), end = second_edge ? opposite.length : meet(hi);
+  // Seen from the other side the edge runs the other way.
+  add_window(opposite.twin, opposite.length - end, opposite.length - begin,
+             dvec2(opposite.length - opposite.apex.x, -opposite.apex.y), offset);
+}
+
+void GeodesicDistance::add_window(int halfedge, double begin, double end, const dvec2& source, double offset) {
+  if (halfedge < 0 || !(end > begin)) return;
+  GeodesicWindow w{begin, end, dvec2(source.x, std::min(source.y, 0.0)), offset, halfedge, -1};
+  const double nearest = w.distance(std::clamp(source.x, begin, end));
+  if (!(nearest <= radius_)) return;
+  int& first = first_window_[at(halfedge)];
+  if (first < 0) {
+    touched_edges_.push_back(halfedge);
+    touch_face(halfedge / 3);
+  }
+  w.next = first;
+  first = window_count();
+  schedule(first, nearest);
+  windows_.push_back(w);
+}
+
+void GeodesicDistance::touch_face(int face) {
+  if (face_reached_[at(face)] != 0) return;
+  face_reached_[at(face)] = 1;
+  reached_.push_back(face);
+}
+
+double GeodesicDistance::to(int face, const dvec3& target) const {
+  double best = kInfinity;
+  if (face_reached_[at(face)] == 0) return best;
+  if (face == source_face_) best = glm::distance(source_, mesh_->flat(3 * face, target));
+  for (int h = 3 * face; h < 3 * face + 3; ++h) {
+    const FlatEdge& edge = mesh_->edge(h);
+    const dvec2 t = mesh_->flat(h, target);
+    best = std::min(best, arrivals_[at(edge.apex_fan)].distance + glm::distance(t, edge.apex));
+    for (int i = first_window_[at(h)]; i >= 0; i = windows_[at(i)].next) {
+      const GeodesicWindow& w = windows_[at(i)];
+      const double straight = w.offset + glm::distance(w.source, t);
+      if (!(straight < best)) continue;
+      const double height = t.y - w.source.y;
+      const double crossing = height > 0.0 ? w.source.x - (t.x - w.source.x) * w.source.y / height : t.x;
+      const double x = std::clamp(crossing, w.begin, w.end);
+      best = std::min(best, x == crossing ? straight : w.distance(x) + glm::distance(dvec2(x, 0.0), t));
+    }
+  }
+  return best <= radius_ ? best : kInfinity;
+}
+
+}  // namespace taxel
