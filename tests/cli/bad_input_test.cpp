@@ -31,10 +31,10 @@ TEST(BadInput, LayoutValues) {
   const auto refused = [&](const std::string& pointer, const Json& value, const std::string& message) {
     expect_layout_refused(changed_layout(folder, replace(pointer, value)), file + ": " + pointer + ": " + message);
   };
-  refused("/taxels/3/radius", -0.006, "must be greater than 0, is -0.006");
-  refused("/taxels/3/radius", 0, "must be greater than 0, is 0");
+  refused("/taxels/3/radius", -0.006, "must be greater than 0, is -0.006 (taxel 3)");
+  refused("/taxels/3/radius", 0, "must be greater than 0, is 0 (taxel 3)");
   refused("/taxels/3/radius", "wide", "must be a number, is \"wide\"");
-  refused("/taxels/5/normal", {0, 0, 0}, "must be a direction, is [0, 0, 0]");
+  refused("/taxels/5/normal", {0, 0, 0}, "must be a direction, is [0, 0, 0] (taxel 5)");
   refused("/taxels/5/center", {0, 0}, "must be an array of 3 numbers, is [0,0]");
   refused("/version", 99, "99 is unknown, this program reads version 1");
   refused("/format", "something", "must be \"taxel-layout\", is \"something\"");

@@ -178,12 +178,12 @@ TEST(Check, ListsEveryProblemWithItsPointer) {
     if (problem["severity"] == "error") problems[problem["pointer"]] = problem;
   }
   ASSERT_EQ(problems.size(), 2U) << outcome.out;
-  EXPECT_EQ(problems["/taxels/3/radius"]["message"], "must be greater than 0, is -0.006");
+  EXPECT_EQ(problems["/taxels/3/radius"]["message"], "must be greater than 0, is -0.006 (taxel 3)");
   EXPECT_EQ(problems["/taxels/3/radius"].size(), 6U);  // file, pointer, severity, code, message, fix
   EXPECT_EQ(problems.count("/taxels/5/normal"), 1U);
   const Outcome text = taxel({"check", layout.string()}, folder);
   EXPECT_EQ(text.status, 1);
-  EXPECT_NE(text.out.find(layout.string() + ": /taxels/3/radius: error: must be greater than 0, is -0.006"),
+  EXPECT_NE(text.out.find(layout.string() + ": /taxels/3/radius: error: must be greater than 0, is -0.006 (taxel 3)"),
             std::string::npos)
       << text.out;
 }

@@ -95,6 +95,59 @@ TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMesh) {
   expect_smooth(table);
 }
 
+/// Our fingertip with geodesic fields, taxel 3 as two subtaxels and taxel 4 as one.
+fs::path geodesic_layout() {
+  Json layout = Json::parse(file_text(fingertip_layout()));
+  layout["mesh"]["file"] = (fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/fingertip.obj").string();
+  layout["sampling"]["density"] = 2e6;
+  layout["receptive_field"]["metric"] = "geodesic";
+  const auto part = [](const Json& taxel, double dz, double radius) {
+    Json center = taxel["center"];
+    center[2] = center[2].get<double>() + dz;
+    return Json{{"center", center}, {"normal", taxel["normal"]}, {"radius", radius}};
+  };
+  Json& third = layout["taxels"][3];
+  third["subtaxels"] = {part(third, -0.002, 0.003), part(third, 0.002, 0.0035)};
+  Json& fourth = layout["taxels"][4];
+  fourth["subtaxels"] = Json::array({part(fourth, 0.0, 0.004)});
+  const fs::path file = fs::path(TAXEL_BINARY_DIR) / "geodesic_fingertip.taxels.json";
+  write_text(file, layout.dump());
+  return file;
+}
+
+TEST(Sweep, GeodesicFieldsAndSubtaxelsAreRead) {
+  const fs::path layout = geodesic_layout();
+  const fs::path sweep = shared_sweep({"--layout", layout.string()});
+  const Table table = read_csv(sweep / "readings.csv");
+  for (const int id : {3, 4, 9, 10}) EXPECT_GT(peak(table.at(taxel_column(id))), 100) << "taxel " << id;
+  for (const std::size_t row : {100U, 180U}) expect_row_again(sweep, row);
+
+  const fs::path fields = test_folder() / "fields.csv", samples = test_folder() / "samples.csv";
+  taxel_json({"samples", layout.string(), "--quiet", "--out", samples.string(), "--fields", fields.string()});
+  const Table s = read_csv(samples), f = read_csv(fields);
+  const Json taxels = Json::parse(file_text(layout))["taxels"];
+  int of_subtaxels = 0, longer = 0;
+  for (std::size_t e = 0; e < f.at("sample").size(); ++e) {
+    const auto i = static_cast<std::size_t>(f.at("sample")[e]);
+    const Json& taxel = taxels[static_cast<std::size_t>(f.at("taxel")[e])];
+    const Json discs = taxel["subtaxels"].empty() ? Json::array({taxel}) : taxel["subtaxels"];
+    const double d = f.at("distance")[e], weight = f.at("weight")[e];
+    bool found = false;
+    for (const Json& disc : discs) {
+      const double reach = disc["radius"].get<double>() - d;
+      found |= reach >= 0 && std::abs(weight - reach * reach) < 1e-18;
+      double straight = 0;
+      for (const auto& [axis, c] : {std::pair("x", 0U), std::pair("y", 1U), std::pair("z", 2U)})
+        straight += std::pow(s.at(axis)[i] - disc["center"][c].get<double>(), 2);
+      longer += d > 1.01 * std::sqrt(straight);
+    }
+    EXPECT_TRUE(found) << "entry " << e;
+    of_subtaxels += !taxel["subtaxels"].empty();
+  }
+  EXPECT_GT(of_subtaxels, 100);
+  EXPECT_GT(longer, 500) << "paths go around the finger";
+}
+
 TEST(Sweep, ReadOnARowsPosesGivesThatRowExactly) {
   for (const std::size_t row : {0U, 125U, 240U}) expect_row_again(shared_sweep(), row);
 }

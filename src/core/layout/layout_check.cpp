@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <map>
 #include <numeric>
 
@@ -74,8 +75,6 @@ void check_settings(const Layout& layout, Check& check) {
   check.positive("/sampling/density", layout.sampling.density, "density_not_positive",
                  "1e7 per square metre is a good start");
 
-  if (layout.receptive_field.metric == Metric::geodesic)
-    check.error("/receptive_field/metric", "not_available", "\"geodesic\" is not available yet", "use \"euclidean\"");
   const double angle = layout.receptive_field.max_angle_deg;
   if (!(angle > 0.0 && angle <= 180.0))
     check.error("/receptive_field/max_angle_deg", "angle_out_of_range",
@@ -112,10 +111,16 @@ void check_taxel(const Taxel& taxel, std::size_t index, Check& check) {
   const bool valid = check_disc(pointer, taxel, check);
   for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
     const std::string sub = fmt::format("{}/subtaxels/{}", pointer, i);
-    const double radius = taxel.subtaxels[i].radius;
-    if (check_disc(sub, taxel.subtaxels[i], check) && valid && radius > taxel.radius)
+    if (!check_disc(sub, taxel.subtaxels[i], check) || !valid) continue;
+    const double radius = taxel.subtaxels[i].radius, away = glm::distance(taxel.subtaxels[i].center, taxel.center);
+    if (radius > taxel.radius)
       check.warning(sub + "/radius", "subtaxel_larger",
                     fmt::format("should be at most the taxel's radius {}, is {}", taxel.radius, radius));
+    if (away > taxel.radius)
+      check.warning(
+          sub + "/center", "subtaxel_outside",
+          fmt::format("should lie within the taxel's radius {} of its centre, is {:.3g} m away", taxel.radius, away),
+          "move it, or make it a taxel of its own");
   }
 }
 
@@ -157,6 +162,18 @@ void check_places(const std::vector<Taxel>& taxels, Check& check) {
 
 }  // namespace
 
+void name_taxels(const Layout& layout, Problems& problems) {
+  const std::string_view start = "/taxels/";
+  for (Problem& p : problems) {
+    std::size_t index = 0;
+    const char* const end = p.pointer.data() + p.pointer.size();
+    if (!p.pointer.starts_with(start) || p.pointer.ends_with("/id")) continue;  // an id names itself
+    const auto read = std::from_chars(p.pointer.data() + start.size(), end, index);
+    if (read.ec == std::errc() && index < layout.taxels.size())
+      p.message += fmt::format(" (taxel {})", layout.taxels[index].id);
+  }
+}
+
 Problems check_layout_values(const Layout& layout, const std::string& file) {
   Check check(file);
   check_settings(layout, check);
@@ -165,6 +182,7 @@ Problems check_layout_values(const Layout& layout, const std::string& file) {
   for (std::size_t i = 0; i < layout.taxels.size(); ++i) check_taxel(layout.taxels[i], i, check);
   check_ids(layout.taxels, check);
   check_places(layout.taxels, check);
+  name_taxels(layout, check.problems);
   return std::move(check.problems);
 }
 

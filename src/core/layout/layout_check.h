@@ -19,6 +19,9 @@ Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, cons
 /// of the above, because editing a layout changes nothing about it.
 Problems check_layout_mesh(const TriMesh& mesh, const std::string& file);
 
+/// Adds the id of its taxel to the message of each problem that points into /taxels: an index is not what a user knows.
+void name_taxels(const Layout& layout, Problems& problems);
+
 /// Throws Error with the first problem of severity error.
 void throw_first_error(const Problems& problems);
 

@@ -46,21 +46,21 @@ double angle_deg(const dvec3& a, const dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
 }
 
-/// Whether any face has a point within the disc and a normal within its angle.
+/// Whether any face has a point within the disc's radius of `center` and a normal within its angle.
 template <class T>
-bool reaches_surface(const T& disc, double max_angle_deg, const MeshIndex& skin) {
+bool reaches_surface(const T& disc, const dvec3& center, double max_angle_deg, const MeshIndex& skin) {
   const TriMesh& mesh = skin.mesh();
   const dvec3 n = glm::normalize(disc.normal);
   const double min_cosine = std::cos(max_angle_deg * kPi / 180.0);
   bool found = false;
   skin.bvh().visit(
       [&](const Aabb& box) {
-        return !found && glm::distance(glm::clamp(disc.center, box.lo, box.hi), disc.center) <= disc.radius;
+        return !found && glm::distance(glm::clamp(center, box.lo, box.hi), center) <= disc.radius;
       },
       [&](int face) {
         if (found || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], n) > min_cosine)) return;
         const TrianglePoint nearest =
-            nearest_on_triangle(disc.center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
+            nearest_on_triangle(center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
         found = nearest.squared_distance < disc.radius * disc.radius;
       });
   return found;
@@ -68,7 +68,8 @@ bool reaches_surface(const T& disc, double max_angle_deg, const MeshIndex& skin)
 
 /// Distance and direction of one disc against the nearest surface.
 template <class T>
-void check_disc(const std::string& pointer, const T& disc, double max_angle_deg, const MeshIndex& skin, Problems& out) {
+void check_disc(const std::string& pointer, const T& disc, const ReceptiveFieldRule& rule, const MeshIndex& skin,
+                Problems& out) {
   const double far = 0.25;                    // of the radius
   const double skewed = 60.0, inward = 90.0;  // degrees
   const SurfacePoint nearest = skin.closest_point(disc.center);
@@ -93,11 +94,13 @@ void check_disc(const std::string& pointer, const T& disc, double max_angle_deg,
         pointer + "/radius", Severity::warning, "radius_exceeds_body",
         fmt::format("{} m is larger than the whole mesh, {:.3g} m", disc.radius, skin.mesh().bounds().diagonal()),
         "in metres: 6 mm is 0.006"));
-  if (!reaches_surface(disc, max_angle_deg, skin))
+  // A geodesic field lies around the nearest point; no path there is shorter than the straight way.
+  const dvec3& center = rule.metric == Metric::geodesic ? nearest.position : disc.center;
+  if (!reaches_surface(disc, center, rule.max_angle_deg, skin))
     out.push_back(problem(
         pointer, Severity::warning, "field_empty",
         fmt::format("no surface within {:.3g} mm has a normal within {:.4g} degrees of the taxel's: it will read 0",
-                    disc.radius * kMillimetres, max_angle_deg),
+                    disc.radius * kMillimetres, rule.max_angle_deg),
         "move the centre to the surface and turn the normal outward"));
 }
 
@@ -128,15 +131,16 @@ Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, cons
   const MeshIndex& skin = all_outside ? index : *outside;
 
   check_own_mesh(layout, index.mesh(), skin.mesh(), sha256, out);
-  const double max_angle_deg = layout.receptive_field.max_angle_deg;
+  const ReceptiveFieldRule& rule = layout.receptive_field;
   for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
     const Taxel& taxel = layout.taxels[k];
     const std::string pointer = fmt::format("/taxels/{}", k);
-    if (taxel.subtaxels.empty() && placeable(taxel)) check_disc(pointer, taxel, max_angle_deg, skin, out);
+    if (taxel.subtaxels.empty() && placeable(taxel)) check_disc(pointer, taxel, rule, skin, out);
     for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i)
       if (placeable(taxel.subtaxels[i]))
-        check_disc(fmt::format("{}/subtaxels/{}", pointer, i), taxel.subtaxels[i], max_angle_deg, skin, out);
+        check_disc(fmt::format("{}/subtaxels/{}", pointer, i), taxel.subtaxels[i], rule, skin, out);
   }
+  name_taxels(layout, out);
   for (Problem& p : out) p.file = file;
   return out;
 }

@@ -1,10 +1,10 @@
 #include "core/layout/receptive_field.h"
 
-#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/layout/point_grid.h"
+#include "core/mesh/geodesic/geodesic_distance.h"
 
 namespace taxel {
 namespace {
@@ -22,17 +22,87 @@ std::vector<Disc> discs_of(const Taxel& taxel) {
   return discs;
 }
 
+/// Straight distances from the stored centre.
+class EuclideanReach {
+ public:
+  EuclideanReach(const Layout& layout, const std::vector<SurfaceSample>& samples)
+      : samples_(samples), grid_(positions_of(samples), cell_size(layout)) {}
+
+  /// Calls visit(sample, distance) for every sample within the disc's radius.
+  template <class Visit>
+  void operator()(const Disc& disc, const Visit& visit) {
+    grid_.visit_near(disc.center, disc.radius, [&](int i) {
+      const double d = glm::distance(disc.center, samples_[static_cast<std::size_t>(i)].position);
+      if (d <= disc.radius) visit(i, d);
+    });
+  }
+
+ private:
+  static std::vector<dvec3> positions_of(const std::vector<SurfaceSample>& samples) {
+    std::vector<dvec3> positions;
+    positions.reserve(samples.size());
+    for (const SurfaceSample& s : samples) positions.push_back(s.position);
+    return positions;
+  }
+  /// Cells a third of the smallest radius: few points outside of the ball are looked at, few cells are empty.
+  static double cell_size(const Layout& layout) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Taxel& taxel : layout.taxels)
+      for (const Disc& disc : discs_of(taxel)) smallest = std::min(smallest, disc.radius);
+    return std::isfinite(smallest) && smallest > 0.0 ? smallest / 3.0 : 1.0;
+  }
+
+  const std::vector<SurfaceSample>& samples_;
+  PointGrid grid_;
+};
+
+/// Lengths of shortest paths on the skin from the point closest to the centre.
+class GeodesicReach {
+ public:
+  GeodesicReach(const std::vector<SurfaceSample>& samples, const MeshIndex& skin)
+      : samples_(samples),
+        skin_(skin),
+        first_on_face_(skin.mesh().faces().size() + 1, 0),
+        distances_(std::make_shared<const UnfoldedMesh>(skin.mesh_ptr())) {
+    for (const SurfaceSample& s : samples) ++first_on_face_[static_cast<std::size_t>(s.face) + 1];
+    for (std::size_t f = 1; f < first_on_face_.size(); ++f) first_on_face_[f] += first_on_face_[f - 1];
+    std::vector<int> next(first_on_face_.begin(), first_on_face_.end() - 1);
+    on_faces_.resize(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      on_faces_[static_cast<std::size_t>(next[static_cast<std::size_t>(samples[i].face)]++)] = static_cast<int>(i);
+  }
+
+  template <class Visit>
+  void operator()(const Disc& disc, const Visit& visit) {
+    GeodesicDistance& distance = distances_.local();
+    const SurfacePoint from = skin_.closest_point(disc.center);
+    distance.propagate(from.face, from.position, disc.radius);
+    for (const int face : distance.reached_faces()) {
+      const auto f = static_cast<std::size_t>(face);
+      for (int k = first_on_face_[f]; k < first_on_face_[f + 1]; ++k) {
+        const int i = on_faces_[static_cast<std::size_t>(k)];
+        const double d = distance.to(face, samples_[static_cast<std::size_t>(i)].position);
+        if (d <= disc.radius) visit(i, d);
+      }
+    }
+  }
+
+ private:
+  const std::vector<SurfaceSample>& samples_;
+  const MeshIndex& skin_;
+  std::vector<int> first_on_face_, on_faces_;  ///< samples by face
+  tbb::enumerable_thread_specific<GeodesicDistance> distances_;
+};
+
 /// The union of the discs' fields; a sample in several belongs to the nearest of them.
+template <class Reach>
 std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cosine,
-                                           const std::vector<SurfaceSample>& samples, const PointGrid& grid) {
+                                           const std::vector<SurfaceSample>& samples, Reach& reach) {
   std::vector<ReceptiveFields::Entry> row;
   for (const Disc& disc : discs_of(taxel)) {
-    grid.visit_near(disc.center, disc.radius, [&](int i) {
-      const SurfaceSample& s = samples[static_cast<std::size_t>(i)];
-      const double d = glm::distance(disc.center, s.position);
-      if (d > disc.radius || !(glm::dot(s.normal, disc.normal) > min_cosine)) return;
-      const double reach = disc.radius - d;
-      row.push_back({i, d, reach * reach});  // w = (r - d)^2, the paper's weight
+    reach(disc, [&](int i, double d) {
+      if (!(glm::dot(samples[static_cast<std::size_t>(i)].normal, disc.normal) > min_cosine)) return;
+      row.push_back({i, d, (disc.radius - d) * (disc.radius - d)});  // w = (r - d)^2, the paper's weight
     });
   }
   std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) {
@@ -43,45 +113,40 @@ std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cosine
   return row;
 }
 
-/// Cells a third of the smallest radius: few points outside of the ball are looked at, few cells are empty.
-double cell_size(const Layout& layout) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Taxel& taxel : layout.taxels)
-    for (const Disc& disc : discs_of(taxel)) smallest = std::min(smallest, disc.radius);
-  return std::isfinite(smallest) && smallest > 0.0 ? smallest / 3.0 : 1.0;
+template <class Reach>
+std::vector<std::vector<ReceptiveFields::Entry>> gather_all(const Layout& layout,
+                                                            const std::vector<SurfaceSample>& samples, Reach reach) {
+  const double min_cosine = std::cos(layout.receptive_field.max_angle_deg * kPi / 180.0);
+  std::vector<std::vector<ReceptiveFields::Entry>> rows(layout.taxels.size());
+  parallel_chunks(static_cast<int>(rows.size()), 1, [&](int begin, int end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      rows[k] = gather(layout.taxels[k], min_cosine, samples, reach);
+  });
+  return rows;
 }
 
 }  // namespace
 
-ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples) {
-  if (layout.receptive_field.metric == Metric::geodesic)
-    throw Error("", "/receptive_field/metric", "\"geodesic\" is not available yet, use \"euclidean\"");
-  const double min_cosine = std::cos(layout.receptive_field.max_angle_deg * kPi / 180.0);
-
-  std::vector<dvec3> positions;
-  positions.reserve(samples.size());
-  double total_area = 0.0;
-  for (const SurfaceSample& s : samples) {
-    positions.push_back(s.position);
-    total_area += s.area;
-  }
-  const PointGrid grid(positions, cell_size(layout));
-
-  std::vector<std::vector<ReceptiveFields::Entry>> rows(layout.taxels.size());
-  parallel_chunks(static_cast<int>(rows.size()), 8, [&](int begin, int end) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      rows[k] = gather(layout.taxels[k], min_cosine, samples, grid);
-  });
-
-  const double per_area = total_area > 0.0 ? static_cast<double>(samples.size()) / total_area : 0.0;
+ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples,
+                                      const MeshIndex& skin) {
+  const auto rows = layout.receptive_field.metric == Metric::geodesic
+                        ? gather_all(layout, samples, GeodesicReach(samples, skin))
+                        : gather_all(layout, samples, EuclideanReach(layout, samples));
   ReceptiveFields fields;
+  std::size_t count = 0;
+  for (const auto& row : rows) count += row.size();
+  fields.entries.reserve(count);
   for (const auto& row : rows) {
     fields.entries.insert(fields.entries.end(), row.begin(), row.end());
     fields.first.push_back(static_cast<int>(fields.entries.size()));
   }
-  if (layout.sampling.weights == SampleWeights::voronoi)
+  if (layout.sampling.weights == SampleWeights::voronoi) {
+    double total_area = 0.0;
+    for (const SurfaceSample& s : samples) total_area += s.area;
+    const double per_area = total_area > 0.0 ? static_cast<double>(samples.size()) / total_area : 0.0;
     for (ReceptiveFields::Entry& e : fields.entries)
       e.weight *= samples[static_cast<std::size_t>(e.sample)].area * per_area;  // area over the mean area
+  }
   return fields;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/layout/layout.h"
 #include "core/layout/poisson_disk.h"
+#include "core/mesh/closest_point.h"
 
 namespace taxel {
 
@@ -20,8 +21,12 @@ struct ReceptiveFields {
   [[nodiscard]] int taxel_count() const { return static_cast<int>(first.size()) - 1; }
 };
 
-/// Samples within radius r of the stored centre whose normal is less than max_angle_deg from the taxel's normal;
-/// overlap allowed. With subtaxels: the union of theirs, r and d of the nearest subtaxel.
-ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples);
+/// Samples within radius r of the centre whose normal is less than max_angle_deg from the taxel's normal; overlap
+/// allowed. Distances are straight ones from the stored centre (Metric::euclidean, the paper), or lengths of shortest
+/// paths on `skin` from its point closest to the centre (Metric::geodesic), to within rounding. With subtaxels: the
+/// union of theirs, r and d of the nearest subtaxel. `samples` lie on faces of `skin`. The same on any number of
+/// threads.
+ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples,
+                                      const MeshIndex& skin);
 
 }  // namespace taxel

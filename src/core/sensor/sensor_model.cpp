@@ -126,6 +126,7 @@ void add_taxels_of_samples(SensorModel& model) {
 }
 
 void note_empty_fields(SensorModel& model, const std::string& file) {
+  Problems found;
   for (int k = 0; k < model.taxel_count(); ++k) {
     if (model.fields.first[index(k)] != model.fields.first[index(k) + 1]) continue;
     const std::string pointer = fmt::format("/taxels/{}", k);
@@ -133,9 +134,11 @@ void note_empty_fields(SensorModel& model, const std::string& file) {
       return p.code == "field_empty" && (p.pointer == pointer || p.pointer.starts_with(pointer + "/"));
     });
     if (!known)
-      model.problems.push_back({file, pointer, Severity::warning, "field_without_samples",
+      found.push_back({file, pointer, Severity::warning, "field_without_samples",
                                 "no sample lies in the receptive field: it will read 0", "raise /sampling/density"});
   }
+  name_taxels(model.layout, found);
+  model.problems.insert(model.problems.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -162,7 +165,7 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
   const TriMesh& skin = model->skin->mesh();
   model->samples =
       sample_surface(skin, sample_count(layout.sampling.density, skin.area()), layout.sampling.seed, progress);
-  model->fields = make_receptive_fields(layout, model->samples);
+  model->fields = make_receptive_fields(layout, model->samples, *model->skin);
   add_rays(*model);
   add_taxels_of_samples(*model);
   note_empty_fields(*model, file);

@@ -62,13 +62,44 @@ TEST(LayoutCheck, RadiusMessageNamesTheValue) {
   const Problems problems = check_layout_values(layout, "f.json");
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].pointer, "/taxels/1/radius");
-  EXPECT_EQ(problems[0].message, "must be greater than 0, is -0.006");
+  EXPECT_EQ(problems[0].message, "must be greater than 0, is -0.006 (taxel 1)");
   try {
     throw_first_error(problems);
     FAIL();
   } catch (const Error& e) {
-    EXPECT_STREQ(e.what(), "f.json: /taxels/1/radius: must be greater than 0, is -0.006");
+    EXPECT_STREQ(e.what(), "f.json: /taxels/1/radius: must be greater than 0, is -0.006 (taxel 1)");
   }
+}
+
+TEST(LayoutCheck, ProblemsOfTaxelsNameTheirId) {
+  Layout layout = good_layout();
+  layout.taxels[0].id = 70;
+  layout.taxels[1].id = 4;
+  layout.taxels[1].radius = 0.0;
+  layout.taxels[0].subtaxels = {{layout.taxels[0].center, dvec3(0), 0.001}};
+  for (const Problem& p : check_layout_values(layout, "f.json"))
+    EXPECT_TRUE(p.message.ends_with(p.pointer.starts_with("/taxels/0") ? " (taxel 70)" : " (taxel 4)")) << p.message;
+  layout = good_layout();
+  layout.taxels[1].id = 815;
+  layout.taxels[1].center.z = 0.02;
+  const Problems on_mesh = check_layout_on_mesh(layout, box(), "", "f.json");
+  ASSERT_EQ(on_mesh.size(), 2U);
+  for (const Problem& p : on_mesh) EXPECT_TRUE(p.message.ends_with(" (taxel 815)")) << p.message;
+}
+
+TEST(LayoutCheck, AGeodesicFieldLiesAroundTheNearestPoint) {
+  // 2.9 mm above the box, whose top is reached by a path of 3 mm around the point below, the side only straight on.
+  const auto sideways = [](Metric metric) {
+    return [metric](Layout& l) {
+      l.receptive_field = {metric, 45.0};
+      l.taxels[0] = {0, "", dvec3(0.0075, 0, 0.0079), dvec3(1, 0, 0.2), 0.003, {}};
+    };
+  };
+  const List off = {"warning /taxels/0/center center_off_surface", "warning /taxels/0/normal normal_off_surface"};
+  EXPECT_EQ(on_mesh_after(sideways(Metric::geodesic)), off);
+  List empty = off;
+  empty.push_back("warning /taxels/0 field_empty");
+  EXPECT_EQ(on_mesh_after(sideways(Metric::euclidean)), empty);
 }
 
 TEST(LayoutCheck, WarningsDoNotThrow) {
@@ -96,6 +127,11 @@ TEST(LayoutCheck, TaxelValues) {
               t.subtaxels = {{t.center, t.normal, 0.004}};
             }),
             List{"warning /taxels/0/subtaxels/0/radius subtaxel_larger"});
+  EXPECT_EQ(first([](Taxel& t) {
+              t.subtaxels = {{t.center + dvec3(0.0029, 0, 0), t.normal, 0.001},
+                             {t.center + dvec3(0, 0.0031, 0), t.normal, 0.001}};
+            }),
+            List{"warning /taxels/0/subtaxels/1/center subtaxel_outside"});
 }
 
 TEST(LayoutCheck, Settings) {
@@ -107,8 +143,7 @@ TEST(LayoutCheck, Settings) {
   for (const double d : {0.0, -1e7, kNaN, kInf})
     EXPECT_EQ(values_after([&](Layout& l) { l.sampling.density = d; }),
               List{"error /sampling/density density_not_positive"});
-  EXPECT_EQ(values_after([](Layout& l) { l.receptive_field.metric = Metric::geodesic; }),
-            List{"error /receptive_field/metric not_available"});
+  EXPECT_EQ(values_after([](Layout& l) { l.receptive_field.metric = Metric::geodesic; }), List{});
   for (const double a : {0.0, -45.0, 180.1, kNaN})
     EXPECT_EQ(values_after([&](Layout& l) { l.receptive_field.max_angle_deg = a; }),
               List{"error /receptive_field/max_angle_deg angle_out_of_range"});
@@ -131,7 +166,7 @@ TEST(LayoutCheck, CentreFarFromTheMesh) {
   layout.taxels[0].center.z = 0.0065;
   const Problems problems = check_layout_on_mesh(layout, box(), "", "f.json");
   ASSERT_EQ(listed(problems), List{"warning /taxels/0/center center_off_surface"});
-  EXPECT_EQ(problems[0].message, "is 1.5 mm from the surface, the radius is 3 mm");
+  EXPECT_EQ(problems[0].message, "is 1.5 mm from the surface, the radius is 3 mm (taxel 0)");
   EXPECT_EQ(problems[0].fix, "nearest point of the surface: [0.004, 0, 0.005]");
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].center.z = 0.020; }),
             (List{"error /taxels/0/center center_off_surface", "warning /taxels/0 field_empty"}));

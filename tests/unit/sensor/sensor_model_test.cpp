@@ -122,7 +122,7 @@ TEST(SensorModel, ProblemsAreThrownOrListed) {
     build_sensor_model(layout, plate(0.004), "", "f.json");
     FAIL();
   } catch (const Error& e) {
-    EXPECT_STREQ(e.what(), "f.json: /taxels/1/radius: must be greater than 0, is -0.006");
+    EXPECT_STREQ(e.what(), "f.json: /taxels/1/radius: must be greater than 0, is -0.006 (taxel 1)");
   }
   layout = plate_layout(0.004);
   layout.taxels[1].normal = dvec3(0, 0, -1);
@@ -137,11 +137,21 @@ TEST(SensorModel, ProblemsAreThrownOrListed) {
 
 TEST(SensorModel, WhatIsNotThereYetIsRefusedByName) {
   Layout layout = plate_layout(0.004);
-  layout.receptive_field.metric = Metric::geodesic;
-  EXPECT_THROW(build_sensor_model(layout, plate(0.004), "", "f"), Error);
-  layout = plate_layout(0.004);
   layout.readout.aggregate = Aggregate::force;
   EXPECT_THROW(build_sensor_model(layout, plate(0.004), "", "f"), Error);
+}
+
+TEST(SensorModel, GeodesicFieldsOnAFlatFaceAreEuclidean) {
+  Layout layout = plate_layout(0.004);
+  const SensorModelPtr straight = build_sensor_model(layout, plate(0.004), "", "f");
+  layout.receptive_field.metric = Metric::geodesic;
+  const SensorModelPtr along = build_sensor_model(layout, plate(0.004), "", "f");
+  expect_consistent(*along);
+  ASSERT_EQ(along->fields.first, straight->fields.first);
+  for (std::size_t e = 0; e < along->fields.entries.size(); ++e) {
+    EXPECT_EQ(along->fields.entries[e].sample, straight->fields.entries[e].sample);
+    EXPECT_NEAR(along->fields.entries[e].weight, straight->fields.entries[e].weight, 1e-12 * 25e-6);
+  }
 }
 
 TEST(SensorModel, OurFingertip) {

@@ -1,5 +1,6 @@
 #include "core/mesh/geodesic/unfolded_mesh.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/edge_sides.h"
 
 namespace taxel {
@@ -19,17 +20,19 @@ UnfoldedMesh::UnfoldedMesh(TriMeshPtr mesh)
 }
 
 void UnfoldedMesh::lay_flat() {
-  for (int h = 0; h < edge_count(); ++h) {
-    const dvec3 &a = mesh_->vertex(h / 3, h % 3), &b = mesh_->vertex(h / 3, (h + 1) % 3),
-                &c = mesh_->vertex(h / 3, (h + 2) % 3);
-    FlatEdge& e = edges_[at(h)];
-    e.length = glm::distance(a, b);
-    const double twice_area = glm::length(glm::cross(b - a, c - a));
-    e.apex = dvec2(glm::dot(c - a, b - a), twice_area) / e.length;
-    e.to_apex = glm::normalize(e.apex);
-    e.from_apex = glm::normalize(dvec2(e.length, 0) - e.apex);
-    angles_[at(h)].y = std::atan2(twice_area, glm::dot(a - c, b - c));
-  }
+  parallel_chunks(edge_count(), 768, [&](int begin, int end) {
+    for (int h = begin; h < end; ++h) {
+      const dvec3 &a = mesh_->vertex(h / 3, h % 3), &b = mesh_->vertex(h / 3, (h + 1) % 3),
+                  &c = mesh_->vertex(h / 3, (h + 2) % 3);
+      FlatEdge& e = edges_[at(h)];
+      e.length = glm::distance(a, b);
+      const double twice_area = glm::length(glm::cross(b - a, c - a));
+      e.apex = dvec2(glm::dot(c - a, b - a), twice_area) / e.length;
+      e.to_apex = glm::normalize(e.apex);
+      e.from_apex = glm::normalize(dvec2(e.length, 0) - e.apex);
+      angles_[at(h)].y = std::atan2(twice_area, glm::dot(a - c, b - c));
+    }
+  });
 }
 
 void UnfoldedMesh::join_twins() {
