@@ -28,12 +28,12 @@ class EuclideanReach {
   EuclideanReach(const Layout& layout, const std::vector<SurfaceSample>& samples)
       : samples_(samples), grid_(positions_of(samples), cell_size(layout)) {}
 
-  /// Calls visit(sample, distance) for every sample within the disc's radius.
-  template <class Visit>
-  void operator()(const Disc& disc, const Visit& visit) {
+  /// Calls visit(sample, distance) for every sample within the disc's radius that faces(sample) holds for.
+  template <class Faces, class Visit>
+  void operator()(const Disc& disc, const Faces& faces, const Visit& visit) {
     grid_.visit_near(disc.center, disc.radius, [&](int i) {
       const double d = glm::distance(disc.center, samples_[static_cast<std::size_t>(i)].position);
-      if (d <= disc.radius) visit(i, d);
+      if (d <= disc.radius && faces(i)) visit(i, d);
     });
   }
 
@@ -72,8 +72,8 @@ class GeodesicReach {
       on_faces_[static_cast<std::size_t>(next[static_cast<std::size_t>(samples[i].face)]++)] = static_cast<int>(i);
   }
 
-  template <class Visit>
-  void operator()(const Disc& disc, const Visit& visit) {
+  template <class Faces, class Visit>
+  void operator()(const Disc& disc, const Faces& faces, const Visit& visit) {
     GeodesicDistance& distance = distances_.local();
     const SurfacePoint from = skin_.closest_point(disc.center);
     distance.propagate(from.face, from.position, disc.radius);
@@ -81,6 +81,7 @@ class GeodesicReach {
       const auto f = static_cast<std::size_t>(face);
       for (int k = first_on_face_[f]; k < first_on_face_[f + 1]; ++k) {
         const int i = on_faces_[static_cast<std::size_t>(k)];
+        if (!faces(i)) continue;
         const double d = distance.to(face, samples_[static_cast<std::size_t>(i)].position);
         if (d <= disc.radius) visit(i, d);
       }
@@ -100,8 +101,10 @@ std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cosine
                                            const std::vector<SurfaceSample>& samples, Reach& reach) {
   std::vector<ReceptiveFields::Entry> row;
   for (const Disc& disc : discs_of(taxel)) {
-    reach(disc, [&](int i, double d) {
-      if (!(glm::dot(samples[static_cast<std::size_t>(i)].normal, disc.normal) > min_cosine)) return;
+    const auto faces = [&](int i) {
+      return glm::dot(samples[static_cast<std::size_t>(i)].normal, disc.normal) > min_cosine;
+    };
+    reach(disc, faces, [&](int i, double d) {
       row.push_back({i, d, (disc.radius - d) * (disc.radius - d)});  // w = (r - d)^2, the paper's weight
     });
   }
