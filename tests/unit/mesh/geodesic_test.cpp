@@ -6,6 +6,7 @@
 #include "core/mesh/geodesic/geodesic_distance.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
+#include "fixtures/counted_new.h"
 #include "unit/mesh/geodesic_oracle.h"
 #include "unit/mesh/random_mesh.h"
 
@@ -323,6 +324,24 @@ TEST(Geodesic, SourcesBesideVerticesAndEdges) {
       EXPECT_NEAR(distance(geodesic, mesh, beside, target), distance(geodesic, mesh, at, target), off + 1e-14) << off;
     }
   }
+}
+
+TEST(Geodesic, KeepsItsMemory) {
+  const TriMesh mesh = test::bumpy_sphere(3);
+  GeodesicDistance geodesic(unfolded(mesh));
+  const auto pass = [&] {
+    double sum = 0.0;
+    for (int f = 0; f < mesh.face_count(); f += 40) {
+      geodesic.propagate(f, mesh.vertex(f, 0), 0.4);
+      for (const int g : geodesic.reached_faces()) sum += std::min(1.0, geodesic.to(g, mesh.vertex(g, 1)));
+    }
+    return sum;
+  };
+  const double first = pass();
+  const long before = allocation_count();
+  const double second = pass();
+  EXPECT_EQ(allocation_count(), before);
+  EXPECT_EQ(second, first);
 }
 
 TEST(Geodesic, SeparatePartsAreNotReached) {
