@@ -23,6 +23,10 @@ class Progress {
   /// For workers: note the fraction, throw Cancelled if the watcher asked to stop.
   void check(double fraction) {
     set(fraction);
+    stop_if_cancelled();
+  }
+  /// The same without a fraction: from any thread of a worker.
+  void stop_if_cancelled() const {
     if (cancelled()) throw Cancelled{};
   }
 

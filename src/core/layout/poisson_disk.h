@@ -16,11 +16,18 @@ struct SurfaceSample {
   double area = 0.0;  ///< area this sample stands for [m^2]; all sum to the sampled area
 };
 
-/// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count and seed: same bytes, on any number of
-/// threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`, which goes
+/// How much work goes into evenness.
+enum class SampleQuality {
+  preview,  ///< no two samples close together, all of equal area: an eighth of the time
+  polished  ///< spread as evenly as possible, areas of the Voronoi cells
+};
+
+/// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count, seed and quality: same bytes, on any
+/// number of threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`, which goes
 /// from 0.1 to 0.9.
 std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::uint64_t seed,
-                                          Progress* progress = nullptr);
+                                          Progress* progress = nullptr,
+                                          SampleQuality quality = SampleQuality::polished);
 
 /// The most samples one surface may have.
 inline constexpr int kMaxSamples = 10'000'000;

@@ -1,10 +1,10 @@
 // Voronoi areas on surfaces: known cells, and a count of many points.
-#include "core/layout/voronoi_area.h"
+#include "core/layout/sampling/voronoi_area.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
-#include "core/layout/sample_elimination.h"
+#include "core/layout/sampling/surface_pool.h"
 #include "core/mesh/primitives.h"
 
 namespace taxel {
@@ -69,7 +69,7 @@ TEST(VoronoiArea, EqualsACountOfPoints) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < samples.size(); ++s) {
       const double d = glm::distance(samples[s].position, pool.positions[p]);
-      if (same_wall(samples[s].normal, pool.normals[p]) && d < nearest) nearest = d, owner = s;
+      if (glm::dot(samples[s].normal, pool.normals[p]) > 0 && d < nearest) nearest = d, owner = s;
     }
     counted[owner] += mesh.area() / pool.size();
   }

@@ -1,10 +1,9 @@
-#include "core/layout/voronoi_area.h"
+#include "core/layout/sampling/voronoi_area.h"
 
 #include <array>
 
 #include "core/base/parallel.h"
 #include "core/layout/point_grid.h"
-#include "core/layout/sample_elimination.h"
 
 namespace taxel {
 namespace {
@@ -19,6 +18,14 @@ struct Candidate {
   int sample;
 };
 using Candidates = std::vector<Candidate>;
+
+/// Whether two points lie on the same wall: normals more than 90 degrees apart belong to opposite sides of a thin part,
+/// and their distance through it says nothing about evenness.
+bool same_wall(const dvec3& normal_a, const dvec3& normal_b) {
+  const double right_angle = -1e-9;  // a cosine of 0 with rounding: faces of a box that meet at an edge are one wall
+  return glm::dot(normal_a, normal_b) > right_angle;
+}
+
 constexpr double kSearch = 1.5;        // cell of the grid, in spacings
 constexpr std::size_t kMaxOwners = 6;  // pieces with more owners are halved
 constexpr int kMaxHalvings = 64;       // ends the halving where many cells meet in one point

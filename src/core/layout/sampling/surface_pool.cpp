@@ -1,4 +1,4 @@
-#include "core/layout/surface_pool.h"
+#include "core/layout/sampling/surface_pool.h"
 
 #include <numeric>
 

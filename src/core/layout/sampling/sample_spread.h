@@ -1,0 +1,20 @@
+// Evens out samples on a surface by local farthest-point moves.
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/layout/poisson_disk.h"
+#include "core/layout/sampling/surface_walk.h"
+
+namespace taxel {
+
+/// Moves each sample in turn to the largest hole beside it, in `sweeps` sweeps over all of them, as farthest-point
+/// optimisation does (Schloemer, Heck, Deussen 2011), here in the tangent plane, or where the surface bends sharply in
+/// the unfolded surface; along the surface, and only where the distance to the nearest sample truly grows. `spacing` is
+/// that of the densest packing [m]. Keeps position, normal and face together; same bytes on any number of threads.
+/// Throws Cancelled through `progress`.
+void spread_samples(const SurfaceGraph& surface, double spacing, int sweeps, std::vector<SurfaceSample>& samples,
+                    Progress* progress);
+
+}  // namespace taxel

@@ -1,0 +1,91 @@
+// Walking over a mesh: straight lines across its edges, and the surface around a point unfolded into the plane.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+/// A point of the surface and a direction in the plane of its face.
+struct SurfaceStep {
+  int face = -1;
+  dvec3 position{0};
+};
+
+/// Which face lies across which edge, in time proportional to the faces. Where more than two faces meet, or two of
+/// opposite winding, the surface ends.
+class SurfaceGraph {
+ public:
+  explicit SurfaceGraph(const TriMesh& mesh);  ///< keeps a reference
+
+  [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
+  /// The face across the edge from corner c to corner c + 1, -1 where there is none.
+  [[nodiscard]] int across(int face, int corner) const { return sides_[side(face, corner)].across / 3; }
+
+  /// Turns the tangent vector `v` of `from` over the edge at `corner` into the plane of the face across: unfolded, the
+  /// two are parallel.
+  [[nodiscard]] dvec3 turn(const dvec3& v, int from, int corner) const {
+    const Side& out = sides_[side(from, corner)];
+    const Side& in = sides_[static_cast<std::size_t>(out.across)];
+    return glm::dot(v, out.along) * out.along - glm::dot(v, out.outward) * in.outward;
+  }
+
+  /// The end of the straightest line (Polthier, Schmies 1998) from `start` along `way`, a vector in the plane of its
+  /// face, over the length of that vector; on the rim where the surface ends before.
+  [[nodiscard]] SurfaceStep walk(SurfaceStep start, dvec3 way) const;
+
+ private:
+  struct Side {          // of one face
+    int across = kNone;  // 3 face + corner of the same edge in the other face
+    dvec3 along{0};      // unit vector of the edge
+    dvec3 outward{0};    // unit vector in the plane of the face
+  };
+  static constexpr int kNone = -3;  // / 3 is -1
+  static std::size_t side(int face, int corner) { return static_cast<std::size_t>(3 * face + corner); }
+
+  const TriMesh& mesh_;
+  std::vector<Side> sides_;
+};
+
+/// The surface around one point, unfolded into the plane of its face over the edges nearest to it: a developable
+/// surface keeps its distances, over creases of any angle and round the rim of a thin plate, and an opposite wall is as
+/// far as the way to it. One per thread: it keeps its memory.
+class SurfaceChart {
+ public:
+  explicit SurfaceChart(const SurfaceGraph& graph);
+
+  /// Unfolds all faces within `radius` of `origin`. `u` and `v` become the axes of the plane, unit vectors at right
+  /// angles in the plane of its face.
+  void unfold(const SurfaceStep& origin, const dvec3& u, const dvec3& v, double radius);
+  /// Where `place` lies in the plane. False where its face is beyond the radius.
+  [[nodiscard]] bool find(const SurfaceStep& place, dvec2& flat) const;
+
+ private:
+  /// One face laid into the plane: point x of it goes to flat + (dot(u, x - base), dot(v, x - base)).
+  struct Image {
+    int face = -1;
+    dvec3 base{0}, u{0}, v{0};
+    dvec2 flat{0};
+    [[nodiscard]] dvec2 of(const dvec3& x) const { return flat + dvec2(glm::dot(u, x - base), glm::dot(v, x - base)); }
+  };
+  struct Entry {
+    double distance = 0;  // squared, of the edge
+    int face = 0;         // across it
+    int image = 0, corner = 0;
+    bool operator<(const Entry& b) const {  // the nearest one on top of a heap
+      return distance != b.distance ? distance > b.distance : face > b.face;
+    }
+  };
+  void add(const Image& image, double limit);
+  [[nodiscard]] bool has(int face) const { return stamp_[static_cast<std::size_t>(face)] == round_; }
+
+  const SurfaceGraph& graph_;
+  std::vector<Image> images_;
+  std::vector<Entry> entries_;         // a heap
+  std::vector<int> image_of_, stamp_;  // by face
+  int round_ = 0;
+};
+
+}  // namespace taxel
