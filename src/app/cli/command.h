@@ -45,6 +45,7 @@ CLI::Validator finite();
 struct SamplingOptions {
   std::optional<double> density;
   std::optional<std::uint64_t> seed;
+  bool preview = false;  ///< samples as they are before they are spread
 };
 void add_sampling(CLI::App& app, SamplingOptions& options);
 

@@ -42,10 +42,12 @@ Source read_source(const std::string& layout_file) {
 }
 
 /// Builds in another thread while this one moves the progress bar.
-SensorModelPtr build_with_progress(const Source& source, Console& console) {
+SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, Console& console) {
   Progress progress;
+  SensorBuild how(&progress);
+  how.quality = quality;
   auto building = std::async(std::launch::async, [&] {
-    return build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name, &progress);
+    return build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name, how);
   });
   while (building.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
     console.progress(progress.fraction());
@@ -61,7 +63,8 @@ SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions&
   Source source = read_source(layout_file);
   source.layout.sampling.density = sampling.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = sampling.seed.value_or(source.layout.sampling.seed);
-  const SensorModelPtr model = build_with_progress(source, console);
+  const SensorModelPtr model =
+      build_with_progress(source, sampling.preview ? SampleQuality::preview : SampleQuality::polished, console);
   for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
   console.tell(model->problems);
   if (file_face_of != nullptr) *file_face_of = std::move(source.mesh.file_face_of);

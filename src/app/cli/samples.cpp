@@ -77,6 +77,8 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
          "Write sample,taxel,distance,weight: number of the sample, id of the taxel, distance [m], weight [m^2]")
       ->type_name("FILE");
   add_sampling(*app, options->sampling);
+  app->add_flag("--preview", options->sampling.preview,
+                "Samples as the window shows them first: the same number, less even, each of the same area");
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 

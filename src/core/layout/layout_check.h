@@ -14,6 +14,9 @@ Problems check_layout_values(const Layout& layout, const std::string& file);
 /// samples nearby, radius larger than the body, hash differs. `sha256` is that of the mesh file read.
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file);
+/// The same where the outer shells of the mesh are known.
+Problems check_layout_on_skin(const Layout& layout, const TriMesh& mesh, const MeshIndex& skin,
+                              const std::string& sha256, const std::string& file);
 
 /// What a mesh itself tells against its use: a size that is hardly metres, faces that cut through each other. Not part
 /// of the above, because editing a layout changes nothing about it.

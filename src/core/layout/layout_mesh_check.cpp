@@ -123,14 +123,18 @@ Problems check_layout_mesh(const TriMesh& mesh, const std::string& file) {
 
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file) {
-  Problems out;
-  const std::vector<int> outer = outer_shells(index.mesh());
-  const bool all_outside = static_cast<int>(outer.size()) == index.mesh().shell_count();
-  std::optional<MeshIndex> outside;
-  if (!all_outside) outside.emplace(std::make_shared<TriMesh>(extract_shells(index.mesh(), outer)));
-  const MeshIndex& skin = all_outside ? index : *outside;
+  const TriMesh& mesh = index.mesh();
+  const std::vector<int> outer = outer_shells(mesh);
+  if (static_cast<int>(outer.size()) == mesh.shell_count())
+    return check_layout_on_skin(layout, mesh, index, sha256, file);
+  const MeshIndex skin(std::make_shared<TriMesh>(extract_shells(mesh, outer)));
+  return check_layout_on_skin(layout, mesh, skin, sha256, file);
+}
 
-  check_own_mesh(layout, index.mesh(), skin.mesh(), sha256, out);
+Problems check_layout_on_skin(const Layout& layout, const TriMesh& mesh, const MeshIndex& skin,
+                              const std::string& sha256, const std::string& file) {
+  Problems out;
+  check_own_mesh(layout, mesh, skin.mesh(), sha256, out);
   const ReceptiveFieldRule& rule = layout.receptive_field;
   for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
     const Taxel& taxel = layout.taxels[k];

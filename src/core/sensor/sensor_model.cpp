@@ -1,6 +1,7 @@
 #include "core/sensor/sensor_model.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -15,27 +16,15 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-void add_skin(SensorModel& model, const std::shared_ptr<const MeshIndex>& whole) {
-  const std::vector<int> outer = outer_shells(*model.mesh);
-  if (static_cast<int>(outer.size()) == model.mesh->shell_count()) {
-    model.skin = whole;
-    model.skin_face_of.resize(index(model.mesh->face_count()));
-    for (int f = 0; f < model.mesh->face_count(); ++f) model.skin_face_of[index(f)] = f;
-    return;
-  }
-  auto skin = std::make_shared<TriMesh>(extract_shells(*model.mesh, outer, &model.skin_face_of));
-  model.skin = std::make_shared<MeshIndex>(std::move(skin));
-}
-
-void add_body(SensorModel& model, const std::string& file) {
-  Shape shape;
-  shape.type = ShapeType::mesh;
-  shape.mesh = model.mesh;
+void add_body(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const std::string& file) {
   try {
-    model.body = make_body(shape, model.layout.material, model.layout.name);
+    model.body = cache.body(skin, model.layout.material, model.layout.name);
   } catch (const Error& e) {
     throw Error(file, "/material", e.message());
   }
+}
+
+void add_problems_of_body(SensorModel& model, const std::string& file) {
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry)) {
     for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
       if (p.severity != Severity::note) model.problems.push_back(std::move(p));  // its notes are for who asks
@@ -55,61 +44,51 @@ double allowed_depth(const SensorModel& model) {
   return largest;
 }
 
-/// Distance from a sample along `direction` to the skin of the other side: the first face that is met from inside.
-double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& direction, int face) {
-  const int limit = 16;  // faces met from outside on the way: folds that graze the start
-  double travelled = 0.0;
-  for (int i = 0; i < limit; ++i) {
-    const auto hit = skin.cast_except(Ray{origin + travelled * direction, direction}, face);
-    if (!hit) break;
-    travelled += hit->t;
-    face = hit->face;
-    if (glm::dot(direction, skin.mesh().face_normals()[index(face)]) > 0.0) return travelled;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
-/// One ray per used sample, shared by its taxels, in the order of the samples; with the taxel's normal as direction one
-/// ray per entry.
-void assign_rays(SensorModel& model) {
-  model.ray_of_entry.resize(model.fields.entries.size());
-  if (model.layout.readout.ray == RayDirection::taxel_normal) {
-    for (int k = 0; k < model.taxel_count(); ++k) {
-      const dvec3 outward = glm::normalize(model.layout.taxels[index(k)].normal);
-      for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
-        const int sample = model.fields.entries[index(e)].sample;
-        model.ray_of_entry[index(e)] = static_cast<int>(model.rays.size());
-        model.rays.push_back({sample, model.samples[index(sample)].position, -outward, 0.0});
-      }
+/// One ray per entry.
+void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) {
+  for (int k = 0; k < model.taxel_count(); ++k) {
+    const dvec3 outward = glm::normalize(model.layout.taxels[index(k)].normal);
+    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
+      const int sample = model.fields.entries[index(e)].sample;
+      model.ray_of_entry[index(e)] = static_cast<int>(model.rays.size());
+      model.rays.push_back({sample, model.samples[index(sample)].position, -outward, 0.0});
     }
-    return;
   }
-  std::vector<int> ray_of_sample(model.samples.size(), -1);
-  for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[index(entry.sample)] = 0;
-  for (std::size_t s = 0; s < ray_of_sample.size(); ++s) {
-    if (ray_of_sample[s] < 0) continue;
-    ray_of_sample[s] = static_cast<int>(model.rays.size());
-    model.rays.push_back({static_cast<int>(s), model.samples[s].position, -model.samples[s].normal, 0.0});
-  }
-  for (std::size_t e = 0; e < model.fields.entries.size(); ++e)
-    model.ray_of_entry[e] = ray_of_sample[index(model.fields.entries[e].sample)];
-}
-
-void add_rays(SensorModel& model) {
-  assign_rays(model);
-  const double allowed = allowed_depth(model);
-  // The contact surface of a rigid sensor lies in its skin, to within rounding: those rays start just outside.
-  const double lead = model.body->soft() ? 0.0 : 1e-6 * model.skin->mesh().bounds().diagonal();
   parallel_chunks(static_cast<int>(model.rays.size()), 256, [&](int begin, int end) {
     for (int r = begin; r < end; ++r) {
       SensorRay& ray = model.rays[index(r)];
-      const int face = model.samples[index(ray.sample)].face;
-      ray.max_depth = std::min(allowed, 0.5 * opposite_skin(*model.skin, ray.origin, ray.direction, face)) + lead;
-      ray.origin -= lead * ray.direction;
+      limit_ray(skin, model.samples[index(ray.sample)].face, model.body->soft(), allowed, ray);
     }
   });
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
     model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays);
+}
+
+/// One ray per used sample, shared by its taxels, in the order of the samples.
+void add_sample_rays(SensorModel& model, SampleRays& known) {
+  std::vector<int> ray_of_sample(model.samples.size(), -1), used;
+  for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[index(entry.sample)] = 0;
+  for (std::size_t s = 0; s < ray_of_sample.size(); ++s) {
+    if (ray_of_sample[s] < 0) continue;
+    ray_of_sample[s] = static_cast<int>(used.size());
+    used.push_back(static_cast<int>(s));
+  }
+  for (std::size_t e = 0; e < model.fields.entries.size(); ++e)
+    model.ray_of_entry[e] = ray_of_sample[index(model.fields.entries[e].sample)];
+  SampleRays::Found found = known.find(used);
+  model.rays = std::move(found.rays);
+  if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
+    model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays, found.crossings);
+}
+
+void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr& samples, SensorCache& cache) {
+  model.ray_of_entry.resize(model.fields.entries.size());
+  const double allowed = allowed_depth(model);
+  if (model.layout.readout.ray == RayDirection::taxel_normal) {
+    add_taxel_rays(model, *skin, allowed);
+  } else {
+    add_sample_rays(model, *cache.rays(skin, samples, model.body, allowed));
+  }
   model.readout_table = make_readout_table(model);
 }
 
@@ -149,35 +128,44 @@ double SensorModel::sample_share(int sample) const {
 }
 
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
-                                  const std::string& file, Progress* progress) {
+                                  const std::string& file, const SensorBuild& how) {
+  SensorCache own;
+  SensorCache& cache = how.cache != nullptr ? *how.cache : own;
   auto model = std::make_shared<SensorModel>();
   model->layout = layout;
   model->mesh = mesh;
+  model->quality = how.quality;
   model->problems = check_layout_values(layout, file);
   throw_first_error(model->problems);
-  const auto whole = std::make_shared<const MeshIndex>(mesh);
-  const Problems on_mesh = check_layout_on_mesh(layout, *whole, mesh_sha256, file);
+  const SensorSkinPtr skin = cache.skin(mesh);
+  const TriMesh& outer = skin->outer->mesh();
+  const Problems on_mesh = check_layout_on_skin(layout, *mesh, *skin->outer, mesh_sha256, file);
   model->problems.insert(model->problems.end(), on_mesh.begin(), on_mesh.end());
   throw_first_error(on_mesh);
 
-  add_skin(*model, whole);
-  add_body(*model, file);
-  const TriMesh& skin = model->skin->mesh();
-  model->samples =
-      sample_surface(skin, sample_count(layout.sampling.density, skin.area()), layout.sampling.seed, progress);
+  model->skin = skin->outer;
+  model->skin_face_of = skin->face_of;
+  SampleSetPtr samples;
+  tbb::parallel_invoke([&] { add_body(*model, skin, cache, file); },
+                       [&] {
+                         samples = cache.samples(skin, sample_count(layout.sampling.density, outer.area()),
+                                                 layout.sampling.seed, how.quality, how.progress);
+                       });
+  add_problems_of_body(*model, file);
+  model->samples = *samples;
   model->fields = make_receptive_fields(layout, model->samples, *model->skin);
-  add_rays(*model);
+  add_rays(*model, skin, samples, cache);
   add_taxels_of_samples(*model);
   note_empty_fields(*model, file);
-  if (progress) progress->check(1.0);
+  if (how.progress != nullptr) how.progress->check(1.0);
   return model;
 }
 
-SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, Progress* progress) {
+SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how) {
   const Layout layout = read_layout(layout_file);
   throw_first_error(check_layout_values(layout, layout_file.string()));
   const LoadedMesh loaded = load_mesh(mesh_path(layout, layout_file), layout.mesh.scale);
-  const SensorModelPtr built = build_sensor_model(layout, loaded.mesh, loaded.sha256, layout_file.string(), progress);
+  const SensorModelPtr built = build_sensor_model(layout, loaded.mesh, loaded.sha256, layout_file.string(), how);
   const Problems of_mesh = check_layout_mesh(*loaded.mesh, layout_file.string());
   if (loaded.notes.empty() && of_mesh.empty()) return built;
   auto model = std::make_shared<SensorModel>(*built);

@@ -13,6 +13,7 @@
 #include "core/layout/receptive_field.h"
 #include "core/mesh/closest_point.h"
 #include "core/sensor/readout_table.h"
+#include "core/sensor/sensor_cache.h"
 #include "core/sensor/sensor_ray.h"
 #include "core/sensor/tet_table.h"
 
@@ -20,10 +21,11 @@ namespace taxel {
 
 struct SensorModel {
   Layout layout;
-  TriMeshPtr mesh;                                 ///< as read from the file, all shells
-  std::shared_ptr<const MeshIndex> skin;           ///< outer shells only: what is sampled and felt
-  std::vector<int> skin_face_of;                   ///< skin face -> face of `mesh`
-  HydroBodyPtr body;                               ///< soft (layout.material), frame M
+  TriMeshPtr mesh;                        ///< as read from the file, all shells
+  std::shared_ptr<const MeshIndex> skin;  ///< outer shells only: what is sampled and felt
+  std::vector<int> skin_face_of;          ///< skin face -> face of `mesh`
+  HydroBodyPtr body;                      ///< soft (layout.material), frame M
+  SampleQuality quality = SampleQuality::polished;
   std::vector<SurfaceSample> samples;              ///< on the skin
   ReceptiveFields fields;                          ///< entries name samples
   std::vector<SensorRay> rays;                     ///< one per used sample (and per taxel with ray = taxel_normal)
@@ -38,12 +40,22 @@ struct SensorModel {
 };
 using SensorModelPtr = std::shared_ptr<const SensorModel>;
 
+/// How a model is built.
+struct SensorBuild {
+  SensorBuild(Progress* p = nullptr) : progress(p) {}  // NOLINT: most callers have no more to say
+  Progress* progress = nullptr;                        ///< told how far it is; may cancel
+  SensorCache* cache = nullptr;                        ///< where parts are found and kept; null: all is made anew
+  SampleQuality quality = SampleQuality::polished;     ///< preview: a first reading soon, while another build polishes
+};
+
 /// Compiles a layout on a mesh. Throws Error for the first problem of severity error; lists the rest. `mesh_sha256` may
-/// be empty (unchecked); `file` names the layout in messages. Throws Cancelled through `progress`.
+/// be empty (unchecked); `file` names the layout in messages. Throws Cancelled through `how.progress`. With a cache, an
+/// edit of taxels costs their assignment, and the polished build after a preview its samples and rays; the result is
+/// the same with any cache.
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
-                                  const std::string& file, Progress* progress = nullptr);
+                                  const std::string& file, const SensorBuild& how = {});
 
 /// Reads layout and mesh files and compiles them.
-SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, Progress* progress = nullptr);
+SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how = {});
 
 }  // namespace taxel

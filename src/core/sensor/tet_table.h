@@ -12,6 +12,7 @@
 #include "core/sensor/edge_planes.h"
 #include "core/sensor/ray_hits.h"
 #include "core/sensor/sensor_ray.h"
+#include "core/sensor/tet_crossings.h"
 
 namespace taxel {
 
@@ -28,8 +29,12 @@ struct alignas(64) RayBlock {
 class TetTable {
  public:
   TetTable() = default;
-  /// Tets are widened by what contact polygons may reach over them: rounding, merged vertices, kRimReach.
   TetTable(const PressureField& field, std::span<const SensorRay> rays);
+  /// The same from crossings that are known: of each ray, tets ascending.
+  TetTable(const PressureField& field, std::span<const SensorRay> rays,
+           std::span<const std::span<const TetCrossing>> crossings) {
+    fill(field.tets().size(), rays, crossings);
+  }
 
   [[nodiscard]] int tet_count() const { return static_cast<int>(first_.size()) - 1; }
   [[nodiscard]] std::span<const RayBlock> blocks(int tet) const {
@@ -40,6 +45,8 @@ class TetTable {
   [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(RayBlock); }
 
  private:
+  void fill(std::size_t tets, std::span<const SensorRay> rays, std::span<const std::span<const TetCrossing>> crossings);
+
   std::vector<std::size_t> first_{0};
   std::vector<RayBlock> blocks_;
 };

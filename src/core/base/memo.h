@@ -1,0 +1,58 @@
+// The last few results of an expensive function.
+#pragma once
+
+#include <list>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace taxel {
+
+/// Keeps values by key, the one used last in front. For a handful of keys that compare with ==. From any thread.
+template <class Key, class Value>
+class Memo {
+ public:
+  /// Keeps at most `capacity` of what `cost(value)` counts, and always the newest value.
+  explicit Memo(double capacity) : capacity_(capacity) {}
+
+  /// The value of an equal key, or make(), which runs without a lock: where two threads ask at once both may make it.
+  template <class Make, class Cost>
+  Value get(const Key& key, const Make& make, const Cost& cost) {
+    if (std::optional<Value> known = find(key)) return *std::move(known);
+    Value made = make();
+    const std::lock_guard lock(mutex_);
+    entries_.push_front({key, made, cost(made)});
+    total_ += entries_.front().cost;
+    while (entries_.size() > 1 && total_ > capacity_) {
+      total_ -= entries_.back().cost;
+      entries_.pop_back();
+    }
+    return made;
+  }
+  template <class Make>
+  Value get(const Key& key, const Make& make) {
+    return get(key, make, [](const Value&) { return 1.0; });
+  }
+
+ private:
+  struct Entry {
+    Key key;
+    Value value;
+    double cost = 1;
+  };
+  std::optional<Value> find(const Key& key) {
+    const std::lock_guard lock(mutex_);
+    for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+      if (!(entry->key == key)) continue;
+      entries_.splice(entries_.begin(), entries_, entry);
+      return entry->value;
+    }
+    return std::nullopt;
+  }
+
+  std::mutex mutex_;
+  std::list<Entry> entries_;
+  double capacity_ = 0, total_ = 0;
+};
+
+}  // namespace taxel

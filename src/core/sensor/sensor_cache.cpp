@@ -1,0 +1,118 @@
+#include "core/sensor/sensor_cache.h"
+
+#include "core/base/parallel.h"
+
+namespace taxel {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Distance from a sample along `direction` to the skin of the other side: the first face that is met from inside.
+double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& direction, int face) {
+  const int limit = 16;  // faces met from outside on the way: folds that graze the start
+  double travelled = 0.0;
+  for (int i = 0; i < limit; ++i) {
+    const auto hit = skin.cast_except(Ray{origin + travelled * direction, direction}, face);
+    if (!hit) break;
+    travelled += hit->t;
+    face = hit->face;
+    if (glm::dot(direction, skin.mesh().face_normals()[index(face)]) > 0.0) return travelled;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh) {
+  auto skin = std::make_shared<SensorSkin>();
+  skin->mesh = mesh;
+  skin->whole = std::make_shared<const MeshIndex>(mesh);
+  const std::vector<int> outer = outer_shells(*mesh);
+  if (static_cast<int>(outer.size()) == mesh->shell_count()) {
+    skin->outer = skin->whole;
+    skin->face_of.resize(index(mesh->face_count()));
+    for (int f = 0; f < mesh->face_count(); ++f) skin->face_of[index(f)] = f;
+  } else {
+    auto faces = std::make_shared<TriMesh>(extract_shells(*mesh, outer, &skin->face_of));
+    skin->outer = std::make_shared<MeshIndex>(std::move(faces));
+  }
+  return skin;
+}
+
+void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, SensorRay& ray) {
+  const double lead = soft ? 0.0 : 1e-6 * skin.outer->mesh().bounds().diagonal();
+  ray.max_depth = std::min(allowed, 0.5 * opposite_skin(*skin.outer, ray.origin, ray.direction, face)) + lead;
+  ray.origin -= lead * ray.direction;
+}
+
+SampleRays::SampleRays(SensorSkinPtr skin, SampleSetPtr samples, HydroBodyPtr body, double allowed)
+    : skin_(std::move(skin)),
+      samples_(std::move(samples)),
+      body_(std::move(body)),
+      allowed_(allowed),
+      rays_(samples_->size()),
+      crossings_(samples_->size()) {
+  for (SensorRay& ray : rays_) ray.max_depth = -1.0;
+}
+
+SampleRays::Found SampleRays::find(std::span<const int> samples) {
+  const std::lock_guard lock(mutex_);
+  const auto* soft = std::get_if<SoftBody>(&body_->geometry);
+  std::vector<int> missing;
+  for (const int s : samples)
+    if (rays_[index(s)].max_depth < 0.0) missing.push_back(s);
+  if (soft != nullptr && tets_ == nullptr && !missing.empty())
+    tets_ = std::make_unique<const TetCrossings>(*soft->field);
+  parallel_chunks(static_cast<int>(missing.size()), 256, [&](int begin, int end) {
+    std::vector<TetCrossing> found;
+    for (int i = begin; i < end; ++i) {
+      const int s = missing[index(i)];
+      const SurfaceSample& sample = (*samples_)[index(s)];
+      SensorRay ray{s, sample.position, -sample.normal, 0.0};
+      limit_ray(*skin_, sample.face, body_->soft(), allowed_, ray);
+      if (tets_) tets_->find(ray, found);
+      crossings_[index(s)] = found;
+      rays_[index(s)] = ray;
+    }
+  });
+  Found found;
+  for (const int s : samples) {
+    found.rays.push_back(rays_[index(s)]);
+    if (tets_) found.crossings.emplace_back(crossings_[index(s)]);
+  }
+  return found;
+}
+
+SensorSkinPtr SensorCache::skin(const TriMeshPtr& mesh) {
+  return skins_.get({mesh}, [&] { return make_sensor_skin(mesh); });
+}
+
+HydroBodyPtr SensorCache::body(const SensorSkinPtr& skin, const Material& material, const std::string& name) {
+  return bodies_.get({skin, material}, [&] {
+    Shape shape;
+    shape.type = ShapeType::mesh;
+    shape.mesh = skin->mesh;
+    return make_body(shape, material, name);
+  });
+}
+
+SampleSetPtr SensorCache::samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
+                                  Progress* progress) {
+  return samples_.get(
+      {skin, count, seed, quality},
+      [&] {
+        return std::make_shared<const std::vector<SurfaceSample>>(
+            sample_surface(skin->outer->mesh(), count, seed, progress, quality));
+      },
+      [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });
+}
+
+std::shared_ptr<SampleRays> SensorCache::rays(const SensorSkinPtr& skin, const SampleSetPtr& samples,
+                                              const HydroBodyPtr& body, double allowed) {
+  return rays_.get({samples, body, allowed},
+                   [&] { return std::make_shared<SampleRays>(skin, samples, body, allowed); });
+}
+
+}  // namespace taxel

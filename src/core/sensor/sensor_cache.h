@@ -1,0 +1,108 @@
+// The expensive parts of sensor models, none of which depends on where the taxels are: kept from one model to the next,
+// so that an edit of taxels only assigns the samples anew.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "core/base/memo.h"
+#include "core/base/progress.h"
+#include "core/hydro/hydro_body.h"
+#include "core/layout/layout.h"
+#include "core/layout/poisson_disk.h"
+#include "core/mesh/closest_point.h"
+#include "core/sensor/sensor_ray.h"
+#include "core/sensor/tet_crossings.h"
+
+namespace taxel {
+
+/// A mesh and the part of it that is sampled and felt.
+struct SensorSkin {
+  TriMeshPtr mesh;                         ///< all shells
+  std::shared_ptr<const MeshIndex> whole;  ///< of them
+  std::shared_ptr<const MeshIndex> outer;  ///< of those that touch the outside
+  std::vector<int> face_of;                ///< outer face -> face of `mesh`
+};
+using SensorSkinPtr = std::shared_ptr<const SensorSkin>;
+using SampleSetPtr = std::shared_ptr<const std::vector<SurfaceSample>>;
+
+SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh);
+
+/// Rays from samples into the body, against the surface normal: how deep each may go and which tets it crosses, found
+/// when first asked for.
+class SampleRays {
+ public:
+  /// `allowed`: of Readout::max_depth [m].
+  SampleRays(SensorSkinPtr skin, SampleSetPtr samples, HydroBodyPtr body, double allowed);
+
+  struct Found {
+    std::vector<SensorRay> rays;
+    std::vector<std::span<const TetCrossing>> crossings;  ///< of each ray; empty where the body has no tets
+  };
+  /// One ray for each of `samples`. From any thread; the spans live as long as this object.
+  Found find(std::span<const int> samples);
+
+ private:
+  SensorSkinPtr skin_;
+  SampleSetPtr samples_;
+  HydroBodyPtr body_;
+  double allowed_ = 0;
+  std::mutex mutex_;
+  std::unique_ptr<const TetCrossings> tets_;
+  std::vector<SensorRay> rays_;  // by sample; max_depth < 0: not found yet
+  std::vector<std::vector<TetCrossing>> crossings_;
+};
+
+/// Sets the depth of a ray from `face` of the skin: the allowed one, or halfway to the opposite skin. The contact
+/// surface of a rigid sensor lies in its skin, to within rounding: its rays start just outside.
+void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, SensorRay& ray);
+
+/// From any thread.
+class SensorCache {
+ public:
+  /// Skin of a mesh: by its vertices and faces.
+  SensorSkinPtr skin(const TriMeshPtr& mesh);
+  /// Body of a whole mesh: by skin and material. Throws as make_body does.
+  HydroBodyPtr body(const SensorSkinPtr& skin, const Material& material, const std::string& name);
+  /// Samples of the skin: by skin, count, seed and quality. Throws as sample_surface does.
+  SampleSetPtr samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
+                       Progress* progress);
+  /// By what it is made of.
+  std::shared_ptr<SampleRays> rays(const SensorSkinPtr& skin, const SampleSetPtr& samples, const HydroBodyPtr& body,
+                                   double allowed);
+
+ private:
+  struct BodyKey {
+    SensorSkinPtr skin;
+    Material material;
+    bool operator==(const BodyKey&) const = default;
+  };
+  struct SamplesKey {
+    SensorSkinPtr skin;
+    int count = 0;
+    std::uint64_t seed = 0;
+    SampleQuality quality{};
+    bool operator==(const SamplesKey&) const = default;
+  };
+  struct RaysKey {
+    SampleSetPtr samples;
+    HydroBodyPtr body;
+    double allowed = 0;
+    bool operator==(const RaysKey&) const = default;
+  };
+  struct MeshKey {
+    TriMeshPtr mesh;
+    bool operator==(const MeshKey& b) const {
+      return mesh == b.mesh || (mesh->faces() == b.mesh->faces() && mesh->vertices() == b.mesh->vertices());
+    }
+  };
+  static constexpr double kEntries = 4, kSamples = 4e6;  // about 300 MB
+  Memo<MeshKey, SensorSkinPtr> skins_{kEntries};
+  Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};
+  Memo<SamplesKey, SampleSetPtr> samples_{kSamples};
+  Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for what replaces it
+};
+
+}  // namespace taxel
