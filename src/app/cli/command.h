@@ -29,6 +29,7 @@ Command add_contact(CLI::App& parent, CommonOptions& common);
 Command add_read(CLI::App& parent, CommonOptions& common);
 Command add_samples(CLI::App& parent, CommonOptions& common);
 Command add_mesh(CLI::App& parent, CommonOptions& common);
+Command add_presets(CLI::App& parent, CommonOptions& common);
 Command add_check(CLI::App& parent, CommonOptions& common);
 Command add_validate(CLI::App& parent, CommonOptions& common);
 

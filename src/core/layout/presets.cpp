@@ -1,5 +1,7 @@
 #include "core/layout/presets.h"
 
+#include "core/layout/generators/place.h"
+
 namespace taxel {
 namespace {
 
@@ -19,18 +21,6 @@ constexpr Published kPublished[] = {
 constexpr double kMetresPerMillimetre = 1e-3;
 constexpr double kRadius = 0.006;  // of the paper's receptive fields [m]
 
-dvec3 rounded(const dvec3& v, double steps_per_unit) {
-  return glm::round(v * steps_per_unit) / steps_per_unit;
-}
-
-/// The normal of the smooth surface that the mesh stands for: vertex normals interpolated over the face (Phong 1975).
-dvec3 smooth_normal(const TriMesh& mesh, const SurfacePoint& at) {
-  const ivec3 corners = mesh.faces()[static_cast<std::size_t>(at.face)];
-  dvec3 n(0);
-  for (int c = 0; c < 3; ++c) n += at.barycentric[c] * mesh.vertex_normals()[static_cast<std::size_t>(corners[c])];
-  return glm::normalize(n);
-}
-
 }  // namespace
 
 Layout fingertip_layout(const MeshIndex& skin, const std::string& mesh_sha256) {
@@ -42,12 +32,10 @@ Layout fingertip_layout(const MeshIndex& skin, const std::string& mesh_sha256) {
     for (const Published& published : kPublished) {
       const SurfacePoint at = skin.closest_point(published.center_mm * kMetresPerMillimetre);
       const dvec3 mirror(side, 1.0, 1.0);
-      Taxel taxel;
-      taxel.id = static_cast<int>(layout.taxels.size());
+      Taxel taxel = rounded(taxel_on(skin.mesh(), at, static_cast<int>(layout.taxels.size()), kRadius));
       taxel.name = (side > 0.0 ? "right " : "left ") + std::string(published.place);
-      taxel.center = mirror * rounded(at.position, 1e7);
-      taxel.normal = mirror * rounded(smooth_normal(skin.mesh(), at), 1e6);
-      taxel.radius = kRadius;
+      taxel.center *= mirror;
+      taxel.normal *= mirror;
       layout.taxels.push_back(taxel);
     }
   }

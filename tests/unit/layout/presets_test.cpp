@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/layout/layout_check.h"
 #include "core/layout/layout_json.h"
+#include "core/layout/sensor_presets.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel {
@@ -48,6 +51,46 @@ TEST(Presets, FingertipIsMirrorSymmetricAndLiesOnTheSkin) {
     const double on_other_side = 2e-5;  // facets need not be mirror images
     EXPECT_LT(skin.closest_point(left.center).distance, on_other_side);
   }
+}
+
+TEST(SensorPresets, HaveNoProblemsOnTheirMeshes) {
+  for (const std::string& name : sensor_preset_names()) {
+    const SensorPreset preset = make_sensor_preset(name);
+    EXPECT_EQ(preset.name, name);
+    EXPECT_FALSE(preset.source.empty()) << name;
+    EXPECT_FALSE(preset.unverified.empty()) << name;
+    const std::string& sha256 = preset.layout.mesh.sha256;
+    EXPECT_EQ(sha256, sha256_hex(obj_text(*preset.mesh))) << name;
+    Problems problems = check_layout_values(preset.layout, name);
+    for (const Problem& p : check_layout_on_mesh(preset.layout, MeshIndex(preset.mesh), sha256, name))
+      problems.push_back(p);
+    for (const Problem& p : check_layout_mesh(*preset.mesh, name)) problems.push_back(p);
+    for (const Problem& p : problems) ADD_FAILURE() << name << p.pointer << ": " << p.message;
+    EXPECT_EQ(layout_to_json(make_sensor_preset(name).layout), layout_to_json(preset.layout)) << name;
+  }
+  EXPECT_THROW(make_sensor_preset("biotack"), Error);
+}
+
+/// Numbers of taxels, and distances between neighbours that the sources name.
+TEST(SensorPresets, AreWhatTheirSourcesSay) {
+  const std::map<std::string, std::size_t> taxels{{"fingertip", 12}, {"icub", 12},        {"biotac", 19},
+                                                  {"xela-4x4", 16},  {"xela-4x6", 24},    {"xela-curved", 30},
+                                                  {"myrmex", 256},   {"dense", 26U * 27U}};
+  EXPECT_EQ(taxels.size(), sensor_preset_names().size());
+  for (const auto& [name, count] : taxels) EXPECT_EQ(make_sensor_preset(name).layout.taxels.size(), count) << name;
+  const std::map<std::string, double> pitches{{"xela-4x4", 4.7e-3}, {"xela-4x6", 4.7e-3}, {"myrmex", 5e-3}};
+  for (const auto& [name, pitch] : pitches) {
+    const std::vector<Taxel> row = make_sensor_preset(name).layout.taxels;
+    EXPECT_NEAR(glm::distance(row[0].center, row[1].center), pitch, 1e-12) << name;
+  }
+  const Layout biotac = make_sensor_preset("biotac").layout;
+  EXPECT_NEAR(biotac.taxels[16].center.z, -7e-3, 2e-5) << "E17 lies under the axis";
+  EXPECT_NEAR(biotac.taxels[16].center.x, -2.8e-3, 2e-4);
+  for (std::size_t e = 0; e < 6; ++e)  // E1 to E6 and E11 to E16 are mirror images; facets are not
+    EXPECT_LT(glm::distance(biotac.taxels[e].center, dvec3(1, -1, 1) * biotac.taxels[e + 10].center), 2e-4) << e;
+  const Layout icub = make_sensor_preset("icub").layout;
+  EXPECT_NEAR(glm::distance(icub.taxels[11].center, dvec3(-20.9e-3, 0, 0)), 0.0, 1e-5) << "the tip";
+  EXPECT_NEAR(glm::distance(icub.taxels[1].center, dvec3(-10.3e-3, 4.4e-3, 0)), 0.0, 5e-5);
 }
 
 }  // namespace

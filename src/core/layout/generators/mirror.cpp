@@ -1,0 +1,66 @@
+#include "core/layout/generators/mirror.h"
+
+#include <fmt/format.h>
+
+#include "core/layout/generators/place.h"
+
+namespace taxel {
+namespace {
+
+/// x' = x - 2 ((x - p) . n) n, n a unit vector; directions: p = 0.
+dvec3 reflected(const dvec3& x, const dvec3& p, const dvec3& n) {
+  return x - 2.0 * glm::dot(x - p, n) * n;
+}
+
+template <class T>
+void reflect(T& disc, const dvec3& p, const dvec3& n) {
+  disc.center = reflected(disc.center, p, n);
+  disc.normal = reflected(disc.normal, dvec3(0), n);
+}
+
+std::string mirrored_name(const std::string& name) {
+  const std::string left = "left", right = "right";
+  if (const std::size_t at = name.find(left); at != std::string::npos)
+    return std::string(name).replace(at, left.size(), right);
+  if (const std::size_t at = name.find(right); at != std::string::npos)
+    return std::string(name).replace(at, right.size(), left);
+  return name.empty() ? name : name + " mirrored";
+}
+
+}  // namespace
+
+std::vector<Taxel> mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane) {
+  require_finite("mirror", "point", plane.point);
+  const dvec3 n = require_direction("mirror", "normal", plane.normal);
+  std::vector<Taxel> images = taxels;
+  for (Taxel& image : images) {
+    reflect(image, plane.point, n);
+    for (Subtaxel& subtaxel : image.subtaxels) reflect(subtaxel, plane.point, n);
+  }
+  return images;
+}
+
+std::vector<Taxel> with_mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane, double tolerance) {
+  if (!(tolerance >= 0.0) || !std::isfinite(tolerance))
+    throw Error("mirror", "tolerance", fmt::format("must be finite and 0 or more, is {}", tolerance));
+  int next_id = 0;
+  for (const Taxel& taxel : taxels) {
+    if (taxel.id == std::numeric_limits<int>::max()) throw Error("mirror", "id", "no id is left after the largest");
+    next_id = std::max(next_id, taxel.id + 1);
+  }
+  std::vector<Taxel> all = taxels;
+  for (Taxel& image : mirror_images(taxels, plane)) {
+    const bool there = std::any_of(taxels.begin(), taxels.end(), [&](const Taxel& taxel) {
+      return glm::distance(taxel.center, image.center) <= tolerance;
+    });
+    if (there) continue;
+    if (next_id < 0) throw Error("mirror", "id", "no id is left after the largest");
+    image.id = next_id;
+    next_id = next_id == std::numeric_limits<int>::max() ? -1 : next_id + 1;
+    image.name = mirrored_name(image.name);
+    all.push_back(std::move(image));
+  }
+  return all;
+}
+
+}  // namespace taxel

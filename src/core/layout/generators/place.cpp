@@ -1,0 +1,78 @@
+#include "core/layout/generators/place.h"
+
+#include <fmt/format.h>
+
+namespace taxel {
+
+dvec3 smooth_normal(const TriMesh& mesh, const SurfacePoint& at) {
+  const auto face = static_cast<std::size_t>(at.face);
+  const ivec3 corners = mesh.faces()[face];
+  dvec3 n(0);
+  for (int c = 0; c < 3; ++c) n += at.barycentric[c] * mesh.vertex_normals()[static_cast<std::size_t>(corners[c])];
+  const double length = glm::length(n);
+  return length > 0.0 && std::isfinite(length) ? n / length : mesh.face_normals()[face];
+}
+
+Taxel taxel_on(const TriMesh& skin, const SurfacePoint& at, int id, double radius) {
+  Taxel taxel;
+  taxel.id = id;
+  taxel.center = at.position;
+  taxel.normal = smooth_normal(skin, at);
+  taxel.radius = radius;
+  return taxel;
+}
+
+Taxel rounded(Taxel taxel) {
+  const double per_metre = 1e7, per_unit = 1e6;
+  taxel.center = glm::round(taxel.center * per_metre) / per_metre + 0.0;  // + 0 turns -0 into 0
+  taxel.normal = glm::round(taxel.normal * per_unit) / per_unit + 0.0;
+  return taxel;
+}
+
+SurfacePoint outside_hit(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
+                         const std::string& generator, const std::string& where) {
+  const std::optional<MeshHit> hit = skin.cast({origin, direction});
+  const auto ray = [&] {
+    return fmt::format("the ray from [{:.6g}, {:.6g}, {:.6g}] along [{:.4g}, {:.4g}, {:.4g}]", origin.x, origin.y,
+                       origin.z, direction.x, direction.y, direction.z);
+  };
+  if (!hit) throw Error(generator, where, ray() + " misses the mesh");
+  const TriMesh& mesh = skin.mesh();
+  if (glm::dot(mesh.face_normals()[static_cast<std::size_t>(hit->face)], direction) > 0.0)
+    throw Error(generator, where, ray() + " begins inside the mesh");
+  SurfacePoint at;
+  at.face = hit->face;
+  at.barycentric = hit->barycentric;
+  for (int c = 0; c < 3; ++c) at.position += hit->barycentric[c] * mesh.vertex(hit->face, c);
+  return at;
+}
+
+void require_count(const std::string& generator, const std::string& parameter, int value) {
+  if (value < 1) throw Error(generator, parameter, fmt::format("must be at least 1, is {}", value));
+  if (value > kMaxGeneratedTaxels)
+    throw Error(generator, parameter, fmt::format("must be at most {}, is {}", kMaxGeneratedTaxels, value));
+}
+
+void require_positive(const std::string& generator, const std::string& parameter, double value) {
+  if (!(value > 0.0) || !std::isfinite(value))
+    throw Error(generator, parameter, fmt::format("must be finite and greater than 0, is {}", value));
+}
+
+void require_finite(const std::string& generator, const std::string& parameter, double value) {
+  if (!std::isfinite(value)) throw Error(generator, parameter, fmt::format("must be finite, is {}", value));
+}
+
+void require_finite(const std::string& generator, const std::string& parameter, const dvec3& value) {
+  if (!is_finite(value))
+    throw Error(generator, parameter, fmt::format("must be finite, is [{}, {}, {}]", value.x, value.y, value.z));
+}
+
+dvec3 require_direction(const std::string& generator, const std::string& parameter, const dvec3& value) {
+  require_finite(generator, parameter, value);
+  const double length = glm::length(value);
+  if (!(length > 0.0) || !std::isfinite(length))
+    throw Error(generator, parameter, fmt::format("must be a direction, is [{}, {}, {}]", value.x, value.y, value.z));
+  return value / length;
+}
+
+}  // namespace taxel
