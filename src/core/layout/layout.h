@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/material.h"
 #include "core/base/math.h"
+#include "core/layout/calibration_settings.h"
 
 namespace taxel {
 
@@ -77,6 +79,7 @@ struct Layout {
   Readout readout;
   Material material{FieldKind::pad, 5.0e4, 0.002, 5.0, 0.5};
   std::vector<Taxel> taxels;  ///< order = index in the output
+  std::optional<Calibration> calibration;
   /// Keys that this version does not know: JSON pointer -> JSON text. Written back where they were.
   std::map<std::string, std::string> unknown;
   bool operator==(const Layout&) const = default;

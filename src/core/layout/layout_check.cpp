@@ -6,48 +6,11 @@
 #include <map>
 #include <numeric>
 
+#include "core/layout/value_check.h"
 #include "core/layout/words.h"
 
 namespace taxel {
 namespace {
-
-/// Collects problems of one file.
-class Check {
- public:
-  explicit Check(std::string file) : file_(std::move(file)) {}
-  void error(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
-    problems.push_back({file_, pointer, Severity::error, code, message, fix});
-  }
-  void warning(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
-    problems.push_back({file_, pointer, Severity::warning, code, message, fix});
-  }
-  bool positive(const std::string& pointer, double v, const char* code, const std::string& fix = "") {
-    if (v > 0.0 && std::isfinite(v)) return true;
-    error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "greater than 0" : "finite", v), fix);
-    return false;
-  }
-  bool not_negative(const std::string& pointer, double v, const char* code) {
-    if (v >= 0.0 && std::isfinite(v)) return true;
-    error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "0 or more" : "finite", v));
-    return false;
-  }
-  bool finite(const std::string& pointer, const dvec3& v) {
-    if (is_finite(v)) return true;
-    error(pointer, "not_finite", fmt::format("must be finite, is [{}, {}, {}]", v.x, v.y, v.z));
-    return false;
-  }
-  bool direction(const std::string& pointer, const dvec3& v) {
-    if (!finite(pointer, v)) return false;
-    const double length = glm::length(v);
-    if (length > 0.0 && std::isfinite(length)) return true;
-    error(pointer, "zero_normal", fmt::format("must be a direction, is [{}, {}, {}]", v.x, v.y, v.z));
-    return false;
-  }
-  Problems problems;
-
- private:
-  std::string file_;
-};
 
 double angle_deg(const dvec3& a, const dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
@@ -182,6 +145,7 @@ Problems check_layout_values(const Layout& layout, const std::string& file) {
   for (std::size_t i = 0; i < layout.taxels.size(); ++i) check_taxel(layout.taxels[i], i, check);
   check_ids(layout.taxels, check);
   check_places(layout.taxels, check);
+  if (layout.calibration) check_calibration(layout, check);
   name_taxels(layout, check.problems);
   return std::move(check.problems);
 }

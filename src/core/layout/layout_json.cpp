@@ -58,6 +58,7 @@ class Value {
     if (!json_.is_number()) fail("a number");
     return json_.get<double>();
   }
+  [[nodiscard]] bool is_text() const { return json_.is_string(); }
   [[nodiscard]] std::string text() const {
     if (!json_.is_string()) fail("a text");
     return json_.get<std::string>();
@@ -116,6 +117,9 @@ class Object : public Value {
     const auto found = json_.find(key);
     if (found == json_.end()) throw Error(document_.file, pointer_ + "/" + key, "is missing");
     return {*found, pointer_ + "/" + key, document_};
+  }
+  void number(const char* key, std::optional<double>& out) {
+    optional(key, [&](const Value& v) { out = v.number(); });
   }
   void number(const char* key, double& out) {
     optional(key, [&](const Value& v) { out = v.number(); });
@@ -264,6 +268,91 @@ Taxel read_taxel(const Value& value, std::size_t index) {
   return taxel;
 }
 
+Curve read_curve(const Value& value) {
+  if (value.array_size() < 2) value.fail("an array of 2 points or more");
+  Curve curve;
+  for (std::size_t i = 0; i < value.array_size(); ++i) {
+    const Value point = value.item(i);
+    if (point.array_size() != 2) point.fail("an array of 2 numbers");
+    curve.push_back({point.item(0).number(), point.item(1).number()});
+  }
+  return curve;
+}
+
+TaxelCalibration read_taxel_calibration(const Value& value, const std::string& file) {
+  Object object(value);
+  TaxelCalibration taxel;
+  taxel.id = object.required("id").small_integer();
+  try {
+    object.number("tare", taxel.tare);
+    object.number("gain", taxel.gain);
+    object.optional("curve", [&](const Value& v) { taxel.curve = read_curve(v); });
+    object.number("dead", taxel.dead);
+  } catch (const Error& e) {
+    throw Error(file, e.where(), fmt::format("{} (taxel {})", e.message(), taxel.id));
+  }
+  object.keep_unknown();
+  return taxel;
+}
+
+/// The parts that are objects of their own.
+void read_calibration_parts(Object& object, Calibration& calibration) {
+  object.optional("hysteresis", [&](const Value& value) {
+    Object part(value);
+    Hysteresis& hysteresis = calibration.hysteresis.emplace();
+    hysteresis.width = part.required("width").number();
+    part.number("fraction", hysteresis.fraction);
+    part.keep_unknown();
+  });
+  object.optional("crosstalk", [&](const Value& value) {
+    Object part(value);
+    calibration.crosstalk = {part.required("fraction").number(), part.required("reach").number()};
+    part.keep_unknown();
+  });
+  object.optional("quantisation", [&](const Value& value) {
+    Object part(value);
+    Quantisation& quantisation = calibration.quantisation.emplace();
+    part.number("step", quantisation.step);
+    part.optional("bits", [&](const Value& v) { quantisation.bits = v.small_integer(); });
+    part.keep_unknown();
+  });
+  object.optional("dead", [&](const Value& value) {
+    Object part(value);
+    DeadTaxels& dead = calibration.dead.emplace();
+    dead.fraction = part.required("fraction").number();
+    part.number("value", dead.value);
+    part.keep_unknown();
+  });
+}
+
+Calibration read_calibration(const Value& value, const std::string& file) {
+  Object object(value);
+  Calibration calibration;
+  object.optional("seed", [&](const Value& v) { calibration.seed = v.natural(); });
+  object.text("unit", calibration.unit);
+  read_calibration_parts(object, calibration);
+  object.optional("tare", [&](const Value& v) {
+    if (v.is_text() && v.text() != "first_reading") v.fail("a number or \"first_reading\"");
+    calibration.tare = v.is_text() ? Tare{true, 0.0} : Tare{false, v.number()};
+  });
+  object.number("tare_deviation", calibration.tare_deviation);
+  object.number("gain", calibration.gain);
+  object.optional("curve", [&](const Value& v) { calibration.curve = read_curve(v); });
+  object.number("gain_deviation", calibration.gain_deviation);
+  object.number("noise", calibration.noise);
+  object.optional("range", [&](const Value& v) {
+    if (v.array_size() != 2) v.fail("an array of 2 numbers");
+    calibration.range = {v.item(0).number(), v.item(1).number()};
+  });
+  object.number("rate", calibration.rate);
+  object.optional("taxels", [&](const Value& v) {
+    for (std::size_t i = 0; i < v.array_size(); ++i)
+      calibration.taxels.push_back(read_taxel_calibration(v.item(i), file));
+  });
+  object.keep_unknown();
+  return calibration;
+}
+
 }  // namespace
 
 Layout parse_layout(const std::string& text, const std::string& file) {
@@ -279,6 +368,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   read_settings(root, layout);
   const Value taxels = root.required("taxels");
   for (std::size_t i = 0; i < taxels.array_size(); ++i) layout.taxels.push_back(read_taxel(taxels.item(i), i));
+  root.optional("calibration", [&](const Value& value) { layout.calibration = read_calibration(value, file); });
   root.keep_unknown();
   layout.unknown = std::move(document.unknown);
   return layout;

@@ -73,6 +73,94 @@ Json taxel_json(const Taxel& taxel, const std::string& pointer) {
   return json;
 }
 
+Json curve_json(const Curve& curve, const std::string& pointer) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    json.push_back(Json::array({number(curve[i].reading, fmt::format("{}/{}/0", pointer, i)),
+                                number(curve[i].value, fmt::format("{}/{}/1", pointer, i))}));
+  return json;
+}
+
+/// An object that is written key by key, only what is set.
+class Sparse {
+ public:
+  explicit Sparse(std::string pointer) : pointer_(std::move(pointer)) {}
+  void put(const char* key, double v) { json[key] = number(v, pointer_ + "/" + key); }
+  void put(const char* key, const std::optional<double>& v) {
+    if (v) put(key, *v);
+  }
+  void put_unless_zero(const char* key, double v) {
+    if (v != 0.0) put(key, v);
+  }
+  void put(const char* key, const Curve& curve) {
+    if (!curve.empty()) json[key] = curve_json(curve, pointer_ + "/" + key);
+  }
+  [[nodiscard]] Sparse part(const char* key) const { return Sparse(pointer_ + "/" + key); }
+  Json json = Json::object();
+
+ private:
+  std::string pointer_;
+};
+
+/// The parts that are objects of their own.
+void write_calibration_parts(Sparse& out, const Calibration& calibration) {
+  if (calibration.hysteresis) {
+    Sparse part = out.part("hysteresis");
+    part.put("width", calibration.hysteresis->width);
+    part.put("fraction", calibration.hysteresis->fraction);
+    out.json["hysteresis"] = part.json;
+  }
+  if (calibration.crosstalk) {
+    Sparse part = out.part("crosstalk");
+    part.put("fraction", calibration.crosstalk->fraction);
+    part.put("reach", calibration.crosstalk->reach);
+    out.json["crosstalk"] = part.json;
+  }
+  if (calibration.quantisation) {
+    Sparse part = out.part("quantisation");
+    part.put("step", calibration.quantisation->step);
+    if (calibration.quantisation->bits) part.json["bits"] = *calibration.quantisation->bits;
+    out.json["quantisation"] = part.json;
+  }
+  if (calibration.dead) {
+    Sparse part = out.part("dead");
+    part.put("fraction", calibration.dead->fraction);
+    part.put("value", calibration.dead->value);
+    out.json["dead"] = part.json;
+  }
+}
+
+Json calibration_json(const Calibration& calibration) {
+  Sparse out("/calibration");
+  out.json["seed"] = calibration.seed;
+  if (!calibration.unit.empty()) out.json["unit"] = calibration.unit;
+  write_calibration_parts(out, calibration);
+  if (calibration.tare && calibration.tare->first_reading)
+    out.json["tare"] = "first_reading";
+  else if (calibration.tare)
+    out.put("tare", calibration.tare->value);
+  out.put_unless_zero("tare_deviation", calibration.tare_deviation);
+  out.put("gain", calibration.gain);
+  out.put("curve", calibration.curve);
+  out.put_unless_zero("gain_deviation", calibration.gain_deviation);
+  out.put_unless_zero("noise", calibration.noise);
+  if (calibration.range)
+    out.json["range"] = {number(calibration.range->low, "/calibration/range/0"),
+                         number(calibration.range->high, "/calibration/range/1")};
+  out.put("rate", calibration.rate);
+  for (std::size_t i = 0; i < calibration.taxels.size(); ++i) {
+    const TaxelCalibration& taxel = calibration.taxels[i];
+    Sparse item(fmt::format("/calibration/taxels/{}", i));
+    item.json["id"] = taxel.id;
+    item.put("tare", taxel.tare);
+    item.put("gain", taxel.gain);
+    item.put("curve", taxel.curve);
+    item.put("dead", taxel.dead);
+    out.json["taxels"].push_back(item.json);
+  }
+  return out.json;
+}
+
 /// Puts unknown keys back. One whose object is gone (its taxel was deleted) goes with it.
 void restore_unknown(Json& json, const std::map<std::string, std::string>& unknown) {
   for (const auto& [text, value] : unknown) {
@@ -118,6 +206,7 @@ std::string layout_to_json(const Layout& layout) {
   json["taxels"] = Json::array();
   for (std::size_t i = 0; i < layout.taxels.size(); ++i)
     json["taxels"].push_back(taxel_json(layout.taxels[i], fmt::format("/taxels/{}", i)));
+  if (layout.calibration) json["calibration"] = calibration_json(*layout.calibration);
   restore_unknown(json, layout.unknown);
   std::string text;
   print(json, "", text);

@@ -161,6 +161,71 @@ TEST(LayoutCheck, Settings) {
   EXPECT_EQ(values_after([](Layout& l) { l.taxels.clear(); }), List{"warning /taxels no_taxels"});
 }
 
+TEST(LayoutCheck, CalibrationRules) {
+  const auto broken = [](auto change) {
+    Layout layout = good_layout();
+    change(layout.calibration.emplace());
+    return listed(check_layout_values(layout, "f.json"));
+  };
+  using C = Calibration;
+  EXPECT_EQ(broken([](C&) {}), List{});
+  EXPECT_EQ(broken([](C& c) {
+              c.hysteresis = {-1, 2};
+            }),
+            (List{"error /calibration/hysteresis/width width_negative",
+                  "error /calibration/hysteresis/fraction fraction_out_of_range"}));
+  EXPECT_EQ(broken([](C& c) {
+              c.crosstalk = {kNaN, 0};
+            }),
+            (List{"error /calibration/crosstalk/fraction fraction_out_of_range",
+                  "error /calibration/crosstalk/reach reach_not_positive"}));
+  EXPECT_EQ(broken([](C& c) { c.tare = {false, kInf}; }), List{"error /calibration/tare not_finite"});
+  EXPECT_EQ(broken([](C& c) { c.tare_deviation = -1; }), List{"error /calibration/tare_deviation deviation_negative"});
+  EXPECT_EQ(broken([](C& c) { c.gain_deviation = kNaN; }), List{"error /calibration/gain_deviation not_finite"});
+  EXPECT_EQ(broken([](C& c) { c.noise = -1; }), List{"error /calibration/noise deviation_negative"});
+  EXPECT_EQ(broken([](C& c) { c.gain = 0; }), List{"error /calibration/gain gain_zero"});
+  EXPECT_EQ(broken([](C& c) {
+              c.gain = 1, c.curve = {{0, 0}};
+            }),
+            (List{"error /calibration/curve gain_and_curve", "error /calibration/curve curve_too_short"}));
+  EXPECT_EQ(broken([](C& c) {
+              c.curve = {{0, 0}, {0, 1}, {1, kInf}};
+            }),
+            (List{"error /calibration/curve/1/0 curve_not_ascending", "error /calibration/curve/2/1 not_finite"}));
+  EXPECT_EQ(broken([](C& c) { c.range = {1, 1}; }), List{"error /calibration/range range_empty"});
+  EXPECT_EQ(broken([](C& c) { c.range = {kNaN, 1}; }), List{"error /calibration/range/0 not_finite"});
+  EXPECT_EQ(broken([](C& c) { c.quantisation = Quantisation{}; }),
+            List{"error /calibration/quantisation step_or_bits"});
+  EXPECT_EQ(broken([](C& c) {
+              c.quantisation = {0.0, {}};
+            }),
+            List{"error /calibration/quantisation/step step_not_positive"});
+  EXPECT_EQ(broken([](C& c) {
+              c.quantisation = {{}, 33};
+            }),
+            (List{"error /calibration/quantisation/bits bits_out_of_range",
+                  "error /calibration/quantisation/bits bits_without_range"}));
+  EXPECT_EQ(broken([](C& c) { c.rate = 0; }), List{"error /calibration/rate rate_not_positive"});
+  EXPECT_EQ(
+      broken([](C& c) {
+        c.dead = {1.5, kNaN};
+      }),
+      (List{"error /calibration/dead/fraction fraction_out_of_range", "error /calibration/dead/value not_finite"}));
+}
+
+TEST(LayoutCheck, CalibrationOfATaxelNamesIt) {
+  Layout layout = good_layout();
+  layout.calibration.emplace().taxels = {{.id = 1, .tare = kNaN, .gain = 0, .curve = {}, .dead = kInf},
+                                         {.id = 1, .tare = {}, .gain = {}, .curve = {}, .dead = {}},
+                                         {.id = 8, .tare = {}, .gain = {}, .curve = {}, .dead = {}}};
+  const Problems problems = check_layout_values(layout, "f.json");
+  EXPECT_EQ(listed(problems),
+            (List{"error /calibration/taxels/0/tare not_finite", "error /calibration/taxels/0/gain gain_zero",
+                  "error /calibration/taxels/0/dead not_finite", "error /calibration/taxels/1/id duplicate_id",
+                  "warning /calibration/taxels/2/id calibration_unused"}));
+  EXPECT_EQ(problems[1].message, "must not be 0, is 0 (taxel 1)");
+}
+
 TEST(LayoutCheck, CentreFarFromTheMesh) {
   Layout layout = good_layout();
   layout.taxels[0].center.z = 0.0065;

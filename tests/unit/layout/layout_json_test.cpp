@@ -26,10 +26,25 @@ Layout full_layout() {
   layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308};
   layout.taxels = {{7, "left 1", dvec3(1e-9, 2, -3.25), dvec3(0, 1, 0), 0.006, {}},
                    {-2, "", dvec3(0.1), dvec3(1e20, 0, 0), -1.0, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
-  layout.unknown = {{"/calibration", R"({"gain":[1,2.5]})"},
-                    {"/mesh/made by", "\"hand\""},
-                    {"/taxels/1/subtaxels/0/a~1b", "[]"},
-                    {"/taxels/0/note", "null"}};
+  Calibration& c = layout.calibration.emplace();
+  c.seed = 0x8000000000000001ULL;
+  c.unit = "V";
+  c.hysteresis = {150.5, 0.25};
+  c.crosstalk = {0.1, 0.006};
+  c.tare = {true, 0};
+  c.tare_deviation = 1.0 / 3.0;
+  c.curve = {{-1, 0}, {1e5, 4.5}};
+  c.gain_deviation = 0.05;
+  c.noise = 1e-3;
+  c.range = {-0.5, 5};
+  c.quantisation = {{}, 12};
+  c.rate = 100;
+  c.dead = {0.02, -1};
+  c.taxels = {{.id = 7, .tare = 1.5, .gain = -2, .curve = {}, .dead = {}},
+              {.id = 3, .tare = {}, .gain = {}, .curve = {{0, 1}, {0.1 + 0.2, 2}}, .dead = 0}};
+  layout.unknown = {{"/calibration/crosstalk/of", "\"skin\""}, {"/calibration/date", "\"today\""},
+                    {"/calibration/taxels/1/note", "7"},       {"/mesh/made by", "\"hand\""},
+                    {"/taxels/1/subtaxels/0/a~1b", "[]"},      {"/taxels/0/note", "null"}};
   return layout;
 }
 
@@ -64,12 +79,71 @@ TEST(LayoutJson, WritesAndReadsBackEveryValue) {
 TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
   const std::string text = layout_to_json(full_layout());
   std::size_t at = 0;
-  for (const char* key :
-       {"format", "version",       "name",      "mesh",        "file",     "scale",      "sha256",    "made by",
-        "frame",  "distal",        "pad",       "sampling",    "density",  "seed",       "weights",   "receptive_field",
-        "metric", "max_angle_deg", "readout",   "aggregate",   "misses",   "ray",        "max_depth", "material",
-        "field",  "modulus",       "thickness", "dissipation", "friction", "taxels",     "id",        "name",
-        "center", "normal",        "radius",    "subtaxels",   "note",     "calibration"}) {
+  for (const char* key : {"format",
+                          "version",
+                          "name",
+                          "mesh",
+                          "file",
+                          "scale",
+                          "sha256",
+                          "made by",
+                          "frame",
+                          "distal",
+                          "pad",
+                          "sampling",
+                          "density",
+                          "seed",
+                          "weights",
+                          "receptive_field",
+                          "metric",
+                          "max_angle_deg",
+                          "readout",
+                          "aggregate",
+                          "misses",
+                          "ray",
+                          "max_depth",
+                          "material",
+                          "field",
+                          "modulus",
+                          "thickness",
+                          "dissipation",
+                          "friction",
+                          "taxels",
+                          "id",
+                          "name",
+                          "center",
+                          "normal",
+                          "radius",
+                          "subtaxels",
+                          "note",
+                          "calibration",
+                          "seed",
+                          "unit",
+                          "hysteresis",
+                          "width",
+                          "fraction",
+                          "crosstalk",
+                          "fraction",
+                          "reach",
+                          "quantisation",
+                          "bits",
+                          "dead",
+                          "fraction",
+                          "value",
+                          "tare",
+                          "tare_deviation",
+                          "curve",
+                          "gain_deviation",
+                          "noise",
+                          "range",
+                          "rate",
+                          "taxels",
+                          "id",
+                          "tare",
+                          "gain",
+                          "curve",
+                          "dead",
+                          "date"}) {
     const std::size_t next = text.find(fmt::format("\"{}\":", key), at);
     ASSERT_NE(next, std::string::npos) << key;
     at = next;
@@ -116,7 +190,7 @@ TEST(LayoutJson, UnknownKeysOfADeletedTaxelGoWithIt) {
   Layout layout = full_layout();
   layout.taxels.clear();
   const Layout back = parse_layout(layout_to_json(layout));
-  EXPECT_EQ(back.unknown.size(), 2U);
+  EXPECT_EQ(back.unknown.size(), 4U);
 }
 
 TEST(LayoutJson, WrongTypesAreNamedWithTheirPlace) {
@@ -133,6 +207,43 @@ TEST(LayoutJson, WrongTypesAreNamedWithTheirPlace) {
   EXPECT_EQ(error_of(with("\"taxels\": [", "\"sampling\": {\"seed\": -1}, \"taxels\": [")),
             "/sampling/seed|must be a whole number, 0 or more, is -1");
   EXPECT_EQ(error_of("[1]"), "|must be an object, is [1]");
+}
+
+TEST(LayoutJson, ACalibrationIsWrittenOnlyWhereThereIsOne) {
+  Layout layout = parse_layout(kMinimal);
+  const std::string text = layout_to_json(layout);
+  EXPECT_FALSE(layout.calibration.has_value());
+  EXPECT_EQ(text.find("calibration"), std::string::npos);
+  layout = parse_layout(with("\"taxels\": [", "\"calibration\": {}, \"taxels\": ["));
+  EXPECT_EQ(layout.calibration, Calibration{});
+  EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
+  layout.calibration->tare = Tare{false, -30.25};
+  layout.calibration->quantisation = Quantisation{0.5, {}};
+  layout.calibration->gain = 1;
+  EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
+  layout.calibration.reset();
+  EXPECT_EQ(layout_to_json(layout), text);
+}
+
+TEST(LayoutJson, WrongCalibrationsAreNamedWithPlaceAndTaxel) {
+  const auto error = [](const std::string& calibration) {
+    return error_of(with("\"taxels\": [", "\"calibration\": " + calibration + ", \"taxels\": ["));
+  };
+  EXPECT_EQ(error("[1]"), "/calibration|must be an object, is [1]");
+  EXPECT_EQ(error(R"({"tare": "first"})"), "/calibration/tare|must be a number or \"first_reading\", is \"first\"");
+  EXPECT_EQ(error(R"({"range": [1]})"), "/calibration/range|must be an array of 2 numbers, is [1]");
+  EXPECT_EQ(error(R"({"curve": []})"), "/calibration/curve|must be an array of 2 points or more, is []");
+  EXPECT_EQ(error(R"({"curve": [[0, 0], [1, 2, 3]]})"),
+            "/calibration/curve/1|must be an array of 2 numbers, is [1,2,3]");
+  EXPECT_EQ(error(R"({"hysteresis": {}})"), "/calibration/hysteresis/width|is missing");
+  EXPECT_EQ(error(R"({"crosstalk": {"fraction": 0.1}})"), "/calibration/crosstalk/reach|is missing");
+  EXPECT_EQ(error(R"({"quantisation": {"bits": 1.5}})"),
+            "/calibration/quantisation/bits|must be a whole number of at most 31 bits, is 1.5");
+  EXPECT_EQ(error(R"({"taxels": [{"gain": 1}]})"), "/calibration/taxels/0/id|is missing");
+  EXPECT_EQ(error(R"({"taxels": [{"id": 3}, {"id": 9, "gain": "2"}]})"),
+            "/calibration/taxels/1/gain|must be a number, is \"2\" (taxel 9)");
+  EXPECT_EQ(error(R"({"taxels": [{"id": 9, "curve": [[0, 0], [1, null]]}]})"),
+            "/calibration/taxels/0/curve/1/1|must be a number, is null (taxel 9)");
 }
 
 TEST(LayoutJson, UnknownWordsAreNamedWithTheChoices) {

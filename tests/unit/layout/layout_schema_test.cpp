@@ -55,10 +55,28 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   written.erase("taxels");
   Json described = schema();
   described["properties"].erase("taxels");
+  described["properties"].erase("calibration");
   expect_described(written, described, "");
 
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
   expect_described(Json::parse(layout_to_json(layout))["taxels"][0], schema()["$defs"]["taxel"], "/taxels/0");
+}
+
+TEST(LayoutSchema, HasEveryPartOfACalibration) {
+  Layout layout = parse_layout(R"({"format": "taxel-layout", "version": 1, "mesh": {"file": "m"}, "taxels": []})");
+  Calibration& c = layout.calibration.emplace();
+  c.hysteresis.emplace();
+  c.crosstalk.emplace();
+  c.quantisation = {0.5, 12};
+  c.dead.emplace();
+  c.unit = "V";
+  c.tare_deviation = c.gain_deviation = c.noise = 1;
+  c.tare.emplace(), c.gain = 1, c.curve = {{0, 0}, {1, 1}}, c.range.emplace(), c.rate = 1;
+  c.taxels = {{.id = 0, .tare = 1, .gain = 1, .curve = c.curve, .dead = 0}};
+  const Json written = Json::parse(layout_to_json(layout))["calibration"];
+  const Json described = schema()["properties"]["calibration"];
+  expect_described(written, described, "/calibration");
+  expect_described(written["taxels"][0], described["properties"]["taxels"]["items"], "/calibration/taxels/0");
 }
 
 TEST(LayoutSchema, RequiresWhatTheReaderRequires) {

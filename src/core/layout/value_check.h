@@ -1,0 +1,56 @@
+// Checking the values of a layout file: what is broken is listed, not thrown.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/layout/layout.h"
+
+namespace taxel {
+
+/// Collects problems of one file.
+class Check {
+ public:
+  explicit Check(std::string file) : file_(std::move(file)) {}
+  void error(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
+    problems.push_back({file_, pointer, Severity::error, code, message, fix});
+  }
+  void warning(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
+    problems.push_back({file_, pointer, Severity::warning, code, message, fix});
+  }
+  bool positive(const std::string& pointer, double v, const char* code, const std::string& fix = "") {
+    if (v > 0.0 && std::isfinite(v)) return true;
+    error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "greater than 0" : "finite", v), fix);
+    return false;
+  }
+  bool not_negative(const std::string& pointer, double v, const char* code) {
+    if (v >= 0.0 && std::isfinite(v)) return true;
+    error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "0 or more" : "finite", v));
+    return false;
+  }
+  bool finite(const std::string& pointer, const dvec3& v) {
+    if (is_finite(v)) return true;
+    error(pointer, "not_finite", fmt::format("must be finite, is [{}, {}, {}]", v.x, v.y, v.z));
+    return false;
+  }
+  bool direction(const std::string& pointer, const dvec3& v) {
+    if (!finite(pointer, v)) return false;
+    const double length = glm::length(v);
+    if (length > 0.0 && std::isfinite(length)) return true;
+    error(pointer, "zero_normal", fmt::format("must be a direction, is [{}, {}, {}]", v.x, v.y, v.z));
+    return false;
+  }
+  Problems problems;
+
+ private:
+  std::string file_;
+};
+
+/// Rules of layout.calibration, which is there.
+void check_calibration(const Layout& layout, Check& check);
+
+}  // namespace taxel
