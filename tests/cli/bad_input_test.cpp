@@ -41,6 +41,18 @@ TEST(BadInput, LayoutValues) {
   refused("/taxels", 7, "must be an array, is 7");
 }
 
+TEST(BadInput, Calibrations) {
+  const fs::path folder = test_folder();
+  const std::string file = (folder / "changed.taxels.json").string();
+  const auto refused = [&](const Json& calibration, const std::string& complaint) {
+    const Json patch = Json::array({{{"op", "add"}, {"path", "/calibration"}, {"value", calibration}}});
+    expect_layout_refused(changed_layout(folder, patch), file + ": " + complaint);
+  };
+  refused({{"noise", -1}}, "/calibration/noise: must be 0 or more, is -1");
+  refused({{"rate", "fast"}}, "/calibration/rate: must be a number, is \"fast\"");
+  refused({{"taxels", {{{"id", 4}, {"gain", 0}}}}}, "/calibration/taxels/0/gain: must not be 0, is 0 (taxel 4)");
+}
+
 TEST(BadInput, Meshes) {
   const fs::path folder = test_folder();
   const std::string mesh = (folder / "m.obj").string();

@@ -41,6 +41,37 @@ TEST(Run, AttachesALayoutToAGeom) {
   EXPECT_NEAR(again["sensors"][0]["largest_force"].get<double>(), force, 1e-9 * force);
 }
 
+TEST(Run, CalibratesEachSensorAndLeavesNoTableOfAnEarlierRun) {
+  const fs::path folder = folder_with_layout();
+  write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));
+  const auto run = [&](const Json& patch) {
+    const Json original = Json::parse(file_text(folder / "changed.taxels.json"));
+    write_text(folder / "l.taxels.json", original.patch(patch).dump());
+    return taxel_json(
+        {"run", "scene.xml", "--layout", "l.taxels.json", "--geom", "tip", "--seconds", "0.01", "--out", "out"},
+        folder);
+  };
+  const Json calibration = {{"tare", "first_reading"}, {"noise", 1}};
+  const Json patch = Json::array({{{"op", "add"}, {"path", "/calibration"}, {"value", calibration}}});
+  const Json files = run(patch)["files"];
+  EXPECT_NE(std::find(files.begin(), files.end(), "calibrated.csv"), files.end());
+  const Table raw = read_csv(folder / "out" / "readings.csv"), table = read_csv(folder / "out" / "calibrated.csv");
+  const std::string first = file_text(folder / "out" / "calibrated.csv");
+  for (const char* taxel : {"taxel_0", "taxel_1"}) {
+    bool noisy = false;
+    for (std::size_t i = 0; i < table.at("time").size(); ++i) {
+      const double tared = raw.at(taxel)[i] - raw.at(taxel)[0];
+      EXPECT_NEAR(table.at(taxel)[i], tared, 6) << taxel << ", row " << i;  // the noise ends at 6 deviations
+      noisy |= table.at(taxel)[i] != tared;
+    }
+    EXPECT_TRUE(noisy);
+  }
+  run(patch);
+  EXPECT_EQ(file_text(folder / "out" / "calibrated.csv"), first);  // by seed
+  run(Json::array());
+  EXPECT_FALSE(fs::exists(folder / "out" / "calibrated.csv"));
+}
+
 /// Hills and one of MuJoCo's own signed distance functions, 1 mm deep in the tip (at z = 30.5 mm) of a finger.
 TEST(Run, TouchesHeightFieldsAndSignedDistanceFunctions) {
   const fs::path folder = folder_with_layout();

@@ -115,6 +115,47 @@ fs::path geodesic_layout() {
   return file;
 }
 
+/// Our fingertip, coarsely sampled, with or without a calibration.
+fs::path coarse_layout(const char* name, const Json& calibration) {
+  Json layout = Json::parse(file_text(fingertip_layout()));
+  layout["mesh"]["file"] = (fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/fingertip.obj").string();
+  layout["sampling"]["density"] = 1e6;
+  if (!calibration.is_null()) layout["calibration"] = calibration;
+  const fs::path file = fs::path(TAXEL_BINARY_DIR) / name;
+  write_text(file, layout.dump());
+  return file;
+}
+
+TEST(Sweep, CalibratedValuesStandBesideTheReadings) {
+  const fs::path plain = shared_sweep({"--layout", coarse_layout("coarse.taxels.json", {}).string()});
+  const Json calibration = {{"unit", "V"},     {"gain", 1e-3},
+                            {"range", {0, 3}}, {"quantisation", {{"bits", 8}}},
+                            {"rate", 50},      {"taxels", {{{"id", 9}, {"gain", 2e-3}}, {{"id", 10}, {"dead", -1}}}}};
+  const fs::path sweep = shared_sweep({"--layout", coarse_layout("calibrated.taxels.json", calibration).string()});
+  EXPECT_EQ(file_text(sweep / "readings.csv"), file_text(plain / "readings.csv"));  // raw readings stay
+  EXPECT_FALSE(fs::exists(plain / "calibrated.csv"));
+  const Table raw = read_csv(sweep / "readings.csv"), table = read_csv(sweep / "calibrated.csv");
+  EXPECT_EQ(table.size(), 14U);  // time, travel, 12 taxels
+  EXPECT_EQ(table.at("time"), raw.at("time"));
+  EXPECT_EQ(table.at("travel"), raw.at("travel"));
+  const double q = 3.0 / 255;
+  for (int id = 0; id < 12; ++id) {
+    const std::vector<double>&p = raw.at(taxel_column(id)), &v = table.at(taxel_column(id));
+    const double gain = id == 9 ? 2e-3 : 1e-3;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      // 50 values a second, 100 rows: each second row holds
+      const double expected = q * std::round(std::min(gain * p[i - i % 2], 3.0) / q);
+      EXPECT_NEAR(v[i], id == 10 ? -1 : expected, 1e-12) << "taxel " << id << ", row " << i;
+    }
+  }
+  EXPECT_GT(peak(table.at(taxel_column(9))), 0.1);
+  auto arrays = parse_npz(file_text(sweep / "readings.npz"));
+  EXPECT_EQ(arrays.at("calibrated").shape, arrays.at("readings").shape);
+  EXPECT_EQ(arrays.at("calibrated").doubles()[12 * 120 + 9], table.at(taxel_column(9))[120]);
+  EXPECT_EQ(arrays.at("calibrated_unit").texts(), std::vector<std::string>{"V"});
+  EXPECT_EQ(Json::parse(arrays.at("layout").texts()[0])["calibration"]["rate"], 50);
+}
+
 TEST(Sweep, GeodesicFieldsAndSubtaxelsAreRead) {
   const fs::path layout = geodesic_layout();
   const fs::path sweep = shared_sweep({"--layout", layout.string()});

@@ -59,6 +59,11 @@ std::vector<std::string> OutputFolder::commit() {
     fs::rename(staging_ / name, folder_ / name, ec);
     if (ec) throw Error((folder_ / name).string(), fmt::format("cannot be written: {}", ec.message()));
   }
+  for (const std::string& name : left_out_) {
+    std::error_code ec;
+    fs::remove(folder_ / name, ec);
+    if (ec) throw Error((folder_ / name).string(), fmt::format("cannot be removed: {}", ec.message()));
+  }
   committed_ = true;
   return names;
 }

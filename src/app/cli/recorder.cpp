@@ -6,6 +6,8 @@
 #include <set>
 
 #include "core/layout/layout_json.h"
+#include "core/project/recording/csv.h"
+#include "core/sensor/calibration.h"
 
 namespace taxel::cli {
 namespace {
@@ -24,6 +26,10 @@ Recording describe(const SimScene& scene) {
     sensor.layout_json = layout_to_json(layout);
     sensor.reading_unit = layout.readout.aggregate == Aggregate::force ? "N" : "Pa";
     sensor.seed = layout.sampling.seed;
+    if (layout.calibration) {
+      const std::string& unit = layout.calibration->unit;
+      sensor.calibrated_unit = unit.empty() ? sensor.reading_unit : unit;
+    }
     recording.sensors.push_back(std::move(sensor));
   }
   for (const SceneGeom& geom : scene.geoms) {
@@ -32,7 +38,35 @@ Recording describe(const SimScene& scene) {
   return recording;
 }
 
-RecordedRow take_row(const Simulator& simulator, std::int64_t step, SimFrame& frame) {
+/// The calibrations of a scene's sensors. They follow every step, not the recorded rows alone: a loop or a held value
+/// depends on all that was felt.
+class Calibrators {
+ public:
+  explicit Calibrators(const SimScene& scene) {
+    for (const SensorModelPtr& sensor : scene.sensors) {
+      all_.emplace_back();
+      if (!sensor->layout.calibration) continue;
+      all_.back().emplace(sensor->layout);
+      any_ = true;
+    }
+    values_.resize(all_.size());
+  }
+  void follow(const Simulator& simulator) {
+    if (!any_) return;
+    const SimRow row = simulator.row();
+    for (std::size_t s = 0; s < all_.size(); ++s)
+      if (all_[s]) values_[s] = all_[s]->advance(row.time, row.readings[s]);
+  }
+  /// After the latest step, per sensor; empty without a calibration.
+  [[nodiscard]] const std::vector<std::vector<double>>& values() const { return values_; }
+
+ private:
+  std::vector<std::optional<Calibrator>> all_;
+  std::vector<std::vector<double>> values_;
+  bool any_ = false;
+};
+
+RecordedRow take_row(const Simulator& simulator, const Calibrators& calibrators, std::int64_t step, SimFrame& frame) {
   const SimRow row = simulator.row();
   simulator.fill_frame(frame);
   RecordedRow recorded;
@@ -40,7 +74,8 @@ RecordedRow take_row(const Simulator& simulator, std::int64_t step, SimFrame& fr
   recorded.time = row.time;
   recorded.travel = row.travel;
   for (std::size_t s = 0; s < row.readings.size(); ++s) {
-    recorded.sensors.push_back({row.force_W[s], row.area[s], row.polygons[s], row.readings[s], row.sensor_poses[s]});
+    recorded.sensors.push_back(
+        {row.force_W[s], row.area[s], row.polygons[s], row.readings[s], row.sensor_poses[s], calibrators.values()[s]});
   }
   const std::vector<SceneGeom>& geoms = simulator.scene()->geoms;
   for (std::size_t g = 0; g < geoms.size(); ++g) {
@@ -74,6 +109,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
   SimFrame frame;
   WarningsOfSensors warnings(simulator, console);
+  Calibrators calibrators(scene);
   const SensorTimes before = simulator.sensor_times();
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
@@ -81,7 +117,8 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
     simulator.step();
     warnings.tell();
     recording.mocap.push_back({simulator.mocap_quat(), simulator.mocap_pos()});
-    if (simulator.row_due()) recording.rows.push_back(take_row(simulator, step, frame));
+    calibrators.follow(simulator);
+    if (simulator.row_due()) recording.rows.push_back(take_row(simulator, calibrators, step, frame));
     cost.steps = step + 1;
     cost.simulated = static_cast<double>(cost.steps) * scene.timestep;
     if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));
@@ -92,6 +129,14 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   cost.sensors = {after.surfaces - before.surfaces, after.forces - before.forces, after.readings - before.readings};
   cost.cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   return recording;
+}
+
+void write_calibrated(OutputFolder& folder, const Recording& recording) {
+  const std::string text = calibrated_to_csv(recording);
+  if (text.empty())
+    folder.leave_out("calibrated.csv");
+  else
+    folder.write("calibrated.csv", text);
 }
 
 }  // namespace taxel::cli

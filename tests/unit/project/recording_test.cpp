@@ -100,6 +100,35 @@ TEST(RecordingNpz, HoldsEveryArrayWithItsShape) {
   EXPECT_TRUE(arrays["timestep"].shape.empty());
 }
 
+/// Two sensors, the second calibrated.
+Recording calibrated_recording() {
+  Recording recording = make_recording(2);
+  recording.sensors[1].calibrated_unit.emplace("V");
+  for (RecordedRow& row : recording.rows) row.sensors[1].calibrated = {row.travel, -1.0 / 3.0};
+  return recording;
+}
+
+TEST(RecordingCsv, CalibratedValuesStandInATableOfTheirOwn) {
+  EXPECT_EQ(calibrated_to_csv(make_recording(2)), "");
+  const Recording recording = calibrated_recording();
+  EXPECT_EQ(
+      lines_of(calibrated_to_csv(recording)),
+      (std::vector<std::string>{"time,travel,\"thumb, left/taxel_7\",\"thumb, left/taxel_3\"",
+                                "0,0,0,-0.3333333333333333", "0.3333333333333333,0.0001,0.0001,-0.3333333333333333"}));
+  EXPECT_EQ(recording_to_csv(recording), recording_to_csv(make_recording(2)));
+}
+
+TEST(RecordingNpz, CalibratedValuesStandBesideTheReadings) {
+  auto arrays = test::parse_npz(recording_to_npz(calibrated_recording()));
+  EXPECT_EQ(arrays["thumb, left/calibrated"].shape, (std::vector<std::size_t>{2, 2}));
+  EXPECT_EQ(arrays["thumb, left/calibrated"].doubles(), (std::vector<double>{0, -1.0 / 3.0, 1e-4, -1.0 / 3.0}));
+  EXPECT_EQ(arrays["thumb, left/calibrated_unit"].texts(), std::vector<std::string>{"V"});
+  EXPECT_FALSE(arrays.contains("finger/calibrated"));
+  auto raw = test::parse_npz(recording_to_npz(make_recording(2)));
+  EXPECT_EQ(arrays.size(), raw.size() + 2);
+  for (const auto& [name, array] : raw) EXPECT_EQ(arrays[name].data, array.data) << name;
+}
+
 TEST(RecordingNpz, TextIsUcs4) {
   const test::NpyArray names = test::parse_npz(recording_to_npz(make_recording(1)))["taxel_names"];
   EXPECT_EQ(names.type, "<U3");

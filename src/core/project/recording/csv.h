@@ -11,6 +11,9 @@ namespace taxel {
 /// but time and travel are headed `<geom>/...`, sensor after sensor.
 std::string recording_to_csv(const Recording& recording);
 
+/// `time,travel,taxel_<id>...` of the sensors that have a calibration, in their calibrated values; empty: none has one.
+std::string calibrated_to_csv(const Recording& recording);
+
 /// A field as CSV wants it (RFC 4180): quoted where it holds a comma, a quote or a line break.
 std::string csv_field(const std::string& text);
 

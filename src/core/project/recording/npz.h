@@ -30,10 +30,10 @@ class NpzWriter {
 
 /// Arrays over n rows: time, travel (n), step (n, index into the mocap arrays), object_pos (n, m, 3), object_quat (n,
 /// m, 4) of the m geoms named in object_names; per sensor force (n, 3), area, polygons (n), readings (n, taxels),
-/// sensor_pos (n, 3), sensor_quat (n, 4), taxel_ids, taxel_names, layout (JSON text), seed; with several sensors these
-/// are named
-/// `<geom>/...`. Over all steps s: mocap_pos (s, 3), mocap_quat (s, 4). timestep; sensor_geoms; units (JSON text).
-/// Quaternions are w x y z; poses are of the frame of the mesh file; world frame, SI units.
+/// sensor_pos (n, 3), sensor_quat (n, 4), taxel_ids, taxel_names, layout (JSON text), seed, and where the layout has a
+/// calibration calibrated (n, taxels), calibrated_unit; with several sensors these are named `<geom>/...`. Over all
+/// steps s: mocap_pos (s, 3), mocap_quat (s, 4). timestep; sensor_geoms; units (JSON text). Quaternions are w x y z;
+/// poses are of the frame of the mesh file; world frame, SI units.
 std::string recording_to_npz(const Recording& recording);
 
 }  // namespace taxel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct RecordedSensor {
   std::string layout_json;   ///< the whole layout, as a layout file holds it
   std::string reading_unit;  ///< "Pa" or "N"
   std::uint64_t seed = 0;    ///< of its samples
+  /// Of its calibrated values; none: its layout has no calibration.
+  std::optional<std::string> calibrated_unit = std::nullopt;
 };
 
 /// One sensor's values in one row.
@@ -25,8 +28,9 @@ struct SensorRecord {
   dvec3 force_W{0};  ///< contact force on the sensor [N]
   double area = 0;   ///< of its contact surfaces [m^2]
   int polygons = 0;
-  std::vector<double> readings;  ///< parallel to RecordedSensor::taxel_ids
-  Pose X_WM;                     ///< of the frame of its mesh file
+  std::vector<double> readings;         ///< parallel to RecordedSensor::taxel_ids
+  Pose X_WM;                            ///< of the frame of its mesh file
+  std::vector<double> calibrated = {};  ///< parallel to `readings`; empty without a calibration
 };
 
 /// The state that was evaluated at `time`, before the step that follows it.

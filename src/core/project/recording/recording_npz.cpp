@@ -30,7 +30,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   const RecordedSensor& sensor = recording.sensors[which];
   const std::string prefix = recording.sensors.size() > 1 ? sensor.geom + "/" : "";
   const std::size_t n = recording.rows.size();
-  std::vector<double> force, area, readings, pos, quat;
+  std::vector<double> force, area, readings, calibrated, pos, quat;
   std::vector<std::int64_t> polygons;
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors[which];
@@ -38,6 +38,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     area.push_back(record.area);
     polygons.push_back(record.polygons);
     readings.insert(readings.end(), record.readings.begin(), record.readings.end());
+    calibrated.insert(calibrated.end(), record.calibrated.begin(), record.calibrated.end());
     append(pos, record.X_WM.p);
     append(quat, record.X_WM.q);
   }
@@ -45,6 +46,10 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   npz.add(prefix + "area", {n}, area);
   npz.add(prefix + "polygons", {n}, polygons);
   npz.add(prefix + "readings", {n, sensor.taxel_ids.size()}, readings);
+  if (sensor.calibrated_unit) {
+    npz.add(prefix + "calibrated", {n, sensor.taxel_ids.size()}, calibrated);
+    npz.add(prefix + "calibrated_unit", *sensor.calibrated_unit);
+  }
   npz.add(prefix + "sensor_pos", {n, 3}, pos);
   npz.add(prefix + "sensor_quat", {n, 4}, quat);
   const std::vector<std::int64_t> ids(sensor.taxel_ids.begin(), sensor.taxel_ids.end());
