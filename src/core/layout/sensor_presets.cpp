@@ -169,7 +169,9 @@ SensorPreset xela_curved() {
 SensorPreset myrmex() {
   SensorPreset preset = flat_array("myrmex", "Myrmex, 16 x 16 taxels", 16, 16, 5.0 * kMillimetre, 6.0 * kMillimetre);
   preset.source = "Schuermann, Koiva, Haschke, Ritter 2011: 16 x 16 taxels on 80 x 80 mm, a pitch of 5 mm";
-  preset.unverified = "thickness of the pad; receptive radius (0.75 of the pitch); material";
+  preset.unverified =
+      "number and pitch, which we know at second hand; thickness of the pad; receptive radius (0.75 of the pitch); "
+      "material";
   return preset;
 }
 
