@@ -22,8 +22,9 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
     throw Error(fmt::format("{} samples asked for, the limits are 0 and {}", count, kMaxSamples));
   if (count == 0) return {};
   const bool polished = quality == SampleQuality::polished;
-  // Yuksel 2015, section 3: more than 4 help little. 5 and 5 are the first of some dozen pairs that reach the evenness of
-  // the tests on every mesh and keep the sweep of the real finger, at its layout's seed, within its largest step.
+  // Yuksel 2015, section 3: a pool of more than 4 helps little. 5 and 5 are one of twelve pairs tried, picked because
+  // it reaches the evenness of the tests on every mesh and keeps the sweep of the real finger, at its layout's seed,
+  // within its largest step.
   const int pool_factor = polished ? 5 : 3;
   const int sweeps = 5;
   const SurfacePool pool = make_surface_pool(mesh, pool_factor * count, seed);
