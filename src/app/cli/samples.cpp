@@ -78,7 +78,7 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
       ->type_name("FILE");
   add_sampling(*app, options->sampling);
   app->add_flag("--preview", options->sampling.preview,
-                "Samples as the window shows them first: the same number, less even, each of the same area");
+                "Quick samples, not polished: the same number, less even, each standing for the same area");
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 

@@ -10,7 +10,7 @@ namespace taxel {
 /// Each polygon's pressure force at its centre of pressure; of a polygon that is a large part of the surface, at the
 /// points of a quadrature rule. The elastic wrench is that of the surface, and so are friction and damping of a surface
 /// that moves without turning; of one that turns, they differ from traction() of the surface by the second order of the
-/// polygons' size. On surfaces of many polygons an evaluation costs about a thirtieth of traction()'s.
+/// polygons' size. On surfaces of many polygons an evaluation costs a small part of traction()'s.
 class TractionPoints {
  public:
   /// Keeps the memory of the last surface.

@@ -114,7 +114,7 @@ void note_empty_fields(SensorModel& model, const std::string& file) {
     });
     if (!known)
       found.push_back({file, pointer, Severity::warning, "field_without_samples",
-                                "no sample lies in the receptive field: it will read 0", "raise /sampling/density"});
+                       "no sample lies in the receptive field: it will read 0", "raise /sampling/density"});
   }
   name_taxels(model.layout, found);
   model.problems.insert(model.problems.end(), found.begin(), found.end());
