@@ -40,6 +40,8 @@ std::vector<PairCase> cases() {
   const auto rigid_sphere = make_simple_body(ShapeType::sphere, dvec3(kSize), {}, 0.2 * kSize);
   const auto box = make_simple_body(ShapeType::box, kSize * dvec3(1, 0.8, 0.6));
   const auto soft_box = make_simple_body(ShapeType::box, kSize * dvec3(1, 0.8, 0.6), other);
+  const auto rod = make_simple_body(ShapeType::ellipsoid, kSize * dvec3(2.0, 0.3, 0.3), soft, 0.25 * kSize);
+  const auto plate = make_simple_body(ShapeType::box, kSize * dvec3(1, 0.8, 0.15), other);
   return {{"sphere in fine sphere", sphere, rigid_sphere, 2000, 1.6 * kSize},
           {"sphere in lumps", sphere, rigid_lumps, 2000, 1.4 * kSize},
           {"pad on lumps", padded, rigid_lumps, 1500, 1.5 * kSize},
@@ -49,6 +51,7 @@ std::vector<PairCase> cases() {
           {"pad and sphere", padded, coarse, 500, 1.5 * kSize},
           {"two pads", padded, dented, 500, 1.5 * kSize},
           {"sphere and soft box", sphere, soft_box, 500, 1.5 * kSize},
+          {"rod through a soft plate", rod, plate, 1000, 1.3 * kSize},
           {"coplanar", make_slab(dvec2(2 * kSize), kSize, {4, 4, 2}, 1e7), soft_box, 500, 1.5 * kSize}};
 }
 

@@ -50,6 +50,33 @@ HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
   return kOutside;
 }
 
+/// The tet by which the segment from a to b leaves a convex field; `tet` holds a, and b is outside. -1 where rounding
+/// hides it.
+HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const dvec3& a, const dvec3& b) {
+  constexpr int kMostSteps = 64;
+  const TagD d;
+  const VecD ax = hn::Set(d, a.x), ay = hn::Set(d, a.y), az = hn::Set(d, a.z);
+  const VecD bx = hn::Set(d, b.x), by = hn::Set(d, b.y), bz = hn::Set(d, b.z);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const PackedTet& t = field.tets()[static_cast<std::size_t>(tet)];
+    alignas(32) double at[4];  // of the segment, where it goes out of a plane
+    for (std::size_t i = 0; i < 4; i += kLanesD) {
+      const VecD nx = hn::Load(d, &t.nx[i]), ny = hn::Load(d, &t.ny[i]), nz = hn::Load(d, &t.nz[i]);
+      const VecD o = hn::Load(d, &t.offset[i]);
+      const VecD from = plane(nx, ax, ny, ay, nz, az, o), to = plane(nx, bx, ny, by, nz, bz, o);
+      const VecD never = hn::Set(d, 2.0);
+      hn::Store(hn::IfThenElse(hn::Lt(to, hn::Zero(d)), hn::Div(from, hn::Sub(from, to)), never), d, at + i);
+    }
+    std::size_t first = at[1] < at[0] ? 1 : 0;
+    const std::size_t other = at[3] < at[2] ? 3 : 2;
+    if (at[other] < at[first]) first = other;
+    if (!(at[first] <= 1.0)) return -1;
+    if (t.neighbour[first] < 0) return tet;
+    tet = t.neighbour[first];
+  }
+  return -1;
+}
+
 /// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
 HWY_INLINE bool beyond_a_face(const FieldIndex& field, const std::array<dvec3, 3>& x,
                               const std::array<std::int32_t, 3>& held) {

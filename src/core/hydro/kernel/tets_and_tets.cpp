@@ -74,17 +74,33 @@ class TetsAndTets {
     return glm::dot(p.gradient, x) + p.constant > no_pressure_;
   }
 
-  /// Whether a face of B's skin, at x, lies off the skin of A, which is convex.
-  HWY_INLINE bool clears_skin(const FieldIndex::BoundaryFace& face, const std::array<dvec3, 3>& x) {
+  /// Seeds the surface where a face of B's skin, at x, crosses the skin of A, which is convex. False where only a
+  /// query tells. The skin of A cuts a face that has corners on both sides along one arc or two. Each of them ends on
+  /// an edge with ends on both sides, two arcs on different ones, and there one corner is inside.
+  HWY_INLINE bool seed_from_corners(const FieldIndex::BoundaryFace& face, const std::array<dvec3, 3>& x) {
     std::array<std::int32_t, 3> held;
+    unsigned inside = 0, outside = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       PlacedVertex& placed = w_.placed[at(face.vertices[i])];
       if (placed.tet == kNotLocated) placed.tet = locate(a_, placed.x);
       held[i] = placed.tet;
+      if (held[i] < 0) {
+        outside |= 1u << i;
+      } else if (pushes_at(held[i], x[i])) {
+        inside |= 1u << i;
+      }
     }
-    bool inside = true;
-    for (std::size_t i = 0; inside && i < 3; ++i) inside = held[i] >= 0 && pushes_at(held[i], x[i]);
-    return inside || beyond_a_face(a_, x, held);
+    if (inside == 7 || beyond_a_face(a_, x, held)) return true;
+    if (inside == 0 || (inside | outside) != 7) return false;
+    const auto from = static_cast<std::size_t>(std::countr_zero(inside));
+    const bool one_arc = (inside & (inside - 1)) != 0;
+    for (; outside != 0; outside &= outside - 1) {
+      const std::int32_t tet = leave(a_, held[from], x[from], x[static_cast<std::size_t>(std::countr_zero(outside))]);
+      if (tet < 0) return false;
+      meet(face.tet, tet);
+      if (one_arc) break;
+    }
+    return true;
   }
 
   HWY_INLINE void load(std::int32_t index, TetOfB& k) {
@@ -107,7 +123,7 @@ class TetsAndTets {
     for (const std::int32_t number : w_.triangles) {
       const FieldIndex::BoundaryFace& face = b_.boundary_faces()[at(number)];
       const std::array<dvec3, 3> x{position(face.vertices[0]), position(face.vertices[1]), position(face.vertices[2])};
-      if (face.skin && a_.convex() && clears_skin(face, x)) continue;
+      if (face.skin && a_.convex() && seed_from_corners(face, x)) continue;
       TriangleQuery query;
       const WideBvh& tree = face.skin ? a_.boundary_tree() : a_.tree();
       const dvec3 normal = glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0]));
