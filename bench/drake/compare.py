@@ -46,7 +46,8 @@ def say(row):
         print(f"{row.name:38} {row.path:6} {row.refused}", file=sys.stderr)
     else:
         print(f"{row.name:38} {row.path:6} {row.polygons:6.0f} polygons  ours {row.ours_us:8.1f} us  Drake {row.drake_us:8.1f} us  "
-              f"ratio {row.ratio:5.1f}  area {row.area_difference:.0e}  force {row.force_difference:.0e}", file=sys.stderr, flush=True)
+              f"ratio {row.ratio:5.1f}  area {row.area_difference:.0e}  force {row.force_difference:.0e}  "
+              f"brute force {row.brute_ratio:.0f}  differs {row.brute_difference:.0e}", file=sys.stderr, flush=True)
 
 
 def failures(same_tets, closed_forms):
@@ -65,19 +66,24 @@ def main():
     parser.add_argument("--out", help="write the tables there, as Markdown, instead of to stdout")
     parser.add_argument("--only", choices=["speed", "agreement", "accuracy"], help="one of the three tables")
     parser.add_argument("--match", default="", help="only the speed classes whose name contains this")
+    parser.add_argument("--instruction-set", help="ours uses this one alone, such as AVX2, instead of the best there is")
+    parser.add_argument("--no-brute-force", action="store_true", help="leave brute force out of the speed table: it takes minutes")
     options = parser.parse_args()
     logging.getLogger("drake").setLevel(logging.ERROR)  # it warns of deformable bodies, which are not meant here
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     library = Library(options.library)
+    if options.instruction_set:
+        library.use(options.instruction_set)
     text = (f"# Side by side with Drake {importlib.metadata.version('drake')}\n\n"
             f"Written by `bench/drake/run --out bench/drake/results.md`. Processor: {processor()}, one core; "
-            f"load average at the start {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores.\n")
+            f"load average at the start {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores. "
+            f"Instruction set of ours: {options.instruction_set or 'the best there is'}.\n")
     same_tets, closed_forms = [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         if options.only in (None, "speed"):
             chosen = (c for c in all_cases(library, folder) if options.match in c.name)
-            text += "\n" + report.speed(*speed.run(chosen, say))
+            text += "\n" + report.speed(*speed.run(chosen, say, not options.no_brute_force))
         if options.only in (None, "agreement"):
             same_tets = agreement.run(library, folder)
             text += "\n" + report.agreement(same_tets)

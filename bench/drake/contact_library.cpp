@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <hwy/targets.h>
+
 #include "core/base/error.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
@@ -13,6 +15,7 @@
 #include "core/hydro/vtk_tets.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/sensor_model.h"
+#include "fixtures/brute_force_contact.h"
 
 #define TAXEL_EXPORT __attribute__((visibility("default")))
 
@@ -176,6 +179,41 @@ TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* p
   write(X_WA * (moment / out->area), out->centroid);
   write(X_WA * pressure_centroid(surface), out->pressure_centroid);
   return 0;
+}
+
+/// The same by brute force, every tet against every triangle or tet, once: time, polygons, area and force. -1 where the
+/// pair is not a soft body of tets and a rigid mesh or another such body.
+TAXEL_EXPORT int taxel_brute_force(const Pair* pair, const double* pose_a, const double* pose_b, TaxelContact* out) {
+  const Pose X_WA = pose_of(pose_a), X_AB = X_WA.inverse() * pose_of(pose_b);
+  const PressureField *field_A = field_of(*pair->a), *field_B = field_of(*pair->b);
+  const auto* mesh_B = std::get_if<RigidMesh>(&pair->b->geometry);
+  *out = {};
+  if (field_A == nullptr || (field_B == nullptr && mesh_B == nullptr)) {
+    error_text = "brute force takes a soft body of tets and a rigid mesh or another soft body of tets";
+    return -1;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const BruteForceContact found = field_B != nullptr ? brute_force_contact(*field_A, *field_B, X_AB)
+                                                     : brute_force_contact(*field_A, mesh_B->index->mesh(), X_AB);
+  out->nanoseconds = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  out->polygons = found.polygons;
+  out->area = found.area;
+  const dvec3 force = X_WA.rotate(found.force);
+  std::copy_n(&force[0], 3, out->force);
+  return 0;
+}
+
+/// From here on the kernel uses the instruction set of this name ("AVX2", "AVX3", "SSE4", "EMU128"). False where the
+/// processor or this build has none.
+TAXEL_EXPORT bool taxel_use_instruction_set(const char* name) {
+  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;
+    if (std::string(hwy::TargetName(target)) != name) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return true;
+  }
+  return false;
 }
 
 }  // extern "C"

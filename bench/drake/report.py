@@ -12,17 +12,20 @@ def _table(head, rows):
 
 def speed(rows, overhead_us):
     head = ["class", "path", "polygons ours / Drake", "ours [us]", "Drake [us]", "Drake / ours", "ours [ns per polygon]",
-            "area difference", "force difference", "polygons that Drake's filter drops"]
-    cells = [(r.name, r.path, r.refused, *[""] * 7) if r.refused else
+            "area difference", "force difference", "polygons that Drake's filter drops", "brute force [us]", "brute force / ours",
+            "difference from it"]
+    cells = [(r.name, r.path, r.refused, *[""] * 10) if r.refused else
              (r.name, r.path, f"{r.polygons:.0f} / {r.drake_polygons:.0f}", f"{r.ours_us:.1f}", f"{r.drake_us:.1f}",
               f"**{r.ratio:.1f}**", f"{1e3 * r.ours_us / r.polygons:.0f}", _small(r.area_difference),
-              _small(r.force_difference), f"{r.dropped:.1f}")
+              _small(r.force_difference), f"{r.dropped:.1f}", f"{r.brute_us:.0f}", f"{r.brute_ratio:.0f}", _small(r.brute_difference))
              for r in rows]
     return ("## Time of one contact surface\n\n"
             "Both sides get the same tets and triangles, bit for bit, and the same 20 poses of a path, in turn, in one process on one core. "
             "Per pose the fastest of some repetitions counts; the table gives means over a path. Differences are the largest over "
             "a path, relative to the path's largest value. Drake is called through pydrake: the time of a query that finds "
-            f"nothing ({overhead_us:.1f} us at most: interpreter, binding, broad phase) is subtracted. Ours is timed in C++ around `intersect`.\n\n"
+            f"nothing ({overhead_us:.1f} us at most: interpreter, binding, broad phase) is subtracted. Ours is timed in C++ around `intersect`. "
+            "Brute force takes every tet against every triangle or tet, once, at the path's middle pose; its ratio is to ours at that pose, "
+            "its difference the larger one of area and force.\n\n"
             + _table(head, cells) +
             "\nDrake leaves out polygons whose normal makes an angle of more than 5 pi/8 with the pressure gradient: that is the "
             "difference on the finger. Drake takes every vertex of the boundary for skin, so it needs the finger's core filled with tets; "

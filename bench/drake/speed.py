@@ -1,4 +1,4 @@
-"""Microseconds per contact surface, ours and Drake's, pose by pose in turn."""
+"""Microseconds per contact surface, ours, Drake's and brute force's, pose by pose in turn."""
 import dataclasses
 
 import numpy as np
@@ -20,6 +20,9 @@ class Row:
     area_difference: float = 0   # largest over the poses, relative to the path's largest area
     force_difference: float = 0  # the same for the force vector
     dropped: float = 0           # polygons that Drake's face filter leaves out, mean
+    brute_us: float = 0          # every tet against every triangle or tet, at the path's middle pose, once
+    brute_ratio: float = 0       # that over ours at the same pose
+    brute_difference: float = 0  # the larger one of area and force, relative
     refused: str = ""
 
     @property
@@ -43,7 +46,13 @@ def difference(mine, theirs):
     return float(np.max(np.linalg.norm(mine - theirs, axis=1)) / largest) if largest > 0 else 0.0
 
 
-def measure(case, path, poses, empty_us):
+def beside_brute_force(case, pose, row):
+    ours, brute = case.ours.contact(*pose, repeat=100), case.ours.brute_force(*pose)
+    row.brute_us, row.brute_ratio = brute.nanoseconds / 1e3, brute.nanoseconds / ours.nanoseconds
+    row.brute_difference = max(difference([ours.area], [brute.area]), difference([list(ours.force)], [list(brute.force)]))
+
+
+def measure(case, path, poses, empty_us, brute_force):
     row = Row(case.name, path)
     try:
         ours = [case.ours.contact(*pose) for pose in poses]
@@ -63,15 +72,17 @@ def measure(case, path, poses, empty_us):
     row.area_difference = difference([c.area for c in ours], [c.area if c else 0.0 for c in drakes])
     row.force_difference = difference([list(c.force) for c in ours], [c.force if c else np.zeros(3) for c in drakes])
     row.dropped = np.mean([c.dropped_by_drake for c in ours])
+    if brute_force:
+        beside_brute_force(case, poses[len(poses) // 2], row)
     return row
 
 
-def run(cases, report):
+def run(cases, report, brute_force=True):
     """All rows; `report` is called with each as it is known."""
     rows, empties = [], []
     for case in cases:
         empties.append(overhead(case))
         for path, poses in case.paths.items():
-            rows.append(measure(case, path, poses, empties[-1]))
+            rows.append(measure(case, path, poses, empties[-1], brute_force))
             report(rows[-1])
     return rows, max(empties)

@@ -28,7 +28,13 @@ class Library:
         self.c.taxel_last_error.restype = ctypes.c_char_p
         for name in ("taxel_shape", "taxel_layout", "taxel_pair"):
             getattr(self.c, name).restype = pointer
-        self.c.taxel_field_size.restype = ctypes.c_bool
+        for name in ("taxel_field_size", "taxel_use_instruction_set"):
+            getattr(self.c, name).restype = ctypes.c_bool
+
+    def use(self, instruction_set):
+        """From here on only this one, such as "AVX2"."""
+        if not self.c.taxel_use_instruction_set(instruction_set.encode()):
+            raise Refused(f"no instruction set {instruction_set} here")
 
     def _made(self, body):
         if not body:
@@ -67,9 +73,16 @@ class Pair:
 
     def contact(self, X_WA, X_WB, repeat=1):
         """Poses are 7 numbers, x y z w x y z. The time is that of the fastest repetition, measured in C++."""
+        return self._call(self.library.c.taxel_contact, X_WA, X_WB, repeat)
+
+    def brute_force(self, X_WA, X_WB):
+        """Every tet against every triangle or tet: time, polygons, area and force."""
+        return self._call(self.library.c.taxel_brute_force, X_WA, X_WB)
+
+    def _call(self, function, X_WA, X_WB, *numbers):
         out = Contact()
         a, a_at = _numbers(X_WA, np.float64)
         b, b_at = _numbers(X_WB, np.float64)
-        if self.library.c.taxel_contact(self.handle, a_at, b_at, repeat, ctypes.byref(out)) != 0:
+        if function(self.handle, a_at, b_at, *numbers, ctypes.byref(out)) != 0:
             raise Refused(self.library.c.taxel_last_error().decode())
         return out
