@@ -129,7 +129,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
     return p.count < 3 ? Cut::nothing_inside : Cut::done;
   }
   // Where the plane crosses the edge that begins at each vertex; means something at two of them.
-  const LaneNumbers& next = kCutLanes.next(n);
+  const Lanes& next = kCutLanes.next(n);
   const Eight drop = distance - take(distance, next);
   const Eight t = n <= 4 ? divide_four(distance, drop) : distance / drop;
   const Eight crossing_u = p.u + t * (take(p.u, next) - p.u);
@@ -137,7 +137,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
   const auto first = static_cast<unsigned>(std::countr_zero(starts));
   const auto run = static_cast<unsigned>(std::popcount(inside));
   const unsigned before = first == 0 ? n - 1 : first - 1;
-  const LaneNumbers& kept = kCutLanes.kept(n, before, run);
+  const Lanes& kept = kCutLanes.kept(n, before, run);
   p.u = take(p.u, crossing_u, kept);
   p.v = take(p.v, crossing_v, kept);
   // Edges: those from `before` to the last one inside in a row, then the new one. One vertex at least is outside.

@@ -97,24 +97,32 @@ HWY_INLINE unsigned less(const Eight& a, const Eight& b) {
 }
 
 #if HWY_MAX_BYTES == 32
-/// Four lanes of what is taken.
-HWY_INLINE VecE take_half(const Eight& a, hn::Vec<TagEI> number) {
-  const auto lane = hn::IndicesFromVec(TagE(), hn::And(number, hn::Set(TagEI(), 3)));
-  const auto upper = hn::RebindMask(TagE(), hn::TestBit(number, hn::Set(TagEI(), 4)));
-  return hn::IfThenElse(upper, hn::TableLookupLanes(a.part[1], lane), hn::TableLookupLanes(a.part[0], lane));
+using Lanes = LaneHalves;
+
+/// Four lanes of one vector. Highway takes them by numbers of lanes, which have to become halves each time.
+HWY_INLINE __m256d take_half(const Eight& a, __m256i halves) {
+  const __m256 lower = _mm256_permutevar8x32_ps(_mm256_castpd_ps(a.part[0].raw), halves);
+  const __m256 upper = _mm256_permutevar8x32_ps(_mm256_castpd_ps(a.part[1].raw), halves);
+  return _mm256_blendv_pd(_mm256_castps_pd(lower), _mm256_castps_pd(upper), _mm256_castsi256_pd(halves));
 }
+HWY_INLINE __m256i load_halves(const Lanes& n, std::size_t part) {
+  return _mm256_load_si256(reinterpret_cast<const __m256i*>(n.half[part]));
+}
+#else
+using Lanes = LaneNumbers;
 #endif
+inline constexpr const CutLanes<Lanes>& kCutLanes = kCutLanesAs<Lanes>;
 
 /// Lane i is lane n[i] of a, where n[i] < kOther, and lane n[i] - kOther of b otherwise.
-HWY_INLINE Eight take(const Eight& a, const Eight& b, const LaneNumbers& n) {
+HWY_INLINE Eight take(const Eight& a, const Eight& b, const Lanes& n) {
   Eight r;
 #if HWY_MAX_BYTES == 64  // Highway 1.0 has no name for this one
   r.part[0] = VecE{_mm512_permutex2var_pd(a.part[0].raw, hn::Load(TagEI(), n.lane).raw, b.part[0].raw)};
 #elif HWY_MAX_BYTES == 32
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto number = hn::Load(TagEI(), n.lane + 4 * i);
-    const auto other = hn::RebindMask(TagE(), hn::TestBit(number, hn::Set(TagEI(), LaneNumbers::kOther)));
-    r.part[i] = hn::IfThenElse(other, take_half(b, number), take_half(a, number));
+    const __m256i halves = load_halves(n, i);
+    const __m256d second = _mm256_castsi256_pd(_mm256_slli_epi32(halves, 1));
+    r.part[i] = VecE{_mm256_blendv_pd(take_half(a, halves), take_half(b, halves), second)};
   }
 #else
   double table[16];
@@ -128,12 +136,12 @@ HWY_INLINE Eight take(const Eight& a, const Eight& b, const LaneNumbers& n) {
 }
 
 /// Lane i is lane n[i] of a.
-HWY_INLINE Eight take(const Eight& a, const LaneNumbers& n) {
+HWY_INLINE Eight take(const Eight& a, const Lanes& n) {
   Eight r;
 #if HWY_MAX_BYTES == 64
   r.part[0] = hn::TableLookupLanes(a.part[0], hn::SetTableIndices(TagE(), n.lane));
 #elif HWY_MAX_BYTES == 32
-  for (std::size_t i = 0; i < 2; ++i) r.part[i] = take_half(a, hn::Load(TagEI(), n.lane + 4 * i));
+  for (std::size_t i = 0; i < 2; ++i) r.part[i] = VecE{take_half(a, load_halves(n, i))};
 #else
   double table[8], taken[8];
   store_eight(a, table);

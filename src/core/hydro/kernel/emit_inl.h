@@ -23,7 +23,7 @@ HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metr
   // Lanes beyond the last vertex count with weight 0.
   alignas(64) static constexpr double kCount[16] = {1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
   const Eight count = load_eight(kCount + 8 - polygon.count);
-  const LaneNumbers& next = kCutLanes.next(polygon.count);
+  const Lanes& next = kCutLanes.next(polygon.count);
   const Eight u0 = set_eight(first_lane(polygon.u)), v0 = set_eight(first_lane(polygon.v));
   const Eight ua = polygon.u - u0, va = polygon.v - v0, ub = take(ua, next), vb = take(va, next);
   const Eight cross = count * (ua * vb - ub * va);
@@ -70,7 +70,7 @@ HWY_INLINE void add(const PlanePolygon& polygon, const SurfaceTriangle& triangle
                     SurfaceWriter& writer) {
   Eight u = polygon.u, v = polygon.v;
   if (writer.reverse()) {
-    const LaneNumbers& backward = kCutLanes.backward(polygon.count);
+    const Lanes& backward = kCutLanes.backward(polygon.count);
     u = take(u, backward);
     v = take(v, backward);
   }
