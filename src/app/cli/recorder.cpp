@@ -66,9 +66,8 @@ class Calibrators {
   bool any_ = false;
 };
 
-RecordedRow take_row(const Simulator& simulator, const Calibrators& calibrators, std::int64_t step, SimFrame& frame) {
+RecordedRow take_row(const Simulator& simulator, const Calibrators& calibrators, std::int64_t step) {
   const SimRow row = simulator.row();
-  simulator.fill_frame(frame);
   RecordedRow recorded;
   recorded.step = step;
   recorded.time = row.time;
@@ -79,7 +78,7 @@ RecordedRow take_row(const Simulator& simulator, const Calibrators& calibrators,
   }
   const std::vector<SceneGeom>& geoms = simulator.scene()->geoms;
   for (std::size_t g = 0; g < geoms.size(); ++g) {
-    if (geoms[g].sensor < 0) recorded.objects.push_back(frame.geom_poses[g]);
+    if (geoms[g].sensor < 0) recorded.objects.push_back(simulator.pose_of_geom(static_cast<int>(g)));
   }
   return recorded;
 }
@@ -107,7 +106,6 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   Recording recording = describe(scene);
   const double limit = seconds > 0 ? seconds : scene.duration;
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
-  SimFrame frame;
   WarningsOfSensors warnings(simulator, console);
   Calibrators calibrators(scene);
   const SensorTimes before = simulator.sensor_times();
@@ -118,7 +116,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
     warnings.tell();
     recording.mocap.push_back({simulator.mocap_quat(), simulator.mocap_pos()});
     calibrators.follow(simulator);
-    if (simulator.row_due()) recording.rows.push_back(take_row(simulator, calibrators, step, frame));
+    if (simulator.row_due()) recording.rows.push_back(take_row(simulator, calibrators, step));
     cost.steps = step + 1;
     cost.simulated = static_cast<double>(cost.steps) * scene.timestep;
     if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));

@@ -281,6 +281,11 @@ void Simulator::fill_frame(SimFrame& frame) const {
   }
 }
 
+Pose Simulator::pose_of_geom(int geom) const {
+  const Impl& s = *impl_;
+  return geom_pose(s.m(), s.d(), s.drawn.at(static_cast<std::size_t>(geom)));
+}
+
 void Simulator::export_scene(const std::filesystem::path& folder) const {
   const Impl& s = *impl_;
   write_scene(folder, s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));

@@ -48,6 +48,7 @@ class Simulator {
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
   [[nodiscard]] SimRow row() const;
   void fill_frame(SimFrame& frame) const;
+  [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 
   /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
