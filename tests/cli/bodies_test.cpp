@@ -1,9 +1,12 @@
 // Bodies from files through the real program: what is wrong with a mesh is said, with the place and what was done;
 // pressure fields are reported, written and read; height fields and tets are shapes like others.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "cli/taxel_program.h"
+#include "fixtures/pad_meshes.h"
 
 namespace taxel::test {
 namespace {
@@ -238,7 +241,9 @@ TEST(FieldReports, OfLayoutsAreListedByCheck) {
   ASSERT_NE(find("field_report"), problems.end()) << problems;
   EXPECT_EQ((*find("field_report"))["severity"], "note");
   EXPECT_EQ((*find("field_report"))["pointer"], "/material");
-  EXPECT_NE((*find("field_report"))["message"].get<std::string>().find("6012 tets"), std::string::npos);
+  const std::string message = (*find("field_report"))["message"];
+  EXPECT_NE(message.find("6012 tets"), std::string::npos);
+  EXPECT_NE(message.find("; one layer of prisms, 0.0"), std::string::npos) << message;  // % of the modulus
   ASSERT_NE(find("field_thickness_limited"), problems.end());
   EXPECT_EQ(find("field_inverted"), problems.end());
 }
@@ -262,6 +267,38 @@ TEST(FieldReports, StandInTheResultOfAContact) {
   EXPECT_LT(field["limited"]["least_part"], 1);
   EXPECT_EQ(field["limited"]["bounds"].size(), 2U);
   EXPECT_EQ(field["limited"]["worst_place"].size(), 3U);
+}
+
+/// A blade that cuts 2 mm into a concave edge of short pieces, along the plane between its faces: at the tip the
+/// distance to the skin is 2 mm, the depth below the planes of the faces 1.4. One layer of prisms would read the
+/// latter.
+TEST(FieldReports, TwoLayersOfPrismsFollowTheDistanceBelowAConcaveEdge) {
+  const TriMesh step = make_l_block(0.0005, 20);
+  std::string obj;
+  for (const dvec3& v : step.vertices()) obj += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
+  for (const ivec3& f : step.faces()) obj += fmt::format("f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
+  const fs::path folder = test_folder();
+  write_text(folder / "step.obj", obj);
+  const double middle = 0.005 + 0.002 * std::sqrt(0.5);  // of the blade; the edge is at x = z = 5 mm
+  const Json json = {
+      {"format", "contact-case"},
+      {"version", 1},
+      {"a",
+       {{"shape", {{"type", "mesh"}, {"file", "step.obj"}}}, {"material", {{"modulus", 1e5}, {"thickness", 0.0025}}}}},
+      {"b",
+       {{"shape", {{"type", "box"}, {"size", {0.0001, 0.003, 0.004}}}},
+        {"pos", {middle, 0.005, middle}},
+        {"quat", {std::cos(kPi / 8), 0, std::sin(kPi / 8), 0}}}}};
+  write_text(folder / "case.json", json.dump());
+  const Json result = taxel_json({"contact", "case.json"}, folder);
+  EXPECT_GT(result["max_pressure"].get<double>(), 0.68e5);
+  EXPECT_LT(result["max_pressure"].get<double>(), 0.81e5);
+  EXPECT_NEAR(result["centroid"][0].get<double>(), result["centroid"][2].get<double>(), 1e-4);
+  const Json field = result["fields"].at(0);
+  EXPECT_GT(field["two_layer_faces"].get<int>(), 100);
+  EXPECT_LT(field["two_layer_faces"].get<int>(), step.face_count() / 10);
+  EXPECT_NEAR(field["depth_error"]["rms"].get<double>(), 0.0113, 0.004);
+  EXPECT_LT(field["depth_error"]["mean"], field["depth_error"]["rms"]);
 }
 
 TEST(Tets, WrittenAndReadAgainGiveTheSameForce) {

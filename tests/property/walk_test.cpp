@@ -36,6 +36,7 @@ std::vector<PairCase> cases() {
   const auto coarse = make_simple_body(ShapeType::sphere, dvec3(0.9 * kSize), other, 0.6 * kSize);
   const auto padded = make_mesh_body(make_ellipsoid(kSize * dvec3(1.3, 1.0, 0.8), 0.4 * kSize), pad);
   const auto dented = make_mesh_body(lumpy_mesh(2, 7, 0.8), pad);
+  EXPECT_GT(std::get<SoftBody>(dented->geometry).field->report().two_layer_faces, 0);  // prisms of all kinds
   const auto rigid_lumps = make_mesh_body(lumpy_mesh(3, 5, 0.6));
   const auto rigid_sphere = make_simple_body(ShapeType::sphere, dvec3(kSize), {}, 0.2 * kSize);
   const auto box = make_simple_body(ShapeType::box, kSize * dvec3(1, 0.8, 0.6));

@@ -32,6 +32,8 @@ Json field_json(const std::string& body, const FieldReport& report) {
     json["limited"] = part_json(report.limited);
     json["limited"]["least_part"] = report.least_part;
     json["bare"] = part_json(report.bare);
+    json["two_layer_faces"] = report.two_layer_faces;
+    json["depth_error"] = {{"mean", report.depth_error_mean}, {"rms", report.depth_error_rms}};
   }
   json["notes"] = report.notes;
   return json;

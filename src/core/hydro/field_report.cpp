@@ -16,6 +16,17 @@ std::string part_text(const SkinPart& part, double skin_area) {
                      vector(part.bounds.hi));
 }
 
+/// Of a pad: where it has two layers, and how well it holds the depth.
+std::string pad_text(const FieldReport& report) {
+  if (!report.core) return "";
+  const std::string layers = report.two_layer_faces > 0
+                                 ? fmt::format("two layers of prisms below {} face{}", report.two_layer_faces,
+                                               report.two_layer_faces == 1 ? "" : "s")
+                                 : std::string("one layer of prisms");
+  return fmt::format("; {}, {:.2g} % of the modulus away from E depth/H (root mean square)", layers,
+                     100 * report.depth_error_rms);
+}
+
 void add_limits(const FieldReport& report, const std::string& file, const std::string& pointer, Problems& out) {
   constexpr double kMuchBare = 1e-3;
   if (report.thickness > report.deepest && report.core) {
@@ -50,9 +61,9 @@ Problems field_problems(const FieldReport& report, const std::string& file, cons
   out.push_back(
       {file, pointer, Severity::note, "field_report",
        fmt::format("pressure field of {} tets; stiffness {:.4g} Pa/m, from {:.4g} to {:.4g}, varies by {:.2g} % "
-                   "over the skin",
+                   "over the skin{}",
                    report.tets, report.stiffness_mean, report.stiffness_min, report.stiffness_max,
-                   100 * report.stiffness_cv),
+                   100 * report.stiffness_cv, pad_text(report)),
        ""});
   if (report.inverted > 0) {
     out.push_back({file, pointer, Severity::warning, "field_inverted",

@@ -9,7 +9,7 @@
 namespace taxel {
 
 /// For `file` and JSON pointer `pointer`, in this order:
-///   note    field_report             tets, stiffness and how much it varies over the skin
+///   note    field_report             tets, stiffness and how much it varies over the skin; of a pad also layers and error
 ///   warning field_inverted           tets turned inside out: folds, where the pressure is counted twice
 ///   warning field_zero_gradient      tets without a pressure that pushes
 ///   warning field_thicker_than_body  a pad that no place of the body has room for

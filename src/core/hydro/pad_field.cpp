@@ -1,9 +1,10 @@
 // The pad field: an elastomer of thickness H over a rigid core, on any closed mesh. Every triangle of the skin is the
-// outer face of a prism, whose inner vertices lie H below the skin; three tets fill a prism.
+// outer face of a prism, whose inner vertices lie H below the skin; three tets fill a prism, or each of its two layers.
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/hydro/pad_shape.h"
+#include "core/hydro/pad_error.h"
+#include "core/hydro/pad_pressures.h"
 #include "core/hydro/pressure_field.h"
 #include "core/mesh/mesh_check.h"
 
@@ -12,33 +13,6 @@ namespace {
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-/// Depth of each leg's inner vertex below the planes of its faces, area-weighted mean; H for a leg without faces.
-std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
-  std::vector<double> area(at(shape.leg_count()), 0.0), depth(at(shape.leg_count()), 0.0);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    for (int c = 0; c < 3; ++c) {
-      const int leg = shape.leg(f, c);
-      const double cosine = -glm::dot(mesh.face_normals()[at(f)], shape.direction(leg).direction);
-      area[at(leg)] += mesh.face_areas()[at(f)];
-      depth[at(leg)] += mesh.face_areas()[at(f)] * shape.offset(leg) * cosine;
-    }
-  }
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = area[i] > 0 ? std::max(0.0, depth[i] / area[i]) : thickness;
-  return depth;
-}
-
-/// E depth/H at the inner vertices. The depth is the distance to the skin, but where the skin is concave that exceeds
-/// the depth below the planes of its faces, and would make these too stiff: there it is the mean of the latter.
-std::vector<double> pressures(const TriMesh& mesh, const PadShape& shape, double modulus, double thickness) {
-  const std::vector<double> plane_depth = mean_plane_depths(mesh, shape, thickness);
-  std::vector<double> pressure(mesh.vertices().size(), 0.0);
-  for (int leg = 0; leg < shape.leg_count(); ++leg) {
-    const double depth = std::min({shape.depth(leg), plane_depth[at(leg)], thickness});
-    pressure.push_back(shape.offset(leg) > 0 ? modulus * depth / thickness : 0.0);
-  }
-  return pressure;
 }
 
 /// Gathers faces of one kind; the worst is the one of the highest badness.
@@ -94,28 +68,34 @@ FieldReport report_of(const TriMesh& mesh, const PadShape& shape, double thickne
   return report;
 }
 
-PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, const std::vector<int>& face_numbers) {
+std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& depths, double thickness) {
+  if (layering == PadLayering::automatic) return diverging_legs(depths, thickness);
+  return std::vector<char>(depths.planes.size(), layering == PadLayering::two ? 1 : 0);
+}
+
+PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, const std::vector<int>& face_numbers,
+                      PadLayering layering) {
   const MeshIndex index(mesh);
   const PadShape shape(index, thickness);
+  const PadDepths depths = pad_depths(*mesh, shape, thickness);
+  const PadLayers layers(shape, index, legs_with_two_layers(layering, depths, thickness));
   std::vector<dvec3> vertices = mesh->vertices();
   for (int leg = 0; leg < shape.leg_count(); ++leg) vertices.push_back(shape.inner_position(leg));
-  std::vector<ivec4> tets;
-  tets.reserve(3 * mesh->faces().size());
-  for (int f = 0; f < mesh->face_count(); ++f) {
-    const PrismTets face_tets = shape.tets(f);
-    tets.insert(tets.end(), face_tets.tets.begin(), face_tets.tets.begin() + face_tets.count);
-  }
-  const std::vector<ivec4> gaps = shape.gap_tets();
-  tets.insert(tets.end(), gaps.begin(), gaps.end());
-  std::vector<double> pressure = pressures(*mesh, shape, modulus, thickness);
-  return std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
-                                               report_of(*mesh, shape, thickness, face_numbers));
+  for (const int leg : layers.legs()) vertices.push_back(shape.moved(leg, layers.height(leg)));
+  std::vector<double> pressure = pad_pressures(index, shape, layers, depths, modulus, thickness);
+  FieldReport report = report_of(*mesh, shape, thickness, face_numbers);
+  report.two_layer_faces = layers.two_layer_faces();
+  const PadError error = pad_error(index, vertices, layers.tets(), pressure, modulus, thickness);
+  report.depth_error_mean = error.mean;
+  report.depth_error_rms = error.rms;
+  return std::make_shared<const PressureField>(std::move(vertices), layers.tets(), std::move(pressure),
+                                               std::move(report));
 }
 
 }  // namespace
 
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
-                                const std::vector<int>& face_numbers) {
+                                const std::vector<int>& face_numbers, PadLayering layering) {
   const auto require_positive = [](double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
   };
@@ -123,7 +103,7 @@ PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double t
   require_positive(thickness, "thickness of a pad");
   if (!mesh->closed()) throw Error("a pad needs a closed mesh; this one is open: " + openings(*mesh));
   if (!(mesh->volume() > 0)) throw Error("a pad needs a mesh whose triangles face outward; this one is inside out");
-  return fill(mesh, modulus, thickness, face_numbers);
+  return fill(mesh, modulus, thickness, face_numbers, layering);
 }
 
 }  // namespace taxel

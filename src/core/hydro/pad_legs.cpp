@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "core/hydro/prism.h"
+
 namespace taxel {
 namespace {
 
@@ -299,6 +301,35 @@ PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>
 PadLegs make_pad_legs(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
                       const std::vector<char>& whole) {
   return LegMaker(mesh, directions, creases).make(whole);
+}
+
+std::vector<ivec4> gap_tets(const PadWedge& wedge, const std::vector<int>& ends) {
+  std::vector<int> at_u, at_v;
+  for (const int leg : wedge.at_u) at_u.push_back(ends[at(leg)]);
+  for (const int leg : wedge.at_v) at_v.push_back(ends[at(leg)]);
+  std::vector<ivec4> tets;
+  split_wedge(wedge.u, wedge.v, std::move(at_u), std::move(at_v), tets);
+  return tets;
+}
+
+std::vector<ivec4> gap_tets(const PadCone& cone, const std::vector<int>& ends) {
+  std::vector<ivec4> tets;
+  for (const ivec3& f : gap_floor(cone)) {
+    const int b = ends[at(f[0])], middle = ends[at(f[1])], a = ends[at(f[2])];
+    if (a != b && a != cone.v && b != cone.v && middle != cone.v) tets.emplace_back(cone.v, b, a, middle);
+  }
+  return tets;
+}
+
+std::vector<ivec3> gap_floor(const PadWedge& wedge) {
+  return wedge_floor(wedge.u, wedge.v, wedge.at_u, wedge.at_v);
+}
+
+std::vector<ivec3> gap_floor(const PadCone& cone) {
+  std::vector<ivec3> floor;
+  for (std::size_t i = 0; i < cone.rim.size(); ++i)
+    floor.emplace_back(cone.rim[(i + 1) % cone.rim.size()], cone.center, cone.rim[i]);
+  return floor;
 }
 
 }  // namespace taxel

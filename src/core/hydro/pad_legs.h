@@ -48,4 +48,13 @@ PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>
 PadLegs make_pad_legs(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
                       const std::vector<char>& whole);
 
+/// Tets of positive volume in a gap between the skin and the vertices at which the legs end, one per leg; where one
+/// ends on the skin those that this flattens are left out.
+std::vector<ivec4> gap_tets(const PadWedge& wedge, const std::vector<int>& ends);
+std::vector<ivec4> gap_tets(const PadCone& cone, const std::vector<int>& ends);
+
+/// The triangles that close a gap further inside, in numbers of legs, counter-clockwise seen from outside.
+std::vector<ivec3> gap_floor(const PadWedge& wedge);
+std::vector<ivec3> gap_floor(const PadCone& cone);
+
 }  // namespace taxel

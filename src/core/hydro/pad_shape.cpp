@@ -217,11 +217,6 @@ dvec3 PadShape::position(int vertex) const {
   return vertex < n ? mesh_.vertices()[at(vertex)] : inner_position(vertex - n);
 }
 
-double PadShape::six_volumes(const ivec4& tet) const {
-  const dvec3 o = position(tet[0]);
-  return glm::dot(glm::cross(position(tet[1]) - o, position(tet[2]) - o), position(tet[3]) - o);
-}
-
 /// Whether all corners' offsets go below the face; if not, no offset is short enough.
 bool PadShape::can_be_filled(int face) const {
   for (int c = 0; c < 3; ++c) {
@@ -246,7 +241,8 @@ bool PadShape::well_shaped(int face, double part) const {
   }
   const PrismTets prism_tets = prism(face);
   for (int i = 0; i < prism_tets.count; ++i) {
-    const double six = six_volumes(prism_tets.tets[at(i)]);
+    const ivec4& t = prism_tets.tets[at(i)];
+    const double six = six_volumes({position(t[0]), position(t[1]), position(t[2]), position(t[3])});
     if (!(six > part * 2.0 * mesh_.face_areas()[at(face)] * h)) return false;
   }
   return true;
@@ -324,47 +320,25 @@ void PadShape::lower_fans() {
   }
 }
 
-std::vector<ivec4> PadShape::tets(const PadWedge& wedge) const {
-  std::vector<int> at_u, at_v;
-  for (const int own : wedge.at_u) at_u.push_back(inner(own));
-  for (const int own : wedge.at_v) at_v.push_back(inner(own));
-  std::vector<ivec4> found;
-  split_wedge(wedge.u, wedge.v, std::move(at_u), std::move(at_v), found);
-  return found;
-}
-
-std::vector<ivec4> PadShape::tets(const PadCone& cone) const {
-  std::vector<ivec4> found;
-  for (std::size_t i = 0; i < cone.rim.size(); ++i) {
-    const int a = inner(cone.rim[i]), b = inner(cone.rim[(i + 1) % cone.rim.size()]), middle = inner(cone.center);
-    if (a != b && a != cone.v && b != cone.v && middle != cone.v) found.emplace_back(cone.v, b, a, middle);
-  }
-  return found;
-}
-
-std::vector<ivec4> PadShape::gap_tets() const {
-  std::vector<ivec4> all;
-  const auto add = [&](const std::vector<ivec4>& some) { all.insert(all.end(), some.begin(), some.end()); };
-  for (const PadWedge& wedge : legs_.wedges) add(tets(wedge));
-  for (const PadCone& cone : legs_.cones) add(tets(cone));
-  return all;
+std::vector<int> PadShape::ends() const {
+  std::vector<int> numbers(legs_.skin.size());
+  for (int own = 0; own < leg_count(); ++own) numbers[at(own)] = inner(own);
+  return numbers;
 }
 
 /// Marks the vertices whose gaps have a tet of no or negative volume; whether there are any.
 bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
-  constexpr double kFlat = 1e-6;
   bool any = false;
+  const std::vector<int> inner_ends = ends();
   const auto folded = [&](const ivec4& t) {
-    double size = 0;
-    for (int i = 1; i < 4; ++i) size = std::max(size, glm::distance(position(t[0]), position(t[i])));
-    return !(six_volumes(t) > kFlat * size * size * size);
+    return is_flat({position(t[0]), position(t[1]), position(t[2]), position(t[3])});
   };
   const auto check = [&](const std::vector<ivec4>& some, std::initializer_list<int> vertices) {
     if (std::none_of(some.begin(), some.end(), folded)) return;
     for (const int v : vertices) any = std::exchange(whole[at(v)], 1) == 0 || any;
   };
-  for (const PadWedge& wedge : legs_.wedges) check(tets(wedge), {wedge.u, wedge.v});
-  for (const PadCone& cone : legs_.cones) check(tets(cone), {cone.v});
+  for (const PadWedge& wedge : legs_.wedges) check(gap_tets(wedge, inner_ends), {wedge.u, wedge.v});
+  for (const PadCone& cone : legs_.cones) check(gap_tets(cone, inner_ends), {cone.v});
   if (!any) return false;
   // What they end on would fold next.
   const std::vector<char> marked = whole;

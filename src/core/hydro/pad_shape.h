@@ -17,8 +17,16 @@ class PadShape {
   PadShape(const MeshIndex& index, double thickness);
 
   [[nodiscard]] int leg_count() const { return static_cast<int>(legs_.skin.size()); }
+  [[nodiscard]] const PadLegs& legs() const { return legs_; }
   [[nodiscard]] int leg(int face, int corner) const { return legs_.of_face[at(face)][corner]; }
+  /// The point this far along a leg.
+  [[nodiscard]] dvec3 moved(int leg, double h) const { return skin(leg) + h * legs_.inward[at(leg)].direction; }
   [[nodiscard]] dvec3 inner_position(int leg) const { return moved(leg, offset_[at(leg)]); }
+  /// Number of the inner vertex; where the leg is pinched, of the skin's own.
+  [[nodiscard]] int inner(int leg) const {
+    return pinched_[at(leg)] ? legs_.skin[at(leg)] : leg + mesh_.vertex_count();
+  }
+  [[nodiscard]] bool pinched(int leg) const { return pinched_[at(leg)] != 0; }
   [[nodiscard]] double offset(int leg) const { return offset_[at(leg)]; }
   [[nodiscard]] const PadDirection& direction(int leg) const { return legs_.inward[at(leg)]; }
   /// Distance of the inner vertex to the skin, not negative [m].
@@ -30,11 +38,8 @@ class PadShape {
   /// Tets of positive volume below a face, in skin and inner vertex numbers: three; fewer where corners are pinched,
   /// none where the face has no pad.
   [[nodiscard]] PrismTets tets(int face) const;
-  /// Tets between the prisms of faces that part at sharp concave edges.
-  [[nodiscard]] std::vector<ivec4> gap_tets() const;
-  /// Of these, those that this wedge or cone contributes.
-  [[nodiscard]] std::vector<ivec4> tets(const PadWedge& wedge) const;
-  [[nodiscard]] std::vector<ivec4> tets(const PadCone& cone) const;
+  /// inner() of every leg.
+  [[nodiscard]] std::vector<int> ends() const;
 
  private:
   /// What a leg may be by itself.
@@ -46,12 +51,7 @@ class PadShape {
   };
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] const dvec3& skin(int leg) const { return mesh_.vertices()[at(legs_.skin[at(leg)])]; }
-  [[nodiscard]] dvec3 moved(int leg, double h) const { return skin(leg) + h * legs_.inward[at(leg)].direction; }
   [[nodiscard]] dvec3 position(int vertex) const;
-  [[nodiscard]] int inner(int leg) const {
-    return pinched_[at(leg)] ? legs_.skin[at(leg)] : leg + mesh_.vertex_count();
-  }
-  [[nodiscard]] double six_volumes(const ivec4& tet) const;
   [[nodiscard]] double own_offset(int leg, double most, double& depth, dvec3& obstacle) const;
   [[nodiscard]] bool can_be_filled(int face) const;
   [[nodiscard]] PrismTets prism(int face) const;

@@ -40,13 +40,15 @@ struct FieldReport {
   double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
   double stiffness_cv = 0;                ///< standard deviation over mean
   double stiffness_mean = 0, stiffness_min = 0, stiffness_max = 0;
-  double skin_area = 0;   ///< of the mesh, with and without tets below it [m^2]
-  double thickness = 0;   ///< H that was asked for (pads) [m]
-  double deepest = 0;     ///< half of the body's smallest extent: no point lies deeper (pads) [m]
-  double least_part = 1;  ///< the shortest offset over what H asks for, where a pad was made at all
-  SkinPart limited;       ///< faces at which H had to shrink; worst: where the least is left
-  SkinPart bare;          ///< faces without a pad; worst: the largest
-  bool core = false;      ///< the field ends on a rigid core (pads)
+  double skin_area = 0;     ///< of the mesh, with and without tets below it [m^2]
+  double thickness = 0;     ///< H that was asked for (pads) [m]
+  double deepest = 0;       ///< half of the body's smallest extent: no point lies deeper (pads) [m]
+  double least_part = 1;    ///< the shortest offset over what H asks for, where a pad was made at all
+  SkinPart limited;         ///< faces at which H had to shrink; worst: where the least is left
+  SkinPart bare;            ///< faces without a pad; worst: the largest
+  int two_layer_faces = 0;  ///< faces below which the prism has two layers (pads)
+  double depth_error_mean = 0, depth_error_rms = 0;  ///< of p/E - min(depth, H)/H over the pad (pad_error.h)
+  bool core = false;                                 ///< the field ends on a rigid core (pads)
   std::vector<std::string> notes;
 };
 
@@ -85,11 +87,19 @@ using PressureFieldPtr = std::shared_ptr<const PressureField>;
 /// A tree over the tets, one per leaf.
 Bvh tree_of_tets(const PressureField& field);
 
+/// How many layers of prisms a pad has.
+enum class PadLayering {
+  automatic,  ///< two where the skin's normals diverge (pad_pressures.h), one elsewhere
+  one,
+  two  ///< wherever prisms stay well shaped
+};
+
 /// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
-/// prism. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report; empty:
-/// their own numbers. Throws Error for an open mesh (naming the places), H <= 0 or E <= 0.
+/// prism and layer. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report;
+/// empty: their own numbers. Throws Error for an open mesh (naming the places), H <= 0 or E <= 0.
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
-                                const std::vector<int>& face_numbers = {});
+                                const std::vector<int>& face_numbers = {},
+                                PadLayering layering = PadLayering::automatic);
 
 /// Tets from the volume centroid to every face, p = E there: what the paper's code does. Inverted tets are reported.
 PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);

@@ -8,6 +8,12 @@
 
 namespace taxel {
 
+/// Six times the volume, positive where the last corner lies on the side from which the others go counter-clockwise.
+double six_volumes(const std::array<dvec3, 4>& tet);
+
+/// Of no or negative volume, but for rounding.
+bool is_flat(const std::array<dvec3, 4>& tet);
+
 struct PrismTets {
   std::array<ivec4, 3> tets;
   int count = 0;
@@ -25,5 +31,8 @@ PrismTets split_prism(const ivec3& corners, const ivec3& inner, const ivec3& ran
 /// vertices there, into tets of positive volume, ranked by the corners' numbers. at_u and at_v go from the first face's
 /// inner vertex to the second one's. Appends to `tets`.
 void split_wedge(int u, int v, std::vector<int> at_u, std::vector<int> at_v, std::vector<ivec4>& tets);
+
+/// The triangles of inner vertices that close such a gap further inside, counter-clockwise seen from outside.
+std::vector<ivec3> wedge_floor(int u, int v, std::vector<int> at_u, std::vector<int> at_v);
 
 }  // namespace taxel

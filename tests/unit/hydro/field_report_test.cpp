@@ -47,6 +47,22 @@ TEST(FieldReport, TellsWhereTheBodyIsTooThin) {
   EXPECT_EQ(problems.front().pointer, "/p");
 }
 
+TEST(FieldReport, TellsLayersAndErrorOfPads) {
+  const auto text = [](const PressureField& field) {
+    const Problems problems = field_problems(field.report(), "", "");
+    return find(problems, "field_report")->message;
+  };
+  const PressureFieldPtr step = make_pad_field(share(make_l_block(0.001, 10)), 1e5, 0.0025);
+  EXPECT_GT(step->report().two_layer_faces, 10);
+  EXPECT_NE(
+      text(*step).find("; two layers of prisms below " + std::to_string(step->report().two_layer_faces) + " faces, 1."),
+      std::string::npos)
+      << text(*step);
+  EXPECT_NE(text(*make_pad_field(share(make_box(dvec3(0.02))), 1e5, 0.004)).find("; one layer of prisms, "),
+            std::string::npos);
+  EXPECT_EQ(text(*make_star_field(share(make_box(dvec3(0.02))), 1e5)).find("layer"), std::string::npos);
+}
+
 TEST(FieldReport, OfARoomyBodyLimitsNothing) {
   const PressureFieldPtr field = make_pad_field(share(make_icosphere(0.02, 3)), 1e5, 0.004);
   EXPECT_EQ(field->report().limited.faces, 0);

@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
 #include "fixtures/field_checks.h"
+#include "fixtures/pad_checks.h"
 #include "fixtures/pad_meshes.h"
 
 namespace taxel {
@@ -81,8 +82,9 @@ void expect_open_at_skin_and_core_only(const PressureField& field, int skin_face
 }
 
 /// stiffness: E/H where nothing limits the pad.
-void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_cv, double bare = 0) {
-  const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
+void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_cv, double bare = 0,
+                     PadLayering layering = PadLayering::automatic) {
+  const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness, {}, layering);
   const FieldReport& report = field->report();
   EXPECT_EQ(report.inverted, 0);
   EXPECT_EQ(report.zero_gradient, 0);
@@ -124,20 +126,8 @@ TEST(PadField, OfSharpEdgesIsMitred) {
   EXPECT_NEAR(core.hi.z, 0.015, 1e-12);
 }
 
-/// A ball with a deep groove around it: thin at the waist, concave, curved both ways.
-TriMeshPtr spool() {
-  const TriMesh ball = make_icosphere(0.02, 4);
-  std::vector<dvec3> vertices = ball.vertices();
-  for (dvec3& v : vertices) {
-    const double waist = 1 - 0.8 * std::exp(-std::pow(v.z / 0.006, 2));
-    v.x *= waist;
-    v.y *= waist;
-  }
-  return share({std::move(vertices), ball.faces()});
-}
-
 TEST(PadField, OfAConcaveShapeStaysWhole) {
-  expect_good_pad(spool(), 0.003, 0.06);
+  expect_good_pad(share(make_spool()), 0.003, 0.06);
 }
 
 TEST(PadField, OfRingsNotchesCupsAndRims) {
@@ -150,34 +140,8 @@ TEST(PadField, OfRingsNotchesCupsAndRims) {
   expect_good_pad(share(make_sharp_plate(0.03, 0.002, 0.002)), 0.001, 0.01);
 }
 
-/// Root mean square of p/E - min(depth, H)/H at random points in the pad.
 double depth_error(const TriMeshPtr& mesh, double thickness) {
-  const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
-  const MeshIndex index(mesh);
-  const CounterRng rng(9);
-  const Aabb& box = mesh->bounds();
-  int found = 0;
-  double sum = 0;
-  const Bvh tree = tree_of_tets(*field);
-  for (std::uint64_t i = 0; found < 20000; ++i) {
-    const dvec3 x = box.lo + box.extent() * dvec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
-    const double depth = -index.signed_distance(x);
-    if (!(depth > 0 && depth < thickness)) continue;
-    tree.visit(
-        [&](const Aabb& node) {
-          return node.overlaps({x, x});
-        },
-        [&](int t) {
-          const Tet& tet = field->tets()[at(t)];
-          for (std::size_t k = 0; k < 4; ++k) {
-            if (glm::dot(tet.normal[k], x) + tet.offset[k] < 0) return;
-          }
-          const double error = (glm::dot(tet.gradient, x) + tet.constant) / kModulus - depth / thickness;
-          sum += error * error;
-          ++found;
-        });
-  }
-  return std::sqrt(sum / found);
+  return fidelity(*make_pad_field(mesh, kModulus, thickness), MeshIndex(mesh), kModulus, thickness, 20000).rms;
 }
 
 /// Below a concave edge the points of one depth lie on a round: further inner vertices follow it. One inner vertex per
@@ -203,7 +167,7 @@ TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
 }
 
 TEST(PadField, IsTheSameEveryTime) {
-  const TriMeshPtr mesh = spool();
+  const TriMeshPtr mesh = share(make_spool());
   const PressureFieldPtr a = make_pad_field(mesh, kModulus, 0.003), b = make_pad_field(mesh, kModulus, 0.003);
   EXPECT_EQ(a->vertices(), b->vertices());
   EXPECT_EQ(a->vertex_pressure(), b->vertex_pressure());
@@ -211,7 +175,7 @@ TEST(PadField, IsTheSameEveryTime) {
 
 TEST(PadField, DoesNotDependOnTheNumberOfThreads) {
   for (const TriMeshPtr& mesh :
-       {spool(), share(make_l_block(0.005, 8)), share(make_thimble(0.008, 0.015, 0.0025, 0.001))}) {
+       {share(make_spool()), share(make_l_block(0.005, 8)), share(make_thimble(0.008, 0.015, 0.0025, 0.001))}) {
     const PressureFieldPtr many = make_pad_field(mesh, kModulus, 0.003);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const PressureFieldPtr single = make_pad_field(mesh, kModulus, 0.003);
@@ -227,7 +191,9 @@ void expect_good_pad_on_file(const char* name, double scale, double thickness, d
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "meshes" / name;
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const LoadedMesh loaded = load_mesh(file, dvec3(scale));
-  expect_good_pad(share(extract_shells(*loaded.mesh, outer_shells(*loaded.mesh))), thickness, stiffness_cv, bare);
+  const TriMeshPtr mesh = share(extract_shells(*loaded.mesh, outer_shells(*loaded.mesh)));
+  for (const PadLayering layering : {PadLayering::automatic, PadLayering::one, PadLayering::two})
+    expect_good_pad(mesh, thickness, stiffness_cv, bare, layering);
 }
 
 TEST(PadField, OfTheShadowFingertip) {
