@@ -92,7 +92,7 @@ TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMesh) {
   const Table table = read_csv(shared_sweep({"--layout", real_layout().string()}) / "readings.csv");
   expect_rows(table);
   expect_the_four(table);
-  expect_smooth(table);  // at the layout's seed: others give 7 to 13 %
+  expect_smooth(table);  // at the layout's seed: others give 7 to 11 %, of it 5.4 % the contact itself, the rest chance
 }
 
 /// Our fingertip with geodesic fields, taxel 3 as two subtaxels and taxel 4 as one.

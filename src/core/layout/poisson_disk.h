@@ -18,7 +18,7 @@ struct SurfaceSample {
 
 /// How much work goes into evenness.
 enum class SampleQuality {
-  preview,  ///< no two samples close together, all of equal area: an eighth of the time
+  preview,  ///< no two samples close together, all of equal area: a tenth of the time
   polished  ///< spread as evenly as possible, areas of the Voronoi cells
 };
 

@@ -1,39 +1,13 @@
 // One binary, every machine: each instruction set that the kernel is compiled for gives the same bits.
-#include <gtest/gtest.h>
-#include <hwy/highway.h>
-
-#include <bit>
-
 #include "core/hydro/traction_points.h"
 #include "fixtures/hydro_bodies.h"
+#include "fixtures/instruction_sets.h"
 
 namespace taxel {
 namespace {
 
-struct Restored {
-  ~Restored() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
-  }
-};
-
-template <class F>
-auto on_target(std::int64_t target, const F& f) {
-  const Restored restored;
-  hwy::SetSupportedTargetsForTest(target);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  return f();
-}
-
-/// Calls f(target) for each instruction set.
-template <class F>
-void for_each_set(const F& f) {
-  const auto supported = static_cast<std::uint64_t>(hwy::SupportedTargets());
-  if (HWY_ARCH_X86) {
-    ASSERT_GT(std::popcount(supported), 1) << "one instruction set proves nothing";
-  }
-  for (std::uint64_t rest = supported; rest != 0; rest &= rest - 1) f(static_cast<std::int64_t>(rest & -rest));
-}
+using test::for_each_set;
+using test::on_target;
 
 TEST(InstructionSet, AllGiveTheSameContactSurface) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));

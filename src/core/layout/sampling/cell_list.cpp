@@ -1,9 +1,5 @@
 #include "core/layout/sampling/cell_list.h"
 
-#include <bit>
-
-#include "core/base/rng.h"
-
 namespace taxel {
 namespace {
 
@@ -32,43 +28,37 @@ CellList::CellList(std::span<const dvec3> points, double cell) {
   std::sort(sorted.begin(), sorted.end());
   points_.reserve(points.size());
   for (const auto& [key, point] : sorted) {
-    if (cells_.empty() || cells_.back().key != key)
-      cells_.push_back({key, static_cast<std::uint32_t>(points_.size()), 0});
-    ++cells_.back().count;
+    const auto rank = static_cast<std::uint32_t>(points_.size());
+    if (cells_.empty() || cells_.back().key != key) cells_.push_back({key, {rank, rank}, {}});
+    cells_.back().ranks.end = rank + 1;
     points_.push_back(point);
   }
-  table_.assign(std::bit_ceil(2 * cells_.size() + 1), -1);
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    std::size_t at = mix64(cells_[c].key) & (table_.size() - 1);
-    while (table_[at] >= 0) at = (at + 1) & (table_.size() - 1);
-    table_[at] = static_cast<int>(c);
-  }
+  for (int dz = -1; dz <= 1; ++dz)
+    for (int dy = -1; dy <= 1; ++dy) find_row(dy, dz);
 }
 
-int CellList::find(Key key) const {
-  for (std::size_t at = mix64(key) & (table_.size() - 1); table_[at] >= 0; at = (at + 1) & (table_.size() - 1))
-    if (cells_[static_cast<std::size_t>(table_[at])].key == key) return table_[at];
-  return -1;
+/// The row of up to three cells beside each cell: both ends move on with the keys, so that one pass finds all.
+void CellList::find_row(int dy, int dz) {
+  const auto row = static_cast<std::size_t>(4 + dy + 3 * dz);
+  std::size_t begin = 0, end = 0;
+  const auto rank = [&](std::size_t c) {
+    return c < cells_.size() ? cells_[c].ranks.begin : static_cast<std::uint32_t>(points_.size());
+  };
+  for (Cell& cell : cells_) {
+    const auto [x, below_y, below_z] = unpack(cell.key);
+    const Key y = below_y + static_cast<Key>(dy), z = below_z + static_cast<Key>(dz);  // -1 wraps to beyond the largest
+    if (y > kLargest || z > kLargest) continue;
+    const Key lo = pack(x > 0 ? x - 1 : 0, y, z), hi = pack(std::min(x + 1, kLargest), y, z);
+    while (begin < cells_.size() && cells_[begin].key < lo) ++begin;
+    end = std::max(begin, end);
+    while (end < cells_.size() && cells_[end].key <= hi) ++end;
+    cell.around[row] = {rank(begin), rank(end)};
+  }
 }
 
 int CellList::colour(int cell) const {
   const auto [x, y, z] = unpack(cells_[static_cast<std::size_t>(cell)].key);
   return static_cast<int>((x & 1) | (y & 1) << 1 | (z & 1) << 2);
-}
-
-void CellList::gather(int cell, std::vector<int>& near) const {
-  near.clear();
-  const auto [x, y, z] = unpack(cells_[static_cast<std::size_t>(cell)].key);
-  const auto from = [](std::uint64_t c) { return c > 0 ? c - 1 : 0; };
-  const auto to = [](std::uint64_t c) { return std::min(c + 1, kLargest); };
-  for (std::uint64_t k = from(z); k <= to(z); ++k)
-    for (std::uint64_t j = from(y); j <= to(y); ++j)
-      for (std::uint64_t i = from(x); i <= to(x); ++i) {
-        const int found = find(pack(i, j, k));
-        if (found < 0) continue;
-        const auto points = points_in(found);
-        near.insert(near.end(), points.begin(), points.end());
-      }
 }
 
 }  // namespace taxel

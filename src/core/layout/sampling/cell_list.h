@@ -10,36 +10,44 @@
 
 namespace taxel {
 
-/// Occupied cells only, found by hashing: memory is O(points), whatever the extent. PointGrid answers single queries;
-/// here the neighbours of a whole cell are gathered at once.
+/// Occupied cells only, in the order of their keys: memory is O(points), whatever the extent. PointGrid answers single
+/// queries; here the neighbours of a whole cell are gathered at once, as nine rows of cells that follow each other.
 class CellList {
  public:
   /// `cell` > 0 is the edge of a cell [m].
   CellList(std::span<const dvec3> points, double cell);
 
   [[nodiscard]] int cell_count() const { return static_cast<int>(cells_.size()); }
-  /// Numbers of the points in a cell, ascending.
+  /// Numbers of all points, cell by cell, ascending within one. A place in it is called a rank.
+  [[nodiscard]] const std::vector<int>& points() const { return points_; }
+
+  struct Ranks {
+    std::uint32_t begin = 0, end = 0;
+  };
+  [[nodiscard]] Ranks ranks_in(int cell) const { return cells_[static_cast<std::size_t>(cell)].ranks; }
   [[nodiscard]] std::span<const int> points_in(int cell) const {
-    const Cell& c = cells_[static_cast<std::size_t>(cell)];
-    return std::span<const int>(points_).subspan(c.first, c.count);
+    const Ranks r = ranks_in(cell);
+    return std::span<const int>(points_).subspan(r.begin, r.end - r.begin);
+  }
+  /// Of the cell and of the 26 around it: all points within one edge length of any point of it, and some more. The
+  /// middle row holds the cell itself.
+  [[nodiscard]] const std::array<Ranks, 9>& ranks_around(int cell) const {
+    return cells_[static_cast<std::size_t>(cell)].around;
   }
   /// Cells of one of eight colours never touch each other.
   [[nodiscard]] int colour(int cell) const;
-  /// Replaces `near` by the points of the cell and of the 26 around it: all within one edge length of any point of it,
-  /// and some more.
-  void gather(int cell, std::vector<int>& near) const;
 
  private:
-  using Key = std::uint64_t;  // 21 bits for each coordinate
+  using Key = std::uint64_t;  // 21 bits for each coordinate, the x coordinate lowest
   struct Cell {
     Key key = 0;
-    std::uint32_t first = 0, count = 0;
+    Ranks ranks;
+    std::array<Ranks, 9> around;  // by y, then z, from below to above
   };
-  [[nodiscard]] int find(Key key) const;
+  void find_row(int dy, int dz);
 
   std::vector<Cell> cells_;  // by key
   std::vector<int> points_;
-  std::vector<int> table_;  // open addressing: numbers of cells, -1 where empty
 };
 
 }  // namespace taxel

@@ -3,7 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "core/base/parallel.h"
-#include "core/layout/sampling/cell_list.h"
+#include "core/layout/sampling/surroundings.h"
 
 namespace taxel {
 namespace {
@@ -12,51 +12,76 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A max-heap of points by weight whose weights may fall; ties go to the lower point.
-class CrowdHeap {
+/// Points by weight, the heaviest first, ties by the lower point. Weights may only fall: so does the heaviest, and
+/// points wait in buckets of a range of weights each, unsorted, until it is the turn of theirs. A bucket learns only
+/// then which of its points have become lighter.
+class CrowdQueue {
  public:
-  explicit CrowdHeap(const std::vector<double>& weights) : heap_(weights.size()), place_(weights.size()) {
-    for (std::size_t i = 0; i < weights.size(); ++i) heap_[i] = {weights[i], place_[i] = static_cast<int>(i)};
-    for (std::size_t i = weights.size() / 2; i-- > 0;) sink(i, heap_[i]);
+  explicit CrowdQueue(std::vector<double> weights)
+      : weights_(std::move(weights)), first_(weights_.size() + 1, kNone), next_(weights_.size()) {
+    const double heaviest = *std::max_element(weights_.begin(), weights_.end());
+    if (heaviest > 0.0) per_weight_ = static_cast<double>(weights_.size()) / heaviest;
+    bucket_ = first_.size();
+    for (std::size_t i = weights_.size(); i-- > 0;) wait(static_cast<int>(i));
   }
-  [[nodiscard]] bool holds(int point) const { return place_[index(point)] >= 0; }
-  [[nodiscard]] std::size_t size() const { return heap_.size(); }
+  [[nodiscard]] std::size_t size() const { return weights_.size() - gone_; }
+  /// There is one.
   int pop() {
-    const int top = heap_.front().point;
-    place_[index(top)] = -1;
-    const Item last = heap_.back();
-    heap_.pop_back();
-    if (!heap_.empty()) sink(0, last);
-    return top;
+    for (;; std::pop_heap(ready_.begin(), ready_.end()), ready_.pop_back()) {
+      while (ready_.empty()) open_bucket();
+      const Item top = ready_.front();
+      const double weight = weights_[index(top.point)];
+      if (weight == top.weight) break;
+      if (bucket_of(weight) < bucket_) {
+        wait(top.point);
+      } else {
+        ready_.push_back({weight, top.point});
+        std::push_heap(ready_.begin(), ready_.end());
+      }
+    }
+    const int point = ready_.front().point;
+    std::pop_heap(ready_.begin(), ready_.end());
+    ready_.pop_back();
+    next_[index(point)] = kGone;
+    ++gone_;
+    return point;
   }
-  void reduce(int point, double by) {
-    const std::size_t at = index(place_[index(point)]);
-    sink(at, {heap_[at].weight - by, point});
-  }
+  /// Also of a point that is gone.
+  void reduce(int point, double by) { weights_[index(point)] -= by; }
+  [[nodiscard]] bool holds(int point) const { return next_[index(point)] != kGone; }
 
  private:
+  static constexpr int kNone = -1, kGone = -2;
   struct Item {
     double weight;
     int point;
-    [[nodiscard]] bool above(const Item& b) const { return weight != b.weight ? weight > b.weight : point < b.point; }
+    bool operator<(const Item& b) const { return weight != b.weight ? weight < b.weight : point > b.point; }
   };
-  void put(std::size_t at, const Item& item) {
-    heap_[at] = item;
-    place_[index(item.point)] = static_cast<int>(at);
+  [[nodiscard]] std::size_t bucket_of(double weight) const {
+    return static_cast<std::size_t>(std::max(0.0, weight * per_weight_));
   }
-  void sink(std::size_t at, const Item item) {
-    for (;;) {
-      std::size_t child = 2 * at + 1;
-      if (child >= heap_.size()) break;
-      if (child + 1 < heap_.size() && heap_[child + 1].above(heap_[child])) ++child;
-      if (!heap_[child].above(item)) break;
-      put(at, heap_[child]);
-      at = child;
+  void wait(int point) {
+    int& first = first_[bucket_of(weights_[index(point)])];
+    next_[index(point)] = first;
+    first = point;
+  }
+  void open_bucket() {
+    for (int point = first_[--bucket_], next = 0; point != kNone; point = next) {
+      next = next_[index(point)];
+      const double weight = weights_[index(point)];
+      if (bucket_of(weight) < bucket_)
+        wait(point);
+      else
+        ready_.push_back({weight, point});
     }
-    put(at, item);
+    std::make_heap(ready_.begin(), ready_.end());
   }
-  std::vector<Item> heap_;
-  std::vector<int> place_;  // of each point in the heap, -1: gone
+
+  std::vector<double> weights_;
+  std::vector<int> first_, next_;  // lists of the points in each bucket
+  double per_weight_ = 0;          // buckets
+  std::size_t bucket_ = 0, gone_ = 0;
+  std::vector<Item> ready_;  // a heap: what the last bucket held
 };
 
 struct CrowdLink {
@@ -64,45 +89,54 @@ struct CrowdLink {
   float crowding;
 };
 
-/// Neighbours of every pool point with the crowding each pair causes; row i is links[first[i]] to links[last[i]].
+/// Neighbours of every point with the crowding each pair causes, by rank.
 struct CrowdGraph {
   std::vector<std::vector<CrowdLink>> parts;  // by chunk of cells
   std::vector<std::span<const CrowdLink>> of_point;
 };
 
 /// Crowding of Yuksel's equation 3, (1 - d / 2 r_max)^alpha with alpha = 8; distances below 2 r_min count as 2 r_min
-/// (equation 5, beta = 0.65, gamma = 1.5). r_max is the radius of the densest packing of `count` discs.
+/// (equation 5, beta = 0.65, gamma = 1.5). r_max is the radius of the densest packing of `count` discs; here 2 r_max is
+/// the unit of length.
 class CrowdLinker {
  public:
   CrowdLinker(const SurfaceGraph& surface, const SurfacePool& pool, int count)
       : surface_(surface),
-        pool_(pool),
-        reach_(2.0 * std::sqrt(surface.mesh().area() / (2.0 * std::sqrt(3.0) * count))) {
+        reach_(2.0 * std::sqrt(surface.mesh().area() / (2.0 * std::sqrt(3.0) * count))),
+        cells_(pool.positions, reach_) {
     const double kept = static_cast<double>(count) / pool.size();
-    least_ = reach_ * (1.0 - kept * std::sqrt(kept)) * 0.65;
+    least_ = static_cast<float>((1.0 - kept * std::sqrt(kept)) * 0.65);
+    for (const int i : cells_.points()) {
+      positions_.push_back(pool.positions[index(i)]);
+      normals_.push_back(pool.normals[index(i)]);
+      faces_.push_back(pool.faces[index(i)]);
+    }
   }
+  /// Pool points by rank.
+  [[nodiscard]] const std::vector<int>& points() const { return cells_.points(); }
 
   [[nodiscard]] CrowdGraph link() const {
     const int chunk = 64;
-    const CellList cells(pool_.positions, reach_);
     CrowdGraph graph;
-    graph.of_point.resize(pool_.positions.size());
-    graph.parts.resize(index((cells.cell_count() + chunk - 1) / chunk));
+    graph.of_point.resize(positions_.size());
+    graph.parts.resize(index((cells_.cell_count() + chunk - 1) / chunk));
     tbb::enumerable_thread_specific<Scratch> scratch([&] { return Scratch(surface_); });
-    parallel_chunks(cells.cell_count(), chunk, [&](int begin, int end) {
+    parallel_chunks(cells_.cell_count(), chunk, [&](int begin, int end) {
       Scratch& mine = scratch.local();
       std::vector<CrowdLink>& links = graph.parts[index(begin / chunk)];
-      std::vector<std::pair<int, std::size_t>> rows;
+      const CellList::Ranks all{cells_.ranks_in(begin).begin, cells_.ranks_in(end - 1).end};
+      std::vector<std::size_t> rows;
       for (int cell = begin; cell < end; ++cell) {
-        mine.gather(cells, cell, pool_);
-        for (const int point : cells.points_in(cell)) {
-          rows.emplace_back(point, links.size());
-          link_point(point, mine, links);
+        mine.around.gather(cells_, cell, positions_, normals_, reach_);
+        for (std::uint32_t r = cells_.ranks_in(cell).begin; r < cells_.ranks_in(cell).end; ++r) {
+          rows.push_back(links.size());
+          link_point(r, mine, links);
         }
       }
-      for (std::size_t r = 0; r < rows.size(); ++r) {  // now that the links stay where they are
-        const std::size_t last = r + 1 < rows.size() ? rows[r + 1].second : links.size();
-        graph.of_point[index(rows[r].first)] = std::span(links).subspan(rows[r].second, last - rows[r].second);
+      rows.push_back(links.size());
+      for (std::uint32_t r = all.begin; r < all.end; ++r) {  // now that the links stay where they are
+        const std::size_t row = r - all.begin;
+        graph.of_point[r] = std::span(links).subspan(rows[row], rows[row + 1] - rows[row]);
       }
     });
     return graph;
@@ -111,83 +145,71 @@ class CrowdLinker {
  private:
   struct Scratch {
     explicit Scratch(const SurfaceGraph& surface) : chart(surface) {}
-    void gather(const CellList& cells, int cell, const SurfacePool& pool) {
-      cells.gather(cell, near);
-      x.clear(), y.clear(), z.clear();
-      for (const int i : near) {
-        const dvec3& p = pool.positions[index(i)];
-        x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
-      }
-      squared.resize(near.size());
-    }
-    std::vector<int> near, behind;
-    std::vector<double> x, y, z, squared;  // of `near`, and their squared distances from one point
+    Surroundings around;
+    NearPoints near;
     SurfaceChart chart;
   };
 
-  void link_point(int point, Scratch& mine, std::vector<CrowdLink>& links) const {
-    const dvec3 &here = pool_.positions[index(point)], &normal = pool_.normals[index(point)];
-    for (std::size_t k = 0; k < mine.near.size(); ++k) {
-      const double dx = mine.x[k] - here.x, dy = mine.y[k] - here.y, dz = mine.z[k] - here.z;
-      mine.squared[k] = dx * dx + dy * dy + dz * dz;
-    }
-    mine.behind.clear();
-    for (std::size_t k = 0; k < mine.near.size(); ++k) {
-      const int other = mine.near[k];
-      if (!(mine.squared[k] < reach_ * reach_) || other == point) continue;
-      if (on_one_patch(normal, pool_.normals[index(other)], pool_.positions[index(other)] - here))
-        links.push_back({other, crowding(std::sqrt(mine.squared[k]))});
+  void link_point(std::uint32_t point, Scratch& mine, std::vector<CrowdLink>& links) const {
+    mine.around.find_near(mine.around.place(positions_[point], normals_[point]), 1.0F, point, mine.near);
+    bool all_on_patch = true;
+    for (std::size_t k = 0; k < index(mine.near.count); ++k) {
+      if (mine.near.on_patch(k))
+        links.push_back({mine.near.rank[k], crowding(mine.near.distance[k])});
       else
-        mine.behind.push_back(other);
+        all_on_patch = false;
     }
-    if (!mine.behind.empty()) link_behind(point, mine, links);
+    if (!all_on_patch) link_behind(point, mine, links);
   }
 
   /// Those round an edge or beyond a wall, by the way along the surface.
-  void link_behind(int point, Scratch& mine, std::vector<CrowdLink>& links) const {
-    const dvec3& normal = pool_.normals[index(point)];
-    const dvec3 u = any_perpendicular(normal);
-    mine.chart.unfold({pool_.faces[index(point)], pool_.positions[index(point)]}, u, glm::cross(normal, u), reach_);
-    for (const int other : mine.behind) {
+  void link_behind(std::uint32_t point, Scratch& mine, std::vector<CrowdLink>& links) const {
+    const dvec3 u = any_perpendicular(normals_[point]);
+    mine.chart.unfold({faces_[point], positions_[point]}, u, glm::cross(normals_[point], u), reach_);
+    for (std::size_t k = 0; k < index(mine.near.count); ++k) {
+      const std::size_t other = index(mine.near.rank[k]);
       dvec2 flat;
-      if (!mine.chart.find({pool_.faces[index(other)], pool_.positions[index(other)]}, flat)) continue;
-      const double distance = glm::length(flat);
-      if (distance < reach_) links.push_back({other, crowding(distance)});
+      if (mine.near.on_patch(k) || !mine.chart.find({faces_[other], positions_[other]}, flat)) continue;
+      const double distance = glm::length(flat) / reach_;
+      if (distance < 1.0) links.push_back({mine.near.rank[k], crowding(static_cast<float>(distance))});
     }
   }
 
-  [[nodiscard]] float crowding(double distance) const {
-    const double free = 1.0 - std::max(distance, least_) / reach_;
-    const double free2 = free * free, free4 = free2 * free2;
-    return static_cast<float>(free4 * free4);
+  [[nodiscard]] float crowding(float distance) const {
+    const float free = 1.0F - std::max(distance, least_);
+    const float free2 = free * free, free4 = free2 * free2;
+    return free4 * free4;
   }
 
   const SurfaceGraph& surface_;
-  const SurfacePool& pool_;
-  double reach_, least_;
+  double reach_;
+  float least_ = 0;
+  CellList cells_;
+  std::vector<dvec3> positions_, normals_;  // by rank
+  std::vector<int> faces_;
 };
 
 }  // namespace
 
 std::vector<int> eliminate_samples(const SurfaceGraph& surface, const SurfacePool& pool, int count,
                                    Progress* progress) {
-  const CrowdGraph graph = CrowdLinker(surface, pool, count).link();
+  const CrowdLinker linker(surface, pool, count);
+  const CrowdGraph graph = linker.link();
   std::vector<double> weights(index(pool.size()), 0.0);
   for (const auto& links : graph.of_point)  // what each causes to others, which is what its going will take from them
     for (const CrowdLink& link : links) weights[index(link.other)] += double(link.crowding);
 
-  CrowdHeap heap(weights);
-  const std::size_t surplus = heap.size() - index(count), report = 1 << 14;
+  CrowdQueue queue(std::move(weights));
+  const std::size_t surplus = queue.size() - index(count), report = 1 << 14;
   for (std::size_t n = 0; n < surplus; ++n) {
     if (progress && n % report == 0) progress->check(static_cast<double>(n) / static_cast<double>(surplus));
-    for (const CrowdLink& link : graph.of_point[index(heap.pop())])
-      if (heap.holds(link.other)) heap.reduce(link.other, double(link.crowding));
+    for (const CrowdLink& link : graph.of_point[index(queue.pop())]) queue.reduce(link.other, double(link.crowding));
   }
-
   std::vector<int> kept;
-  kept.reserve(heap.size());
-  for (int i = 0; i < pool.size(); ++i)
-    if (heap.holds(i)) kept.push_back(i);
+  kept.reserve(queue.size());
+  for (std::size_t rank = 0; rank < linker.points().size(); ++rank)
+    if (queue.holds(static_cast<int>(rank))) kept.push_back(linker.points()[rank]);
+  std::sort(kept.begin(), kept.end());
   return kept;
 }
 

@@ -17,32 +17,56 @@ double from_origin(const dvec2& a, const dvec2& b) {
 
 }  // namespace
 
-SurfaceGraph::SurfaceGraph(const TriMesh& mesh) : mesh_(mesh), sides_(3 * mesh.faces().size()) {
-  // Half-edges by the vertex where they begin.
-  std::vector<int> first(mesh.vertices().size() + 1, 0);
-  for (const ivec3& f : mesh.faces())
-    for (int c = 0; c < 3; ++c) ++first[static_cast<std::size_t>(f[c]) + 1];
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
-  std::vector<int> sides(3 * mesh.faces().size()), next(first.begin(), first.end() - 1);
-  for (int f = 0; f < mesh.face_count(); ++f)
-    for (int c = 0; c < 3; ++c)
-      sides[static_cast<std::size_t>(next[static_cast<std::size_t>(mesh.faces()[static_cast<std::size_t>(f)][c])]++)] =
-          3 * f + c;
-  const auto end_of = [&](int side) { return mesh.faces()[static_cast<std::size_t>(side / 3)][(side % 3 + 1) % 3]; };
-  const auto sides_between = [&](int a, int b, int& last) {
-    int count = 0;
-    for (int i = first[static_cast<std::size_t>(a)]; i < first[static_cast<std::size_t>(a) + 1]; ++i)
-      if (end_of(sides[static_cast<std::size_t>(i)]) == b) last = sides[static_cast<std::size_t>(i)], ++count;
-    return count;
+SurfaceGraph::SurfaceGraph(const TriMesh& mesh) : mesh_(mesh), sides_(3 * mesh.faces().size()), flat_(sides_.size()) {
+  find_across();
+  lay_flat();
+}
+
+void SurfaceGraph::find_across() {
+  // Sides by the vertex where they begin, each with the vertex where it ends.
+  struct Ray {
+    int end, side;
   };
-  for (int f = 0; f < mesh.face_count(); ++f) {
+  std::vector<std::size_t> first(mesh_.vertices().size() + 1, 0);
+  const auto vertex = [](int v) { return static_cast<std::size_t>(v); };
+  for (const ivec3& f : mesh_.faces())
+    for (int c = 0; c < 3; ++c) ++first[vertex(f[c]) + 1];
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
+  std::vector<Ray> rays(sides_.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (int f = 0; f < mesh_.face_count(); ++f) {
+    const ivec3& face = mesh_.faces()[static_cast<std::size_t>(f)];
+    for (int c = 0; c < 3; ++c) rays[next[vertex(face[c])]++] = {face[(c + 1) % 3], 3 * f + c};
+  }
+  const auto only_side = [&](int a, int b) {
+    int found = kNone, count = 0;
+    for (std::size_t i = first[vertex(a)]; i < first[vertex(a) + 1]; ++i)
+      if (rays[i].end == b) found = rays[i].side, ++count;
+    return count == 1 ? found : kNone;
+  };
+  for (int a = 0; a < mesh_.vertex_count(); ++a) {
+    for (std::size_t i = first[vertex(a)]; i < first[vertex(a) + 1]; ++i) {
+      const int b = rays[i].end;
+      if (b < a) continue;  // seen from there
+      const int forth = only_side(a, b), back = only_side(b, a);
+      if (forth == kNone || back == kNone) continue;
+      flat_[static_cast<std::size_t>(forth)].across = back;
+      flat_[static_cast<std::size_t>(back)].across = forth;
+    }
+  }
+}
+
+void SurfaceGraph::lay_flat() {
+  for (int f = 0; f < mesh_.face_count(); ++f) {
+    const dvec3& normal = mesh_.face_normals()[static_cast<std::size_t>(f)];
     for (int c = 0; c < 3; ++c) {
-      const int a = mesh.faces()[static_cast<std::size_t>(f)][c], b = end_of(3 * f + c);
       Side& mine = sides_[side(f, c)];
-      mine.along = glm::normalize(mesh.vertex(f, (c + 1) % 3) - mesh.vertex(f, c));
-      mine.outward = glm::cross(mine.along, mesh.face_normals()[static_cast<std::size_t>(f)]);
-      int found = kNone;
-      if (sides_between(a, b, found) == 1 && sides_between(b, a, found) == 1) mine.across = found;
+      const dvec3 &a = mesh_.vertex(f, c), to_apex = mesh_.vertex(f, (c + 2) % 3) - a;
+      mine.along = mesh_.vertex(f, (c + 1) % 3) - a;
+      mine.length = glm::length(mine.along);
+      mine.along /= mine.length;
+      mine.outward = glm::cross(mine.along, normal);
+      flat_[side(f, c)].apex = dvec2(glm::dot(to_apex, mine.along), -glm::dot(to_apex, mine.outward)) / mine.length;
     }
   }
 }
@@ -61,7 +85,7 @@ SurfaceStep SurfaceGraph::walk(SurfaceStep at, dvec3 way) const {
     }
     at.position += part * way;
     if (exit < 0) return at;
-    const int entered = sides_[side(at.face, exit)].across;
+    const int entered = flat_[side(at.face, exit)].across;
     if (entered == kNone) return at;
     way = turn((1.0 - part) * way, at.face, exit);
     at.face = entered / 3;
@@ -76,42 +100,59 @@ SurfaceChart::SurfaceChart(const SurfaceGraph& graph)
 void SurfaceChart::unfold(const SurfaceStep& origin, const dvec3& u, const dvec3& v, double radius) {
   ++round_;
   images_.clear();
-  entries_.clear();
+  bucket_ = 0;
   const double limit = radius * radius;
-  add({origin.face, origin.position, u, v, dvec2(0)}, limit);
-  while (!entries_.empty()) {
-    std::pop_heap(entries_.begin(), entries_.end());
-    const Entry entry = entries_.back();
-    entries_.pop_back();
-    if (has(entry.face)) continue;
-    const Image& from = images_[static_cast<std::size_t>(entry.image)];
-    const dvec3& base = graph_.mesh().vertex(from.face, entry.corner);
-    add({entry.face, base, graph_.turn(from.u, from.face, entry.corner), graph_.turn(from.v, from.face, entry.corner),
-         from.of(base)},
-        limit);
+  Image first;
+  for (int c = 0; c < 3; ++c) {
+    const dvec3 apart = graph_.mesh().vertex(origin.face, c) - origin.position;
+    first[static_cast<std::size_t>(c)] = {glm::dot(u, apart), glm::dot(v, apart)};
+  }
+  add(origin.face, first, limit);
+  for (; bucket_ < buckets_.size(); ++bucket_) {
+    while (!buckets_[bucket_].empty()) {
+      const Entry entry = buckets_[bucket_].back();
+      buckets_[bucket_].pop_back();
+      if (!has(entry.side / 3)) pass(entry, limit);
+    }
   }
 }
 
-void SurfaceChart::add(const Image& image, double limit) {
-  const auto f = static_cast<std::size_t>(image.face);
-  stamp_[f] = round_;
-  image_of_[f] = static_cast<int>(images_.size());
+/// Lays the face entered beside the one left.
+void SurfaceChart::pass(const Entry& entry, double limit) {
+  const auto& entered = graph_.flat_[static_cast<std::size_t>(entry.side)];
+  const Image& from = images_[static_cast<std::size_t>(entry.image)];
+  const auto out = static_cast<std::size_t>(entered.across % 3), in = static_cast<std::size_t>(entry.side % 3);
+  const dvec2 begin = from[(out + 1) % 3], along = from[out] - begin;  // the edge runs the other way there
+  Image image;
+  image[in] = begin;
+  image[(in + 1) % 3] = from[out];
+  image[(in + 2) % 3] = begin + entered.apex.x * along + entered.apex.y * dvec2(-along.y, along.x);
+  add(entry.side / 3, image, limit);
+}
+
+void SurfaceChart::add(int face, const Image& image, double limit) {
+  stamp_[static_cast<std::size_t>(face)] = round_;
+  image_of_[static_cast<std::size_t>(face)] = static_cast<int>(images_.size());
   images_.push_back(image);
-  const TriMesh& mesh = graph_.mesh();
   for (int c = 0; c < 3; ++c) {
-    const int next = graph_.across(image.face, c);
-    if (next < 0 || has(next)) continue;
+    const int across = graph_.flat_[SurfaceGraph::side(face, c)].across;
+    if (across < 0 || has(across / 3)) continue;
     const double distance =
-        from_origin(image.of(mesh.vertex(image.face, c)), image.of(mesh.vertex(image.face, (c + 1) % 3)));
+        from_origin(image[static_cast<std::size_t>(c)], image[static_cast<std::size_t>((c + 1) % 3)]);
     if (!(distance < limit)) continue;
-    entries_.push_back({distance, next, image_of_[f], c});
-    std::push_heap(entries_.begin(), entries_.end());
+    const auto nearest = static_cast<std::size_t>(distance / limit * static_cast<double>(buckets_.size()));
+    buckets_[std::clamp(nearest, bucket_, buckets_.size() - 1)].push_back(
+        {across, image_of_[static_cast<std::size_t>(face)]});
   }
 }
 
 bool SurfaceChart::find(const SurfaceStep& place, dvec2& flat) const {
   if (!has(place.face)) return false;
-  flat = images_[static_cast<std::size_t>(image_of_[static_cast<std::size_t>(place.face)])].of(place.position);
+  const Image& image = images_[static_cast<std::size_t>(image_of_[static_cast<std::size_t>(place.face)])];
+  const auto& first = graph_.sides_[SurfaceGraph::side(place.face, 0)];
+  const dvec3 apart = place.position - graph_.mesh().vertex(place.face, 0);
+  const dvec2 along = (image[1] - image[0]) / first.length;
+  flat = image[0] + glm::dot(apart, first.along) * along - glm::dot(apart, first.outward) * dvec2(-along.y, along.x);
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Walking over a mesh: straight lines across its edges, and the surface around a point unfolded into the plane.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,13 +23,13 @@ class SurfaceGraph {
 
   [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
   /// The face across the edge from corner c to corner c + 1, -1 where there is none.
-  [[nodiscard]] int across(int face, int corner) const { return sides_[side(face, corner)].across / 3; }
+  [[nodiscard]] int across(int face, int corner) const { return flat_[side(face, corner)].across / 3; }
 
   /// Turns the tangent vector `v` of `from` over the edge at `corner` into the plane of the face across: unfolded, the
   /// two are parallel.
   [[nodiscard]] dvec3 turn(const dvec3& v, int from, int corner) const {
     const Side& out = sides_[side(from, corner)];
-    const Side& in = sides_[static_cast<std::size_t>(out.across)];
+    const Side& in = sides_[static_cast<std::size_t>(flat_[side(from, corner)].across)];
     return glm::dot(v, out.along) * out.along - glm::dot(v, out.outward) * in.outward;
   }
 
@@ -37,16 +38,24 @@ class SurfaceGraph {
   [[nodiscard]] SurfaceStep walk(SurfaceStep start, dvec3 way) const;
 
  private:
-  struct Side {          // of one face
-    int across = kNone;  // 3 face + corner of the same edge in the other face
-    dvec3 along{0};      // unit vector of the edge
-    dvec3 outward{0};    // unit vector in the plane of the face
+  struct Side {        // of one face
+    dvec3 along{0};    // unit vector of the edge
+    dvec3 outward{0};  // unit vector in the plane of the face
+    double length = 0;
   };
+  struct FlatSide {
+    dvec2 apex{0};       // the third corner over the edge laid from (0, 0) to (1, 0)
+    int across = kNone;  // 3 face + corner of the same edge in the other face
+  };
+  friend class SurfaceChart;
+  void find_across();
+  void lay_flat();
   static constexpr int kNone = -3;  // / 3 is -1
   static std::size_t side(int face, int corner) { return static_cast<std::size_t>(3 * face + corner); }
 
   const TriMesh& mesh_;
   std::vector<Side> sides_;
+  std::vector<FlatSide> flat_;
 };
 
 /// The surface around one point, unfolded into the plane of its face over the edges nearest to it: a developable
@@ -63,27 +72,20 @@ class SurfaceChart {
   [[nodiscard]] bool find(const SurfaceStep& place, dvec2& flat) const;
 
  private:
-  /// One face laid into the plane: point x of it goes to flat + (dot(u, x - base), dot(v, x - base)).
-  struct Image {
-    int face = -1;
-    dvec3 base{0}, u{0}, v{0};
-    dvec2 flat{0};
-    [[nodiscard]] dvec2 of(const dvec3& x) const { return flat + dvec2(glm::dot(u, x - base), glm::dot(v, x - base)); }
-  };
+  using Image = std::array<dvec2, 3>;  // of the corners of a face in the plane
   struct Entry {
-    double distance = 0;  // squared, of the edge
-    int face = 0;         // across it
-    int image = 0, corner = 0;
-    bool operator<(const Entry& b) const {  // the nearest one on top of a heap
-      return distance != b.distance ? distance > b.distance : face > b.face;
-    }
+    int side = 0;   // to be passed, of the face entered
+    int image = 0;  // of the face left
   };
-  void add(const Image& image, double limit);
+  void pass(const Entry& entry, double limit);
+  void add(int face, const Image& image, double limit);
   [[nodiscard]] bool has(int face) const { return stamp_[static_cast<std::size_t>(face)] == round_; }
 
   const SurfaceGraph& graph_;
   std::vector<Image> images_;
-  std::vector<Entry> entries_;         // a heap
+  // Edges by their squared distance: the nearest are passed first, up to the width of a bucket.
+  std::array<std::vector<Entry>, 64> buckets_;
+  std::size_t bucket_ = 0;             // being emptied
   std::vector<int> image_of_, stamp_;  // by face
   int round_ = 0;
 };

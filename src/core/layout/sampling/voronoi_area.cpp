@@ -4,20 +4,15 @@
 
 #include "core/base/parallel.h"
 #include "core/layout/point_grid.h"
+#include "core/layout/sampling/convex_polygon.h"
 
 namespace taxel {
 namespace {
 
-using Triangle = std::array<dvec3, 3>;
 struct Share {
   int sample;
   double area;
 };
-struct Candidate {
-  double distance;
-  int sample;
-};
-using Candidates = std::vector<Candidate>;
 
 /// Whether two points lie on the same wall: normals more than 90 degrees apart belong to opposite sides of a thin part,
 /// and their distance through it says nothing about evenness.
@@ -26,15 +21,81 @@ bool same_wall(const dvec3& normal_a, const dvec3& normal_b) {
   return glm::dot(normal_a, normal_b) > right_angle;
 }
 
-constexpr double kSearch = 1.5;        // cell of the grid, in spacings
-constexpr std::size_t kMaxOwners = 6;  // pieces with more owners are halved
+constexpr double kSearch = 2.5;        // cell of the grid, in spacings
+constexpr double kPiece = 1.0;         // largest radius of a piece, in spacings
+constexpr std::size_t kMaxOwners = 8;  // pieces with more owners are halved
 constexpr int kMaxHalvings = 64;       // ends the halving where many cells meet in one point
 
-double polygon_area(const std::vector<dvec3>& polygon) {
-  dvec3 sum(0);
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum += glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
-  return 0.5 * glm::length(sum);
+template <class Vec>
+double squared(const Vec& v) {
+  return glm::dot(v, v);
+}
+
+/// The plane of a face.
+struct Frame {
+  dvec3 origin{0}, u{0}, v{0}, normal{0};
+  [[nodiscard]] dvec2 flat(const dvec3& p) const { return {glm::dot(p - origin, u), glm::dot(p - origin, v)}; }
+  [[nodiscard]] dvec3 point(const dvec2& p) const { return origin + p.x * u + p.y * v; }
+};
+
+/// A triangle in it, and the smallest circle about its centroid.
+struct Piece {
+  std::array<dvec2, 3> corners;
+  dvec2 center{0};
+  double radius = 0;
+  explicit Piece(const std::array<dvec2, 3>& c) : corners(c), center((c[0] + c[1] + c[2]) / 3.0) {
+    radius = std::sqrt(std::max({squared(c[0] - center), squared(c[1] - center), squared(c[2] - center)}));
+  }
+  /// Across the longest edge.
+  [[nodiscard]] std::array<Piece, 2> halves() const {
+    const auto& t = corners;
+    const std::array<double, 3> edge{squared(t[1] - t[0]), squared(t[2] - t[1]), squared(t[0] - t[2])};
+    const auto k = static_cast<std::size_t>(std::max_element(edge.begin(), edge.end()) - edge.begin());
+    const dvec2 &from = t[k], &to = t[(k + 1) % 3], &apex = t[(k + 2) % 3], middle = 0.5 * (from + to);
+    return {Piece({from, middle, apex}), Piece({middle, to, apex})};
+  }
+};
+
+/// A sample seen from the plane of a face: at `flat`, and `height2` above or below it, squared.
+struct Site {
+  dvec2 flat{0};
+  double height2 = 0;
+  int sample = 0;
+  double distance2 = 0;  ///< from the centre of the piece at hand
+  [[nodiscard]] bool before(const Site& b) const {
+    return distance2 != b.distance2 ? distance2 < b.distance2 : sample < b.sample;
+  }
+};
+using Sites = std::vector<Site>;
+
+/// Those sites that can be the nearest of some point of the piece, nearest first: no farther from its centre than the
+/// nearest one plus the diameter. Returns that distance.
+double find_owners(const Piece& piece, Sites& sites, Sites& owners) {
+  double nearest2 = std::numeric_limits<double>::infinity();
+  for (Site& s : sites) {
+    s.distance2 = squared(s.flat - piece.center) + s.height2;
+    nearest2 = std::min(nearest2, s.distance2);
+  }
+  const double limit = std::sqrt(nearest2) + 2.0 * piece.radius;
+  owners.clear();
+  for (const Site& s : sites) {
+    if (s.distance2 > limit * limit) continue;
+    owners.push_back(s);
+    for (std::size_t i = owners.size() - 1; i > 0 && s.before(owners[i - 1]); --i) std::swap(owners[i - 1], owners[i]);
+  }
+  return limit;
+}
+
+/// Of samples at one place the lowest number owns all. They stand among equal distances.
+void drop_coincident(Sites& owners) {
+  std::size_t kept = 0;
+  for (const Site& s : owners) {
+    bool again = false;
+    for (std::size_t i = kept; i-- > 0 && owners[i].distance2 == s.distance2 && !again;)
+      again = owners[i].flat == s.flat && owners[i].height2 == s.height2;
+    if (!again) owners[kept++] = s;
+  }
+  owners.resize(kept);
 }
 
 /// Cuts faces into the cells of nearby samples. One per thread: it keeps its memory.
@@ -44,117 +105,90 @@ class FaceCutter {
       : samples_(samples), grid_(grid), spacing_(spacing), owners_(kMaxHalvings + 1) {}
 
   /// Appends what each sample gets of the face.
-  void cut(const Triangle& face, const dvec3& normal, std::vector<Share>& shares) {
+  void cut(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& normal, std::vector<Share>& shares) {
+    const dvec3 u = any_perpendicular(normal);
+    frame_ = {(a + b + c) / 3.0, u, glm::cross(normal, u), normal};
+    shares_ = &shares;
+    const Piece face({frame_.flat(a), frame_.flat(b), frame_.flat(c)});
     const double finest = 1.0 / 256.0;  // of the face: bounds the work on faces that are long and thin
-    halve(face, normal, std::max(spacing_, finest * ball_of(face).radius), shares);
+    halve(face, std::max(kPiece * spacing_, finest * face.radius));
   }
 
  private:
-  struct Ball {
-    dvec3 center;
-    double radius;
+  struct Near {
+    dvec3 position, normal;
+    int sample;
   };
-  static double squared(const dvec3& v) { return glm::dot(v, v); }
-  static Ball ball_of(const Triangle& t) {
-    const dvec3 center = (t[0] + t[1] + t[2]) / 3.0;
-    return {center, std::sqrt(std::max({squared(t[0] - center), squared(t[1] - center), squared(t[2] - center)}))};
-  }
-  [[nodiscard]] const dvec3& position(int sample) const { return samples_[static_cast<std::size_t>(sample)].position; }
 
-  /// Halves across the longest edge until pieces have `radius`, then shares each out.
-  void halve(const Triangle& t, const dvec3& normal, double radius, std::vector<Share>& shares) {
-    const Ball ball = ball_of(t);
-    if (ball.radius > radius) {
-      for (const Triangle& half : halves(t)) halve(half, normal, radius, shares);
+  void halve(const Piece& piece, double radius) {
+    if (piece.radius > radius) {
+      for (const Piece& half : piece.halves()) halve(half, radius);
       return;
     }
-    for (double reach = spacing_ + 2.0 * ball.radius;; reach *= 2.0) {
-      near_.clear();
-      grid_.visit_near(ball.center, reach, [&](int s) { near_.push_back({0.0, s}); });
-      same_wall_.clear();
-      for (const Candidate& c : near_)
-        if (same_wall(samples_[static_cast<std::size_t>(c.sample)].normal, normal)) same_wall_.push_back(c);
-      for (const Candidates* candidates : {&same_wall_, &near_})
-        if (find_owners(ball, *candidates, owners_[0]) <= reach) return cut_piece(t, 0, shares);
+    for (double reach = spacing_ + 2.0 * piece.radius;; reach *= 2.0) {
+      gather(frame_.point(piece.center), reach);
+      for (const bool any_wall : {false, true}) {
+        sites_.clear();
+        for (const Near& s : near_)
+          if (any_wall || same_wall(s.normal, frame_.normal)) sites_.push_back(site_of(s));
+        if (find_owners(piece, sites_, owners_[0]) > reach) continue;
+        drop_coincident(owners_[0]);
+        return cut_piece(piece, 0);
+      }
     }
   }
-  static std::array<Triangle, 2> halves(const Triangle& t) {
-    const std::array<double, 3> edge{squared(t[1] - t[0]), squared(t[2] - t[1]), squared(t[0] - t[2])};
-    const auto k = static_cast<std::size_t>(std::max_element(edge.begin(), edge.end()) - edge.begin());
-    const dvec3 &from = t[k], &to = t[(k + 1) % 3], &apex = t[(k + 2) % 3], middle = 0.5 * (from + to);
-    return {Triangle{from, middle, apex}, Triangle{middle, to, apex}};
+  [[nodiscard]] Site site_of(const Near& s) const {
+    const double height = glm::dot(s.position - frame_.origin, frame_.normal);
+    return {frame_.flat(s.position), height * height, s.sample, 0.0};
   }
 
-  /// Those candidates that can be the nearest of some point of the ball, nearest first: no farther from its centre than
-  /// the nearest one plus the diameter. Returns that distance.
-  double find_owners(const Ball& ball, const Candidates& candidates, Candidates& owners) const {
-    owners.clear();
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Candidate& c : candidates) {
-      owners.push_back({glm::distance(position(c.sample), ball.center), c.sample});
-      nearest = std::min(nearest, owners.back().distance);
-    }
-    const double limit = nearest + 2.0 * ball.radius;
-    std::erase_if(owners, [&](const Candidate& c) { return c.distance > limit; });
-    std::sort(owners.begin(), owners.end(), [](const Candidate& a, const Candidate& b) {
-      return std::pair(a.distance, a.sample) < std::pair(b.distance, b.sample);
+  /// All samples within `reach` of a point, and more. Faces that follow each other mostly lie beside each other, so
+  /// that what was gathered serves several.
+  void gather(const dvec3& center, double reach) {
+    if (glm::distance(center, gathered_center_) + reach <= gathered_reach_) return;
+    gathered_center_ = center;
+    gathered_reach_ = reach + 0.5 * spacing_;
+    near_.clear();
+    grid_.visit_near(center, gathered_reach_, [&](int i) {
+      const SurfaceSample& s = samples_[static_cast<std::size_t>(i)];
+      if (squared(s.position - center) <= gathered_reach_ * gathered_reach_) near_.push_back({s.position, s.normal, i});
     });
-    drop_coincident(owners);
-    return limit;
-  }
-  /// Of samples at one place the lowest number owns all. They stand among equal distances.
-  void drop_coincident(Candidates& owners) const {
-    std::size_t kept = 0;
-    for (const Candidate& c : owners) {
-      bool again = false;
-      for (std::size_t i = kept; i-- > 0 && owners[i].distance == c.distance && !again;)
-        again = position(owners[i].sample) == position(c.sample);
-      if (!again) owners[kept++] = c;
-    }
-    owners.resize(kept);
   }
 
   /// Shares out a piece between owners_[depth]; halves it first while they are many. The owners of a half are among
   /// those of the whole.
-  void cut_piece(const Triangle& t, int depth, std::vector<Share>& shares) {
+  void cut_piece(const Piece& piece, int depth) {
     const auto level = static_cast<std::size_t>(depth);
     if (owners_[level].size() > kMaxOwners && depth < kMaxHalvings) {
-      for (const Triangle& half : halves(t)) {
-        find_owners(ball_of(half), owners_[level], owners_[level + 1]);
-        cut_piece(half, depth + 1, shares);
+      for (const Piece& half : piece.halves()) {
+        find_owners(half, owners_[level], owners_[level + 1]);
+        cut_piece(half, depth + 1);
       }
       return;
     }
-    for (const Candidate& owner : owners_[level]) {
-      polygon_.assign(t.begin(), t.end());
-      for (const Candidate& other : owners_[level])
-        if (other.sample != owner.sample && !polygon_.empty()) clip(position(owner.sample), position(other.sample));
-      if (polygon_.size() >= 3) shares.push_back({owner.sample, polygon_area(polygon_)});
+    for (const Site& owner : owners_[level]) {
+      cell_.assign(piece.corners);
+      for (const Site& other : owners_[level]) {
+        if (other.sample == owner.sample || cell_.empty()) continue;
+        // |x - owner|^2 - |x - other|^2, linear in x, is at most 0.
+        cell_.cut(2.0 * (other.flat - owner.flat),
+                  (squared(owner.flat) + owner.height2) - (squared(other.flat) + other.height2));
+      }
+      if (!cell_.empty()) shares_->push_back({owner.sample, std::abs(cell_.area())});
     }
-  }
-
-  /// Keeps what is nearer to `mine` than to `other` (Sutherland, Hodgman 1974).
-  void clip(const dvec3& mine, const dvec3& other) {
-    const dvec3 towards = other - mine, middle = 0.5 * (mine + other);
-    sides_.clear();
-    for (const dvec3& p : polygon_) sides_.push_back(glm::dot(towards, p - middle));
-    if (*std::max_element(sides_.begin(), sides_.end()) <= 0.0) return;
-    clipped_.clear();
-    for (std::size_t i = 0, from = polygon_.size() - 1; i < polygon_.size(); from = i++) {
-      const double a = sides_[from], b = sides_[i];
-      if ((a <= 0.0) != (b <= 0.0)) clipped_.push_back(polygon_[from] + (polygon_[i] - polygon_[from]) * (a / (a - b)));
-      if (b <= 0.0) clipped_.push_back(polygon_[i]);
-    }
-    polygon_.swap(clipped_);
   }
 
   const std::vector<SurfaceSample>& samples_;
   const PointGrid& grid_;
   double spacing_;
-  Candidates near_, same_wall_;
-  std::vector<Candidates> owners_;  // of the piece at each depth of halving
-  std::vector<dvec3> polygon_, clipped_;
-  std::vector<double> sides_;
+  dvec3 gathered_center_{0};
+  double gathered_reach_ = -1.0;
+  std::vector<Near> near_;
+  Frame frame_;
+  std::vector<Share>* shares_ = nullptr;
+  Sites sites_;
+  std::vector<Sites> owners_;  // of the piece at each depth of halving
+  ConvexPolygon cell_;
 };
 
 }  // namespace
@@ -171,7 +205,7 @@ void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& sampl
   parallel_chunks(mesh.face_count(), chunk, [&](int begin, int end) {
     FaceCutter cutter(samples, grid, spacing);
     for (int f = begin; f < end; ++f)
-      cutter.cut({mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)},
+      cutter.cut(mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2),
                  mesh.face_normals()[static_cast<std::size_t>(f)], shares[static_cast<std::size_t>(begin / chunk)]);
   });
 

@@ -1,0 +1,71 @@
+// A convex polygon of the plane that half-planes are cut off from.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace taxel {
+
+/// Counter-clockwise. Keeps its memory.
+class ConvexPolygon {
+ public:
+  void assign(std::span<const dvec2> corners) { corners_.assign(corners.begin(), corners.end()); }
+  [[nodiscard]] bool empty() const { return corners_.size() < 3; }
+
+  /// Keeps the part where dot(normal, x) + offset <= 0 (Sutherland, Hodgman 1974).
+  void cut(const dvec2& normal, double offset) {
+    sides_.resize(corners_.size());
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      sides_[i] = glm::dot(normal, corners_[i]) + offset;
+      farthest = std::max(farthest, sides_[i]);
+    }
+    if (!(farthest > 0.0)) return;
+    kept_.clear();
+    for (std::size_t i = 0, from = corners_.size() - 1; i < corners_.size(); from = i++) {
+      const double a = sides_[from], b = sides_[i];
+      if ((a <= 0.0) != (b <= 0.0)) kept_.push_back(corners_[from] + (corners_[i] - corners_[from]) * (a / (a - b)));
+      if (b <= 0.0) kept_.push_back(corners_[i]);
+    }
+    corners_.swap(kept_);
+  }
+
+  [[nodiscard]] double area() const {
+    double twice = 0.0;
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) twice += twice_area(i);
+    return 0.5 * twice;
+  }
+  /// It has an area.
+  [[nodiscard]] dvec2 centroid() const {
+    double twice = 0.0;
+    dvec2 sum(0);
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+      const double part = twice_area(i);
+      twice += part;
+      sum += part * (corners_[i] + corners_[i + 1] - 2.0 * corners_[0]);
+    }
+    return corners_[0] + sum / (3.0 * twice);
+  }
+  /// Squared distance of the corner farthest from the origin.
+  [[nodiscard]] double squared_reach() const {
+    double farthest = 0.0;
+    for (const dvec2& c : corners_) farthest = std::max(farthest, glm::dot(c, c));
+    return farthest;
+  }
+
+ private:
+  /// Of the triangle of the first corner and corners i and i + 1.
+  [[nodiscard]] double twice_area(std::size_t i) const {
+    const dvec2 a = corners_[i] - corners_[0], b = corners_[i + 1] - corners_[0];
+    return a.x * b.y - a.y * b.x;
+  }
+
+  std::vector<dvec2> corners_, kept_;
+  std::vector<double> sides_;
+};
+
+}  // namespace taxel

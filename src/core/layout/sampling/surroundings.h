@@ -1,0 +1,62 @@
+// The points around a cell of a surface, and which of them are near to one place.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/layout/sampling/cell_list.h"
+
+namespace taxel {
+
+/// A place on a surface in single precision, in units of a spacing from some origin near to it.
+struct NearPlace {
+  float position[3]{}, normal[3]{};
+};
+
+/// The points near to one place, in the order in which they were gathered.
+struct NearPoints {
+  std::vector<int> rank;
+  std::vector<float> x, y, z;  ///< from the place to the point
+  std::vector<float> distance;
+  std::vector<float> cosine;  ///< of the angle between the normals; kOffPatch where no straight line tells the distance
+  int count = 0;              ///< the vectors are longer
+  static constexpr float kOffPatch = -2.0F;
+
+  [[nodiscard]] bool on_patch(std::size_t i) const { return cosine[i] != kOffPatch; }
+};
+
+/// Points and their normals, coordinate by coordinate, followed by places far away that fill the last lanes.
+struct PointRows {
+  std::vector<int> rank;
+  std::vector<float> x, y, z, normal_x, normal_y, normal_z;  ///< may be longer
+  std::size_t size = 0;                                      ///< with the filling
+};
+
+/// Positions and normals of the points in and around one cell of a CellList. One per thread: it keeps its memory.
+class Surroundings {
+ public:
+  /// `positions` and `normals` by rank. `spacing` is the unit of length here [m].
+  void gather(const CellList& cells, int cell, std::span<const dvec3> positions, std::span<const dvec3> normals,
+              double spacing);
+  /// In the units of this cell.
+  [[nodiscard]] NearPlace place(const dvec3& position, const dvec3& normal) const;
+  /// A point of the cell itself has moved.
+  void move(std::uint32_t rank, const NearPlace& to);
+
+  /// All points within `reach` spacings, except the one of number `except`: in lanes of the best instruction set of the
+  /// machine, with the same bits on each. A point is on one patch with the place if the straight line between them
+  /// stands for their distance along the surface: it bends by at most a right angle between them, and does not rise by
+  /// more than 30 degrees and that bend. Not so over a sharper edge, through a thin wall, or from sheet to sheet.
+  void find_near(const NearPlace& place, float reach, std::uint32_t except, NearPoints& near) const;
+
+ private:
+  void put(std::size_t at, int rank, const NearPlace& p);
+
+  dvec3 origin_{0};
+  double spacing_ = 1.0;
+  std::uint32_t first_own_ = 0;  // rank of the cell's first point
+  std::size_t own_ = 0;          // and where it stands
+  PointRows rows_;
+};
+
+}  // namespace taxel
