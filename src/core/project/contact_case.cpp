@@ -77,9 +77,10 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
 std::vector<std::string> contact_warnings(const ContactResult& result) {
   const RejectedPolygons& core = result.surface.left_out(Rejection::beyond_core);
   if (core.count == 0) return {};
-  return {fmt::format("{} polygons end at the rigid core of a pad: pressure is missing where the overlap is deeper, on about "
-                      "{:.3g} m^2 and at least {:.3g} N",
-                      core.count, core.area, core.force)};
+  return {fmt::format(
+      "{} polygons end at the rigid core of a pad: pressure is missing where the overlap is deeper, on about "
+      "{:.3g} m^2 and at least {:.3g} N",
+      core.count, core.area, core.force)};
 }
 
 Twist relative_twist(const CaseBody& a, const CaseBody& b) {
@@ -98,9 +99,11 @@ void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const
     out.centroid_W = X_WA.p;
     return;
   }
-  const Traction sum =
-      traction(out.surface, combine(a.material, b.material), relative_twist(contact_case.a, contact_case.b));
-  out.wrench_W = {X_WA.rotate(sum.wrench.force), X_WA.rotate(sum.wrench.torque)};
+  const Twist V_BA = relative_twist(contact_case.a, contact_case.b);
+  const bool at_rest = V_BA.linear == dvec3(0) && V_BA.angular == dvec3(0);  // then neither friction nor damping acts
+  const Wrench wrench =
+      at_rest ? pressure_wrench(out.surface) : traction(out.surface, combine(a.material, b.material), V_BA).wrench;
+  out.wrench_W = {X_WA.rotate(wrench.force), X_WA.rotate(wrench.torque)};
   out.centroid_W = X_WA * pressure_centroid(out.surface);
 }
 

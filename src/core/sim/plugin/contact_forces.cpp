@@ -158,7 +158,8 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
     for (const std::size_t i : e.near) {
       if (e.pairs[i].surface.empty()) continue;
       if (!instance->touched()[i].role.applies) {
-        e.pairs[i].wrench = traction(e.pairs[i].surface, instance->touched()[i].properties, e.pairs[i].V).wrench;
+        work.felt_only.assign(e.pairs[i].surface);
+        e.pairs[i].wrench = work.felt_only.evaluate(instance->touched()[i].properties, e.pairs[i].V).wrench;
         continue;
       }
       if (work.active_count == work.active.size()) work.active.emplace_back();

@@ -23,6 +23,7 @@ struct ContactForceWorkspace {
     std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the sensor at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
   };
+  TractionPoints felt_only;  ///< of a pair that is sensed and not applied
   std::vector<Active> active;
   std::size_t active_count = 0;
   std::vector<mjtNum> force, acceleration, jacobian;
