@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rng.h"
+#include "core/hydro/pad_pressures.h"
 #include "core/hydro/prism.h"
 
 namespace taxel {
@@ -51,8 +52,7 @@ PadError pad_error(const MeshIndex& index, const std::vector<dvec3>& vertices, c
         x += weights[at(k)] * vertices[at(t[k])];
         pressure += weights[at(k)] * vertex_pressure[at(t[k])];
       }
-      const double depth = std::clamp(-index.signed_distance(x), 0.0, thickness);
-      errors[at(i)] = pressure / modulus - depth / thickness;
+      errors[at(i)] = pressure / modulus - depth_inside(index, x, thickness) / thickness;
     }
   });
   PadError error;

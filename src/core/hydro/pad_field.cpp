@@ -37,10 +37,11 @@ class SkinPartMaker {
   double worst_ = -1;
 };
 
-FieldReport report_of(const TriMesh& mesh, const PadShape& shape, double thickness,
+FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const PadLayers& layers, double thickness,
                       const std::vector<int>& face_numbers) {
   FieldReport report;
   report.core = true;
+  report.two_layer_faces = layers.two_layer_faces();
   report.thickness = thickness;
   report.skin_area = mesh.area();
   SkinPartMaker limited(mesh, face_numbers), bare(mesh, face_numbers);
@@ -53,7 +54,7 @@ FieldReport report_of(const TriMesh& mesh, const PadShape& shape, double thickne
       limited_area += mesh.face_areas()[at(f)] / 3.0;
       least = std::min(least, shape.part_left(leg));
     }
-    if (shape.tets(f).count == 0) {
+    if (layers.bare(f)) {
       bare.add(f, mesh.face_areas()[at(f)]);
     } else if (least < 1) {
       limited.add(f, 1 - least);
@@ -83,8 +84,7 @@ PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, 
   for (int leg = 0; leg < shape.leg_count(); ++leg) vertices.push_back(shape.inner_position(leg));
   for (const int leg : layers.legs()) vertices.push_back(shape.moved(leg, layers.height(leg)));
   std::vector<double> pressure = pad_pressures(index, shape, layers, depths, modulus, thickness);
-  FieldReport report = report_of(*mesh, shape, thickness, face_numbers);
-  report.two_layer_faces = layers.two_layer_faces();
+  FieldReport report = report_of(*mesh, shape, layers, thickness, face_numbers);
   const PadError error = pad_error(index, vertices, layers.tets(), pressure, modulus, thickness);
   report.depth_error_mean = error.mean;
   report.depth_error_rms = error.rms;

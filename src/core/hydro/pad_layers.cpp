@@ -27,6 +27,8 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 PadLayers::PadLayers(const PadShape& shape, const MeshIndex& index, const std::vector<char>& asked)
     : shape_(shape), mesh_(index.mesh()), middle_(at(shape.leg_count()), -1) {
+  single_.reserve(mesh_.faces().size());
+  for (int f = 0; f < mesh_.face_count(); ++f) single_.push_back(shape.tets(f));
   if (std::find(asked.begin(), asked.end(), 1) != asked.end()) {
     spread(asked);
     place(index);
@@ -99,7 +101,7 @@ PrismTets PadLayers::below(const ivec3& legs) const {
 
 /// Whether the prism below a face is well shaped.
 bool PadLayers::add_face(int face) {
-  const PrismTets single = shape_.tets(face);
+  const PrismTets& single = single_[at(face)];
   const ivec3 legs(shape_.leg(face, 0), shape_.leg(face, 1), shape_.leg(face, 2));
   if (single.count == 0 || !(has(legs.x) || has(legs.y) || has(legs.z))) {
     tets_.insert(tets_.end(), single.tets.begin(), single.tets.begin() + single.count);

@@ -28,6 +28,8 @@ class PadLayers {
   [[nodiscard]] double depth(int leg) const { return depth_[at(leg)]; }
   /// All tets of the pad, of positive volume.
   [[nodiscard]] const std::vector<ivec4>& tets() const { return tets_; }
+  /// Whether nothing lies below a face.
+  [[nodiscard]] bool bare(int face) const { return single_[at(face)].count == 0; }
   /// Faces below which the prism has two layers, at one of its legs or more.
   [[nodiscard]] int two_layer_faces() const { return two_layer_faces_; }
 
@@ -46,6 +48,7 @@ class PadLayers {
 
   const PadShape& shape_;
   const TriMesh& mesh_;
+  std::vector<PrismTets> single_;  ///< per face: its prism in one layer
   std::vector<double> height_, depth_;
   std::vector<int> middle_;
   std::vector<int> legs_;

@@ -32,13 +32,13 @@ class InnerFit {
   InnerFit(const MeshIndex& index, const PadShape& shape, const PadLayers& layers, const PadDepths& depths,
            double thickness)
       : shape_(shape), depths_(depths), depth_(depths.below_planes), rank_(depth_.size(), -1) {
-    constexpr double kWorthIt = 1e-3;
+    constexpr double kWorthIt = 1e-2;
     for (const int leg : layers.legs()) {
       if (depths.below_skin[at(leg)] - depths.below_planes[at(leg)] <= kWorthIt * thickness) continue;
       rank_[at(leg)] = static_cast<int>(free_.size());
       free_.push_back({leg, {}});
     }
-    if (!free_.empty()) gather(index, thickness);
+    if (!free_.empty()) gather(index, layers, thickness);
   }
 
   std::vector<double> solve() {
@@ -59,15 +59,15 @@ class InnerFit {
     std::vector<Target> targets;
   };
 
-  void gather(const MeshIndex& index, double thickness) {
+  void gather(const MeshIndex& index, const PadLayers& layers, double thickness) {
     const TriMesh& mesh = index.mesh();
     for (int f = 0; f < mesh.face_count(); ++f) {
       const ivec3 legs(shape_.leg(f, 0), shape_.leg(f, 1), shape_.leg(f, 2));
       if (rank_[at(legs.x)] < 0 && rank_[at(legs.y)] < 0 && rank_[at(legs.z)] < 0) continue;
-      if (shape_.tets(f).count == 0) continue;
+      if (layers.bare(f)) continue;
       const dvec3 centroid =
           (shape_.inner_position(legs.x) + shape_.inner_position(legs.y) + shape_.inner_position(legs.z)) / 3.0;
-      const double depth = std::clamp(-index.signed_distance(centroid), 0.0, thickness);
+      const double depth = depth_inside(index, centroid, thickness);
       for (int c = 0; c < 3; ++c) {
         const int rank = rank_[at(legs[c])];
         if (rank < 0) continue;
@@ -96,6 +96,11 @@ class InnerFit {
 };
 
 }  // namespace
+
+double depth_inside(const MeshIndex& index, const dvec3& x, double most) {
+  const SignedPoint skin = index.signed_point(x, most);
+  return skin.point.face < 0 ? most : std::clamp(-skin.signed_distance, 0.0, most);
+}
 
 PadDepths pad_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
   PadDepths depths;
