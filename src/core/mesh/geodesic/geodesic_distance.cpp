@@ -108,10 +108,10 @@ void GeodesicDistance::take(int window) {
 /// every point between, by the triangle inequality (Xin, Wang 2009, theorem 3.2). Such a window is on no shortest path.
 /// What ties, up to rounding, is kept: windows that turn about a vertex very near to their source do.
 bool GeodesicDistance::late(const GeodesicWindow& w) const {
-  const double at_start = arrivals_[at(mesh_->edge(next_edge(w.halfedge)).apex_fan)].distance;
-  const double at_end = arrivals_[at(mesh_->edge(previous_edge(w.halfedge)).apex_fan)].distance;
-  return at_start + w.end < kTie * w.distance(w.end) ||
-         at_end + (mesh_->edge(w.halfedge).length - w.begin) < kTie * w.distance(w.begin);
+  const UnfoldedMesh::Ends& ends = mesh_->ends(w.halfedge);
+  const double to_end = w.distance(w.end), to_begin = w.distance(w.begin);
+  return arrivals_[at(ends.start)].distance + w.end < kTie * to_end ||
+         arrivals_[at(ends.end)].distance + (mesh_->edge(w.halfedge).length - w.begin) < kTie * to_begin;
 }
 
 /// Lays the face ahead beside what is unfolded already. The rays through the window meet the edge to the left, that to

@@ -17,6 +17,9 @@ UnfoldedMesh::UnfoldedMesh(TriMeshPtr mesh)
   lay_flat();
   join_twins();
   walk_fans();
+  ends_.resize(edges_.size());
+  for (int h = 0; h < edge_count(); ++h)
+    ends_[at(h)] = {edges_[at(next_edge(h))].apex_fan, edges_[at(previous_edge(h))].apex_fan};
 }
 
 void UnfoldedMesh::lay_flat() {

@@ -28,6 +28,11 @@ class UnfoldedMesh {
   [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const FlatEdge& edge(int halfedge) const { return edges_[static_cast<std::size_t>(halfedge)]; }
   [[nodiscard]] int edge_count() const { return static_cast<int>(edges_.size()); }
+  /// The vertices at the ends of a half-edge, as fans; here beside each other for a single look.
+  struct Ends {
+    int start = -1, end = -1;
+  };
+  [[nodiscard]] const Ends& ends(int halfedge) const { return ends_[static_cast<std::size_t>(halfedge)]; }
 
   struct Fan {
     double angle = 0;    ///< sum of the angles of its faces [rad]
@@ -56,6 +61,7 @@ class UnfoldedMesh {
 
   TriMeshPtr mesh_;
   std::vector<FlatEdge> edges_;
+  std::vector<Ends> ends_;
   std::vector<Fan> fans_;
   std::vector<int> corners_;
   std::vector<dvec2> angles_;
