@@ -28,6 +28,14 @@ MAX_FILE_LINES = 400
 MAX_PANEL_LINES = 250
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
+# Where the same seed gives the same samples on every machine: IEEE arithmetic and roots only. What a library may round
+# in its own way, or draw in its own way, has no place there.
+SAME_EVERYWHERE = ["core/base/rng.h", "core/layout/poisson_disk.*", "core/layout/sampling/*"]
+DIFFERS = re.compile(
+    r"\b(?:std|glm)::((?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|cbrt|hypot|tgamma|lgamma|erfc?|fma"
+    r"|mt19937\w*|minstd\w+|default_random_engine|random_device|\w+_distribution|shuffle|sample|hash)\b)"
+)
+
 
 def includes(path):
     for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -69,6 +77,14 @@ def check_include(relative, header):
     return None
 
 
+def library_bits(relative, text):
+    if not matches(relative, SAME_EVERYWHERE):
+        return
+    for number, line in enumerate(text.splitlines(), 1):
+        for match in DIFFERS.finditer(line.split("//")[0]):
+            yield f"src/{relative}:{number}: {match.group(1)} differs between machines"
+
+
 def complaints(root):
     source = pathlib.Path(root) / "src"
     for path in sorted(source.rglob("*")):
@@ -79,6 +95,7 @@ def complaints(root):
             complaint = check_include(relative, header)
             if complaint:
                 yield f"src/{relative}:{number}: {complaint}"
+        yield from library_bits(relative, path.read_text())
         lines = len(path.read_text().splitlines())
         limit = MAX_PANEL_LINES if relative.startswith("ui/panels/") else MAX_FILE_LINES
         if lines > limit:

@@ -15,12 +15,16 @@ BROKEN = {
     "ui/g.cpp": '#include "core/sim/simulator.h"\n',
     "ui/panels/h.cpp": "#include <fstream>\n",
     "app/cli/i.cpp": "#include <imgui.h>\n",
+    "core/layout/sampling/j.cpp": "const double x = std::sin(1.0);\n",
+    "core/base/rng.h": "std::normal_distribution<> normal;\n",
     "core/mesh/long.cpp": "// line\n" * 401,
     "ui/panels/long_panel.cpp": "// line\n" * 251,
 }
 FINE = {
     "core/mesh/mesh_io.cpp": '#include <OpenMesh/Core/IO/MeshIO.hh>\n#include "core/base/error.h"\n',
     "core/layout/layout_json.cpp": "#include <nlohmann/json.hpp>\n",
+    "core/layout/sampling/k.cpp": "const double x = std::sqrt(2.0);  // not std::sin\n",
+    "core/layout/layout_check.cpp": "const double x = std::sin(1.0);\n",
     "core/sim/simulator.cpp": '#include <mujoco/mujoco.h>\n#include "core/hydro/traction.h"\n',
     "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/sim/sim_frame.h"\n',
     "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
