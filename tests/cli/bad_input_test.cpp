@@ -151,6 +151,10 @@ TEST(BadInput, Usage) {
   refused({"sweep", "--depth", "nan"}, "sweep: --depth: must be greater than 0, is nan");
   refused({"sweep", "--before", "0", "--past", "0"}, "/past: before and past together must be greater than 0");
   refused({"sweep", "--density", "0"}, "sweep: --density: must be greater than 0, is 0");
+  const std::string words = R"("weighted_mean", "weighted_sum", "mean", "nearest", "max", "force")";
+  for (const char* command : {"sweep", "run", "read"})
+    refused({command, "--aggregate", "median"},
+            std::string(command) + ": --aggregate: must be one of " + words + ", is median");
   refused({"samples"}, "samples: LAYOUT is required");
   refused({"contact", "x.json", "--repeat", "0"}, "contact: --repeat: Value 0 not in range 1 to 1000000");
 }

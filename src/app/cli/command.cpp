@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/layout/words.h"
+
 namespace taxel::cli {
 namespace {
 
@@ -44,11 +46,27 @@ CLI::Validator finite() {
   return checked("a finite number", [](double) { return true; });
 }
 
-void add_sampling(CLI::App& app, SamplingOptions& options) {
+void add_sampling(CLI::App& app, LayoutOptions& options) {
   app.add_option("--density", options.density, "Samples per square metre (default: the layout's)")
       ->check(positive())
       ->type_name("PER_M2");
   app.add_option("--seed", options.seed, "Seed of the samples (default: the layout's)")->type_name("N");
+}
+
+void add_aggregate(CLI::App& app, std::optional<Aggregate>& aggregate) {
+  const CLI::Validator word(
+      [](const std::string& text) {
+        const bool known = from_word<Aggregate>(text).has_value();
+        return known ? std::string() : fmt::format("must be one of {}, is {}", word_list<Aggregate>(), text);
+      },
+      "");
+  app.add_option_function<std::string>(
+         "--aggregate", [&aggregate](const std::string& text) { aggregate = from_word<Aggregate>(text); },
+         "How a taxel's samples make its reading (default: the layout's): weighted_mean is the paper's formula, "
+         "weighted_sum what its released code computes, which does not divide; " +
+             word_list<Aggregate>())
+      ->check(word)
+      ->type_name("WORD");
 }
 
 }  // namespace taxel::cli

@@ -9,6 +9,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
+#include "core/layout/layout.h"
 
 namespace taxel::cli {
 
@@ -42,12 +43,16 @@ CLI::Validator positive();
 CLI::Validator not_negative();
 CLI::Validator finite();
 
-/// --density and --seed of the samples, over what the layout says.
-struct SamplingOptions {
+/// What goes over the values of a layout.
+struct LayoutOptions {
   std::optional<double> density;
   std::optional<std::uint64_t> seed;
+  std::optional<Aggregate> aggregate;
   bool preview = false;  ///< samples as they are before they are spread
 };
-void add_sampling(CLI::App& app, SamplingOptions& options);
+/// --density and --seed of the samples.
+void add_sampling(CLI::App& app, LayoutOptions& options);
+/// --aggregate of the readings.
+void add_aggregate(CLI::App& app, std::optional<Aggregate>& aggregate);
 
 }  // namespace taxel::cli

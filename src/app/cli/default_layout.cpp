@@ -58,13 +58,14 @@ SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, 
 
 }  // namespace
 
-SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console,
-                          std::vector<int>* file_face_of) {
+SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& over, Console& console,
+                          std::vector<int>* file_face_of, SensorCache* cache) {
   Source source = read_source(layout_file);
-  source.layout.sampling.density = sampling.density.value_or(source.layout.sampling.density);
-  source.layout.sampling.seed = sampling.seed.value_or(source.layout.sampling.seed);
+  source.layout.sampling.density = over.density.value_or(source.layout.sampling.density);
+  source.layout.sampling.seed = over.seed.value_or(source.layout.sampling.seed);
+  source.layout.readout.aggregate = over.aggregate.value_or(source.layout.readout.aggregate);
   const SensorModelPtr model =
-      build_with_progress(source, sampling.preview ? SampleQuality::preview : SampleQuality::polished, console);
+      build_with_progress(source, over.preview ? SampleQuality::preview : SampleQuality::polished, cache, console);
   for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
   console.tell(model->problems);
   if (file_face_of != nullptr) *file_face_of = std::move(source.mesh.file_face_of);

@@ -9,10 +9,11 @@
 
 namespace taxel::cli {
 
-/// Compiles `layout_file`, or the built-in fingertip where it is empty; density and seed are taken from `sampling`
-/// where given. Notes and warnings of the layout go to the console. Throws Error.
+/// Compiles `layout_file`, or the built-in fingertip where it is empty; what `over` gives goes over the layout's
+/// values. Notes and warnings of the layout go to the console. Throws Error.
 /// `file_face_of` (optional) gets, for each face of the model's mesh, the number of its triangle in the mesh file.
-SensorModelPtr load_model(const std::string& layout_file, const SamplingOptions& sampling, Console& console,
-                          std::vector<int>* file_face_of = nullptr);
+/// `cache` (optional) keeps the parts of the model.
+SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& over, Console& console,
+                          std::vector<int>* file_face_of = nullptr, SensorCache* cache = nullptr);
 
 }  // namespace taxel::cli

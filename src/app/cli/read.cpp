@@ -12,7 +12,8 @@ namespace {
 struct Options {
   std::string layout;
   std::string file;
-  SamplingOptions sampling;
+  LayoutOptions over;
+  bool convergence = false;
 };
 
 /// The case as seen by the layout: the layout is body a, what it touches body b.
@@ -31,7 +32,8 @@ ContactCase case_of_layout(const Options& options) {
 
 int run(const Options& options, Console& console) {
   const ContactCase contact_case = case_of_layout(options);
-  const SensorModelPtr model = load_model(options.layout, options.sampling, console);
+  SensorCache cache;
+  const SensorModelPtr model = load_model(options.layout, options.over, console, nullptr, &cache);
   const MadeBody other = make_case_body(contact_case, contact_case.b, "b");
   if (!model->body->soft() && !other.body->soft())
     throw Error(options.file, "/b/material/modulus", "must be greater than 0: the layout is rigid");
@@ -67,7 +69,10 @@ Command add_read(CLI::App& parent, CommonOptions& common) {
                   "Contact case (JSON); its `a` holds the pose of the layout's mesh-file frame, `b` what it touches")
       ->required()
       ->option_text("(required)");
-  add_sampling(*app, options->sampling);
+  add_sampling(*app, options->over);
+  add_aggregate(*app, options->over.aggregate);
+  app->add_flag("--convergence", options->convergence,
+                "Read the same contact with a quarter of the samples and with four times as many, too");
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 struct Options {
   std::string scene, layout, geom, plugins, out;
+  std::optional<Aggregate> aggregate;
   double seconds = 1.0;
 };
 
@@ -25,7 +26,8 @@ int run(const Options& options, Console& console) {
   if (!options.out.empty()) folder.emplace(options.out);
 
   const auto start = std::chrono::steady_clock::now();
-  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, options.layout, options.geom);
+  const std::unique_ptr<Simulator> simulator =
+      Simulator::load(options.scene, options.layout, options.geom, options.aggregate);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SimScene& scene = *simulator->scene();
   if (scene.sensors.empty()) {
@@ -59,6 +61,7 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
   app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->option_text("(required)");
   app->add_option("--layout", options->layout, "Attach this layout (*.taxels.json) ...")->type_name("FILE");
   app->add_option("--geom", options->geom, "... to the geom of this name")->type_name("NAME");
+  add_aggregate(*app, options->aggregate);
   app->add_option("--plugins", options->plugins,
                   "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed "
                   "distance functions) or your own")

@@ -16,7 +16,7 @@ struct Options {
   std::string layout;
   std::string out;
   std::string fields;
-  SamplingOptions sampling;
+  LayoutOptions over;
 };
 
 /// `file_face_of`: for each face of the model's mesh its number in the file.
@@ -46,7 +46,7 @@ std::string fields_csv(const SensorModel& model) {
 
 int run(const Options& options, Console& console) {
   std::vector<int> file_face_of;
-  const SensorModelPtr model = load_model(options.layout, options.sampling, console, &file_face_of);
+  const SensorModelPtr model = load_model(options.layout, options.over, console, &file_face_of);
   if (!options.out.empty()) write_file_atomically(options.out, samples_csv(*model, file_face_of));
   if (!options.fields.empty()) write_file_atomically(options.fields, fields_csv(*model));
   const SamplesReport report = report_samples(*model);
@@ -76,8 +76,8 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
          "--fields", options->fields,
          "Write sample,taxel,distance,weight: number of the sample, id of the taxel, distance [m], weight [m^2]")
       ->type_name("FILE");
-  add_sampling(*app, options->sampling);
-  app->add_flag("--preview", options->sampling.preview,
+  add_sampling(*app, options->over);
+  app->add_flag("--preview", options->over.preview,
                 "Quick samples, not polished: the same number, less even, each standing for the same area");
   return {app, [options](Console& console) { return run(*options, console); }};
 }

@@ -38,7 +38,7 @@ constexpr std::array<NumberFlag, 9> kFlags{
 struct Options {
   std::string layout, out, scenario, object;
   std::array<std::optional<double>, kFlags.size()> numbers;
-  SamplingOptions sampling;
+  LayoutOptions over;
 };
 
 SweepScenario scenario_of(const Options& options) {
@@ -57,7 +57,7 @@ int run(const Options& options, Console& console) {
   if (!options.out.empty()) folder.emplace(options.out);
 
   const auto start = std::chrono::steady_clock::now();
-  const SensorModelPtr model = load_model(options.layout, options.sampling, console);
+  const SensorModelPtr model = load_model(options.layout, options.over, console);
   const std::unique_ptr<Simulator> simulator = Simulator::make_sweep(model, scenario);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   RunCost cost;
@@ -99,7 +99,8 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
   }
   app->add_option("--object", options->object, "Mesh file of the object, in metres (default: a box)")
       ->type_name("FILE");
-  add_sampling(*app, options->sampling);
+  add_sampling(*app, options->over);
+  add_aggregate(*app, options->over.aggregate);
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 

@@ -162,6 +162,12 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
 }
 
 SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how) {
+SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
+  auto other = std::make_shared<SensorModel>(model);
+  other->layout.readout.aggregate = aggregate;
+  return other;
+}
+
   const Layout layout = read_layout(layout_file);
   throw_first_error(check_layout_values(layout, layout_file.string()));
   const LoadedMesh loaded = load_mesh(mesh_path(layout, layout_file), layout.mesh.scale);

@@ -57,5 +57,8 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
 
 /// Reads layout and mesh files and compiles them.
 SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how = {});
+/// The same sensor read another way: nothing else of a model depends on layout.readout.aggregate.
+SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate);
+
 
 }  // namespace taxel

@@ -75,6 +75,7 @@ struct Simulator::Impl {
   [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
 
   void make_data(const SensorModelPtr& handed_over);
+  void read_by(Aggregate aggregate);
   void describe();
   void place_mocap(double travelled);
   void look();
@@ -92,6 +93,13 @@ void Simulator::Impl::make_data(const SensorModelPtr& handed_over) {
   instances = sensor_instances(m());
   if (handed_over != nullptr)
     for (const int i : instances) find_sensor(*data, i)->hand_over(m(), handed_over);
+}
+
+void Simulator::Impl::read_by(Aggregate aggregate) {
+  for (const int i : instances) {
+    HydroInstance& sensor = *find_sensor(*data, i);
+    if (sensor.model() != nullptr) sensor.hand_over(m(), with_aggregate(*sensor.model(), aggregate));
+  }
 }
 
 void Simulator::Impl::describe() {
@@ -168,13 +176,14 @@ std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, co
 }
 
 std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene, const std::string& layout,
-                                           const std::string& geom) {
+                                           const std::string& geom, std::optional<Aggregate> aggregate) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
   s.title = scene.string();
   s.compiled = load_scene(scene, layout, geom);
   s.make_data(nullptr);
+  if (aggregate) s.read_by(*aggregate);
   s.describe();
   s.back_to_start();
   return simulator;

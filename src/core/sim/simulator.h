@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,12 @@ class Simulator {
  public:
   /// The sweep around any compiled layout. The scene uses `others = {"box"}`.
   static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const SweepScenario& scenario);
-  /// Any MJCF with the sensors it declares; `layout` with `geom` attaches one more (both empty: none).
+  /// Any MJCF with the sensors it declares; `layout` with `geom` attaches one more (both empty: none). `aggregate`,
+  /// where given, goes over that of every layout.
   /// Throws Error that names the file and MuJoCo's reason.
   static std::unique_ptr<Simulator> load(const std::filesystem::path& scene, const std::string& layout = "",
-                                         const std::string& geom = "");
+                                         const std::string& geom = "",
+                                         std::optional<Aggregate> aggregate = std::nullopt);
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
