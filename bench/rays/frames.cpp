@@ -2,6 +2,7 @@
 
 #include "core/hydro/intersect.h"
 #include "core/layout/layout_json.h"
+#include "core/layout/sensor_presets.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::bench {
@@ -11,16 +12,18 @@ constexpr int kFrames = 24;
 constexpr double kObjectSize = 0.020;  // half width of the box, radius of the sphere [m]
 constexpr double kSphereEdge = 0.0006;
 
+HydroBodyPtr make_object(Object object) {
+  Shape shape;
+  shape.type = object == Object::box ? ShapeType::box : ShapeType::sphere;
+  shape.size = dvec3(kObjectSize);
+  shape.resolution = kSphereEdge;
+  return make_body(shape, Material{}, "object");
+}
+
 /// The pad (-y) faces down.
 class Press {
  public:
-  Press(const SensorModel& sensor, Object object) : sensor_(sensor) {
-    Shape shape;
-    shape.type = object == Object::box ? ShapeType::box : ShapeType::sphere;
-    shape.size = dvec3(kObjectSize);
-    shape.resolution = kSphereEdge;
-    object_ = make_body(shape, Material{}, "object");
-  }
+  Press(const SensorModel& sensor, Object object) : sensor_(sensor), object_(make_object(object)) {}
 
   /// One object per normal, `depth` into the finger where the finger reaches farthest against that normal, shifted
   /// along the finger's axis.
@@ -70,6 +73,27 @@ std::vector<Path> record_paths(const SensorModel& sensor, Object object) {
     paths[3].frames.push_back(press.frame(groove, 0.0018 * s, 0.002, still));
   }
   return paths;
+}
+
+std::vector<Path> record_flat_paths(const SensorModel& sensor, Object object) {
+  const HydroBodyPtr body = make_object(object);
+  const Aabb& bounds = sensor.mesh->bounds();
+  const dquat turned = glm::angleAxis(0.3, dvec3(0, 0, 1));
+  std::vector<Path> paths = {{"press", {}}, {"slide", {}}};
+  IntersectWorkspace workspace;
+  for (int i = 0; i < kFrames; ++i) {
+    const double s = (i + 1.0) / kFrames, top = bounds.hi.z + kObjectSize;
+    const Pose pressed{turned, dvec3(0.0003, 0.0002, top - 0.0015 * s)};
+    const Pose slid{turned, dvec3((s - 0.5) * bounds.extent().x, 0.0002, top - 0.001)};
+    intersect(*sensor.body, *body, Pose{}, pressed, paths[0].frames.emplace_back(1)[0], workspace);
+    intersect(*sensor.body, *body, Pose{}, slid, paths[1].frames.emplace_back(1)[0], workspace);
+  }
+  return paths;
+}
+
+SensorModelPtr preset_sensor(const std::string& name) {
+  const SensorPreset preset = make_sensor_preset(name);
+  return build_sensor_model(preset.layout, preset.mesh, "", name);
 }
 
 SensorModelPtr fingertip_with_rays(int rays) {

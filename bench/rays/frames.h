@@ -20,7 +20,13 @@ struct Path {
 
 std::vector<Path> record_paths(const SensorModel& sensor, Object object);
 
+/// A flat array facing up, pressed and slid on.
+std::vector<Path> record_flat_paths(const SensorModel& sensor, Object object);
+
 /// The project's fingertip with its 12 taxels, at a density that gives about this number of rays.
 SensorModelPtr fingertip_with_rays(int rays);
+
+/// A layout of the presets.
+SensorModelPtr preset_sensor(const std::string& name);
 
 }  // namespace taxel::bench

@@ -104,9 +104,24 @@ void print_class(const SensorModelPtr& sensor, Object object) {
   }
 }
 
-}  // namespace
+/// Flat arrays: raster beside tet table and trees.
+void print_flat(const std::string& name, Object object) {
+  const SensorModelPtr sensor = preset_sensor(name);
+  const auto raster = make_own(*sensor, RayPath::raster), table = make_own(*sensor, RayPath::tet_table),
+             tree = make_own(*sensor, RayPath::bvh);
+  for (const Path& path : record_flat_paths(*sensor, object)) {
+    const auto run = [&](RayCaster& caster) { return time_frames(path, [&](const auto& list) { caster.cast(list); }); };
+    const Times r = run(*raster), t = run(*table), b = run(*tree);
+    const Differences d = compare(*sensor, path, *raster, *table, *tree);
+    fmt::print(
+        "| {}, {} | {} | {:.0f} | {} | {:.1f} / {:.1f} | {:.1f} / {:.1f} | {:.0f} / {:.0f} | **{:.1f}** | {} |\n", name,
+        object == Object::box ? "box" : "sphere", path.name, path.mean_polygons(), sensor->rays.size(), r.median, r.p99,
+        t.median, t.p99, b.median, b.p99, t.median / r.median, d.exact + d.peer);
+    std::fflush(stdout);
+  }
+}
 
-int main() {
+void print_curved() {
   fmt::print(
       "Times of one step in microseconds of processor time, median / 99 %. Each way pays for its own conversion.\n\n");
   fmt::print(
@@ -119,5 +134,23 @@ int main() {
   }
   if (make_embree(*fingertip_with_rays(100)).empty())
     fmt::print("\nskipped: Embree 3 was not found when this was built (Debian libembree-dev)\n");
+}
+
+void print_flat_arrays() {
+  fmt::print(
+      "\nFlat arrays of the presets, pressed and slid on:\n\n"
+      "| array and object | path | polygons | rays | raster | tet table | BVH | table / raster | rays unlike brute "
+      "force |"
+      "\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const char* name : {"xela-4x4", "myrmex"})
+    for (const Object object : {Object::box, Object::sphere}) print_flat(name, object);
+}
+
+}  // namespace
+
+/// bench_rays [flat]: of flat arrays only.
+int main(int argc, char** argv) {
+  if (argc < 2 || std::string(argv[1]) != "flat") print_curved();
+  print_flat_arrays();
   return 0;
 }

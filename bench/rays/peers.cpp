@@ -9,7 +9,9 @@ namespace {
 class Own final : public RayCaster {
  public:
   Own(const SensorModel& sensor, RayPath path) : sensor_(sensor), path_(path) {}
-  [[nodiscard]] std::string name() const override { return path_ == RayPath::tet_table ? "tet table" : "BVH"; }
+  [[nodiscard]] std::string name() const override {
+    return path_ == RayPath::tet_table ? "tet table" : path_ == RayPath::raster ? "raster" : "BVH";
+  }
   void cast(const std::vector<const ContactSurface*>& surfaces) override {
     cast_rays(sensor_, surfaces, path_, workspace_, hits_);
   }

@@ -66,6 +66,12 @@ void SurfaceCaster::build(std::span<const ContactSurface* const> surfaces) {
   tlas_.build(boxes_, 1);
 }
 
+std::size_t SurfaceCaster::node_count() const {
+  std::size_t count = instances_.empty() ? 0 : tlas_.nodes().size();
+  for (const Instance& instance : instances_) count += blas_[static_cast<std::size_t>(instance.surface)].nodes().size();
+  return count;
+}
+
 bool SurfaceCaster::may_hit(const dvec3& from, const dvec3& to) const {
   const Aabb segment{glm::min(from, to), glm::max(from, to)};
   for (const Instance& instance : instances_) {
@@ -109,13 +115,15 @@ void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> 
                CastWorkspace& workspace, RayHits& hits) {
   hits.clear(model.rays.size());
   workspace.others.assign(surfaces.begin(), surfaces.end());
-  if (path == RayPath::tet_table && model.tet_table) {
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      if (!surfaces[i]) continue;
-      const bool complete =
-          cast_through_tets(*model.tet_table, *surfaces[i], static_cast<int>(i), workspace.edges, hits);
-      if (complete) workspace.others[i] = nullptr;
-    }
+  if (path == RayPath::fastest) path = model.ray_grid ? RayPath::raster : RayPath::tet_table;
+  const bool raster = path == RayPath::raster && model.ray_grid;
+  const bool through_tets = path == RayPath::tet_table && model.tet_table;
+  for (std::size_t i = 0; i < surfaces.size() && (raster || through_tets); ++i) {
+    if (!surfaces[i]) continue;
+    const int number = static_cast<int>(i);
+    if (raster) cast_through_grid(*model.ray_grid, *surfaces[i], number, workspace.edges, hits);
+    if (raster || cast_through_tets(*model.tet_table, *surfaces[i], number, workspace.edges, hits))
+      workspace.others[i] = nullptr;
   }
   workspace.caster.build(workspace.others);
   cast_rays(model, workspace.caster, hits);

@@ -1,8 +1,10 @@
-// First hits of the sensor's rays on its contact surfaces, by two ways that give the same bits.
+// First hits of the sensor's rays on its contact surfaces, by three ways that give the same bits.
 //
 // bvh: one BLAS per surface, a TLAS over them, built anew in each step; for any surface. tet_table: each polygon is
 // tested against the rays that cross its tet, listed once (tet_table.h); for surfaces whose polygons lie in the tets of
 // the sensor's own field. A step's cost is then proportional to the contact: no structure is built, no ray is cast.
+// raster: each polygon is tested against the rays under its projection (ray_grid.h); for rays of one direction, as flat
+// arrays have them, and any surface.
 #pragma once
 
 #include <span>
@@ -31,6 +33,8 @@ class SurfaceCaster {
   [[nodiscard]] bool may_hit(const dvec3& from, const dvec3& to) const;
 
   [[nodiscard]] bool empty() const { return instances_.empty(); }
+  /// Of all trees of the last build: as many as there are to visit.
+  [[nodiscard]] std::size_t node_count() const;
 
  private:
   struct Instance {
@@ -52,18 +56,24 @@ class SurfaceCaster {
 /// Offers the first hit of every ray of the model.
 void cast_rays(const SensorModel& model, const SurfaceCaster& caster, RayHits& hits);
 
-enum class RayPath { bvh, tet_table };
+enum class RayPath {
+  fastest,  ///< raster where the model has a grid, else tet_table
+  bvh,
+  tet_table,
+  raster
+};
 
 /// What casting needs from step to step.
 struct CastWorkspace {
   SurfaceCaster caster;
-  std::vector<const ContactSurface*> others;  ///< by surface number; null: cast through the tets
+  std::vector<const ContactSurface*> others;  ///< by surface number; null: cast without trees
   EdgeLanes edges;
 };
 
 /// The first hits of all rays on all surfaces (frame M; null or empty ones hold nothing). With RayPath::tet_table the
 /// surfaces must come from model.body as body A; those with polygons in no tet of it, and all where the model has no
-/// table, go the other way. No step allocates once the largest surface was seen.
+/// table, go through trees; so does all with RayPath::raster where the model has no grid. No step allocates once the
+/// largest surface was seen.
 void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> surfaces, RayPath path,
                CastWorkspace& workspace, RayHits& hits);
 

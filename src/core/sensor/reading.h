@@ -20,6 +20,6 @@ struct SensorReading {
 };
 /// As cast_rays(), then aggregate().
 void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out,
-                 RayPath path = RayPath::tet_table);
+                 RayPath path = RayPath::fastest);
 
 }  // namespace taxel

@@ -89,6 +89,7 @@ void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr&
   } else {
     add_sample_rays(model, *cache.rays(skin, samples, model.body, allowed));
   }
+  model.ray_grid = RayGrid::make(model.rays);
   model.readout_table = make_readout_table(model);
 }
 

@@ -12,6 +12,7 @@
 #include "core/layout/layout_check.h"
 #include "core/layout/receptive_field.h"
 #include "core/mesh/closest_point.h"
+#include "core/sensor/ray_grid.h"
 #include "core/sensor/readout_table.h"
 #include "core/sensor/sensor_cache.h"
 #include "core/sensor/sensor_ray.h"
@@ -30,6 +31,7 @@ struct SensorModel {
   ReceptiveFields fields;                          ///< entries name samples
   std::vector<SensorRay> rays;                     ///< one per used sample (and per taxel with ray = taxel_normal)
   std::shared_ptr<const TetTable> tet_table;       ///< of `rays` in the field of `body`; null where it has no tets
+  std::shared_ptr<const RayGrid> ray_grid;         ///< of `rays` where they share one direction; otherwise null
   ReadoutTable readout_table;                      ///< what each ray counts in each taxel
   std::vector<int> ray_of_entry;                   ///< parallel to fields.entries
   std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused

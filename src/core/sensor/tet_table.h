@@ -9,7 +9,7 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/pressure_field.h"
-#include "core/sensor/edge_planes.h"
+#include "core/sensor/edge_lanes.h"
 #include "core/sensor/ray_hits.h"
 #include "core/sensor/sensor_ray.h"
 #include "core/sensor/tet_crossings.h"
@@ -49,17 +49,6 @@ class TetTable {
 
   std::vector<std::size_t> first_{0};
   std::vector<RayBlock> blocks_;
-};
-
-/// A polygon's edge planes (edge_planes.h) side by side, for up to eight edges at a time; kept between calls.
-struct EdgeLanes {
-  static constexpr std::size_t kEdges = 8;
-  struct alignas(64) Group {
-    std::array<double, kEdges> mx, my, mz, c;  ///< all 0 beyond the last edge: everything is inside
-    std::array<double, kEdges> length;         ///< of the edge, by its largest component [m]
-  };
-  std::vector<Group> groups{1};
-  std::vector<dvec3> corners;  ///< of a polygon at the end of its surface, with room behind them
 };
 
 /// Offers the hits of all rays on one surface, whose tets are those of the table. False where a polygon names none: the

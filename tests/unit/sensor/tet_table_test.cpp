@@ -4,87 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/random_pose.h"
-#include "core/hydro/intersect.h"
 #include "core/sensor/reading.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
-#include "unit/sensor/ray_oracles.h"
+#include "unit/sensor/ray_scenes.h"
 
 namespace taxel {
 namespace {
-
-const PressureField& field_of(const HydroBody& body) {
-  return *std::get<SoftBody>(body.geometry).field;
-}
-
-HydroBodyPtr soft(ShapeType type, const dvec3& size, double resolution) {
-  const Shape shape{type, size, nullptr, resolution};
-  Material material;
-  material.field = FieldKind::medial_axis;
-  material.modulus = 1e5;
-  return make_body(shape, material, "sensor");
-}
-HydroBodyPtr rigid(ShapeType type, const dvec3& size) {
-  return make_body({type, size, nullptr, 0}, Material{}, "object");
-}
-
-/// A sensor that is nothing but a body and rays.
-SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> rays) {
-  SensorModel model;
-  model.body = body;
-  model.rays = std::move(rays);
-  model.tet_table = std::make_shared<TetTable>(field_of(*body), model.rays);
-  return model;
-}
-
-/// Both paths on the same surfaces.
-struct Both {
-  CastWorkspace workspace;
-  RayHits table, bvh;
-  void cast(const SensorModel& model, const std::vector<const ContactSurface*>& surfaces) {
-    cast_rays(model, surfaces, RayPath::tet_table, workspace, table);
-    EXPECT_TRUE(workspace.caster.empty()) << "no tree is built, so none can be visited";
-    cast_rays(model, surfaces, RayPath::bvh, workspace, bvh);
-  }
-};
-
-::testing::AssertionResult same(const RayHit& a, const RayHit& b) {
-  if (a.surface == b.surface && a.polygon == b.polygon && a.depth == b.depth && a.pressure == b.pressure)
-    return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "surface " << a.surface << " and " << b.surface << ", polygon " << a.polygon
-                                       << " and " << b.polygon << ", depth " << a.depth << " and " << b.depth;
-}
-
-/// Random segments around the contact; every fourth aims at a corner, every fourth at the middle of an edge.
-std::vector<SensorRay> random_rays(const std::vector<ContactSurface>& surfaces, double size, int count,
-                                   std::uint64_t seed) {
-  const CounterRng rng(seed);
-  std::uint64_t next = 0;
-  const auto pick = [&](std::size_t n) {
-    return static_cast<std::size_t>(rng.uniform(next++) * static_cast<double>(n));
-  };
-  const auto vector = [&] {
-    const double x = rng.uniform(next++), y = rng.uniform(next++), z = rng.uniform(next++);
-    return dvec3(x, y, z) - 0.5;
-  };
-  std::vector<SensorRay> rays;
-  for (int i = 0; i < count; ++i) {
-    const ContactSurface& surface = surfaces[pick(surfaces.size())];
-    if (surface.empty()) continue;
-    const ContactPolygon& polygon = surface.polygons[pick(surface.polygons.size())];
-    const auto corner = [&](std::size_t k) {
-      return surface.vertices[static_cast<std::size_t>(polygon.first) + k % static_cast<std::size_t>(polygon.count)];
-    };
-    const std::size_t k = pick(static_cast<std::size_t>(polygon.count));
-    dvec3 aim = polygon.centroid + size * 0.5 * vector();
-    if (i % 4 == 0) aim = corner(k);
-    if (i % 4 == 1) aim = 0.5 * (corner(k) + corner(k + 1));
-    const dvec3 from = aim + 0.6 * size * vector();
-    rays.push_back({i, from, glm::normalize(aim - from), (0.4 + rng.uniform(next++)) * size});
-  }
-  return rays;
-}
 
 // 10 000 sets of rays over 100 scenes of two objects.
 TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
@@ -93,7 +19,7 @@ TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
   const HydroBodyPtr bodies[] = {soft(ShapeType::sphere, dvec3(size), 0.02),
                                  soft(ShapeType::box, dvec3(size, 0.7 * size, 0.5 * size), 0.02)};
   const HydroBodyPtr objects[] = {rigid(ShapeType::box, dvec3(size)), rigid(ShapeType::sphere, dvec3(size))};
-  long hits = 0, clear = 0;
+  long hits = 0, clear = 0, nodes_beside_bvh = 0, nodes = 0;
   for (int scene = 0; scene < kScenes; ++scene) {
     const HydroBodyPtr& body = bodies[scene % 2];
     std::vector<ContactSurface> surfaces(2);
@@ -103,7 +29,7 @@ TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
       intersect(*body, *objects[o], X_WA, random_pose(2 + o, scene, size), surfaces[o], workspace);
     const auto list = pointers(surfaces);
     const WithoutTrees brute_force(list);
-    Both both;
+    AllPaths both;
     for (int set = 0; set < kSets; ++set) {
       const auto seed = static_cast<std::uint64_t>(kSets * scene + set);
       const SensorModel model = model_of(body, random_rays(surfaces, size, kRays, seed));
@@ -123,7 +49,10 @@ TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
         ++clear;
       }
     }
+    nodes_beside_bvh += both.nodes_beside_bvh, nodes += both.nodes;
   }
+  EXPECT_EQ(nodes_beside_bvh, 0) << "the table visits no node: there is none";
+  EXPECT_GT(nodes, 10000);
   EXPECT_GT(hits, 50000);
   EXPECT_GT(clear, 20000);
 }
@@ -149,7 +78,7 @@ TEST(TetTable, NoRaySlipsThroughBetweenTets) {
     }
   }
   const SensorModel model = model_of(body, rays);
-  Both both;
+  AllPaths both;
   IntersectWorkspace workspace;
   for (int round = 0; round < 50; ++round) {
     std::vector<ContactSurface> surfaces(1);

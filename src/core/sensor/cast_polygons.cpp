@@ -1,6 +1,6 @@
-// Contact polygons against the rays of their tets, as many at a time as the machine has lanes.
+// Contact polygons against the rays listed for them, by tet or by cell, as many at a time as the machine has lanes.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/sensor/cast_through_tets.cpp"
+#define HWY_TARGET_INCLUDE "core/sensor/cast_polygons.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
 #include <hwy/highway.h>
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/sensor/ray_grid.h"
 #include "core/sensor/tet_table.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,35 +43,35 @@ class PolygonTest {
         normal_(broadcast(polygon.normal)),
         centroid_(broadcast(polygon.centroid)) {}
 
-  /// Offers the hits of the rays of a block.
-  HWY_INLINE void offer(const RayBlock& block, RayHit hit, RayHits& hits) {
+  /// Offers the hits of the rays [first, last), and of some behind them: rays as well, or lanes that meet nothing.
+  HWY_INLINE void offer(const RayLanes& rays, std::size_t first, std::size_t last, RayHit hit, RayHits& hits) {
     const Wide d;
     alignas(64) double t[RayBlock::kRays] = {}, x[RayBlock::kRays] = {}, y[RayBlock::kRays] = {},
                        z[RayBlock::kRays] = {};
-    for (std::size_t first = 0; first < static_cast<std::size_t>(block.count); first += hn::Lanes(d)) {
-      for (unsigned met = meet_plane(block, first, t, x, y, z); met != 0; met &= met - 1) {
+    for (; first < last; first += hn::Lanes(d)) {
+      for (unsigned met = meet_plane(rays, first, t, x, y, z); met != 0; met &= met - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(met));
         const dvec3 from_centroid(x[i], y[i], z[i]);
         if (!inside(from_centroid)) continue;
         hit.depth = t[i];
         hit.pressure = std::max(0.0, polygon_.pressure + glm::dot(polygon_.gradient, from_centroid));
-        hits.offer(block.ray[first + i], hit);
+        hits.offer(rays.ray[first + i], hit);
       }
     }
   }
 
  private:
-  /// Bit i: lane first + i of the block meets the plane within its range, and within the polygon's circle about its
+  /// Bit i: lane first + i meets the plane within its range, and within the polygon's circle about its
   /// centroid. Distance, and point from the centroid.
-  HWY_INLINE unsigned meet_plane(const RayBlock& block, std::size_t first, double* HWY_RESTRICT distance,
+  HWY_INLINE unsigned meet_plane(const RayLanes& rays, std::size_t first, double* HWY_RESTRICT distance,
                                  double* HWY_RESTRICT x, double* HWY_RESTRICT y, double* HWY_RESTRICT z) {
     const Wide d;
-    const Lanes3 w{hn::Sub(hn::Load(d, &block.ox[first]), centroid_.x),
-                   hn::Sub(hn::Load(d, &block.oy[first]), centroid_.y),
-                   hn::Sub(hn::Load(d, &block.oz[first]), centroid_.z)};
-    const Lanes3 direction{hn::Load(d, &block.dx[first]), hn::Load(d, &block.dy[first]), hn::Load(d, &block.dz[first])};
+    const Lanes3 w{hn::Sub(hn::LoadU(d, rays.ox + first), centroid_.x),
+                   hn::Sub(hn::LoadU(d, rays.oy + first), centroid_.y),
+                   hn::Sub(hn::LoadU(d, rays.oz + first), centroid_.z)};
+    const Lanes3 direction{hn::LoadU(d, rays.dx + first), hn::LoadU(d, rays.dy + first), hn::LoadU(d, rays.dz + first)};
     const Lanes t = hn::Div(hn::Neg(dot(normal_, w)), dot(normal_, direction));
-    auto met = hn::And(hn::Ge(t, hn::Load(d, &block.t_min[first])), hn::Le(t, hn::Load(d, &block.t_max[first])));
+    auto met = hn::And(hn::Ge(t, hn::LoadU(d, rays.t_min + first)), hn::Le(t, hn::LoadU(d, rays.t_max + first)));
     if (hn::AllFalse(d, met)) return 0;
     if (!ready_) make_ready();
     const Lanes3 at{hn::Add(w.x, hn::Mul(t, direction.x)), hn::Add(w.y, hn::Mul(t, direction.y)),
@@ -178,6 +179,11 @@ class PolygonTest {
   double circle_ = 0;  // squared radius that holds the polygon and what reaches over its rim [m^2]
 };
 
+RayLanes lanes_of(const RayBlock& b) {
+  return {b.ox.data(), b.oy.data(),    b.oz.data(),    b.dx.data(), b.dy.data(),
+          b.dz.data(), b.t_min.data(), b.t_max.data(), b.ray.data()};
+}
+
 bool run_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
                       RayHits& hits) {
   for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
@@ -186,9 +192,22 @@ bool run_through_tets(const TetTable& table, const ContactSurface& surface, int 
     const std::span<const RayBlock> blocks = table.blocks(polygon.tet);
     if (blocks.empty()) continue;
     PolygonTest test(surface, polygon, edges);
-    for (const RayBlock& block : blocks) test.offer(block, {surface_number, static_cast<int>(p), 0, 0}, hits);
+    for (const RayBlock& block : blocks)
+      test.offer(lanes_of(block), 0, static_cast<std::size_t>(block.count), {surface_number, static_cast<int>(p), 0, 0},
+                 hits);
   }
   return true;
+}
+
+void run_through_grid(const RayGrid& grid, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
+                      RayHits& hits) {
+  const RayLanes rays = grid.lanes();
+  for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
+    PolygonTest test(surface, surface.polygons[p], edges);
+    grid.visit(surface, surface.polygons[p], [&](std::size_t first, std::size_t last) {
+      test.offer(rays, first, last, {surface_number, static_cast<int>(p), 0, 0}, hits);
+    });
+  }
 }
 
 }  // namespace taxel::HWY_NAMESPACE
@@ -197,10 +216,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace taxel {
 HWY_EXPORT(run_through_tets);
+HWY_EXPORT(run_through_grid);
 
 bool cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
                        RayHits& hits) {
   return HWY_DYNAMIC_DISPATCH(run_through_tets)(table, surface, surface_number, edges, hits);
+}
+
+void cast_through_grid(const RayGrid& grid, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
+                       RayHits& hits) {
+  HWY_DYNAMIC_DISPATCH(run_through_grid)(grid, surface, surface_number, edges, hits);
 }
 }  // namespace taxel
 #endif

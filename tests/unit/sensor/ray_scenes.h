@@ -1,0 +1,93 @@
+// Scenes for ray paths: soft bodies against rigid ones, rays around their contact, and all paths side by side.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "core/hydro/intersect.h"
+#include "core/sensor/cast_rays.h"
+#include "core/sensor/tet_table.h"
+#include "fixtures/random_pose.h"
+#include "unit/sensor/ray_oracles.h"
+
+namespace taxel {
+
+inline const PressureField& field_of(const HydroBody& body) {
+  return *std::get<SoftBody>(body.geometry).field;
+}
+
+inline HydroBodyPtr soft(ShapeType type, const dvec3& size, double resolution) {
+  const Shape shape{type, size, nullptr, resolution};
+  Material material;
+  material.field = FieldKind::medial_axis;
+  material.modulus = 1e5;
+  return make_body(shape, material, "sensor");
+}
+inline HydroBodyPtr rigid(ShapeType type, const dvec3& size) {
+  return make_body({type, size, nullptr, 0}, Material{}, "object");
+}
+
+/// A sensor that is nothing but a body and rays.
+inline SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> rays) {
+  SensorModel model;
+  model.body = body;
+  model.rays = std::move(rays);
+  model.tet_table = std::make_shared<TetTable>(field_of(*body), model.rays);
+  return model;
+}
+
+/// The paths on the same surfaces.
+struct AllPaths {
+  CastWorkspace workspace;
+  RayHits table, bvh, raster;
+  long nodes_beside_bvh = 0;  ///< of trees that there were to visit while the other two cast
+  long nodes = 0;             ///< of those of the bvh
+  void cast(const SensorModel& model, const std::vector<const ContactSurface*>& surfaces) {
+    cast_rays(model, surfaces, RayPath::tet_table, workspace, table);
+    nodes_beside_bvh += static_cast<long>(workspace.caster.node_count());
+    if (model.ray_grid) {
+      cast_rays(model, surfaces, RayPath::raster, workspace, raster);
+      nodes_beside_bvh += static_cast<long>(workspace.caster.node_count());
+    }
+    cast_rays(model, surfaces, RayPath::bvh, workspace, bvh);
+    nodes += static_cast<long>(workspace.caster.node_count());
+  }
+};
+
+inline ::testing::AssertionResult same(const RayHit& a, const RayHit& b) {
+  if (a.surface == b.surface && a.polygon == b.polygon && a.depth == b.depth && a.pressure == b.pressure)
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "surface " << a.surface << " and " << b.surface << ", polygon " << a.polygon
+                                       << " and " << b.polygon << ", depth " << a.depth << " and " << b.depth;
+}
+
+/// Random segments around the contact; every fourth aims at a corner, every fourth at the middle of an edge.
+inline std::vector<SensorRay> random_rays(const std::vector<ContactSurface>& surfaces, double size, int count,
+                                          std::uint64_t seed) {
+  const CounterRng rng(seed);
+  std::uint64_t next = 0;
+  const auto pick = [&](std::size_t n) {
+    return static_cast<std::size_t>(rng.uniform(next++) * static_cast<double>(n));
+  };
+  const auto vector = [&] {
+    const double x = rng.uniform(next++), y = rng.uniform(next++), z = rng.uniform(next++);
+    return dvec3(x, y, z) - 0.5;
+  };
+  std::vector<SensorRay> rays;
+  for (int i = 0; i < count; ++i) {
+    const ContactSurface& surface = surfaces[pick(surfaces.size())];
+    if (surface.empty()) continue;
+    const ContactPolygon& polygon = surface.polygons[pick(surface.polygons.size())];
+    const auto corner = [&](std::size_t k) {
+      return surface.vertices[static_cast<std::size_t>(polygon.first) + k % static_cast<std::size_t>(polygon.count)];
+    };
+    const std::size_t k = pick(static_cast<std::size_t>(polygon.count));
+    dvec3 aim = polygon.centroid + size * 0.5 * vector();
+    if (i % 4 == 0) aim = corner(k);
+    if (i % 4 == 1) aim = 0.5 * (corner(k) + corner(k + 1));
+    const dvec3 from = aim + 0.6 * size * vector();
+    rays.push_back({i, from, glm::normalize(aim - from), (0.4 + rng.uniform(next++)) * size});
+  }
+  return rays;
+}
+
+}  // namespace taxel
