@@ -17,6 +17,7 @@ namespace taxel {
 enum class Metric { euclidean, geodesic };
 enum class Misses { zero, omit };
 enum class SampleWeights { equal, voronoi };
+enum class Shells { outer, all };
 enum class RayDirection { surface_normal, taxel_normal };
 enum class Aggregate { weighted_mean, weighted_sum, mean, nearest, max, force };
 
@@ -53,6 +54,7 @@ struct Sampling {
   double density = 1.0e7;  ///< samples per m^2
   std::uint64_t seed = 42;
   SampleWeights weights = SampleWeights::equal;
+  Shells shells = Shells::outer;  ///< all: those inside other ones, cavities and islands, are sampled as well
   bool operator==(const Sampling&) const = default;
 };
 

@@ -14,7 +14,7 @@ Problems check_layout_values(const Layout& layout, const std::string& file);
 /// samples nearby, radius larger than the body, hash differs. `sha256` is that of the mesh file read.
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file);
-/// The same where the outer shells of the mesh are known.
+/// The same where the shells that are sampled are known.
 Problems check_layout_on_skin(const Layout& layout, const TriMesh& mesh, const MeshIndex& skin,
                               const std::string& sha256, const std::string& file);
 

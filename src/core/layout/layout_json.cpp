@@ -215,6 +215,7 @@ void read_settings(Object& root, Layout& layout) {
     object.number("density", layout.sampling.density);
     object.optional("seed", [&](const Value& v) { layout.sampling.seed = v.natural(); });
     object.word("weights", layout.sampling.weights);
+    object.word("shells", layout.sampling.shells);
     object.keep_unknown();
   });
   root.optional("receptive_field", [&](const Value& value) {

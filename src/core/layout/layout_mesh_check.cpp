@@ -1,6 +1,8 @@
 // Rules of a layout that need its mesh.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/layout/layout_check.h"
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/mesh_check.h"
@@ -15,6 +17,22 @@ Problem problem(const std::string& pointer, Severity severity, const char* code,
   return {"", pointer, severity, code, std::move(message), std::move(fix)};
 }
 
+/// Shells inside of others, in a closed mesh cavities and islands: whether they are sampled.
+void check_shells(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, Problems& out) {
+  const bool all = layout.sampling.shells == Shells::all;
+  int inner = mesh.face_count() - skin.face_count();
+  if (all) {
+    const std::vector<int> outer = outer_shells(mesh);
+    for (const int shell : mesh.shell_of_face()) inner += std::find(outer.begin(), outer.end(), shell) == outer.end();
+  }
+  if (inner == 0) return;
+  out.push_back(problem(
+      "/mesh/file", Severity::note, "mesh_has_cavity",
+      fmt::format("has enclosed shells ({} of {} faces): {}", inner, mesh.face_count(),
+                  all ? "they are sampled as well, but only the outer ones can be touched" : "no sample lies on them"),
+      all ? "" : "set /sampling/shells to \"all\" to sample them as well"));
+}
+
 void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
                     Problems& out) {
   if (!layout.mesh.sha256.empty() && !sha256.empty() && layout.mesh.sha256 != sha256)
@@ -25,11 +43,7 @@ void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& sk
     out.push_back(problem("/mesh/file", Severity::error, "mesh_open",
                           "must be a closed mesh to be soft: " + openings(mesh),
                           "mend the mesh there, or set /material/modulus to 0"));
-  const int inner = mesh.face_count() - skin.face_count();
-  if (inner > 0)
-    out.push_back(problem(
-        "/mesh/file", Severity::note, "mesh_has_cavity",
-        fmt::format("has enclosed shells ({} of {} faces): no sample lies on them", inner, mesh.face_count()), ""));
+  check_shells(layout, mesh, skin, out);
   const double area = skin.area(), wanted = layout.sampling.density * area;
   if (!(wanted <= kMaxSamples))
     out.push_back(problem("/sampling/density", Severity::error, "density_too_high",
@@ -125,7 +139,7 @@ Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, cons
                               const std::string& file) {
   const TriMesh& mesh = index.mesh();
   const std::vector<int> outer = outer_shells(mesh);
-  if (static_cast<int>(outer.size()) == mesh.shell_count())
+  if (layout.sampling.shells == Shells::all || static_cast<int>(outer.size()) == mesh.shell_count())
     return check_layout_on_skin(layout, mesh, index, sha256, file);
   const MeshIndex skin(std::make_shared<TriMesh>(extract_shells(mesh, outer)));
   return check_layout_on_skin(layout, mesh, skin, sha256, file);

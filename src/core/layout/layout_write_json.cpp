@@ -39,6 +39,7 @@ void write_settings(Json& json, const Layout& layout) {
   json["sampling"] = {{"density", number(layout.sampling.density, "/sampling/density")},
                       {"seed", layout.sampling.seed},
                       {"weights", word(layout.sampling.weights)}};
+  if (layout.sampling.shells != Shells::outer) json["sampling"]["shells"] = word(layout.sampling.shells);
   json["receptive_field"] = {
       {"metric", word(layout.receptive_field.metric)},
       {"max_angle_deg", number(layout.receptive_field.max_angle_deg, "/receptive_field/max_angle_deg")}};

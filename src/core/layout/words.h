@@ -21,6 +21,7 @@ inline constexpr Word<Metric> kMetricWords[] = {{Metric::euclidean, "euclidean"}
 inline constexpr Word<Misses> kMissesWords[] = {{Misses::zero, "zero"}, {Misses::omit, "omit"}};
 inline constexpr Word<SampleWeights> kSampleWeightsWords[] = {{SampleWeights::equal, "equal"},
                                                               {SampleWeights::voronoi, "voronoi"}};
+inline constexpr Word<Shells> kShellsWords[] = {{Shells::outer, "outer"}, {Shells::all, "all"}};
 inline constexpr Word<RayDirection> kRayDirectionWords[] = {{RayDirection::surface_normal, "surface_normal"},
                                                             {RayDirection::taxel_normal, "taxel_normal"}};
 inline constexpr Word<Aggregate> kAggregateWords[] = {{Aggregate::weighted_mean, "weighted_mean"},
@@ -42,6 +43,9 @@ inline std::span<const Word<Misses>> words_of(Misses) {
 }
 inline std::span<const Word<SampleWeights>> words_of(SampleWeights) {
   return kSampleWeightsWords;
+}
+inline std::span<const Word<Shells>> words_of(Shells) {
+  return kShellsWords;
 }
 inline std::span<const Word<RayDirection>> words_of(RayDirection) {
   return kRayDirectionWords;

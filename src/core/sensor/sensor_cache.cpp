@@ -25,25 +25,25 @@ double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& di
 
 }  // namespace
 
-SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh) {
+SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells) {
   auto skin = std::make_shared<SensorSkin>();
   skin->mesh = mesh;
   skin->whole = std::make_shared<const MeshIndex>(mesh);
   const std::vector<int> outer = outer_shells(*mesh);
-  if (static_cast<int>(outer.size()) == mesh->shell_count()) {
-    skin->outer = skin->whole;
+  if (shells == Shells::all || static_cast<int>(outer.size()) == mesh->shell_count()) {
+    skin->sensed = skin->whole;
     skin->face_of.resize(index(mesh->face_count()));
     for (int f = 0; f < mesh->face_count(); ++f) skin->face_of[index(f)] = f;
   } else {
     auto faces = std::make_shared<TriMesh>(extract_shells(*mesh, outer, &skin->face_of));
-    skin->outer = std::make_shared<MeshIndex>(std::move(faces));
+    skin->sensed = std::make_shared<MeshIndex>(std::move(faces));
   }
   return skin;
 }
 
 void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, SensorRay& ray) {
-  const double lead = soft ? 0.0 : 1e-6 * skin.outer->mesh().bounds().diagonal();
-  ray.max_depth = std::min(allowed, 0.5 * opposite_skin(*skin.outer, ray.origin, ray.direction, face)) + lead;
+  const double lead = soft ? 0.0 : 1e-6 * skin.sensed->mesh().bounds().diagonal();
+  ray.max_depth = std::min(allowed, 0.5 * opposite_skin(*skin.sensed, ray.origin, ray.direction, face)) + lead;
   ray.origin -= lead * ray.direction;
 }
 
@@ -85,8 +85,8 @@ SampleRays::Found SampleRays::find(std::span<const int> samples) {
   return found;
 }
 
-SensorSkinPtr SensorCache::skin(const TriMeshPtr& mesh) {
-  return skins_.get({mesh}, [&] { return make_sensor_skin(mesh); });
+SensorSkinPtr SensorCache::skin(const TriMeshPtr& mesh, Shells shells) {
+  return skins_.get({mesh, shells}, [&] { return make_sensor_skin(mesh, shells); });
 }
 
 HydroBodyPtr SensorCache::body(const SensorSkinPtr& skin, const Material& material, const std::string& name) {
@@ -104,7 +104,7 @@ SampleSetPtr SensorCache::samples(const SensorSkinPtr& skin, int count, std::uin
       {skin, count, seed, quality},
       [&] {
         return std::make_shared<const std::vector<SurfaceSample>>(
-            sample_surface(skin->outer->mesh(), count, seed, progress, quality));
+            sample_surface(skin->sensed->mesh(), count, seed, progress, quality));
       },
       [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });
 }

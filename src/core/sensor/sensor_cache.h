@@ -18,17 +18,17 @@
 
 namespace taxel {
 
-/// A mesh and the part of it that is sampled and felt.
+/// A mesh and the part of it that is sampled.
 struct SensorSkin {
-  TriMeshPtr mesh;                         ///< all shells
-  std::shared_ptr<const MeshIndex> whole;  ///< of them
-  std::shared_ptr<const MeshIndex> outer;  ///< of those that touch the outside
-  std::vector<int> face_of;                ///< outer face -> face of `mesh`
+  TriMeshPtr mesh;                          ///< all shells
+  std::shared_ptr<const MeshIndex> whole;   ///< of them
+  std::shared_ptr<const MeshIndex> sensed;  ///< of those that are sampled
+  std::vector<int> face_of;                 ///< sensed face -> face of `mesh`
 };
 using SensorSkinPtr = std::shared_ptr<const SensorSkin>;
 using SampleSetPtr = std::shared_ptr<const std::vector<SurfaceSample>>;
 
-SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh);
+SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells);
 
 /// Rays from samples into the body, against the surface normal: how deep each may go and which tets it crosses, found
 /// when first asked for.
@@ -62,8 +62,8 @@ void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, Sens
 /// From any thread.
 class SensorCache {
  public:
-  /// Skin of a mesh: by its vertices and faces.
-  SensorSkinPtr skin(const TriMeshPtr& mesh);
+  /// Skin of a mesh: by its vertices and faces, and which shells.
+  SensorSkinPtr skin(const TriMeshPtr& mesh, Shells shells);
   /// Body of a whole mesh: by skin and material. Throws as make_body does.
   HydroBodyPtr body(const SensorSkinPtr& skin, const Material& material, const std::string& name);
   /// Samples of the skin: by skin, count, seed and quality. Throws as sample_surface does.
@@ -94,7 +94,9 @@ class SensorCache {
   };
   struct MeshKey {
     TriMeshPtr mesh;
+    Shells shells{};
     bool operator==(const MeshKey& b) const {
+      if (shells != b.shells) return false;
       return mesh == b.mesh || (mesh->faces() == b.mesh->faces() && mesh->vertices() == b.mesh->vertices());
     }
   };

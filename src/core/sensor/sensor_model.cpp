@@ -138,18 +138,18 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
   model->quality = how.quality;
   model->problems = check_layout_values(layout, file);
   throw_first_error(model->problems);
-  const SensorSkinPtr skin = cache.skin(mesh);
-  const TriMesh& outer = skin->outer->mesh();
-  const Problems on_mesh = check_layout_on_skin(layout, *mesh, *skin->outer, mesh_sha256, file);
+  const SensorSkinPtr skin = cache.skin(mesh, layout.sampling.shells);
+  const TriMesh& sensed = skin->sensed->mesh();
+  const Problems on_mesh = check_layout_on_skin(layout, *mesh, *skin->sensed, mesh_sha256, file);
   model->problems.insert(model->problems.end(), on_mesh.begin(), on_mesh.end());
   throw_first_error(on_mesh);
 
-  model->skin = skin->outer;
+  model->skin = skin->sensed;
   model->skin_face_of = skin->face_of;
   SampleSetPtr samples;
   tbb::parallel_invoke([&] { add_body(*model, skin, cache, file); },
                        [&] {
-                         samples = cache.samples(skin, sample_count(layout.sampling.density, outer.area()),
+                         samples = cache.samples(skin, sample_count(layout.sampling.density, sensed.area()),
                                                  layout.sampling.seed, how.quality, how.progress);
                        });
   add_problems_of_body(*model, file);
@@ -162,13 +162,13 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
   return model;
 }
 
-SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how) {
 SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
   auto other = std::make_shared<SensorModel>(model);
   other->layout.readout.aggregate = aggregate;
   return other;
 }
 
+SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how) {
   const Layout layout = read_layout(layout_file);
   throw_first_error(check_layout_values(layout, layout_file.string()));
   const LoadedMesh loaded = load_mesh(mesh_path(layout, layout_file), layout.mesh.scale);

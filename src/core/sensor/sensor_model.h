@@ -23,7 +23,7 @@ namespace taxel {
 struct SensorModel {
   Layout layout;
   TriMeshPtr mesh;                        ///< as read from the file, all shells
-  std::shared_ptr<const MeshIndex> skin;  ///< outer shells only: what is sampled and felt
+  std::shared_ptr<const MeshIndex> skin;  ///< the shells that are sampled: layout.sampling.shells
   std::vector<int> skin_face_of;          ///< skin face -> face of `mesh`
   HydroBodyPtr body;                      ///< soft (layout.material), frame M
   SampleQuality quality = SampleQuality::polished;
@@ -57,10 +57,10 @@ struct SensorBuild {
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
                                   const std::string& file, const SensorBuild& how = {});
 
-/// Reads layout and mesh files and compiles them.
-SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how = {});
 /// The same sensor read another way: nothing else of a model depends on layout.readout.aggregate.
 SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate);
 
+/// Reads layout and mesh files and compiles them.
+SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how = {});
 
 }  // namespace taxel

@@ -285,6 +285,10 @@ TEST(LayoutCheck, CavitiesAreReportedAndNotSensed) {
   layout.taxels[0].center = dvec3(0, 0, 0.003);  // on the cavity's wall, 2 mm below the skin
   EXPECT_EQ(listed(check_layout_on_mesh(layout, index, "", "f.json")),
             (List{"note /mesh/file mesh_has_cavity", "warning /taxels/0/center center_off_surface"}));
+  layout.sampling.shells = Shells::all;
+  EXPECT_EQ(listed(check_layout_on_mesh(layout, index, "", "f.json")).at(0), "note /mesh/file mesh_has_cavity");
+  EXPECT_EQ(check_layout_on_mesh(layout, index, "", "f.json")[0].message,
+            "has enclosed shells (12 of 24 faces): they are sampled as well, but only the outer ones can be touched");
 }
 
 TEST(LayoutCheck, TheRealLayoutHasNoErrors) {

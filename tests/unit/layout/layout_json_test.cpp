@@ -20,7 +20,7 @@ Layout full_layout() {
   layout.name = "tip \"A\" \xC3\xA9\n";
   layout.mesh = {"a/b.stl", dvec3(0.001, -0.001, 1.0 / 3.0), "abc"};
   layout.frame = {dvec3(0, 1, 0), dvec3(-0.0, 0, 0.1 + 0.2)};
-  layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi};
+  layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all};
   layout.receptive_field = {Metric::geodesic, 37.5};
   layout.readout = {Aggregate::force, Misses::omit, RayDirection::taxel_normal, 1e-300};
   layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308};
@@ -94,6 +94,7 @@ TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
                           "density",
                           "seed",
                           "weights",
+                          "shells",
                           "receptive_field",
                           "metric",
                           "max_angle_deg",
@@ -148,6 +149,14 @@ TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
     ASSERT_NE(next, std::string::npos) << key;
     at = next;
   }
+}
+
+TEST(LayoutJson, ShellsAreWrittenOnlyWhereAllAreSampled) {
+  Layout layout = parse_layout(kMinimal);
+  EXPECT_EQ(layout.sampling.shells, Shells::outer);
+  EXPECT_EQ(layout_to_json(layout).find("shells"), std::string::npos);
+  layout.sampling.shells = Shells::all;
+  EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
 }
 
 TEST(LayoutJson, NumbersAreShortest) {

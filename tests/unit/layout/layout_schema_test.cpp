@@ -28,6 +28,7 @@ Json words() {
 TEST(LayoutSchema, HasTheReadersWords) {
   const Json p = schema()["properties"];
   EXPECT_EQ(p["sampling"]["properties"]["weights"]["enum"], words<SampleWeights>());
+  EXPECT_EQ(p["sampling"]["properties"]["shells"]["enum"], words<Shells>());
   EXPECT_EQ(p["receptive_field"]["properties"]["metric"]["enum"], words<Metric>());
   EXPECT_EQ(p["readout"]["properties"]["aggregate"]["enum"], words<Aggregate>());
   EXPECT_EQ(p["readout"]["properties"]["misses"]["enum"], words<Misses>());
@@ -56,6 +57,9 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   Json described = schema();
   described["properties"].erase("taxels");
   described["properties"].erase("calibration");
+  Json& sampling = described["properties"]["sampling"]["properties"];
+  EXPECT_EQ(sampling["shells"]["default"], std::string(to_word(layout.sampling.shells)));
+  sampling.erase("shells");  // written only where it is not the default
   expect_described(written, described, "");
 
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};

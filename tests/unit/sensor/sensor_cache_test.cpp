@@ -74,9 +74,9 @@ TEST(SensorCache, WhatSamplesDependOnMakesThemAnew) {
   Finger finger;
   finger.layout.sampling.density = 1e6;
   SensorCache cache;
-  const SensorSkinPtr skin = cache.skin(finger.mesh.mesh);
+  const SensorSkinPtr skin = cache.skin(finger.mesh.mesh, Shells::outer);
   const auto same_content = std::make_shared<const TriMesh>(finger.mesh.mesh->vertices(), finger.mesh.mesh->faces());
-  EXPECT_EQ(cache.skin(same_content), skin);
+  EXPECT_EQ(cache.skin(same_content, Shells::outer), skin);
   const auto samples = [&](int count, std::uint64_t seed, SampleQuality quality) {
     return cache.samples(skin, count, seed, quality, nullptr);
   };
@@ -89,7 +89,8 @@ TEST(SensorCache, WhatSamplesDependOnMakesThemAnew) {
 
   std::vector<dvec3> vertices = finger.mesh.mesh->vertices();
   vertices[0].x += 1e-9;
-  EXPECT_NE(cache.skin(std::make_shared<const TriMesh>(vertices, finger.mesh.mesh->faces())), skin);
+  EXPECT_NE(cache.skin(std::make_shared<const TriMesh>(vertices, finger.mesh.mesh->faces()), Shells::outer), skin);
+  EXPECT_NE(cache.skin(finger.mesh.mesh, Shells::all), skin);
 }
 
 TEST(SensorCache, APreviewIsReplacedByWhatAPolishedBuildGives) {
