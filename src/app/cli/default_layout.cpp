@@ -42,10 +42,11 @@ Source read_source(const std::string& layout_file) {
 }
 
 /// Builds in another thread while this one moves the progress bar.
-SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, Console& console) {
+SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, SensorCache* cache, Console& console) {
   Progress progress;
   SensorBuild how(&progress);
   how.quality = quality;
+  how.cache = cache;
   auto building = std::async(std::launch::async, [&] {
     return build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name, how);
   });

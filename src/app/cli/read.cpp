@@ -39,7 +39,7 @@ int run(const Options& options, Console& console) {
     throw Error(options.file, "/b/material/modulus", "must be greater than 0: the layout is rigid");
   for (const std::string& warning : other.warnings) console.warn(options.file + ": " + warning);
 
-  ReadReport report{*model, {}, {}, {}, {}};
+  ReadReport report{*model, {}, {}, {}, {}, {}};
   IntersectWorkspace workspace;
   evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
   for (const std::string& warning : contact_warnings(report.result)) console.warn(options.file + ": " + warning);
@@ -53,6 +53,7 @@ int run(const Options& options, Console& console) {
     aggregate(*model, report.hits, how.value, report.readings.back().second);
   }
   for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, report.hits.all(), k));
+  if (options.convergence) report.convergence = read_convergence(*model, surfaces, cache);
   console.result(console.json() ? read_json(report) : read_text(report));
   return kDone;
 }

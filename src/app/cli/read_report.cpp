@@ -1,6 +1,7 @@
 #include "app/cli/read_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -13,6 +14,23 @@ double covered(const std::vector<TaxelSampleReading>& samples) {
   const auto hits = std::count_if(samples.begin(), samples.end(), [](const TaxelSampleReading& s) { return s.hit; });
   return static_cast<double>(hits) / static_cast<double>(samples.size());
 }
+
+namespace {
+
+std::string convergence_text(const SensorModel& model, const Convergence& convergence) {
+  std::string text = fmt::format("\n{} with 1/4, 1 and 4 times the samples: {} on the skin\n",
+                                 to_word(convergence.aggregate), fmt::join(convergence.samples, ", "));
+  text += fmt::format("{:>6} {:<16} {:>14} {:>14} {:>14} {:>14}\n", "taxel", "name", "1/4", "1", "4", "4 less 1");
+  for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
+    const Taxel& taxel = model.layout.taxels[k];
+    text += fmt::format("{:>6} {:<16}", taxel.id, taxel.name);
+    for (const std::vector<double>& values : convergence.values) text += fmt::format(" {:>14.6g}", values[k]);
+    text += fmt::format(" {:>14.3g}\n", convergence.difference(k));
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string read_text(const ReadReport& report) {
   const dvec3& force = report.result.wrench_W.force;
@@ -29,7 +47,8 @@ std::string read_text(const ReadReport& report) {
     for (const auto& [how, values] : report.readings) text += fmt::format(" {:>14.6g}", values[i]);
     text += '\n';
   }
-  return text + "weighted_sum in Pa m^2, force in N, the others in Pa\n";
+  text += "weighted_sum in Pa m^2, force in N, the others in Pa\n";
+  return report.convergence ? text + convergence_text(report.model, *report.convergence) : text;
 }
 
 }  // namespace taxel::cli

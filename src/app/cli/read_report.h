@@ -1,10 +1,12 @@
 // The result of `taxel read`: a layout's readings in one contact, and where each comes from.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/project/contact_case.h"
+#include "core/sensor/convergence.h"
 #include "core/sensor/explain.h"
 #include "core/sensor/reading.h"
 
@@ -16,6 +18,7 @@ struct ReadReport {
   RayHits hits;
   std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< every aggregate, values in layout order
   std::vector<std::vector<TaxelSampleReading>> behind;              ///< per taxel
+  std::optional<Convergence> convergence;                           ///< where asked for
 };
 
 /// Samples of a taxel whose rays met a contact surface, over all of its samples; 0 without samples.

@@ -26,6 +26,21 @@ Json taxel_object(const SensorModel& model, std::size_t i, const std::vector<Tax
   return taxel;
 }
 
+Json convergence_object(const SensorModel& model, const Convergence& convergence) {
+  Json json;
+  json["aggregate"] = to_word(convergence.aggregate);
+  json["factors"] = Convergence::kFactors;
+  json["samples"] = convergence.samples;
+  json["taxels"] = Json::array();
+  for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
+    Json values = Json::array();
+    for (const std::vector<double>& of_taxels : convergence.values) values.push_back(of_taxels[k]);
+    json["taxels"].push_back(
+        {{"id", model.layout.taxels[k].id}, {"values", values}, {"difference", convergence.difference(k)}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string read_json(const ReadReport& report) {
@@ -41,6 +56,7 @@ std::string read_json(const ReadReport& report) {
   for (std::size_t i = 0; i < report.behind.size(); ++i) {
     json["taxels"].push_back(taxel_object(report.model, i, report.behind[i]));
   }
+  if (report.convergence) json["convergence"] = convergence_object(report.model, *report.convergence);
   return text_of(json);
 }
 

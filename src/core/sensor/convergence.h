@@ -1,0 +1,32 @@
+// How far a reading depends on the number of samples: the same contact read with a quarter of them, with as many as
+// the layout asks for, and with four times as many.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/sensor/reading.h"
+
+namespace taxel {
+
+struct Convergence {
+  /// Of the layout's density; four times the samples halve their spacing.
+  static constexpr std::array<double, 3> kFactors{0.25, 1.0, 4.0};
+  static constexpr std::size_t kAsked = 1;  ///< the layout's own
+
+  Aggregate aggregate{};                      ///< the layout's
+  std::array<int, 3> samples{};               ///< on the whole skin
+  std::array<std::vector<double>, 3> values;  ///< by factor, then by taxel in layout order: as SensorReading::values
+
+  /// What four times the samples would change about a taxel's reading.
+  [[nodiscard]] double difference(std::size_t taxel) const { return values[2][taxel] - values[kAsked][taxel]; }
+};
+
+/// Reads `surfaces` (frame M, of contacts with model.body) with fewer and with more samples. Only samples, receptive
+/// fields and rays are made; skin and body, and samples that are known already, come from the cache that `model` was
+/// built with. Throws Error where there would be more than kMaxSamples, Cancelled through `progress`.
+Convergence read_convergence(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
+                             SensorCache& cache, Progress* progress = nullptr);
+
+}  // namespace taxel
