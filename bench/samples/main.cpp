@@ -11,7 +11,7 @@
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
-#include "fixtures/sample_score.h"
+#include "core/project/validation/sample_score.h"
 
 namespace {
 using namespace taxel;

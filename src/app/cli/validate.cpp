@@ -1,4 +1,4 @@
-// taxel validate: contact against closed forms.
+// taxel validate: contact and sensing against closed forms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/validate_report.h"
+#include "core/base/files.h"
 #include "core/project/validation/validation.h"
 #include "core/sim/validation/dynamics.h"
 
@@ -35,6 +36,7 @@ std::string exact_text(const ClosedFormCheck& check, int digits) {
 struct Formula {
   const char* form;
   const char* text;
+  const char* picture = nullptr;  ///< what docs/pictures/samples.png shows
 };
 constexpr Formula kFormulas[] = {
     {"A1",
@@ -67,7 +69,23 @@ constexpr Formula kFormulas[] = {
      "v/d - ln(1 + d v)/d^2 alike at impact and, with -v, at rebound, and less than 1/d; no flight with more energy "
      "than "
      "the one before; on a slope tan(theta) < mu a steady creep of vs tan(pi tan(theta)/(2 mu)), vs = 1e-4 m/s, and "
-     "steeper an acceleration of g (sin(theta) - mu cos(theta))."}};
+     "steeper an acceleration of g (sin(theta) - mu cos(theta))."},
+    {"B1",
+     "Samples: the distance of each to its nearest neighbour over that of the densest packing, sqrt(2A/(sqrt(3) N)); "
+     "the "
+     "standard deviation of the areas nearest to each over their mean; the widest gap, from the emptiest place of the "
+     "surface to its sample over that of the densest packing. Counted by a scorer that shares nothing with the "
+     "sampler.",
+     "Polished samples on the pad side of our fingertip, coloured by the distance to the nearest one, and how often "
+     "each "
+     "distance occurs, polished and in a preview"},
+    {"B2",
+     "Geodesic distances on a tube that unrolls into a plane: d^2 = du^2 + dz^2, u along the circumference. Shortest "
+     "paths are exact, so only rounding is left."},
+    {"B3",
+     "The weighted mean, weights (r - d)^2, of a pressure that is linear over a flat patch: that at the taxel's "
+     "centre. "
+     "Voronoi areas as weights make up for samples that are nowhere quite even."}};
 
 std::string rows_of(const ClosedFormChecks& checks, const std::string& form, const std::string& setting) {
   std::string rows;
@@ -108,7 +126,8 @@ std::string validate_text(const ClosedFormChecks& checks) {
 std::string validate_markdown(const ClosedFormChecks& checks) {
   std::string text =
       "# Validation\n\n"
-      "Contact against closed forms, relative errors; for an inequality by how much it is broken. Written by "
+      "Contact and sensing against closed forms, relative errors; for an inequality by how much it is broken. Written "
+      "by "
       "`taxel validate --markdown`, through `scripts/validation`.\n"
       "The same numbers are tested through the program in `tests/cli`. Beside Drake: "
       "[bench/drake/results.md](../bench/drake/results.md).\n";
@@ -120,6 +139,7 @@ std::string validate_markdown(const ClosedFormChecks& checks) {
     }
     if (settings.empty()) continue;
     text += fmt::format("\n## {}\n\n{}\n", formula.form, formula.text);
+    if (formula.picture) text += fmt::format("\n![{}]({})\n", formula.picture, "pictures/samples.png");
     for (const std::string& setting : settings) {
       text += fmt::format("\nHere: {}.\n\n", setting);
       text += "| quantity | unit | computed | exact | error | bound | within |\n";
@@ -132,9 +152,20 @@ std::string validate_markdown(const ClosedFormChecks& checks) {
 
 namespace {
 
-int run(bool markdown, Console& console) {
+struct Options {
+  bool markdown = false;
+  std::string samples;
+};
+
+int run(const Options& options, Console& console) {
+  if (!options.samples.empty()) {
+    write_file_atomically(options.samples, samples_for_picture());
+    return kDone;
+  }
   const ClosedFormChecks checks = validate_all();
-  console.result(console.json() ? validate_json(checks) : markdown ? validate_markdown(checks) : validate_text(checks));
+  console.result(console.json()     ? validate_json(checks)
+                 : options.markdown ? validate_markdown(checks)
+                                    : validate_text(checks));
   const bool pass = std::all_of(checks.begin(), checks.end(), [](const ClosedFormCheck& c) { return c.pass(); });
   return pass ? kDone : kProblemsFound;
 }
@@ -142,11 +173,15 @@ int run(bool markdown, Console& console) {
 }  // namespace
 
 Command add_validate(CLI::App& parent, CommonOptions& common) {
-  const auto markdown = std::make_shared<bool>(false);
-  CLI::App* app = add_command(parent, common, "validate", "Contact against closed forms: computed, exact, error, bound",
-                              "taxel validate --markdown > docs/validation.md");
-  app->add_flag("--markdown", *markdown, "The page docs/validation.md instead of a table");
-  return {app, [markdown](Console& console) { return run(*markdown, console); }};
+  const auto options = std::make_shared<Options>();
+  CLI::App* app =
+      add_command(parent, common, "validate", "Contact and sensing against closed forms: computed, exact, error, bound",
+                  "taxel validate --markdown > docs/validation.md");
+  app->add_flag("--markdown", options->markdown, "The page docs/validation.md instead of a table");
+  app->add_option("--samples", options->samples,
+                  "Only write the fingertip's samples of B1 and how even they are, as CSV: x,y,z [m],rho,area,quality")
+      ->type_name("FILE");
+  return {app, [options](Console& console) { return run(*options, console); }};
 }
 
 }  // namespace taxel::cli

@@ -12,7 +12,7 @@
 #include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
-#include "fixtures/sample_score.h"
+#include "core/project/validation/sample_score.h"
 
 namespace taxel {
 namespace {

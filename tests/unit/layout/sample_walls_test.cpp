@@ -4,7 +4,7 @@
 
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/primitives.h"
-#include "fixtures/sample_score.h"
+#include "core/project/validation/sample_score.h"
 
 namespace taxel {
 namespace {

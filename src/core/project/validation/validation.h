@@ -1,6 +1,6 @@
-// Contact against closed forms, over random poses: what the kernel computes, what the integral gives, how far apart
-// they are. These are the numbers of `taxel validate` and of docs/validation.md; A9, which needs a simulation, is in
-// sim/validation. Sources: Elandt et al. 2019 and elementary integrals, each with its derivation where it is computed.
+// Contact and sensing against closed forms: what is computed, what the integral gives, how far apart they are. These
+// are the numbers of `taxel validate` and of docs/validation.md; A9, which needs a simulation, is in sim/validation.
+// Sources: Elandt et al. 2019 and elementary integrals, each with its derivation where it is computed.
 #pragma once
 
 #include "core/project/validation/closed_form.h"
@@ -24,6 +24,18 @@ ClosedFormChecks validate_lying_cylinder();
 ClosedFormChecks validate_two_soft_spheres();
 /// A8: a soft box on a soft slab; p = x/(HA/EA + HB/EB) where both are pressed from above only; rigid in the limit.
 ClosedFormChecks validate_stacked_slabs();
+
+/// B1: how even the samples are, by score_samples(): distances to the nearest one, Voronoi areas, the widest gap.
+ClosedFormChecks validate_samples();
+/// B2: geodesic distances on a polyhedral cylinder, which unrolls into a plane: d^2 = du^2 + dz^2.
+ClosedFormChecks validate_geodesics();
+/// B3: the mean of a linear pressure, weighted by (r - d)^2 over a disc on a flat patch, is that at its centre: by
+/// samples of equal weight and of their Voronoi areas, 25, 100 and 400 a taxel.
+ClosedFormChecks validate_weighted_mean();
+
+/// The samples of B1 on the fingertip, for a picture: x,y,z,rho,area,quality with a head, rho and area as
+/// score_samples() gives them.
+std::string samples_for_picture();
 
 /// All of the above, in this order. Takes some seconds.
 ClosedFormChecks validate_statics();
