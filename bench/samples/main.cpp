@@ -1,14 +1,23 @@
 // Samples: time on one core and evenness, preview and polished, on smooth, creased and real meshes: a table in
-// Markdown.
+// Markdown. bench/samples/run puts other samplers beside it:
+//   bench_samples                 our rows
+//   bench_samples export FOLDER   writes the meshes there, for peer.py
+//   bench_samples table FOLDER    our rows, and those of the points that peer.py left there
+// A part of a name behind the folder leaves out the other meshes.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
+#include "core/base/files.h"
 #include "core/layout/poisson_disk.h"
+#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
 #include "core/project/validation/sample_score.h"
@@ -23,6 +32,15 @@ double now() {
   return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
+constexpr std::array kCounts{1000, 10000, 100000};
+constexpr int kMost = 10000;                     // of each mesh, but
+constexpr const char* kLarge = "own fingertip";  // of this one
+
+/// Points of the scorer's lattice.
+int per_sample(int count) {
+  return count > 50000 ? 20 : 100;
+}
+
 struct Case {
   std::string name;
   TriMesh mesh;
@@ -33,7 +51,7 @@ TriMesh skin_of(const std::filesystem::path& file, double scale) {
   return extract_shells(mesh, outer_shells(mesh));
 }
 
-std::vector<Case> cases() {
+std::vector<Case> every_case() {
   const std::filesystem::path own = TAXEL_SOURCE_DIR, real = std::filesystem::path(TAXEL_REAL_DATA) / "meshes";
   std::vector<Case> all;
   all.push_back({"sphere", make_icosphere(0.01, 4)});
@@ -51,32 +69,104 @@ std::vector<Case> cases() {
   return all;
 }
 
-void print_row(const Case& c, int count, SampleQuality quality) {
-  const int rounds = count > 50000 ? 2 : 7, per_sample = count > 50000 ? 20 : 100;
-  std::vector<double> times;
+std::vector<Case> cases(const std::string& part_of_name) {
+  std::vector<Case> some = every_case();
+  std::erase_if(some, [&](const Case& c) { return c.name.find(part_of_name) == std::string::npos; });
+  return some;
+}
+
+struct Row {
+  std::string method;
+  std::size_t got = 0;
+  double milliseconds = 0;
+  SampleScore score;
+};
+
+Row own_row(const Case& c, int count, SampleQuality quality) {
+  const int rounds = count > 50000 ? 2 : 7;
+  Row row{quality == SampleQuality::preview ? "ours, preview" : "ours, polished", 0, 1e9, {}};
   std::vector<SurfaceSample> samples;
   for (int round = 0; round < rounds; ++round) {
     const double start = now();
     samples = sample_surface(c.mesh, count, 42, nullptr, quality);
-    times.push_back(now() - start);
+    row.milliseconds = std::min(row.milliseconds, now() - start);
   }
-  std::sort(times.begin(), times.end());
-  const SampleScore s = score_samples(c.mesh, samples, per_sample);
-  fmt::print("| {} | {} | {} | {:.3g} / {:.3g} | {:.2f} / {:.2f} / {:.2f} | {:.3f} | {:.2f} |\n", c.name, count,
-             quality == SampleQuality::preview ? "preview" : "polished", times.front(), times[times.size() / 2],
-             s.rho_min, s.rho_5_percent, s.rho_mean, s.area_cv, s.gap);
+  row.got = samples.size();
+  row.score = score_samples(c.mesh, samples, per_sample(count));
+  return row;
+}
+
+/// A line of peers.txt is "mesh|count|method|milliseconds|file of points", with x y z in each line of that.
+std::vector<Row> peer_rows(const Case& c, int count, const std::filesystem::path& folder) {
+  std::vector<Row> rows;
+  std::ifstream list(folder / "peers.txt");
+  const MeshIndex index(std::make_shared<TriMesh>(c.mesh));
+  for (std::string line; std::getline(list, line);) {
+    std::istringstream fields(line);
+    std::string mesh, asked, method, milliseconds, file;
+    for (std::string* field : {&mesh, &asked, &method, &milliseconds, &file}) std::getline(fields, *field, '|');
+    if (mesh != c.name || std::stoi(asked) != count) continue;
+    std::ifstream points(folder / file);
+    std::vector<SurfacePlace> places;
+    for (dvec3 p; points >> p.x >> p.y >> p.z;) {
+      const int face = index.closest_point(p).face;
+      places.push_back({p, c.mesh.face_normals()[static_cast<std::size_t>(face)]});
+    }
+    const auto score = score_samples(c.mesh, std::span<const SurfacePlace>(places), per_sample(count));
+    rows.push_back({method, places.size(), std::stod(milliseconds), score});
+  }
+  return rows;
+}
+
+/// `polished` is the time that the others are measured by [ms].
+void print_row(const Case& c, int count, const Row& row, double polished) {
+  const SampleScore& s = row.score;
+  fmt::print("| {} | {} / {} | {} | {:.3g} | {:.2f} | {:.2f} / {:.2f} / {:.2f} | {:.3f} | {:.2f} |\n", c.name, count,
+             row.got, row.method, row.milliseconds, row.milliseconds / polished, s.rho_min, s.rho_5_percent, s.rho_mean,
+             s.area_cv, s.gap);
   std::fflush(stdout);
+}
+
+void print_table(const std::vector<Case>& all, const std::filesystem::path& peers) {
+  fmt::print(
+      "| mesh | samples: asked / got | method | ms | over polished | rho: least / 5 % / mean | area CV | gap |\n");
+  fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const Case& c : all)
+    for (const int count : kCounts) {
+      if (count > kMost && c.name != kLarge) continue;
+      const Row preview = own_row(c, count, SampleQuality::preview), row = own_row(c, count, SampleQuality::polished);
+      print_row(c, count, preview, row.milliseconds);
+      print_row(c, count, row, row.milliseconds);
+      if (peers.empty()) continue;
+      for (const Row& peer : peer_rows(c, count, peers)) print_row(c, count, peer, row.milliseconds);
+    }
+}
+
+/// NAME.vertices, NAME.faces, and in cases.txt what to sample: "mesh|count|file".
+void export_meshes(const std::vector<Case>& all, const std::filesystem::path& folder) {
+  std::string list;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::string vertices, faces;
+    for (const dvec3& p : all[i].mesh.vertices()) vertices += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+    for (const ivec3& f : all[i].mesh.faces()) faces += fmt::format("{} {} {}\n", f.x, f.y, f.z);
+    write_file_atomically(folder / fmt::format("{}.vertices", i), vertices);
+    write_file_atomically(folder / fmt::format("{}.faces", i), faces);
+    for (const int count : kCounts)
+      if (count <= kMost || all[i].name == kLarge) list += fmt::format("{}|{}|{}\n", all[i].name, count, i);
+  }
+  write_file_atomically(folder / "cases.txt", list);
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  fmt::print("| mesh | samples | quality | ms: best / median | rho: least / 5 % / mean | area CV | gap |\n");
-  fmt::print("| --- | --- | --- | --- | --- | --- | --- |\n");
-  for (const Case& c : cases())
-    for (const int count : {1000, 10000, 100000})
-      for (const SampleQuality quality : {SampleQuality::preview, SampleQuality::polished})
-        if (count <= 10000 || c.name == "own fingertip") print_row(c, count, quality);
+  const std::string task = argc > 2 ? argv[1] : "table";
+  const std::filesystem::path folder = argc > 2 ? argv[2] : "";
+  const std::string part_of_name = argc > 3 ? argv[3] : "";
+  if (task == "export")
+    export_meshes(cases(part_of_name), folder);
+  else
+    print_table(cases(part_of_name), folder);
   return 0;
 }
