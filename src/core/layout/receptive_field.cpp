@@ -3,24 +3,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "core/base/parallel.h"
+#include "core/layout/field_disc.h"
 #include "core/layout/point_grid.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
 
 namespace taxel {
 namespace {
-
-/// One disc that gathers samples: a taxel without subtaxels, or one subtaxel.
-struct Disc {
-  dvec3 center, normal;
-  double radius;
-};
-
-std::vector<Disc> discs_of(const Taxel& taxel) {
-  if (taxel.subtaxels.empty()) return {{taxel.center, glm::normalize(taxel.normal), taxel.radius}};
-  std::vector<Disc> discs;
-  for (const Subtaxel& s : taxel.subtaxels) discs.push_back({s.center, glm::normalize(s.normal), s.radius});
-  return discs;
-}
 
 /// Straight distances from the stored centre.
 class EuclideanReach {
@@ -30,7 +18,7 @@ class EuclideanReach {
 
   /// Calls visit(sample, distance) for every sample within the disc's radius that faces(sample) holds for.
   template <class Faces, class Visit>
-  void operator()(const Disc& disc, const Faces& faces, const Visit& visit) {
+  void operator()(const FieldDisc& disc, const Faces& faces, const Visit& visit) {
     grid_.visit_near(disc.center, disc.radius, [&](int i) {
       const double d = glm::distance(disc.center, samples_[static_cast<std::size_t>(i)].position);
       if (d <= disc.radius && faces(i)) visit(i, d);
@@ -48,7 +36,7 @@ class EuclideanReach {
   static double cell_size(const Layout& layout) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const Taxel& taxel : layout.taxels)
-      for (const Disc& disc : discs_of(taxel)) smallest = std::min(smallest, disc.radius);
+      for (const FieldDisc& disc : discs_of(taxel)) smallest = std::min(smallest, disc.radius);
     return std::isfinite(smallest) && smallest > 0.0 ? smallest / 3.0 : 1.0;
   }
 
@@ -73,7 +61,7 @@ class GeodesicReach {
   }
 
   template <class Faces, class Visit>
-  void operator()(const Disc& disc, const Faces& faces, const Visit& visit) {
+  void operator()(const FieldDisc& disc, const Faces& faces, const Visit& visit) {
     GeodesicDistance& distance = distances_.local();
     const SurfacePoint from = skin_.closest_point(disc.center);
     distance.propagate(from.face, from.position, disc.radius);
@@ -97,16 +85,12 @@ class GeodesicReach {
 
 /// The union of the discs' fields; a sample in several belongs to the nearest of them.
 template <class Reach>
-std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cosine,
+std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cos,
                                            const std::vector<SurfaceSample>& samples, Reach& reach) {
   std::vector<ReceptiveFields::Entry> row;
-  for (const Disc& disc : discs_of(taxel)) {
-    const auto faces = [&](int i) {
-      return glm::dot(samples[static_cast<std::size_t>(i)].normal, disc.normal) > min_cosine;
-    };
-    reach(disc, faces, [&](int i, double d) {
-      row.push_back({i, d, (disc.radius - d) * (disc.radius - d)});  // w = (r - d)^2, the paper's weight
-    });
+  for (const FieldDisc& disc : discs_of(taxel)) {
+    const auto faces = [&](int i) { return disc.faces(samples[static_cast<std::size_t>(i)].normal, min_cos); };
+    reach(disc, faces, [&](int i, double d) { row.push_back({i, d, disc.weight(d)}); });
   }
   std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) {
     return a.sample != b.sample ? a.sample < b.sample : a.distance < b.distance;
@@ -119,11 +103,11 @@ std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cosine
 template <class Reach>
 std::vector<std::vector<ReceptiveFields::Entry>> gather_all(const Layout& layout,
                                                             const std::vector<SurfaceSample>& samples, Reach reach) {
-  const double min_cosine = std::cos(layout.receptive_field.max_angle_deg * kPi / 180.0);
+  const double min_cos = min_cosine(layout.receptive_field);
   std::vector<std::vector<ReceptiveFields::Entry>> rows(layout.taxels.size());
   parallel_chunks(static_cast<int>(rows.size()), 1, [&](int begin, int end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      rows[k] = gather(layout.taxels[k], min_cosine, samples, reach);
+      rows[k] = gather(layout.taxels[k], min_cos, samples, reach);
   });
   return rows;
 }

@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "core/mesh/geodesic/geodesic_distance.h"
+#include "core/mesh/geodesic/geodesic_map.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
 #include "fixtures/counted_new.h"
@@ -323,6 +324,29 @@ TEST(Geodesic, SourcesBesideVerticesAndEdges) {
       const OnSurface target = inner_point(mesh, random);
       EXPECT_NEAR(distance(geodesic, mesh, beside, target), distance(geodesic, mesh, at, target), off + 1e-14) << off;
     }
+  }
+}
+
+TEST(GeodesicMap, KeepsEveryBitOfAPropagation) {
+  const TriMesh mesh = random_sheet(12, 0.8, 5);
+  const auto prepared = unfolded(mesh);
+  GeodesicDistance geodesic(prepared);
+  test::RandomStream random(9);
+  for (const double radius : {0.2, 0.5, kInfinity}) {
+    const OnSurface source = random_point(mesh, random), elsewhere = random_point(mesh, random);
+    geodesic.propagate(source.face, source.position(mesh), radius);
+    const GeodesicMap map(prepared, geodesic, source.position(mesh));
+    std::vector<std::pair<OnSurface, double>> expected;
+    int reached = 0;
+    for (int i = 0; i < 400; ++i) {
+      const OnSurface target =
+          i < 5 ? OnSurface{source.face, inner_point(mesh, random).barycentric} : random_point(mesh, random);
+      expected.emplace_back(target, geodesic.to(target.face, target.position(mesh)));
+      reached += expected.back().second < kInfinity ? 1 : 0;
+    }
+    geodesic.propagate(elsewhere.face, elsewhere.position(mesh), radius);  // the map does not depend on it any more
+    for (const auto& [target, d] : expected) EXPECT_EQ(map.to(target.face, target.position(mesh)), d);
+    EXPECT_GT(reached, 10);
   }
 }
 

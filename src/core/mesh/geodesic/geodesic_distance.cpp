@@ -243,21 +243,10 @@ void GeodesicDistance::touch_face(int face) {
 double GeodesicDistance::to(int face, const dvec3& target) const {
   double best = kInfinity;
   if (face_reached_[at(face)] == 0) return best;
-  if (face == source_face_) best = glm::distance(source_, mesh_->flat(3 * face, target));
-  for (int h = 3 * face; h < 3 * face + 3; ++h) {
-    const FlatEdge& edge = mesh_->edge(h);
-    const dvec2 t = mesh_->flat(h, target);
-    best = std::min(best, arrivals_[at(edge.apex_fan)].distance + glm::distance(t, edge.apex));
-    for (int i = first_window_[at(h)]; i >= 0; i = windows_[at(i)].next) {
-      const GeodesicWindow& w = windows_[at(i)];
-      const double straight = w.offset + glm::distance(w.source, t);
-      if (!(straight < best)) continue;
-      const double height = t.y - w.source.y;
-      const double crossing = height > 0.0 ? w.source.x - (t.x - w.source.x) * w.source.y / height : t.x;
-      const double x = std::clamp(crossing, w.begin, w.end);
-      best = std::min(best, x == crossing ? straight : w.distance(x) + glm::distance(dvec2(x, 0.0), t));
-    }
-  }
+  if (face == source_face_) best = within_source_face(target);
+  best = shortest_in_face(
+      *mesh_, face, target, best, [&](int h) { return at_apex(h); },
+      [&](int h, const auto& f) { for_each_window(h, f); });
   return best <= radius_ ? best : kInfinity;
 }
 

@@ -28,6 +28,26 @@ struct GeodesicWindow {
   }
 };
 
+/// Length of the shortest path to the point `target` of a face that windows and corners show, or `best` if that is
+/// less. corner(h): distance of the apex of half-edge h; windows(h, f): calls f with every window on it.
+template <class Corner, class Windows>
+double shortest_in_face(const UnfoldedMesh& mesh, int face, const dvec3& target, double best, const Corner& corner,
+                        const Windows& windows) {
+  for (int h = 3 * face; h < 3 * face + 3; ++h) {
+    const dvec2 t = mesh.flat(h, target);
+    best = std::min(best, corner(h) + glm::distance(t, mesh.edge(h).apex));
+    windows(h, [&](const GeodesicWindow& w) {
+      const double straight = w.offset + glm::distance(w.source, t);
+      if (!(straight < best)) return;
+      const double height = t.y - w.source.y;
+      const double crossing = height > 0.0 ? w.source.x - (t.x - w.source.x) * w.source.y / height : t.x;
+      const double x = std::clamp(crossing, w.begin, w.end);
+      best = std::min(best, x == crossing ? straight : w.distance(x) + glm::distance(dvec2(x, 0.0), t));
+    });
+  }
+  return best;
+}
+
 /// Distances from one source at a time. Keeps its memory: after the first calls none is taken. One per thread.
 class GeodesicDistance {
  public:
@@ -42,6 +62,23 @@ class GeodesicDistance {
   /// Length of the shortest path on the surface to a point of a face [m], to within rounding; infinity beyond the
   /// radius, or where no path leads.
   [[nodiscard]] double to(int face, const dvec3& target) const;
+
+  [[nodiscard]] double radius() const { return radius_; }
+  /// What to() is made of: length of the straight path to a point of the source's own face, of the shortest path to the
+  /// apex of a half-edge (infinity where none is known), and calls of f with each window on a half-edge.
+  [[nodiscard]] double within_source_face(const dvec3& target) const {
+    return glm::distance(source_, mesh_->flat(3 * source_face_, target));
+  }
+  [[nodiscard]] int source_face() const { return source_face_; }
+  [[nodiscard]] double at_apex(int halfedge) const {
+    return arrivals_[static_cast<std::size_t>(mesh_->edge(halfedge).apex_fan)].distance;
+  }
+  template <class F>
+  void for_each_window(int halfedge, const F& f) const {
+    for (int i = first_window_[static_cast<std::size_t>(halfedge)]; i >= 0;
+         i = windows_[static_cast<std::size_t>(i)].next)
+      f(windows_[static_cast<std::size_t>(i)]);
+  }
 
   /// Windows of the last propagation: what it cost.
   [[nodiscard]] int window_count() const { return static_cast<int>(windows_.size()); }

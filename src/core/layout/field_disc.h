@@ -1,0 +1,34 @@
+// What gathers in a receptive field: one disc per taxel, or one per subtaxel.
+#pragma once
+
+#include <vector>
+
+#include "core/layout/layout.h"
+
+namespace taxel {
+
+struct FieldDisc {
+  dvec3 center{0}, normal{0, 0, 1};  ///< normal of length 1
+  double radius = 0;
+
+  /// Whether a face of the skin is turned toward the disc: its normal less than the angle limit from the disc's.
+  [[nodiscard]] bool faces(const dvec3& face_normal, double min_cosine) const {
+    return glm::dot(face_normal, normal) > min_cosine;
+  }
+  /// w = (r - d)^2, the paper's weight, for d <= r [m^2].
+  [[nodiscard]] double weight(double distance) const { return (radius - distance) * (radius - distance); }
+};
+
+inline std::vector<FieldDisc> discs_of(const Taxel& taxel) {
+  if (taxel.subtaxels.empty()) return {{taxel.center, glm::normalize(taxel.normal), taxel.radius}};
+  std::vector<FieldDisc> discs;
+  for (const Subtaxel& s : taxel.subtaxels) discs.push_back({s.center, glm::normalize(s.normal), s.radius});
+  return discs;
+}
+
+/// Of the angle limit.
+inline double min_cosine(const ReceptiveFieldRule& rule) {
+  return std::cos(rule.max_angle_deg * kPi / 180.0);
+}
+
+}  // namespace taxel
