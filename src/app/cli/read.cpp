@@ -39,18 +39,23 @@ int run(const Options& options, Console& console) {
     throw Error(options.file, "/b/material/modulus", "must be greater than 0: the layout is rigid");
   for (const std::string& warning : other.warnings) console.warn(options.file + ": " + warning);
 
-  ReadReport report{*model, {}, {}, {}, {}, {}};
+  ReadReport report{*model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}, {}};
   IntersectWorkspace workspace;
   evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
   for (const std::string& warning : contact_warnings(report.result)) console.warn(options.file + ": " + warning);
   const ContactSurface* const surfaces[] = {&report.result.surface};
   SensorReading reading;
-  read_sensor(*model, surfaces, reading);
+  const SurfaceMotion motions[] = {
+      {combine(model->body->material, other.body->material), relative_twist(contact_case.a, contact_case.b)}};
+  read_sensor(*model, surfaces, reading, RayPath::fastest, motions);
+  read_shear(*model, surfaces, motions, reading);
+  report.shear = reading.shear;
   report.hits = reading.hits;
+  const FieldWeights weights(model->layout, *model->skin);
+  reading.integral.integrate(*model, weights, surfaces, {}, report.force);
   for (const Word<Aggregate>& how : kAggregateWords) {
-    if (how.value == Aggregate::force) continue;  // an integral over polygons, not an aggregate of ray hits
-    report.readings.emplace_back(how.value, std::vector<double>());
-    aggregate(*model, report.hits, how.value, report.readings.back().second);
+    report.readings.emplace_back(how.value, report.force.values);
+    if (how.value != Aggregate::force) aggregate(*model, report.hits, how.value, report.readings.back().second);
   }
   for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, report.hits.all(), k));
   if (options.convergence) report.convergence = read_convergence(*model, surfaces, cache);

@@ -47,6 +47,8 @@ std::string read_text(const ReadReport& report) {
     for (const auto& [how, values] : report.readings) text += fmt::format(" {:>14.6g}", values[i]);
     text += '\n';
   }
+  text += fmt::format("force that no taxel reaches: {:.6g} N of {:.6g} N\n", report.force.uncovered,
+                      report.force.covered + report.force.uncovered);
   text += "weighted_sum in Pa m^2, force in N, the others in Pa\n";
   return report.convergence ? text + convergence_text(report.model, *report.convergence) : text;
 }

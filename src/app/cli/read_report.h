@@ -14,8 +14,11 @@ namespace taxel::cli {
 
 struct ReadReport {
   const SensorModel& model;
+  Pose X_WM;             ///< of the frame of the mesh file
   ContactResult result;  ///< contact of the layout's body, frame M
   RayHits hits;
+  ForceReading force;                                               ///< frame M
+  std::vector<dvec2> shear;                                         ///< of the layout's aggregate, in layout order
   std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< every aggregate, values in layout order
   std::vector<std::vector<TaxelSampleReading>> behind;              ///< per taxel
   std::optional<Convergence> convergence;                           ///< where asked for

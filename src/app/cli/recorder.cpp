@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/layout/layout_json.h"
+#include "core/layout/words.h"
 #include "core/project/recording/csv.h"
 #include "core/sensor/calibration.h"
 
@@ -24,7 +25,11 @@ Recording describe(const SimScene& scene) {
       sensor.taxel_names.push_back(taxel.name);
     }
     sensor.layout_json = layout_to_json(layout);
-    sensor.reading_unit = layout.readout.aggregate == Aggregate::force ? "N" : "Pa";
+    sensor.reading_unit = reading_unit(layout.readout.aggregate);
+    sensor.force = layout.readout.aggregate == Aggregate::force;
+    sensor.shear = layout.readout.shear;
+    if (sensor.shear)
+      for (const Taxel& taxel : layout.taxels) sensor.tangents.push_back(tangent_frame(layout.frame, taxel.normal));
     sensor.seed = layout.sampling.seed;
     if (layout.calibration) {
       const std::string& unit = layout.calibration->unit;
@@ -73,8 +78,8 @@ RecordedRow take_row(const Simulator& simulator, const Calibrators& calibrators,
   recorded.time = row.time;
   recorded.travel = row.travel;
   for (std::size_t s = 0; s < row.readings.size(); ++s) {
-    recorded.sensors.push_back(
-        {row.force_W[s], row.area[s], row.polygons[s], row.readings[s], row.sensor_poses[s], calibrators.values()[s]});
+    recorded.sensors.push_back({row.force_W[s], row.area[s], row.polygons[s], row.readings[s], row.sensor_poses[s],
+                                calibrators.values()[s], row.shear[s], row.uncovered_W[s]});
   }
   const std::vector<SceneGeom>& geoms = simulator.scene()->geoms;
   for (std::size_t g = 0; g < geoms.size(); ++g) {
@@ -129,12 +134,15 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   return recording;
 }
 
-void write_calibrated(OutputFolder& folder, const Recording& recording) {
-  const std::string text = calibrated_to_csv(recording);
-  if (text.empty())
-    folder.leave_out("calibrated.csv");
-  else
-    folder.write("calibrated.csv", text);
+void write_optional(OutputFolder& folder, const Recording& recording) {
+  const auto write = [&](const char* name, const std::string& text) {
+    if (text.empty())
+      folder.leave_out(name);
+    else
+      folder.write(name, text);
+  };
+  write("calibrated.csv", calibrated_to_csv(recording));
+  write("shear.csv", shear_to_csv(recording));
 }
 
 }  // namespace taxel::cli

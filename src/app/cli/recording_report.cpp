@@ -26,6 +26,7 @@ std::string sensor_text(const SensorSummary& sensor, const RecordedSensor& about
                         taxel.peak, taxel.peak_travel, 100 * taxel.largest_step, taxel.responds ? "yes" : "");
   }
   text += fmt::format("{}force up to {:.4g} N on {:.4g} m^2", indent, sensor.largest_force, sensor.largest_area);
+  if (about.force) text += fmt::format(", up to {:.4g} N that no taxel reaches", sensor.largest_uncovered);
   if (sensor.deflection > 0) {
     text += fmt::format(", deflection from the mocap body up to {:.3g} m and {:.3g} degrees", sensor.deflection,
                         sensor.deflection_deg);

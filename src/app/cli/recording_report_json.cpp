@@ -22,6 +22,7 @@ Json sensor_object(const SensorSummary& summary, const SensorModel& model) {
   json["rays"] = model.rays.size();
   json["largest_force"] = summary.largest_force;
   json["largest_area"] = summary.largest_area;
+  if (layout.readout.aggregate == Aggregate::force) json["largest_uncovered"] = summary.largest_uncovered;
   json["deflection"] = summary.deflection;
   json["deflection_deg"] = summary.deflection_deg;
   json["taxels"] = Json::array();

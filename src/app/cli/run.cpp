@@ -42,7 +42,7 @@ int run(const Options& options, Console& console) {
   if (folder) {
     simulator->export_scene(folder->staging());
     folder->write("readings.csv", recording_to_csv(recording));
-    write_calibrated(*folder, recording);
+    write_optional(*folder, recording);
     folder->write("readings.npz", recording_to_npz(recording));
     folder->write("sweep.json", sweep_file_json(report));
     report.files = folder->commit();

@@ -66,7 +66,7 @@ int run(const Options& options, Console& console) {
   if (folder) {
     simulator->export_scene(folder->staging());
     folder->write("readings.csv", recording_to_csv(recording));
-    write_calibrated(*folder, recording);
+    write_optional(*folder, recording);
     folder->write("readings.npz", recording_to_npz(recording));
     folder->write("sweep.json", sweep_file_json(report));
     report.files = folder->commit();
@@ -84,9 +84,11 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
                   "taxel sweep --layout finger.taxels.json --out result");
   app->add_option("--layout", options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)")
       ->type_name("FILE");
-  app->add_option("--out", options->out,
-                  "Folder for readings.csv, readings.npz, calibrated.csv if the layout has a calibration, sweep.json, "
-                  "scene.xml with its mesh and layout")
+  app->add_option(
+         "--out", options->out,
+         "Folder for readings.csv, readings.npz, calibrated.csv if the layout has a calibration, shear.csv if it asks "
+         "for shear, sweep.json, "
+         "scene.xml with its mesh and layout")
       ->type_name("DIR");
   app->add_option("--scenario", options->scenario, "Take the parameters below from a sweep.json; options go over it")
       ->type_name("FILE");

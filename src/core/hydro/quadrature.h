@@ -21,6 +21,27 @@ inline constexpr std::array<QuadraturePoint, 6> kTriangleDegree4 = [] {
       {{a, a, wa}, {a, 1 - 2 * a, wa}, {1 - 2 * a, a, wa}, {b, b, wb}, {b, 1 - 2 * b, wb}, {1 - 2 * b, b, wb}}};
 }();
 
+/// A point of a rule, and its weight in a coarser rule of the same points.
+struct EmbeddedPoint {
+  double u = 0, v = 0, weight = 0, coarse = 0;
+};
+
+/// Exact for polynomials of degree 5, seven points inside the triangle, the centroid first (Radon 1948): orbits
+/// a = (6 -+ sqrt(15))/21, w = (155 -+ sqrt(15))/1200, and 9/40 at the centroid. Coarse: the centroid and the outer
+/// orbit with the weights that make them exact for degree 2, 1/(12 (1 - 3a)^2) each; the difference tells of third
+/// derivatives.
+inline constexpr std::array<EmbeddedPoint, 7> kTriangleDegree5 = [] {
+  constexpr double a = 0.10128650732345634, wa = 0.12593918054482715, ca = 1 / (12 * (1 - 3 * a) * (1 - 3 * a));
+  constexpr double b = 0.47014206410511509, wb = 0.13239415278850618;
+  return std::array<EmbeddedPoint, 7>{{{1.0 / 3, 1.0 / 3, 0.225, 1 - 3 * ca},
+                                       {a, a, wa, ca},
+                                       {a, 1 - 2 * a, wa, ca},
+                                       {1 - 2 * a, a, wa, ca},
+                                       {b, b, wb, 0},
+                                       {b, 1 - 2 * b, wb, 0},
+                                       {1 - 2 * b, b, wb, 0}}};
+}();
+
 /// Calls f(a, b, c, area) for the triangles of a polygon, fanned out from its first corner. Merging may have moved
 /// corners a little: the areas are scaled to add up to the polygon's. No call where the corners span no area.
 template <class F>

@@ -84,6 +84,16 @@ void add_secant(const PolygonSecant& s, const dvec3& n, Matrix6& S) {
   }
 }
 
+/// (1 - d vn) of Hunt and Crossley (1975); p = p0 times this where it is positive, else 0.
+double damping_factor(const dvec3& n, const dvec3& v, const PairProperties& pair) {
+  return 1.0 - pair.dissipation * glm::dot(v, n);
+}
+
+/// beta = mu p0 (1 - d vn) phi(|vt|), where the damping factor is positive: t = -beta vt [Pa s/m].
+double friction_per_speed(double p0, double factor, const dvec3& n, const dvec3& v, const PairProperties& pair) {
+  return pair.friction * p0 * factor * slip_factor(glm::length(v - glm::dot(v, n) * n));
+}
+
 class Integrator {
  public:
   Integrator(const PairProperties& pair, const Twist& V_BA) : pair_(pair), V_(V_BA) {}
@@ -102,23 +112,18 @@ class Integrator {
 
  private:
   [[nodiscard]] dvec3 velocity(const dvec3& x) const { return V_.linear + glm::cross(V_.angular, x); }
-  /// (1 - d vn) of Hunt and Crossley (1975); p = p0 times this where it is positive, else 0.
-  [[nodiscard]] double damping_factor(const ContactPolygon& polygon, const dvec3& v) const {
-    return 1.0 - pair_.dissipation * glm::dot(v, polygon.normal);
-  }
   [[nodiscard]] bool pushes_everywhere(const ContactPolygon& polygon, std::span<const dvec3> corners) const {
     return pair_.dissipation == 0 || std::all_of(corners.begin(), corners.end(), [&](const dvec3& x) {
-             return damping_factor(polygon, velocity(x)) > 0;
+             return damping_factor(polygon.normal, velocity(x), pair_) > 0;
            });
   }
 
   void add_point(const ContactPolygon& polygon, const dvec3& x, double dA, PolygonSecant& sums, Wrench* elastic) const {
     const dvec3 v = velocity(x), &n = polygon.normal;
     const double p0 = std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid));
-    const double factor = damping_factor(polygon, v);
+    const double factor = damping_factor(n, v, pair_);
     if (!(factor > 0)) return;
-    const double slip = glm::length(v - glm::dot(v, n) * n);
-    if (pair_.friction > 0) sums.friction.add(pair_.friction * p0 * factor * slip_factor(slip) * dA, x);
+    if (pair_.friction > 0) sums.friction.add(friction_per_speed(p0, factor, n, v, pair_) * dA, x);
     if (pair_.dissipation > 0) sums.damping.add(p0 * pair_.dissipation * dA, x);
     if (elastic != nullptr) {
       elastic->force += p0 * dA * n;
@@ -131,6 +136,12 @@ class Integrator {
 };
 
 }  // namespace
+
+dvec3 friction_traction(double p0, const dvec3& n, const dvec3& v, const PairProperties& pair) {
+  const double factor = damping_factor(n, v, pair);
+  if (!(factor > 0) || !(p0 > 0) || !(pair.friction > 0)) return dvec3(0);
+  return -friction_per_speed(p0, factor, n, v, pair) * (v - glm::dot(v, n) * n);
+}
 
 Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V) {
   const std::array<double, 6> velocity{V.linear.x, V.linear.y, V.linear.z, V.angular.x, V.angular.y, V.angular.z};

@@ -29,6 +29,10 @@ struct PairProperties {
 /// d* = (Eb da + Ea db)/(Ea + Eb); against a rigid body the soft one's. mu = 2 mu1 mu2/(mu1 + mu2), 0 if both are 0.
 PairProperties combine(const Material& a, const Material& b);
 
+/// Friction on A [Pa] at a point of normal n and elastic pressure p0, where A moves with v relative to B:
+/// t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|, p = p0 (1 - d vn)+.
+dvec3 friction_traction(double p0, const dvec3& n, const dvec3& v, const PairProperties& pair);
+
 /// The wrench on A about A's origin, frame A, for A moving with `V_BA` relative to B (frame A, at A's origin):
 /// integral of p n + t with p = p0 (1 - d vn)+, t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|. Exact for linear p0 and d = 0.
 /// `secant`, when asked for, is the symmetric positive semi-definite S with wrench = elastic(p0 where still pushing) -

@@ -69,6 +69,7 @@ struct Readout {
   Misses misses = Misses::zero;
   RayDirection ray = RayDirection::surface_normal;
   double max_depth = 0.0;  ///< [m]; 0: twice the thickness for a pad, the largest radius for a star
+  bool shear = false;      ///< record the friction that each taxel feels as well
   bool operator==(const Readout&) const = default;
 };
 

@@ -43,8 +43,9 @@ void check_settings(const Layout& layout, Check& check) {
     check.error("/receptive_field/max_angle_deg", "angle_out_of_range",
                 fmt::format("must be greater than 0 and at most 180 degrees, is {}", angle), "the paper uses 45");
   check.not_negative("/readout/max_depth", layout.readout.max_depth, "depth_negative");
-  if (layout.readout.aggregate == Aggregate::force)
-    check.error("/readout/aggregate", "not_available", "\"force\" is not available yet", "use \"weighted_mean\"");
+  if (layout.readout.aggregate == Aggregate::force && layout.readout.ray == RayDirection::taxel_normal)
+    check.warning("/readout/ray", "ray_unused",
+                  "does not count for the aggregate \"force\", which reaches the skin along its own normals");
 }
 
 void check_material(const Material& material, Check& check) {

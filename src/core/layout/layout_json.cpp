@@ -58,6 +58,10 @@ class Value {
     if (!json_.is_number()) fail("a number");
     return json_.get<double>();
   }
+  [[nodiscard]] bool flag() const {
+    if (!json_.is_boolean()) fail("true or false");
+    return json_.get<bool>();
+  }
   [[nodiscard]] bool is_text() const { return json_.is_string(); }
   [[nodiscard]] std::string text() const {
     if (!json_.is_string()) fail("a text");
@@ -230,6 +234,7 @@ void read_settings(Object& root, Layout& layout) {
     object.word("misses", layout.readout.misses);
     object.word("ray", layout.readout.ray);
     object.number("max_depth", layout.readout.max_depth);
+    object.optional("shear", [&](const Value& v) { layout.readout.shear = v.flag(); });
     object.keep_unknown();
   });
   root.optional("material", [&](const Value& value) {

@@ -47,6 +47,7 @@ void write_settings(Json& json, const Layout& layout) {
                      {"misses", word(layout.readout.misses)},
                      {"ray", word(layout.readout.ray)},
                      {"max_depth", number(layout.readout.max_depth, "/readout/max_depth")}};
+  if (layout.readout.shear) json["readout"]["shear"] = true;
   json["material"] = {{"field", word(layout.material.field)},
                       {"modulus", number(layout.material.modulus, "/material/modulus")},
                       {"thickness", number(layout.material.thickness, "/material/thickness")},

@@ -73,6 +73,12 @@ std::optional<E> from_word(std::string_view text) {
   return std::nullopt;
 }
 
+/// The SI unit of readings.
+inline const char* reading_unit(Aggregate aggregate) {
+  if (aggregate == Aggregate::force) return "N";
+  return aggregate == Aggregate::weighted_sum ? "Pa m^2" : "Pa";
+}
+
 /// All words of a choice for messages: "equal", "voronoi".
 template <class E>
 std::string word_list() {

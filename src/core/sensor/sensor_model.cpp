@@ -83,7 +83,8 @@ void add_sample_rays(SensorModel& model, SampleRays& known) {
 
 void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr& samples, SensorCache& cache) {
   model.ray_of_entry.resize(model.fields.entries.size());
-  const double allowed = allowed_depth(model);
+  model.max_depth = allowed_depth(model);
+  const double allowed = model.max_depth;
   if (model.layout.readout.ray == RayDirection::taxel_normal) {
     add_taxel_rays(model, *skin, allowed);
   } else {
@@ -157,6 +158,8 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
   model->fields = make_receptive_fields(layout, model->samples, *model->skin);
   add_rays(*model, skin, samples, cache);
   add_taxels_of_samples(*model);
+  if (layout.readout.aggregate == Aggregate::force)
+    model->weights = std::make_shared<const FieldWeights>(layout, *model->skin);
   note_empty_fields(*model, file);
   if (how.progress != nullptr) how.progress->check(1.0);
   return model;

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/hydro/hydro_body.h"
+#include "core/layout/field_weights.h"
 #include "core/layout/layout.h"
 #include "core/layout/layout_check.h"
 #include "core/layout/receptive_field.h"
@@ -33,6 +34,8 @@ struct SensorModel {
   std::shared_ptr<const TetTable> tet_table;       ///< of `rays` in the field of `body`; null where it has no tets
   std::shared_ptr<const RayGrid> ray_grid;         ///< of `rays` where they share one direction; otherwise null
   ReadoutTable readout_table;                      ///< what each ray counts in each taxel
+  double max_depth = 0;                            ///< readout.max_depth, or its default [m]
+  std::shared_ptr<const FieldWeights> weights;     ///< of Aggregate::force; null for others
   std::vector<int> ray_of_entry;                   ///< parallel to fields.entries
   std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused
   Problems problems;                               ///< warnings and notes, with taxel pointers

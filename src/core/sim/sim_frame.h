@@ -42,9 +42,10 @@ struct SimScene {
 
 /// One sensor in one step.
 struct SensorFrameState {
-  Pose X_WM;                             ///< mesh-file frame in the world
-  std::vector<double> readings;          ///< exactly what stands in sensordata
-  dvec3 force_W{0};                      ///< contact force on the sensor [N]
+  Pose X_WM;                     ///< mesh-file frame in the world
+  std::vector<double> readings;  ///< exactly what stands in sensordata
+  dvec3 force_W{0};              ///< contact force on the sensor [N]
+  dvec3 uncovered_W{0};  ///< elastic normal force that no taxel reaches; zero unless the readings are forces [N]
   std::vector<ContactSurface> surfaces;  ///< frame M, of the bodies near the sensor: hits name them by number
   std::vector<RayHit> hits;              ///< parallel to model->rays
 };

@@ -261,6 +261,8 @@ SimRow Simulator::row() const {
     row.area.push_back(area);
     row.polygons.push_back(static_cast<int>(polygons));
     row.readings.push_back(sensor.reading().values);
+    row.shear.push_back(sensor.reading().shear);
+    row.uncovered_W.push_back(e.X_WM.rotate(sensor.reading().force.uncovered_normal));
     row.sensor_poses.push_back(e.X_WM);
   }
   return row;
@@ -283,6 +285,7 @@ void Simulator::fill_frame(SimFrame& frame) const {
     state.X_WM = now.sensor_poses[i];
     state.readings = now.readings[i];
     state.force_W = now.force_W[i];
+    state.uncovered_W = now.uncovered_W[i];
     state.hits = sensor.reading().hits.all();
     state.surfaces.clear();
     const Evaluation& e = sensor.sensed();

@@ -21,6 +21,8 @@ struct SimRow {
   std::vector<double> area;                   ///< per sensor [m^2]
   std::vector<int> polygons;                  ///< per sensor
   std::vector<std::vector<double>> readings;  ///< per sensor: its part of sensordata
+  std::vector<std::vector<dvec2>> shear;      ///< per sensor and taxel; empty without readout.shear
+  std::vector<dvec3> uncovered_W;             ///< per sensor: see SensorRecord::uncovered_W
   std::vector<Pose> sensor_poses;             ///< X_WM per sensor
 };
 

@@ -60,7 +60,14 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   Json& sampling = described["properties"]["sampling"]["properties"];
   EXPECT_EQ(sampling["shells"]["default"], std::string(to_word(layout.sampling.shells)));
   sampling.erase("shells");  // written only where it is not the default
+  Json& readout = described["properties"]["readout"]["properties"];
+  EXPECT_EQ(readout["shear"]["default"], layout.readout.shear);  // written where it is not the default
+  const Json shear = readout["shear"];
+  readout.erase("shear");
   expect_described(written, described, "");
+  layout.readout.shear = true;
+  EXPECT_EQ(Json::parse(layout_to_json(layout))["readout"]["shear"], true);
+  EXPECT_EQ(shear["type"], "boolean");
 
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
   expect_described(Json::parse(layout_to_json(layout))["taxels"][0], schema()["$defs"]["taxel"], "/taxels/0");

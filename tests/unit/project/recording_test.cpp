@@ -100,6 +100,33 @@ TEST(RecordingNpz, HoldsEveryArrayWithItsShape) {
   EXPECT_TRUE(arrays["timestep"].shape.empty());
 }
 
+/// Two sensors, the second by force and with shear.
+TEST(Recording, ShearAndTheUncoveredForceHaveTheirOwnPlaces) {
+  EXPECT_EQ(shear_to_csv(make_recording(2)), "");
+  Recording recording = make_recording(2);
+  const std::string plain = recording_to_csv(recording);
+  RecordedSensor& sensor = recording.sensors[1];
+  sensor.force = sensor.shear = true;
+  sensor.tangents = {{dvec3(1, 0, 0), dvec3(0, 1, 0)}, {dvec3(0, 0, 1), dvec3(1, 0, 0)}};
+  for (RecordedRow& row : recording.rows) {
+    row.sensors[1].shear = {dvec2(row.travel, -1.0 / 3.0), dvec2(0, 2)};
+    row.sensors[1].uncovered_W = dvec3(0, 0, 0.5);
+  }
+  EXPECT_EQ(recording_to_csv(recording), plain) << "the columns of readings.csv are fixed";
+  const std::vector<std::string> lines = lines_of(shear_to_csv(recording));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0],
+            "time,travel,\"thumb, left/taxel_7_e1\",\"thumb, left/taxel_7_e2\",\"thumb, left/taxel_3_e1\","
+            "\"thumb, left/taxel_3_e2\"");
+  EXPECT_NE(lines[1].find(",-0.3333333333333333,0,2"), std::string::npos) << lines[1];
+  auto arrays = test::parse_npz(recording_to_npz(recording));
+  EXPECT_EQ(arrays["thumb, left/shear"].shape, (std::vector<std::size_t>{2, 2, 2}));
+  EXPECT_EQ(arrays["thumb, left/tangents"].shape, (std::vector<std::size_t>{2, 2, 3}));
+  EXPECT_EQ(arrays["thumb, left/uncovered"].doubles(), (std::vector<double>{0, 0, 0.5, 0, 0, 0.5}));
+  EXPECT_FALSE(arrays.contains("finger/shear"));
+  EXPECT_FALSE(arrays.contains("finger/uncovered"));
+}
+
 /// Two sensors, the second calibrated.
 Recording calibrated_recording() {
   Recording recording = make_recording(2);

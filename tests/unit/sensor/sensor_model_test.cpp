@@ -135,12 +135,6 @@ TEST(SensorModel, ProblemsAreThrownOrListed) {
                                           "/taxels/1/normal normal_points_inward"}));
 }
 
-TEST(SensorModel, WhatIsNotThereYetIsRefusedByName) {
-  Layout layout = plate_layout(0.004);
-  layout.readout.aggregate = Aggregate::force;
-  EXPECT_THROW(build_sensor_model(layout, plate(0.004), "", "f"), Error);
-}
-
 TEST(SensorModel, GeodesicFieldsOnAFlatFaceAreEuclidean) {
   Layout layout = plate_layout(0.004);
   const SensorModelPtr straight = build_sensor_model(layout, plate(0.004), "", "f");

@@ -1,6 +1,8 @@
 // Bodies moved by hydroelastic contact under MuJoCo's integrators, against closed forms (A1 and A9 of contact.md).
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {
@@ -47,10 +49,15 @@ TEST_P(UnderIntegrator, DroppedSoftBallComesToRestWhereTheForceCarriesIt) {
 /// A soft block on a rigid slope, started at its equilibrium depth. The slope is level and gravity leans.
 struct Slope {
   SensorScene s;
-  Slope(const std::string& integrator, double degrees) {
+  Slope(const std::string& integrator, double degrees, const std::function<void(Layout&)>& change = {}) {
     const double theta = degrees * kPi / 180, mass = 0.1, area = 0.06 * 0.06;
     const double depth = mass * kGravity * std::cos(theta) / (area * 2e4 / 0.005);  // about: the rim yields more
     s.add_sensor("block", make_box({0.03, 0.03, 0.015}), pad(2e4, 0.005, 20));
+    if (change) {
+      Layout layout = read_layout(s.folder / "block.taxels.json");
+      change(layout);
+      write_layout(s.folder / "block.taxels.json", layout);
+    }
     s.compile("<mujoco><option timestep='0.002' integrator='" + integrator + "' gravity='" +
               std::to_string(kGravity * std::sin(theta)) + " 0 " + std::to_string(-kGravity * std::cos(theta)) + "'/>" +
               sensor_extension("block", key("others", "floor")) +
@@ -75,6 +82,30 @@ TEST_P(UnderIntegrator, BlockOnASlopeCreepsAndDoesNotChatter) {
       EXPECT_NEAR(slope.s.data->qvel[0], creep, 0.01 * creep) << degrees << " degrees, step " << n;
     }
   }
+}
+
+// The one taxel reaches all of the contact, so its force and its shear are the wrench's: mg cos and mg sin at rest.
+TEST_P(UnderIntegrator, ShearIsTheFrictionThatHoldsTheBlock) {
+  const double degrees = 15, theta = degrees * kPi / 180, weight = 0.1 * kGravity;
+  Slope slope(GetParam(), degrees, [](Layout& layout) {
+    layout.readout.aggregate = Aggregate::force;
+    layout.readout.shear = true;
+    layout.receptive_field.max_angle_deg = 180;  // the block's sides too
+    layout.taxels[0].radius = 0.05;
+  });
+  ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
+  for (const int steps : {3, 400}) {  // while it starts to slide, and at rest
+    slope.s.step(steps);
+    const HydroInstance& sensor = slope.s.sensor();
+    const Wrench& wrench = sensor.sensed().pairs.at(0).wrench;
+    ASSERT_EQ(sensor.reading().shear.size(), 1U);
+    const dvec2 shear = sensor.reading().shear[0];  // e1 = y, e2 = -z x y = x
+    EXPECT_LT(wrench.force.x, 0);
+    EXPECT_NEAR(shear.y, wrench.force.x, 1e-4 * weight) << steps;
+    EXPECT_NEAR(shear.x, wrench.force.y, 1e-4 * weight) << steps;
+  }
+  EXPECT_NEAR(slope.s.sensor().reading().values[0], weight * std::cos(theta), 2e-3 * weight);
+  EXPECT_NEAR(slope.s.sensor().reading().shear[0].y, -weight * std::sin(theta), 2e-3 * weight);
 }
 
 TEST_P(UnderIntegrator, BlockOnASteepSlopeAccelerates) {

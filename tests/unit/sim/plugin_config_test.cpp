@@ -201,12 +201,5 @@ TEST_F(PluginConfig, ABinaryModelOfALayoutThatGrewIsRefused) {
   EXPECT_EXIT(make(), testing::ExitedWithCode(1), "needs 2 values in sensordata");
 }
 
-TEST_F(PluginConfig, AnAggregateThatCannotBeComputedIsACompileError) {
-  Layout layout = read_layout(layout_path());
-  layout.readout.aggregate = Aggregate::force;
-  write_layout(layout_path(), layout);
-  expect_error(sensor_extension("ball"), {"force"});
-}
-
 }  // namespace
 }  // namespace taxel

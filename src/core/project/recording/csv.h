@@ -14,6 +14,10 @@ std::string recording_to_csv(const Recording& recording);
 /// `time,travel,taxel_<id>...` of the sensors that have a calibration, in their calibrated values; empty: none has one.
 std::string calibrated_to_csv(const Recording& recording);
 
+/// `time,travel,taxel_<id>_e1,taxel_<id>_e2...` of the sensors whose layouts ask for shear, in the unit of their
+/// readings; empty: none does.
+std::string shear_to_csv(const Recording& recording);
+
 /// A field as CSV wants it (RFC 4180): quoted where it holds a comma, a quote or a line break.
 std::string csv_field(const std::string& text);
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/math.h"
+#include "core/layout/tangent_frame.h"
 
 namespace taxel {
 
@@ -21,6 +21,9 @@ struct RecordedSensor {
   std::uint64_t seed = 0;    ///< of its samples
   /// Of its calibrated values; none: its layout has no calibration.
   std::optional<std::string> calibrated_unit = std::nullopt;
+  bool force = false;  ///< readings are forces: their Aggregate is force, and SensorRecord::uncovered_W counts
+  bool shear = false;  ///< SensorRecord::shear is there
+  std::vector<TangentFrame> tangents = {};  ///< of the shear, parallel to taxel_ids
 };
 
 /// One sensor's values in one row.
@@ -31,6 +34,8 @@ struct SensorRecord {
   std::vector<double> readings;         ///< parallel to RecordedSensor::taxel_ids
   Pose X_WM;                            ///< of the frame of its mesh file
   std::vector<double> calibrated = {};  ///< parallel to `readings`; empty without a calibration
+  std::vector<dvec2> shear = {};        ///< parallel to `readings`, in their unit, along e1 and e2; empty without shear
+  dvec3 uncovered_W{0};                 ///< elastic normal force that no taxel reaches [N]; zero unless `force`
 };
 
 /// The state that was evaluated at `time`, before the step that follows it.

@@ -26,11 +26,17 @@ void add_rows(NpzWriter& npz, const Recording& recording) {
   npz.add("step", {n}, step);
 }
 
+std::vector<double> tangents_of(const RecordedSensor& sensor) {
+  std::vector<double> values;
+  for (const TangentFrame& frame : sensor.tangents) append(values, frame.e1), append(values, frame.e2);
+  return values;
+}
+
 void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   const RecordedSensor& sensor = recording.sensors[which];
   const std::string prefix = recording.sensors.size() > 1 ? sensor.geom + "/" : "";
   const std::size_t n = recording.rows.size();
-  std::vector<double> force, area, readings, calibrated, pos, quat;
+  std::vector<double> force, area, readings, calibrated, shear, uncovered, pos, quat;
   std::vector<std::int64_t> polygons;
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors[which];
@@ -39,6 +45,8 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     polygons.push_back(record.polygons);
     readings.insert(readings.end(), record.readings.begin(), record.readings.end());
     calibrated.insert(calibrated.end(), record.calibrated.begin(), record.calibrated.end());
+    for (const dvec2& s : record.shear) shear.insert(shear.end(), {s.x, s.y});
+    append(uncovered, record.uncovered_W);
     append(pos, record.X_WM.p);
     append(quat, record.X_WM.q);
   }
@@ -50,6 +58,9 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     npz.add(prefix + "calibrated", {n, sensor.taxel_ids.size()}, calibrated);
     npz.add(prefix + "calibrated_unit", *sensor.calibrated_unit);
   }
+  if (sensor.shear) npz.add(prefix + "shear", {n, sensor.taxel_ids.size(), 2}, shear);
+  if (sensor.shear) npz.add(prefix + "tangents", {sensor.taxel_ids.size(), 2, 3}, tangents_of(sensor));
+  if (sensor.force) npz.add(prefix + "uncovered", {n, 3}, uncovered);
   npz.add(prefix + "sensor_pos", {n, 3}, pos);
   npz.add(prefix + "sensor_quat", {n, 4}, quat);
   const std::vector<std::int64_t> ids(sensor.taxel_ids.begin(), sensor.taxel_ids.end());

@@ -54,6 +54,7 @@ std::vector<SensorSummary> summarize(const Recording& recording) {
     for (TaxelSummary& taxel : summary.taxels) taxel.responds = taxel.peak > kResponds * largest;
     for (const RecordedRow& row : recording.rows) {
       summary.largest_force = std::max(summary.largest_force, glm::length(row.sensors[s].force_W));
+      summary.largest_uncovered = std::max(summary.largest_uncovered, glm::length(row.sensors[s].uncovered_W));
       summary.largest_area = std::max(summary.largest_area, row.sensors[s].area);
     }
     add_deflection(recording, s, summary);

@@ -22,6 +22,8 @@ struct SensorSummary {
   std::vector<TaxelSummary> taxels;
   double largest_force = 0;  ///< length of the contact force [N]
   double largest_area = 0;   ///< [m^2]
+  double largest_uncovered =
+      0;  ///< length of the elastic normal force that no taxel reaches; 0 unless RecordedSensor::force [N]
   double deflection = 0;  ///< largest way by which the sensor's frame lagged its mocap body, against the first row [m]
   double deflection_deg = 0;  ///< the same as an angle
 };

@@ -113,6 +113,7 @@ double solve_pair(const mjModel& m, ContactForceWorkspace& work, Active& a) {
   const dvec3 turn = (solved.wrench.torque - pair.wrench.torque) / a.step.length;
   const double whole = glm::length(solved.wrench.force) + glm::length(solved.wrench.torque) / a.step.length;
   pair.wrench = solved.wrench;
+  pair.V_rub = solved.V_end;
   a.step.V_start = solved.V_end;
   return whole > 0 ? (glm::length(change) + glm::length(turn)) / whole : 0.0;
 }

@@ -49,6 +49,12 @@ Wrench reaction(const Wrench& on_A, const RigidTransform& X_BA) {
   return {force, -(X_BA.R * on_A.torque) + glm::cross(X_BA.p, force)};
 }
 
+/// The velocity of B relative to A at B's origin, in B's axes, as that of A relative to B at A's origin, in A's.
+Twist reversed(const Twist& of_B, const RigidTransform& X_AB) {
+  const dvec3 A_in_B = X_AB.inverse_point(dvec3(0));
+  return {-(X_AB.R * (of_B.linear + glm::cross(of_B.angular, A_in_B))), -(X_AB.R * of_B.angular)};
+}
+
 }  // namespace
 
 HydroInstance::HydroInstance(const mjModel& m, int instance)
@@ -74,6 +80,8 @@ HydroInstance::HydroInstance(const HydroInstance& other)
       sensed_(other.sensed_) {
   reading_.hits = other.reading_.hits;
   reading_.values = other.reading_.values;
+  reading_.force = other.reading_.force;
+  reading_.shear = other.reading_.shear;
 }
 
 void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
@@ -85,7 +93,7 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
                             m.sensor_dim[s]));
   }
   model_ = std::move(model);
-  read_sensor(*model_, {}, reading_);  // refuses an aggregate that cannot be computed, and sizes the buffers
+  read_sensor(*model_, {}, reading_);  // sizes the buffers
   warnings_.clear();
   X_GM_ = mesh_file_pose(m, config_.geom);
   compare_with_model(m);
@@ -202,6 +210,7 @@ void HydroInstance::locate(const mjModel& m, const mjData& d, Evaluation& e) con
     pair.X_WB = geom_pose(m, d, touched_[i].geom);
     if (touched_[i].role.sensor >= 0) pair.X_WB = pair.X_WB * touched_[i].X_GB;
     pair.V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
+    pair.V_rub = pair.V;
   }
 }
 
@@ -294,6 +303,7 @@ void HydroInstance::mirror_pairs(const mjModel& m, mjData& d) {
     const RigidTransform X_MB(e.X_WM.inverse() * computed.X_WM);
     mirror(computed.pairs[theirs].surface, X_MB, e.pairs[i].surface);
     e.pairs[i].wrench = reaction(computed.pairs[theirs].wrench, X_MB);
+    e.pairs[i].V_rub = reversed(computed.pairs[theirs].V_rub, X_MB);
   }
 }
 
@@ -304,9 +314,14 @@ void HydroInstance::sense(const mjModel& m, mjData& d) {
   note_pressed_through();
   note_mujoco_contacts(m, d);
   surfaces_.clear();
-  for (const std::size_t i : slots_[sensed_].near) surfaces_.push_back(&slots_[sensed_].pairs[i].surface);
+  motions_.clear();
+  for (const std::size_t i : slots_[sensed_].near) {
+    const PairState& pair = slots_[sensed_].pairs[i];
+    surfaces_.push_back(&pair.surface);
+    if (model_->layout.readout.shear) motions_.push_back({touched_[i].properties, pair.V_rub});
+  }
   const Stopwatch watch(times.readings);
-  read_sensor(*model_, surfaces_, reading_);
+  read_sensor(*model_, surfaces_, reading_, RayPath::fastest, motions_);
   for (int s = 0; s < m.nsensor; ++s)
     if (m.sensor_plugin[s] == instance_) write_output(d.sensordata + m.sensor_adr[s]);
 }

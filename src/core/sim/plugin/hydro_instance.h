@@ -36,6 +36,7 @@ struct TouchedGeom {
 struct PairState {
   Pose X_WB;               ///< of the other body's frame
   Twist V;                 ///< of the sensor relative to it, at M's origin, frame M
+  Twist V_rub;             ///< the same where `wrench` was found: of the step's end where that is implicit
   ContactSurface surface;  ///< frame M
   Wrench wrench;           ///< on the sensor
 };
@@ -126,6 +127,7 @@ class HydroInstance {
   IntersectWorkspace workspace_;
   SensorReading reading_;
   std::vector<const ContactSurface*> surfaces_;
+  std::vector<SurfaceMotion> motions_;  // parallel to surfaces_ where the layout asks for shear
 };
 
 }  // namespace taxel
