@@ -110,7 +110,7 @@ struct PlotCurves {
   const void* trace = nullptr;
   std::size_t rows = 0;
   std::vector<double> travel_mm;
-  std::vector<std::vector<double>> readings;  ///< per taxel of all sensors [Pa]
+  std::vector<std::vector<double>> readings;  ///< per taxel of all sensors, in SI
   std::vector<double> drawn;                  ///< scratch
   double largest = 0;                         ///< of all [Pa]
 };

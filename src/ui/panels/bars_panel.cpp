@@ -21,8 +21,9 @@ void draw_bars_panel(UiState& ui, const UiInput& input) {
       for (std::size_t i = 0; i < sensor->readings.size() && i < layout.taxels.size(); ++i) {
         values.push_back({layout.taxels[i].id, sensor->readings[i], i < input.peaks.size() ? input.peaks[i] : 0.0});
       }
-      caption("kPa by taxel, the line is the peak");
-      const int clicked = draw_pressure_bars(ui, values, ImGui::GetContentRegionAvail(), ui.selection.taxel);
+      const ReadingUnit unit = shown_unit(layout.readout.aggregate);
+      caption((std::string(unit.text) + " by taxel, the line is the peak").c_str());
+      const int clicked = draw_pressure_bars(ui, values, unit, ImGui::GetContentRegionAvail(), ui.selection.taxel);
       if (clicked >= 0) select_taxel(ui, clicked);
     }
   } else {

@@ -78,8 +78,9 @@ void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
   }
   const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
   if (sensor != nullptr && i < sensor->readings.size()) {
-    property("Reading", in_kpa(sensor->readings[i]));
-    if (i < input.peaks.size()) property("Peak", in_kpa(input.peaks[i]));
+    const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
+    property("Reading", in_unit(sensor->readings[i], unit));
+    if (i < input.peaks.size()) property("Peak", in_unit(input.peaks[i], unit));
   }
   end_properties();
 }
@@ -120,6 +121,9 @@ void draw_scene(UiState& ui, const UiInput& input) {
   if (const SensorFrameState* sensor = input.sensor(ui)) {
     property("Force (N)",
              fmt::format("{:.3f}, {:.3f}, {:.3f}", sensor->force_W.x, sensor->force_W.y, sensor->force_W.z));
+    const Layout& layout = scene.sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+    if (layout.readout.aggregate == Aggregate::force)
+      property("No taxel feels", fmt::format("{:.3f} N", glm::length(sensor->uncovered_W)));
     double area = 0, largest = 0;
     for (const ContactSurface& surface : sensor->surfaces) {
       area += surface.area();

@@ -11,6 +11,7 @@
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
@@ -50,28 +51,34 @@ std::size_t first_reading(const UiState& ui, const UiInput& input) {
   return first;
 }
 
-void draw_options(UiState& ui) {
+ReadingUnit unit_of(const UiState& ui, const UiInput& input) {
+  return shown_unit(
+      input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout.readout.aggregate);
+}
+
+void draw_options(UiState& ui, const ReadingUnit& unit) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
   if (small_choice(ui, "Relative", ui.saved.plot.relative)) ui.saved.plot.relative = true;
   tooltip("Divided by the largest reading of the run");
   ImGui::SameLine(0, 2);
-  if (small_choice(ui, "kPa", !ui.saved.plot.relative)) ui.saved.plot.relative = false;
-  tooltip("Readings in kilopascals");
+  if (small_choice(ui, unit.text, !ui.saved.plot.relative)) ui.saved.plot.relative = false;
+  tooltip(std::string("Readings in ") + unit.text);
   ImGui::SameLine(0, 14);
   checkbox(ui, "Responding only", &ui.saved.plot.responding_only);
   tooltip("Only taxels whose peak is above 5 % of the largest");
   ImGui::PopStyleVar();
 }
 
-void setup_axes(const UiState& ui, const UiInput& input, double largest) {
+void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit, double largest) {
   const SimScene& scene = *input.frame->scene;
   const double end = input.sweep ? 1e3 * (input.scenario.before + input.scenario.past)
                                  : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
-  ImPlot::SetupAxes(
-      input.sweep ? "travel (mm)" : "time (s)", ui.saved.plot.relative ? "reading / largest" : "reading (kPa)",
-      ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight, ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
+  const std::string reading = ui.saved.plot.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
+  ImPlot::SetupAxes(input.sweep ? "travel (mm)" : "time (s)", reading.c_str(),
+                    ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
+                    ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
   ImPlot::SetupAxisLimits(ImAxis_X1, 0, end, ImPlotCond_Always);
-  const double top = ui.saved.plot.relative ? 1.08 : 1.08 * (largest > 0 ? 1e-3 * largest : 1.0);
+  const double top = ui.saved.plot.relative ? 1.08 : 1.08 * (largest > 0 ? unit.scale * largest : 1.0);
   ImPlot::SetupAxisLimits(ImAxis_Y1, 0, top, ImPlotCond_Always);
   ImPlot::SetupLegend(ImPlotLocation_East, ImPlotLegendFlags_Outside | ImPlotLegendFlags_NoMenus);
   ImPlot::SetupFinish();
@@ -104,11 +111,12 @@ void draw_cursor(const UiState& ui, const UiInput& input) {
 void draw_plot(UiState& ui, const UiInput& input) {
   PlotCurves& curves = ui.curves;
   const Layout& layout = input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+  const ReadingUnit unit = unit_of(ui, input);
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (ImPlot::BeginPlot("##taxels", ImGui::GetContentRegionAvail(), kFlags)) {
-    setup_axes(ui, input, curves.largest);
-    const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 0.0) : 1e-3;
+    setup_axes(ui, input, unit, curves.largest);
+    const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 0.0) : unit.scale;
     const std::size_t first = first_reading(ui, input);
     for (std::size_t k = 0; k < layout.taxels.size() && first + k < curves.readings.size(); ++k) {
       const std::vector<double>& readings = curves.readings[first + k];
@@ -133,7 +141,7 @@ void draw_plot_panel(UiState& ui, const UiInput& input) {
     } else {
       const std::vector<TraceRow>& trace = *input.frame->trace;
       if (ui.curves.trace != &trace || ui.curves.rows != trace.size()) rebuild_curves(ui.curves, trace, input.sweep);
-      draw_options(ui);
+      draw_options(ui, unit_of(ui, input));
       draw_plot(ui, input);
     }
   }

@@ -52,7 +52,7 @@ void draw_row(UiState& ui, const SensorModel& model, const SensorFrameState* sen
   ImGui::TableNextColumn();
   if (sensor != nullptr && i < sensor->readings.size()) {
     const double reading = sensor->readings[i];
-    text_right(fmt::format("{:.2f}", 1e-3 * reading), reading <= 0);
+    text_right(fmt::format("{:.2f}", shown_unit(model.layout.readout.aggregate).scale * reading), reading <= 0);
   }
 }
 
@@ -63,7 +63,7 @@ void draw_table(UiState& ui, const UiInput& input, const SensorModel& model) {
   ImGui::TableSetupColumn("Id", ImGuiTableColumnFlags_WidthStretch, 0.20f);
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch, 0.42f);
   ImGui::TableSetupColumn("Samples", ImGuiTableColumnFlags_WidthStretch, 0.21f);
-  ImGui::TableSetupColumn("kPa", ImGuiTableColumnFlags_WidthStretch, 0.17f);
+  ImGui::TableSetupColumn(shown_unit(model.layout.readout.aggregate).text, ImGuiTableColumnFlags_WidthStretch, 0.17f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (int column = 0; column < 4; ++column) {
     ImGui::TableSetColumnIndex(column);

@@ -67,7 +67,8 @@ std::string taxel_text(const UiState& ui, const UiInput& input, const SensorMode
   text +=
       fmt::format("\n{} samples, radius {}", model.fields.first[i + 1] - model.fields.first[i], in_mm(taxel.radius));
   const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
-  if (sensor != nullptr && i < sensor->readings.size()) text += fmt::format("\n{}", in_kpa(sensor->readings[i]));
+  if (sensor != nullptr && i < sensor->readings.size())
+    text += "\n" + in_unit(sensor->readings[i], shown_unit(model.layout.readout.aggregate));
   return text;
 }
 

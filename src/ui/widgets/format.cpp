@@ -31,9 +31,19 @@ std::string in_kpa(double pascals) {
   return fmt::format("{:.2f} kPa", 1e-3 * pascals);
 }
 
-std::string kpa_number(double pascals) {
-  const double kpa = 1e-3 * pascals;
-  return fmt::format("{:.{}f}", kpa, std::abs(kpa) < 9.995 ? 2 : std::abs(kpa) < 99.95 ? 1 : 0);
+ReadingUnit shown_unit(Aggregate aggregate) {
+  if (aggregate == Aggregate::force) return {"N", 1.0, false};
+  if (aggregate == Aggregate::weighted_sum) return {"kPa mm\u00b2", 1e3, false};
+  return {};
+}
+
+std::string in_unit(double reading, const ReadingUnit& unit) {
+  return fmt::format("{:.{}f} {}", unit.scale * reading, unit.pressure ? 2 : 3, unit.text);
+}
+
+std::string number_in_unit(double reading, const ReadingUnit& unit) {
+  const double shown = unit.scale * reading;
+  return fmt::format("{:.{}f}", shown, std::abs(shown) < 9.995 ? 2 : std::abs(shown) < 99.95 ? 1 : 0);
 }
 
 std::string grouped(long long count) {

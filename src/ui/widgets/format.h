@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/base/math.h"
+#include "core/layout/layout.h"
 
 namespace taxel::ui {
 
@@ -12,8 +12,16 @@ std::string in_mm(const dvec3& metres, int digits = 2);  ///< "1.00, 2.00, 3.00 
 std::string in_mm2(double square_metres);                ///< "94.2 mm\u00b2"; large areas in cm\u00b2
 std::string duration_text(double seconds);               ///< "312 \u00b5s", "1.24 ms": of a step
 std::string in_kpa(double pascals);                      ///< "12.34 kPa"; four significant digits at most
-std::string kpa_number(double pascals);                  ///< "12.3": short, for bars
-std::string grouped(long long count);                    ///< "12 345"
+/// How readings are shown.
+struct ReadingUnit {
+  const char* text = "kPa";
+  double scale = 1e-3;   ///< per SI unit
+  bool pressure = true;  ///< shares the range of the contact surface's colours
+};
+ReadingUnit shown_unit(Aggregate aggregate);
+std::string in_unit(double reading, const ReadingUnit& unit);         ///< "12.34 kPa"
+std::string number_in_unit(double reading, const ReadingUnit& unit);  ///< "12.3": short, for bars
+std::string grouped(long long count);                                 ///< "12 345"
 double nice_ceiling(double value);  ///< least of 1, 1.5, 2, 3, 4, 5, 6, 8 times 10^n that is >= value
 
 }  // namespace taxel::ui

@@ -17,7 +17,8 @@ namespace {
 /// Where the axis stands, in pixels.
 struct Axis {
   float x0, x1, y_zero, y_top;
-  double top;  ///< [Pa]
+  double top;  ///< in SI
+  ReadingUnit unit;
   [[nodiscard]] float y(double pressure) const {
     return y_zero - static_cast<float>(std::clamp(pressure / top, 0.0, 1.0)) * (y_zero - y_top);
   }
@@ -37,7 +38,7 @@ void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
     const double value = axis.top * i / kTicks;
     const float y = std::floor(axis.y(value));
     list.AddLineH(axis.x0, axis.x1, y, to_u32(colors.line, i == 0 ? 1.0f : 0.6f));
-    const std::string text = fmt::format("{:.3g}", 1e-3 * value);
+    const std::string text = fmt::format("{:.3g}", axis.unit.scale * value);
     small_text(list, {axis.x0 - small_width(text) - 5, y - 0.5f * kSmallText * ImGui::GetFontSize()},
                to_u32(colors.dim), text);
   }
@@ -50,7 +51,8 @@ void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x
   if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
   list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field, 0.8f));
   const float y = axis.y(bar.value);
-  list.AddRectFilled({left, y}, {right, axis.y_zero}, pressure_color(ui.range, bar.value));
+  list.AddRectFilled({left, y}, {right, axis.y_zero},
+                     pressure_color(axis.unit.pressure ? ui.range : PressureRange{0, axis.top}, bar.value));
   if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
   BarShown shown;
   shown.taxel_id = bar.id;
@@ -65,7 +67,7 @@ void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x
 void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1,
                     const BarValue& bar) {
   const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
-  const std::string id = std::to_string(bar.id), value = kpa_number(bar.value);
+  const std::string id = std::to_string(bar.id), value = number_in_unit(bar.value, axis.unit);
   if (small_width(id) <= x1 - x0) {
     small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 6}, to_u32(colors.text), id);
   }
@@ -78,7 +80,8 @@ void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, f
 
 }  // namespace
 
-int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, ImVec2 size, int selected) {
+int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size,
+                       int selected) {
   ui.bars.clear();
   const Palette& colors = palette(ui.saved.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -89,8 +92,12 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, ImVec2 
   if (values.empty()) return -1;
   double peak = 0;
   for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
-  const Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - 2.6f * line, origin.y + 0.6f * line,
-                  peak > 0 ? nice_ceiling(peak) : 1000.0};
+  const Axis axis{origin.x + 2.6f * line,
+                  origin.x + size.x,
+                  origin.y + size.y - 2.6f * line,
+                  origin.y + 0.6f * line,
+                  peak > 0 ? nice_ceiling(peak) : 1.0 / unit.scale,
+                  unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors);
   const float step = (axis.x1 - axis.x0) / static_cast<float>(values.size());
@@ -101,8 +108,8 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, ImVec2 
     list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(static_cast<int>(i)), 1);
     draw_bar_texts(list, colors, axis, x0, x1, values[i]);
     if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
-    ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_kpa(values[i].value).c_str(),
-                      in_kpa(values[i].peak).c_str());
+    ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_unit(values[i].value, unit).c_str(),
+                      in_unit(values[i].peak, unit).c_str());
     if (pressed) clicked = static_cast<int>(i);
   }
   return clicked;

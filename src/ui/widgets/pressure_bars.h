@@ -1,4 +1,4 @@
-// Bars of pressure, one per taxel, with peak markers.
+// Bars of readings, one per taxel, with peak markers.
 #pragma once
 
 #include <imgui.h>
@@ -6,17 +6,20 @@
 #include <vector>
 
 #include "ui/ui_state.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
 struct BarValue {
   int id = 0;        ///< of the taxel
-  double value = 0;  ///< [Pa]
-  double peak = 0;   ///< largest since the start [Pa]
+  double value = 0;  ///< reading, in SI
+  double peak = 0;   ///< largest since the start
 };
 
 /// Draws bars into `size` at the cursor; heights from 0 to a round number above the largest peak, colours from the
-/// shared range. Returns the bar that was clicked, or -1; leaves in ui.bars what was drawn.
-int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, ImVec2 size, int selected);
+/// shared range, or from the bars' own where readings are no pressures. Returns the bar that was clicked, or -1; leaves
+/// in ui.bars what was drawn.
+int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size,
+                       int selected);
 
 }  // namespace taxel::ui

@@ -70,9 +70,12 @@ TEST(Format, NumbersAsPeopleReadThem) {
   EXPECT_EQ(grouped(1234), "1 234");
   EXPECT_EQ(grouped(-1234567), "-1 234 567");
   EXPECT_EQ(grouped(-123), "-123");
-  EXPECT_EQ(kpa_number(7523), "7.52");
-  EXPECT_EQ(kpa_number(9996), "10.0");
-  EXPECT_EQ(kpa_number(123456), "123");
+  EXPECT_EQ(number_in_unit(7523, {}), "7.52");
+  EXPECT_EQ(number_in_unit(9996, {}), "10.0");
+  EXPECT_EQ(number_in_unit(123456, {}), "123");
+  EXPECT_EQ(in_unit(7523, shown_unit(Aggregate::max)), "7.52 kPa");
+  EXPECT_EQ(in_unit(0.25, shown_unit(Aggregate::force)), "0.250 N");
+  EXPECT_EQ(in_unit(0.025, shown_unit(Aggregate::weighted_sum)), "25.000 kPa mm\u00b2");
   EXPECT_EQ(in_mm(0.0061), "6.10 mm");
   EXPECT_EQ(duration_text(312.4e-6), "312 \u00b5s");
   EXPECT_EQ(duration_text(0.9996e-3), "1.00 ms");
