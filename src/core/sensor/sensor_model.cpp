@@ -106,6 +106,12 @@ void add_taxels_of_samples(SensorModel& model) {
   }
 }
 
+/// Only integrals ask for them.
+void add_field_weights(SensorModel& model) {
+  if (model.layout.readout.aggregate == Aggregate::force && !model.weights)
+    model.weights = std::make_shared<const FieldWeights>(model.layout, *model.skin);
+}
+
 void note_empty_fields(SensorModel& model, const std::string& file) {
   Problems found;
   for (int k = 0; k < model.taxel_count(); ++k) {
@@ -158,8 +164,7 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
   model->fields = make_receptive_fields(layout, model->samples, *model->skin);
   add_rays(*model, skin, samples, cache);
   add_taxels_of_samples(*model);
-  if (layout.readout.aggregate == Aggregate::force)
-    model->weights = std::make_shared<const FieldWeights>(layout, *model->skin);
+  add_field_weights(*model);
   note_empty_fields(*model, file);
   if (how.progress != nullptr) how.progress->check(1.0);
   return model;
@@ -168,6 +173,7 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
 SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
   auto other = std::make_shared<SensorModel>(model);
   other->layout.readout.aggregate = aggregate;
+  add_field_weights(*other);
   return other;
 }
 
