@@ -33,6 +33,7 @@ class Memo {
   Value get(const Key& key, const Make& make) {
     return get(key, make, [](const Value&) { return 1.0; });
   }
+  [[nodiscard]] bool has(const Key& key) { return find(key).has_value(); }
 
  private:
   struct Entry {

@@ -4,8 +4,13 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <utility>
 
 namespace taxel {
 
@@ -16,6 +21,29 @@ void parallel_chunks(int count, int chunk, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<int>(0, chunks, 1), [&](const tbb::blocked_range<int>& range) {
     for (int c = range.begin(); c != range.end(); ++c) body(c * chunk, std::min(count, (c + 1) * chunk));
   });
+}
+
+/// Runs all bodies side by side, each to its end, and then throws what the first of them in this order threw. An
+/// exception that left one of oneTBB's own tasks would cancel the loops inside of the others, which then return half
+/// done without a word.
+template <class... Body>
+void parallel_all(const Body&... bodies) {
+  std::array<std::exception_ptr, sizeof...(Body)> failures;
+  const auto guarded = [](const auto& body, std::exception_ptr& failure) {
+    return [&body, &failure] {
+      try {
+        body();
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    };
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    tbb::parallel_invoke(guarded(bodies, failures[I])...);
+  }
+  (std::index_sequence_for<Body...>{});
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace taxel

@@ -28,10 +28,9 @@ double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& di
 SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells) {
   auto skin = std::make_shared<SensorSkin>();
   skin->mesh = mesh;
-  skin->whole = std::make_shared<const MeshIndex>(mesh);
   const std::vector<int> outer = outer_shells(*mesh);
   if (shells == Shells::all || static_cast<int>(outer.size()) == mesh->shell_count()) {
-    skin->sensed = skin->whole;
+    skin->sensed = std::make_shared<const MeshIndex>(mesh);
     skin->face_of.resize(index(mesh->face_count()));
     for (int f = 0; f < mesh->face_count(); ++f) skin->face_of[index(f)] = f;
   } else {
@@ -86,14 +85,18 @@ SampleRays::Found SampleRays::find(std::span<const int> samples) {
 }
 
 SensorSkinPtr SensorCache::skin(const TriMeshPtr& mesh, Shells shells) {
-  return skins_.get({mesh, shells}, [&] { return make_sensor_skin(mesh, shells); });
+  return skins_.get({{mesh}, shells}, [&] { return make_sensor_skin(mesh, shells); });
 }
 
-HydroBodyPtr SensorCache::body(const SensorSkinPtr& skin, const Material& material, const std::string& name) {
-  return bodies_.get({skin, material}, [&] {
+Problems SensorCache::mesh_problems(const TriMeshPtr& mesh) {
+  return mesh_problems_.get({mesh}, [&] { return check_layout_mesh(*mesh, ""); });
+}
+
+HydroBodyPtr SensorCache::body(const TriMeshPtr& mesh, const Material& material, const std::string& name) {
+  return bodies_.get({{mesh}, material}, [&] {
     Shape shape;
     shape.type = ShapeType::mesh;
-    shape.mesh = skin->mesh;
+    shape.mesh = mesh;
     return make_body(shape, material, name);
   });
 }
@@ -107,6 +110,10 @@ SampleSetPtr SensorCache::samples(const SensorSkinPtr& skin, int count, std::uin
             sample_surface(skin->sensed->mesh(), count, seed, progress, quality));
       },
       [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });
+}
+
+bool SensorCache::has_samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality) {
+  return samples_.has({skin, count, seed, quality});
 }
 
 std::shared_ptr<SampleRays> SensorCache::rays(const SensorSkinPtr& skin, const SampleSetPtr& samples,

@@ -11,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/hydro/hydro_body.h"
 #include "core/layout/layout.h"
+#include "core/layout/layout_check.h"
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/closest_point.h"
 #include "core/sensor/sensor_ray.h"
@@ -21,7 +22,6 @@ namespace taxel {
 /// A mesh and the part of it that is sampled.
 struct SensorSkin {
   TriMeshPtr mesh;                          ///< all shells
-  std::shared_ptr<const MeshIndex> whole;   ///< of them
   std::shared_ptr<const MeshIndex> sensed;  ///< of those that are sampled
   std::vector<int> face_of;                 ///< sensed face -> face of `mesh`
 };
@@ -64,18 +64,28 @@ class SensorCache {
  public:
   /// Skin of a mesh: by its vertices and faces, and which shells.
   SensorSkinPtr skin(const TriMeshPtr& mesh, Shells shells);
-  /// Body of a whole mesh: by skin and material. Throws as make_body does.
-  HydroBodyPtr body(const SensorSkinPtr& skin, const Material& material, const std::string& name);
+  /// What check_layout_mesh() says about a mesh, without a file: by its vertices and faces.
+  Problems mesh_problems(const TriMeshPtr& mesh);
+  /// Body of a whole mesh: by its vertices and faces, and material. Throws as make_body does.
+  HydroBodyPtr body(const TriMeshPtr& mesh, const Material& material, const std::string& name);
   /// Samples of the skin: by skin, count, seed and quality. Throws as sample_surface does.
   SampleSetPtr samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
                        Progress* progress);
+  /// Whether samples() would find them.
+  [[nodiscard]] bool has_samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality);
   /// By what it is made of.
   std::shared_ptr<SampleRays> rays(const SensorSkinPtr& skin, const SampleSetPtr& samples, const HydroBodyPtr& body,
                                    double allowed);
 
  private:
+  struct MeshKey {
+    TriMeshPtr mesh;
+    bool operator==(const MeshKey& b) const {
+      return mesh == b.mesh || (mesh->faces() == b.mesh->faces() && mesh->vertices() == b.mesh->vertices());
+    }
+  };
   struct BodyKey {
-    SensorSkinPtr skin;
+    MeshKey mesh;
     Material material;
     bool operator==(const BodyKey&) const = default;
   };
@@ -92,16 +102,14 @@ class SensorCache {
     double allowed = 0;
     bool operator==(const RaysKey&) const = default;
   };
-  struct MeshKey {
-    TriMeshPtr mesh;
+  struct SkinKey {
+    MeshKey mesh;
     Shells shells{};
-    bool operator==(const MeshKey& b) const {
-      if (shells != b.shells) return false;
-      return mesh == b.mesh || (mesh->faces() == b.mesh->faces() && mesh->vertices() == b.mesh->vertices());
-    }
+    bool operator==(const SkinKey&) const = default;
   };
   static constexpr double kEntries = 4, kSamples = 4e6;  // about 300 MB
-  Memo<MeshKey, SensorSkinPtr> skins_{kEntries};
+  Memo<SkinKey, SensorSkinPtr> skins_{kEntries};
+  Memo<MeshKey, Problems> mesh_problems_{kEntries};
   Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};
   Memo<SamplesKey, SampleSetPtr> samples_{kSamples};
   Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for what replaces it

@@ -1,13 +1,11 @@
 #include "core/sensor/sensor_model.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/hydro/field_report.h"
 #include "core/layout/layout_json.h"
-#include "core/mesh/mesh_io.h"
 
 namespace taxel {
 namespace {
@@ -16,9 +14,9 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-void add_body(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const std::string& file) {
+HydroBodyPtr body_of(const Layout& layout, const TriMeshPtr& mesh, SensorCache& cache, const std::string& file) {
   try {
-    model.body = cache.body(skin, model.layout.material, model.layout.name);
+    return cache.body(mesh, layout.material, layout.name);
   } catch (const Error& e) {
     throw Error(file, "/material", e.message());
   }
@@ -121,11 +119,78 @@ void note_empty_fields(SensorModel& model, const std::string& file) {
       return p.code == "field_empty" && (p.pointer == pointer || p.pointer.starts_with(pointer + "/"));
     });
     if (!known)
-      found.push_back({file, pointer, Severity::warning, "field_without_samples",
+      found.push_back({file, pointer, Severity::warning, kFieldWithoutSamples,
                        "no sample lies in the receptive field: it will read 0", "raise /sampling/density"});
   }
   name_taxels(model.layout, found);
   model.problems.insert(model.problems.end(), found.begin(), found.end());
+}
+
+/// What a model is compiled from.
+struct Input {
+  const Layout& layout;
+  const TriMeshPtr& mesh;
+  const std::string& mesh_sha256;
+  const std::string& file;
+  const std::vector<std::string>* mesh_notes;  ///< of its reading, which make a problem each; null: not read here
+};
+
+/// Samples, and the receptive fields on them: what does not need the body.
+SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const SensorBuild& how) {
+  const Sampling& sampling = model.layout.sampling;
+  const int count = sample_count(sampling.density, skin->sensed->mesh().area());
+  const bool known = cache.has_samples(skin, count, sampling.seed, SampleQuality::polished);
+  model.quality = known ? SampleQuality::polished : how.quality;
+  SampleSetPtr samples = cache.samples(skin, count, sampling.seed, model.quality, how.progress);
+  model.skin = skin->sensed;
+  model.skin_face_of = skin->face_of;
+  model.samples = *samples;
+  model.fields = make_receptive_fields(model.layout, model.samples, *model.skin);
+  add_taxels_of_samples(model);
+  return samples;
+}
+
+void add_problems_of_mesh(SensorModel& model, Problems found, const Input& input) {
+  for (Problem& p : found) {
+    p.file = input.file;
+    model.problems.push_back(std::move(p));
+  }
+  for (const std::string& note : *input.mesh_notes)
+    model.problems.push_back({input.file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
+}
+
+SensorModelPtr compile(const Input& input, const SensorBuild& how) {
+  SensorCache own;
+  SensorCache& cache = how.cache != nullptr ? *how.cache : own;
+  auto model = std::make_shared<SensorModel>();
+  model->layout = input.layout;
+  model->mesh = input.mesh;
+  model->problems = check_layout_values(input.layout, input.file);
+  throw_first_error(model->problems);
+  SensorSkinPtr skin;
+  SampleSetPtr samples;
+  Problems of_mesh;
+  // The body needs no skin, the samples need no body.
+  parallel_all(
+      [&] {
+        skin = cache.skin(input.mesh, input.layout.sampling.shells);
+        const Problems found =
+            check_layout_on_skin(input.layout, *input.mesh, *skin->sensed, input.mesh_sha256, input.file);
+        model->problems.insert(model->problems.end(), found.begin(), found.end());
+        throw_first_error(found);
+        samples = add_samples(*model, skin, cache, how);
+      },
+      [&] { model->body = body_of(input.layout, input.mesh, cache, input.file); },
+      [&] {
+        if (input.mesh_notes != nullptr) of_mesh = cache.mesh_problems(input.mesh);
+      });
+  add_problems_of_body(*model, input.file);
+  add_rays(*model, skin, samples, cache);
+  add_field_weights(*model);
+  note_empty_fields(*model, input.file);
+  if (input.mesh_notes != nullptr) add_problems_of_mesh(*model, std::move(of_mesh), input);
+  if (how.progress != nullptr) how.progress->check(1.0);
+  return model;
 }
 
 }  // namespace
@@ -137,37 +202,18 @@ double SensorModel::sample_share(int sample) const {
 
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
                                   const std::string& file, const SensorBuild& how) {
-  SensorCache own;
-  SensorCache& cache = how.cache != nullptr ? *how.cache : own;
-  auto model = std::make_shared<SensorModel>();
-  model->layout = layout;
-  model->mesh = mesh;
-  model->quality = how.quality;
-  model->problems = check_layout_values(layout, file);
-  throw_first_error(model->problems);
-  const SensorSkinPtr skin = cache.skin(mesh, layout.sampling.shells);
-  const TriMesh& sensed = skin->sensed->mesh();
-  const Problems on_mesh = check_layout_on_skin(layout, *mesh, *skin->sensed, mesh_sha256, file);
-  model->problems.insert(model->problems.end(), on_mesh.begin(), on_mesh.end());
-  throw_first_error(on_mesh);
+  return compile({layout, mesh, mesh_sha256, file, nullptr}, how);
+}
 
-  model->skin = skin->sensed;
-  model->skin_face_of = skin->face_of;
-  SampleSetPtr samples;
-  tbb::parallel_invoke([&] { add_body(*model, skin, cache, file); },
-                       [&] {
-                         samples = cache.samples(skin, sample_count(layout.sampling.density, sensed.area()),
-                                                 layout.sampling.seed, how.quality, how.progress);
-                       });
-  add_problems_of_body(*model, file);
-  model->samples = *samples;
-  model->fields = make_receptive_fields(layout, model->samples, *model->skin);
-  add_rays(*model, skin, samples, cache);
-  add_taxels_of_samples(*model);
-  add_field_weights(*model);
-  note_empty_fields(*model, file);
-  if (how.progress != nullptr) how.progress->check(1.0);
-  return model;
+SensorSource read_sensor_source(const std::filesystem::path& layout_file) {
+  SensorSource source{layout_file.string(), read_layout(layout_file), {}};
+  throw_first_error(check_layout_values(source.layout, source.file));
+  source.mesh = load_mesh(mesh_path(source.layout, layout_file), source.layout.mesh.scale);
+  return source;
+}
+
+SensorModelPtr build_sensor_model(const SensorSource& source, const SensorBuild& how) {
+  return compile({source.layout, source.mesh.mesh, source.mesh.sha256, source.file, &source.mesh.notes}, how);
 }
 
 SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
@@ -178,17 +224,7 @@ SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
 }
 
 SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how) {
-  const Layout layout = read_layout(layout_file);
-  throw_first_error(check_layout_values(layout, layout_file.string()));
-  const LoadedMesh loaded = load_mesh(mesh_path(layout, layout_file), layout.mesh.scale);
-  const SensorModelPtr built = build_sensor_model(layout, loaded.mesh, loaded.sha256, layout_file.string(), how);
-  const Problems of_mesh = check_layout_mesh(*loaded.mesh, layout_file.string());
-  if (loaded.notes.empty() && of_mesh.empty()) return built;
-  auto model = std::make_shared<SensorModel>(*built);
-  model->problems.insert(model->problems.end(), of_mesh.begin(), of_mesh.end());
-  for (const std::string& note : loaded.notes)
-    model->problems.push_back({layout_file.string(), "/mesh/file", Severity::note, "mesh_repaired", note, ""});
-  return model;
+  return build_sensor_model(read_sensor_source(layout_file), how);
 }
 
 }  // namespace taxel

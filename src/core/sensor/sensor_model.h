@@ -13,6 +13,7 @@
 #include "core/layout/layout_check.h"
 #include "core/layout/receptive_field.h"
 #include "core/mesh/closest_point.h"
+#include "core/mesh/mesh_io.h"
 #include "core/sensor/ray_grid.h"
 #include "core/sensor/readout_table.h"
 #include "core/sensor/sensor_cache.h"
@@ -45,12 +46,16 @@ struct SensorModel {
 };
 using SensorModelPtr = std::shared_ptr<const SensorModel>;
 
+/// Code of the warning that no sample lies in the field of a taxel: unlike all others it depends on the samples.
+inline constexpr const char* kFieldWithoutSamples = "field_without_samples";
+
 /// How a model is built.
 struct SensorBuild {
   SensorBuild(Progress* p = nullptr) : progress(p) {}  // NOLINT: most callers have no more to say
   Progress* progress = nullptr;                        ///< told how far it is; may cancel
   SensorCache* cache = nullptr;                        ///< where parts are found and kept; null: all is made anew
-  SampleQuality quality = SampleQuality::polished;     ///< preview: a first reading soon, while another build polishes
+  /// preview: a first reading soon, while another build polishes; of polished samples where the cache has them already.
+  SampleQuality quality = SampleQuality::polished;
 };
 
 /// Compiles a layout on a mesh. Throws Error for the first problem of severity error; lists the rest. `mesh_sha256` may
@@ -62,6 +67,18 @@ SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, 
 
 /// The same sensor read another way: nothing else of a model depends on layout.readout.aggregate.
 SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate);
+
+/// A layout file and its mesh as read: what its models are compiled from.
+struct SensorSource {
+  std::string file;  ///< names the layout in messages
+  Layout layout;
+  LoadedMesh mesh;
+};
+
+/// Reads layout and mesh files. Throws Error for what cannot be read, and for values that no mesh could make right.
+SensorSource read_sensor_source(const std::filesystem::path& layout_file);
+/// The same as above, with what there is to say about the mesh itself.
+SensorModelPtr build_sensor_model(const SensorSource& source, const SensorBuild& how = {});
 
 /// Reads layout and mesh files and compiles them.
 SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how = {});

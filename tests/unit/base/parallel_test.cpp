@@ -4,8 +4,10 @@
 #include <tbb/global_control.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -65,6 +67,28 @@ TEST(Progress, CancelStopsAtTheNextCheck) {
   EXPECT_EQ(progress.fraction(), 0.25);
   progress.cancel();
   EXPECT_THROW(progress.check(0.5), Cancelled);
+}
+
+TEST(ParallelAll, AFailureWaitsForTheOthersWhichAreDoneToTheirEnd) {
+  for (int round = 0; round < 20; ++round) {
+    std::atomic<int> chunks = 0;
+    std::atomic<bool> begun = false, failed = false;
+    const auto fails = [&] {
+      while (!begun) std::this_thread::yield();
+      failed = true;
+      throw std::runtime_error("first");
+    };
+    const auto loops = [&] {
+      parallel_chunks(200, 1, [&](int, int) {
+        begun = true;
+        if (chunks++ < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      });
+    };
+    const auto fails_too = [] { throw std::logic_error("second"); };
+    EXPECT_THROW(parallel_all(fails, loops, fails_too), std::runtime_error) << "the first in order";
+    EXPECT_TRUE(failed);
+    EXPECT_EQ(chunks, 200);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/layout/layout_json.h"
@@ -112,6 +113,41 @@ TEST(SensorCache, APreviewIsReplacedByWhatAPolishedBuildGives) {
     const auto i = static_cast<std::size_t>(k);
     const auto count = [&](const SensorModel& m) { return m.fields.first[i + 1] - m.fields.first[i]; };
     EXPECT_NEAR(count(*preview), count(*polished), 0.1 * count(*polished)) << k;
+  }
+}
+
+TEST(SensorCache, NoPreviewIsMadeWherePolishedSamplesAreKnown) {
+  Finger finger;
+  finger.layout.sampling.density = 1e6;
+  SensorCache cache;
+  SensorBuild how;
+  how.cache = &cache;
+  const SensorModelPtr polished = finger.build(how);
+  how.quality = SampleQuality::preview;
+  const SensorModelPtr again = finger.build(how);
+  EXPECT_EQ(again->quality, SampleQuality::polished);
+  expect_same(*again, *polished);
+  finger.layout.sampling.seed += 1;
+  EXPECT_EQ(finger.build(how)->quality, SampleQuality::preview) << "of other samples";
+}
+
+TEST(SensorCache, WhatIsSaidOfAMeshIsKeptWithoutTheFile) {
+  const Finger finger;
+  SensorCache cache;
+  SensorBuild how;
+  how.cache = &cache;
+  const LoadedMesh large = load_mesh(mesh_path(finger.layout, kFile), dvec3(1e3));  // hardly metres
+  Layout layout = finger.layout;
+  layout.mesh.scale = dvec3(1e3);
+  layout.taxels.clear();
+  layout.material.thickness = 0;
+  layout.sampling.density = 1;
+  for (const char* file : {"one.json", "other.json"}) {
+    const SensorModelPtr model = build_sensor_model({file, layout, large}, how);
+    const auto found = std::find_if(model->problems.begin(), model->problems.end(),
+                                    [](const Problem& p) { return p.code == "mesh_units"; });
+    ASSERT_NE(found, model->problems.end());
+    EXPECT_EQ(found->file, file);
   }
 }
 
