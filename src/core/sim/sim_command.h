@@ -22,12 +22,17 @@ struct LoadSweepCommand {
   SensorModelPtr model;
   SweepScenario scenario;
 };
+/// The sensors that read by `replaced` read by `model` from now on: the state stays as it is, and its readings are made
+/// anew. Nothing happens where no sensor does.
+struct ReplaceModelCommand {
+  SensorModelPtr replaced, model;
+};
 struct LoadSceneCommand {
   std::string file;
 };  ///< MJCF with its own sensors
 struct QuitCommand {};
 
 using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                LoadSceneCommand, QuitCommand>;
+                                ReplaceModelCommand, LoadSceneCommand, QuitCommand>;
 
 }  // namespace taxel

@@ -27,6 +27,8 @@ struct SceneGeom {
 struct TraceRow {
   double time = 0, travel = 0;
   std::vector<double> readings;  ///< all sensors, one after the other
+  /// preview: some of them are of samples that were replaced since.
+  SampleQuality quality = SampleQuality::polished;
 };
 
 /// The parts of a scene that do not change while it runs.
@@ -66,7 +68,8 @@ struct SimFrame {
   std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()
   double step_seconds = 0;            ///< mean wall time of one of the latest steps [s]; 0: none was made
   std::uint64_t loads = 0;            ///< scenes asked for so far, whether built or refused
-  std::string error;                  ///< why the simulation stopped, or the last scene was refused; empty: fine
+  std::uint64_t replacements = 0;     ///< likewise models to replace
+  std::string error;  ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

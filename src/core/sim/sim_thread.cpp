@@ -45,8 +45,8 @@ struct SimThread::Impl {
   bool running = true, playing = false, by_clock = true;
   double speed = 1.0;
   std::string error;    // why stepping stopped
-  std::string refused;  // why the last scene was not loaded; the one before goes on
-  std::uint64_t loads = 0;
+  std::string refused;  // why the last scene or model was not taken; the one before goes on
+  std::uint64_t loads = 0, replacements = 0;
   std::vector<TraceRow> rows;
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
   StepTime step_time;
@@ -73,6 +73,7 @@ struct SimThread::Impl {
   std::vector<SimCommand> take_commands();
   void execute(const SimCommand& command);
   void load(const std::function<std::unique_ptr<Simulator>()>& make);
+  void replace_model(const ReplaceModelCommand& command);
   void set_playing(bool on);
   bool step_once();
   void burst();
@@ -150,6 +151,8 @@ bool SimThread::Impl::step_once() {
   if (simulator->row_due()) {
     const SimRow row = simulator->row();
     TraceRow traced{row.time, row.travel, {}};
+    for (const SensorModelPtr& sensor : simulator->scene()->sensors)
+      if (sensor && sensor->quality == SampleQuality::preview) traced.quality = SampleQuality::preview;
     for (const std::vector<double>& readings : row.readings)
       traced.readings.insert(traced.readings.end(), readings.begin(), readings.end());
     rows.push_back(std::move(traced));
@@ -180,6 +183,16 @@ void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& ma
   pacing.restart(seconds_since_epoch(), speed);
 }
 
+void SimThread::Impl::replace_model(const ReplaceModelCommand& command) {
+  ++replacements;
+  refused.clear();
+  try {
+    if (simulator != nullptr) simulator->replace_model(command.replaced, command.model);
+  } catch (const std::exception& e) {
+    refused = e.what();  // the one before goes on
+  }
+}
+
 void SimThread::Impl::execute(const SimCommand& command) {
   const auto rewind = [this] {
     error.clear();
@@ -204,6 +217,8 @@ void SimThread::Impl::execute(const SimCommand& command) {
     pacing.restart(seconds_since_epoch(), speed);
   } else if (const auto* sweep = std::get_if<LoadSweepCommand>(&command)) {
     load([&] { return Simulator::make_sweep(sweep->model, sweep->scenario); });
+  } else if (const auto* replace = std::get_if<ReplaceModelCommand>(&command)) {
+    replace_model(*replace);
   } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
     load([&] { return Simulator::load(scene->file); });
   }
@@ -231,6 +246,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->step_seconds = step_time.mean_seconds();
   frame->trace = trace;
   frame->loads = loads;
+  frame->replacements = replacements;
   frame->error = error.empty() ? refused : error;
   mailbox.post(frame);
   last_frame = now;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -208,6 +209,27 @@ void Simulator::step() {
 
 void Simulator::reset() {
   impl_->back_to_start();
+}
+
+void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model) {
+  Impl& s = *impl_;
+  bool another_body = false, any = false;
+  for (const int i : s.instances) {
+    HydroInstance& sensor = *find_sensor(s.d(), i);
+    if (sensor.model() != replaced) continue;
+    any = true;
+    if (sensor.model()->body == model->body) {
+      sensor.replace_samples(s.m(), s.d(), model);
+    } else {
+      sensor.hand_over(s.m(), model);
+      another_body = true;
+    }
+  }
+  if (!any) return;
+  const auto scene = std::make_shared<SimScene>(*s.shown);
+  std::replace(scene->sensors.begin(), scene->sensors.end(), replaced, model);
+  s.shown = scene;
+  if (another_body) s.look();
 }
 
 bool Simulator::finished() const {

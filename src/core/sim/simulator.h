@@ -47,7 +47,10 @@ class Simulator {
   /// Where the time of all sensors went so far.
   [[nodiscard]] SensorTimes sensor_times() const;
 
-  void step();                          ///< one mj_step; then row() and frame() tell of the state that was evaluated
+  void step();  ///< one mj_step; then row() and frame() tell of the state that was evaluated
+  /// All sensors that read by `replaced` read the present state anew, by `model`. Throws Error where it has another
+  /// number of taxels; the sensors then stay as they are.
+  void replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model);
   void reset();                         ///< back to the start, bit for bit
   [[nodiscard]] bool finished() const;  ///< the scenario's path has been run
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row

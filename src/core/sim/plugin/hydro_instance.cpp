@@ -84,14 +84,18 @@ HydroInstance::HydroInstance(const HydroInstance& other)
   reading_.shear = other.reading_.shear;
 }
 
-void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
-  const int size = sensor_dimension(config_.output, model->taxel_count());
+void HydroInstance::check_output_fits(const mjModel& m, const SensorModel& model) const {
+  const int size = sensor_dimension(config_.output, model.taxel_count());
   for (int s = 0; s < m.nsensor; ++s) {
     if (m.sensor_plugin[s] != instance_ || m.sensor_dim[s] == size) continue;
     throw Error("", "layout",
                 fmt::format("needs {} values in sensordata, the model was compiled with {}: compile it again", size,
                             m.sensor_dim[s]));
   }
+}
+
+void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
+  check_output_fits(m, *model);
   model_ = std::move(model);
   read_sensor(*model_, {}, reading_);  // sizes the buffers
   warnings_.clear();
@@ -99,6 +103,12 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   compare_with_model(m);
   compile_others(m);
   reset();
+}
+
+void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr model) {
+  check_output_fits(m, *model);
+  model_ = std::move(model);
+  read(m, d);
 }
 
 void HydroInstance::compile_others(const mjModel& m) {
@@ -313,6 +323,10 @@ void HydroInstance::sense(const mjModel& m, mjData& d) {
   mirror_pairs(m, d);
   note_pressed_through();
   note_mujoco_contacts(m, d);
+  read(m, d);
+}
+
+void HydroInstance::read(const mjModel& m, mjData& d) {
   surfaces_.clear();
   motions_.clear();
   for (const std::size_t i : slots_[sensed_].near) {

@@ -59,6 +59,8 @@ class HydroInstance {
 
   /// Takes a compiled sensor with as many taxels as the output was sized for. Throws Error.
   void hand_over(const mjModel& m, SensorModelPtr model);
+  /// The same with a sensor of the same body: what was sensed last is read anew by it. Throws Error.
+  void replace_samples(const mjModel& m, mjData& d, SensorModelPtr model);
 
   [[nodiscard]] const SensorConfig& config() const { return config_; }
   [[nodiscard]] const SensorModelPtr& model() const { return model_; }  ///< null before hand_over()
@@ -98,6 +100,7 @@ class HydroInstance {
   std::string failure;
 
  private:
+  void check_output_fits(const mjModel& m, const SensorModel& model) const;
   void compile_others(const mjModel& m);
   TouchedGeom compile_other(const mjModel& m, int geom);
   void link_all(const mjModel& m, mjData& d);
@@ -110,6 +113,7 @@ class HydroInstance {
   void clear_pairs(Evaluation& e) const;
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
   [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
+  void read(const mjModel& m, mjData& d);  ///< the surfaces of sensed() into sensordata
   void write_output(mjtNum* out);
 
   int instance_ = -1;

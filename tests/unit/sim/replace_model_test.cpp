@@ -1,0 +1,143 @@
+// A sensor's samples replaced while it is simulated: the state goes on, and is read by the new ones from the same step.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/layout/layout_json.h"
+#include "core/sim/sim_thread.h"
+#include "core/sim/simulator.h"
+
+namespace taxel {
+namespace {
+
+const std::filesystem::path kFile = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
+constexpr int kInContact = 1700;  // steps of the sweep
+
+class ReplaceModel : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    source_ = std::make_unique<SensorSource>(read_sensor_source(kFile));
+    source_->layout.sampling.density = 1e6;
+    SensorCache cache;
+    preview_ = build(cache, SampleQuality::preview);
+    polished_ = build(cache, SampleQuality::polished);
+  }
+  static void TearDownTestSuite() {
+    source_.reset();
+    preview_.reset();
+    polished_.reset();
+  }
+  static SensorModelPtr build(SensorCache& cache, SampleQuality quality) {
+    SensorBuild how;
+    how.cache = &cache;
+    how.quality = quality;
+    return build_sensor_model(*source_, how);
+  }
+  static std::unique_ptr<Simulator> sweep(const SensorModelPtr& model, int steps) {
+    auto simulator = Simulator::make_sweep(model, {});
+    for (int i = 0; i < steps; ++i) simulator->step();
+    return simulator;
+  }
+  static std::unique_ptr<SensorSource> source_;
+  static SensorModelPtr preview_, polished_;
+};
+std::unique_ptr<SensorSource> ReplaceModel::source_;
+SensorModelPtr ReplaceModel::preview_, ReplaceModel::polished_;
+
+/// Values of one state, all of them from the same model.
+void expect_same_frame(const Simulator& a, const Simulator& b) {
+  SimFrame x, y;
+  a.fill_frame(x);
+  b.fill_frame(y);
+  EXPECT_EQ(x.step, y.step);
+  EXPECT_EQ(x.time, y.time);
+  EXPECT_EQ(x.scene->sensors, y.scene->sensors);
+  ASSERT_EQ(x.sensors.size(), 1u);
+  EXPECT_EQ(x.sensors[0].readings, y.sensors[0].readings);
+  EXPECT_EQ(x.sensors[0].force_W, y.sensors[0].force_W);
+  EXPECT_EQ(x.sensors[0].X_WM.p, y.sensors[0].X_WM.p);
+  ASSERT_EQ(x.sensors[0].hits.size(), x.scene->sensors[0]->rays.size());
+  ASSERT_EQ(x.sensors[0].hits.size(), y.sensors[0].hits.size());
+  for (std::size_t i = 0; i < x.sensors[0].hits.size(); ++i)
+    EXPECT_EQ(x.sensors[0].hits[i].pressure, y.sensors[0].hits[i].pressure);
+}
+
+TEST_F(ReplaceModel, ThePresentStateIsReadByTheNewSamplesAndGoesOn) {
+  const auto simulator = sweep(preview_, kInContact), whole = sweep(polished_, kInContact);
+  const std::vector<double> before = simulator->row().readings[0];
+  simulator->replace_model(preview_, polished_);
+  EXPECT_NE(simulator->row().readings[0], before) << "other samples read a little else";
+  expect_same_frame(*simulator, *whole);
+  for (int i = 0; i < 20; ++i) simulator->step(), whole->step();
+  expect_same_frame(*simulator, *whole);
+  EXPECT_GT(*std::max_element(before.begin(), before.end()), 1000) << "Pa: in contact";
+}
+
+TEST_F(ReplaceModel, AfterAResetItReadsByTheNewOne) {
+  const auto simulator = sweep(preview_, 3), whole = sweep(polished_, 0);
+  simulator->reset();
+  simulator->replace_model(preview_, polished_);
+  expect_same_frame(*simulator, *whole);
+  for (int i = 0; i < 50; ++i) simulator->step(), whole->step();
+  expect_same_frame(*simulator, *whole);
+}
+
+TEST_F(ReplaceModel, AModelThatNoSensorReadsByChangesNothing) {
+  const auto simulator = sweep(polished_, 10);
+  const auto scene = simulator->scene();
+  simulator->replace_model(preview_, polished_);
+  EXPECT_EQ(simulator->scene(), scene);
+}
+
+TEST_F(ReplaceModel, AnotherBodyPressesFromTheSameStateOn) {
+  const auto simulator = sweep(polished_, kInContact);
+  SimFrame before, after;
+  simulator->fill_frame(before);
+  Layout layout = source_->layout;
+  layout.material.modulus *= 2;
+  const SensorModelPtr stiffer = build_sensor_model(layout, source_->mesh.mesh, source_->mesh.sha256, "stiffer");
+  simulator->replace_model(polished_, stiffer);
+  simulator->fill_frame(after);
+  EXPECT_EQ(after.scene->sensors[0], stiffer);
+  EXPECT_EQ(after.step, before.step);
+  const auto largest = [](const SimFrame& f) {
+    return *std::max_element(f.sensors[0].readings.begin(), f.sensors[0].readings.end());
+  };
+  EXPECT_NEAR(largest(after), 2 * largest(before), 0.1 * largest(before));
+}
+
+TEST_F(ReplaceModel, OtherNumbersOfTaxelsAreRefusedAndTheSensorStays) {
+  const auto simulator = sweep(preview_, kInContact), untouched = sweep(preview_, kInContact);
+  Layout layout = source_->layout;
+  layout.taxels.pop_back();
+  const SensorModelPtr fewer = build_sensor_model(layout, source_->mesh.mesh, source_->mesh.sha256, "fewer");
+  EXPECT_THROW(simulator->replace_model(preview_, fewer), Error);
+  simulator->step(), untouched->step();
+  expect_same_frame(*simulator, *untouched);
+}
+
+TEST_F(ReplaceModel, RowsOfTheThreadTellWhichSamplesTheyAreOf) {
+  SimThread thread;
+  thread.set_clock_driven(false);
+  thread.send(LoadSweepCommand{preview_, {}});
+  thread.send(StepCommand{25});
+  thread.send(ReplaceModelCommand{preview_, polished_});
+  thread.send(StepCommand{25});
+  SimFramePtr frame;
+  for (int i = 0; i < 10000 && (!frame || frame->step < 50); ++i) {
+    if (SimFramePtr newer = thread.newest_frame()) frame = newer;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_TRUE(frame && frame->step == 50);
+  EXPECT_EQ(frame->error, "");
+  EXPECT_EQ(frame->scene->sensors[0], polished_);
+  std::vector<SampleQuality> rows;
+  for (const TraceRow& row : *frame->trace) rows.push_back(row.quality);
+  EXPECT_EQ(rows, (std::vector<SampleQuality>{SampleQuality::preview, SampleQuality::preview, SampleQuality::preview,
+                                              SampleQuality::polished, SampleQuality::polished}))
+      << "at steps 0, 10, 20 and 30, 40";
+}
+
+}  // namespace
+}  // namespace taxel
