@@ -85,6 +85,12 @@ struct Loading {
   bool can_cancel = false;  ///< MuJoCo's compiler cannot be stopped
 };
 
+/// The samples of the document are polished in the worker, while their preview is shown.
+struct Polishing {
+  bool active = false;
+  double fraction = 0;  ///< 0 in pictures that follow a script: those are the same every time
+};
+
 /// A bar as it was drawn in the last frame: the picture as numbers.
 struct BarShown {
   int taxel_id = 0;
@@ -113,6 +119,7 @@ struct PlotCurves {
   std::vector<std::vector<double>> readings;  ///< per taxel of all sensors, in SI
   std::vector<double> drawn;                  ///< scratch
   double largest = 0;                         ///< of all [Pa]
+  std::optional<double> polished_from;        ///< x from which on the readings are of polished samples; none: all are
 };
 
 struct Clicks {
@@ -128,7 +135,8 @@ struct CloseDocument {};
 struct ListFolder {
   std::string path;
 };
-struct CancelLoading {};
+struct CancelLoading {};  ///< or polishing, whichever runs
+struct PolishSamples {};  ///< of the document, which shows a preview's
 struct SendCommand {
   SimCommand command;
 };
@@ -150,8 +158,8 @@ struct ReloadFile {};
 struct TakeScreenshot {};
 struct Quit {};
 using Request =
-    std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, SendCommand, RunSweep,
-                 SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, TakeScreenshot, Quit>;
+    std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
+                 RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, TakeScreenshot, Quit>;
 
 struct UiState {
   SavedState saved;
@@ -201,6 +209,7 @@ struct UiInput {
   std::vector<double> peaks;  ///< largest reading of each taxel of the selected sensor since the start [Pa]
   Performance performance;
   Loading loading;
+  Polishing polishing;
   std::string version;
 
   /// State of the selected sensor in the newest frame, or null.

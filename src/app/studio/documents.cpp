@@ -36,17 +36,21 @@ std::string short_name(const std::filesystem::path& file) {
   return name.substr(0, name.find('.', 1));
 }
 
-void add_problems(Document& document) {
-  for (const Problem& p : document.model->problems) {
-    if (p.severity == Severity::warning)
-      document.notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
+std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) {
+  std::vector<std::string> notes;
+  for (const Problem& p : model.problems) {
+    if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
+      notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
   }
+  return notes;
 }
 
-Document load_layout(const std::filesystem::path& file, Progress& progress) {
-  Document document{DocumentKind::layout, file.string(), short_name(file), load_sensor_model(file, &progress), {}};
-  if (!document.model->layout.name.empty()) document.name = document.model->layout.name;
-  add_problems(document);
+Document load_layout(const std::filesystem::path& file, const SensorBuild& how) {
+  const auto source = std::make_shared<const SensorSource>(read_sensor_source(file));
+  const auto compile = [source](const SensorBuild& build) { return build_sensor_model(*source, build); };
+  Document document{DocumentKind::layout, file.string(), short_name(file), compile(how), {}, compile};
+  if (!source->layout.name.empty()) document.name = source->layout.name;
+  document.notes = warnings_of(*document.model, false);
   return document;
 }
 
@@ -57,21 +61,20 @@ double density_for(double area) {
   return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
 }
 
-Document load_bare_mesh(const std::filesystem::path& file, Progress& progress) {
+Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
   LoadedMesh loaded = load_mesh(file);
   const double unit = guessed_unit(loaded.mesh->bounds());
   if (unit != 1.0) loaded = load_mesh(file, dvec3(unit));
-  progress.check(0.1);
+  if (how.progress != nullptr) how.progress->check(0.1);
   Layout layout;
   layout.name = short_name(file);
   layout.mesh = {std::filesystem::absolute(file).string(), dvec3(unit), loaded.sha256};
   layout.sampling.density = density_for(loaded.mesh->area());
   layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
-  Document document{DocumentKind::mesh,
-                    file.string(),
-                    layout.name,
-                    build_sensor_model(layout, loaded.mesh, loaded.sha256, file.string(), &progress),
-                    {}};
+  const auto compile = [layout, mesh = loaded.mesh, file = file.string()](const SensorBuild& build) {
+    return build_sensor_model(layout, mesh, layout.mesh.sha256, file, build);
+  };
+  Document document{DocumentKind::mesh, file.string(), layout.name, compile(how), {}, compile};
   const dvec3 size = 1e3 * loaded.mesh->bounds().extent();
   document.notes.push_back(fmt::format("{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm", file.string(),
                                        unit == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z));
@@ -95,29 +98,32 @@ DocumentKind document_kind(const std::filesystem::path& file) {
               "MuJoCo scene (.xml)");
 }
 
-Document load_document(const std::filesystem::path& file, Progress& progress) {
+Document load_document(const std::filesystem::path& file, const SensorBuild& how) {
   switch (document_kind(file)) {
     case DocumentKind::layout:
-      return load_layout(file, progress);
+      return load_layout(file, how);
     case DocumentKind::mesh:
-      return load_bare_mesh(file, progress);
+      return load_bare_mesh(file, how);
     case DocumentKind::scene:
       break;
   }
-  return {DocumentKind::scene, file.string(), short_name(file), nullptr, {}};
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, {}, nullptr};
 }
 
-Document built_in_fingertip(Progress& progress) {
+Document built_in_fingertip(const SensorBuild& how) {
   const std::string layout_name = "fingertip.taxels.json";
   const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
   PolygonSoup soup = read_obj(obj, "fingertip.obj");
   const auto mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
   const Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
-  return {DocumentKind::layout,
-          "",
-          "Fingertip sweep",
-          build_sensor_model(layout, mesh, sha256_hex(obj), layout_name, &progress),
-          {}};
+  const auto compile = [layout, mesh, sha256 = sha256_hex(obj), layout_name](const SensorBuild& build) {
+    return build_sensor_model(layout, mesh, sha256, layout_name, build);
+  };
+  return {DocumentKind::layout, "", "Fingertip sweep", compile(how), {}, compile};
+}
+
+std::vector<std::string> notes_of_samples(const SensorModel& model) {
+  return warnings_of(model, true);
 }
 
 }  // namespace taxel::studio

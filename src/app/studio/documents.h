@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/base/progress.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::studio {
@@ -22,11 +22,19 @@ struct Document {
   std::string name;                ///< for titles
   SensorModelPtr model;            ///< null for a scene: the simulation compiles its sensors
   std::vector<std::string> notes;  ///< what the user should know: repairs, guessed units, warnings
+  /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
+  std::function<SensorModelPtr(const SensorBuild&)> compile;
+
+  /// Shows samples that are yet to be polished.
+  [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
 };
 
 /// Reads and compiles. Throws Error naming file and field, or Cancelled.
-Document load_document(const std::filesystem::path& file, Progress& progress);
-Document built_in_fingertip(Progress& progress);
+Document load_document(const std::filesystem::path& file, const SensorBuild& how);
+Document built_in_fingertip(const SensorBuild& how);
+
+/// What the samples of a layout have to say: known for good only when they are polished, so not in Document::notes.
+std::vector<std::string> notes_of_samples(const SensorModel& model);
 
 /// Metres per unit of a mesh whose file does not say: 1 for sizes that a sensor can have in metres, else 0.001.
 double guessed_unit(const Aabb& bounds);

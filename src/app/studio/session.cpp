@@ -11,6 +11,8 @@ namespace {
 
 /// A simulation that does not answer for so long has died.
 constexpr std::chrono::seconds kPatience{120};
+/// Pictures of a preview in a script, so that it may see it, aim at what it shows, and press and release a button.
+constexpr int kPreviewPictures = 4;
 
 /// Readings of a frame, all sensors one after the other, as trace rows have them.
 std::vector<double> all_readings(const SimFrame& frame) {
@@ -19,6 +21,11 @@ std::vector<double> all_readings(const SimFrame& frame) {
     all.insert(all.end(), sensor.readings.begin(), sensor.readings.end());
   }
   return all;
+}
+
+bool reads_by(const SimFrame& frame, const SensorModelPtr& model) {
+  const auto& sensors = frame.scene->sensors;
+  return std::find(sensors.begin(), sensors.end(), model) != sensors.end();
 }
 
 void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
@@ -57,8 +64,9 @@ void Session::reload() {
 }
 
 void Session::close() {
-  loader_.cancel();
+  loader_.close();
   pending_.reset();
+  polished_.reset();
   document_.reset();
   drop_scene();
 }
@@ -136,28 +144,93 @@ void Session::advance(double seconds) {
   settle([&](const SimFrame& frame) { return frame.step >= target || frame.finished || !frame.error.empty(); });
 }
 
-SessionNews Session::update() {
+/// Not by clock: whether the picture to come still shows the preview.
+bool Session::preview_is_due() const {
+  return loader_.polishing() && preview_pictures_ < kPreviewPictures;
+}
+
+SessionNews Session::update(bool hurry) {
   SessionNews news;
-  if (!by_clock_) loader_.wait();
-  if (std::optional<LoadResult> result = loader_.take()) accept_result(std::move(*result), news);
+  const bool keep = !by_clock_ && !hurry && preview_is_due();
+  if (keep) ++preview_pictures_;
+  if (!by_clock_ && !keep) loader_.wait();
+  if (!keep || loader_.cancelled()) {
+    if (std::optional<LoadResult> result = loader_.take()) accept_result(std::move(*result), news);
+  }
+  show_polished(news);
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
   return news;
 }
 
 void Session::accept_result(LoadResult result, SessionNews& news) {
-  if (const auto* failed = std::get_if<LoadFailed>(&result)) {
-    news.messages.emplace_back(Severity::error, failed->reason);
-  } else if (std::holds_alternative<LoadCancelled>(result)) {
-    news.messages.emplace_back(Severity::note, "Loading was cancelled.");
-  } else {
-    accept_document(std::get<Document>(std::move(result)), news);
+  if (auto* document = std::get_if<Document>(&result)) {
+    preview_pictures_ = 1;
+    return accept_document(std::move(*document), news);
   }
+  if (auto* polished = std::get_if<Polished>(&result)) {
+    polished_ = Replacement{std::move(*polished)};
+  } else if (const auto* failed = std::get_if<PolishFailed>(&result)) {
+    keep_preview(Severity::error, "The samples could not be polished: " + failed->reason, news);
+  } else if (std::holds_alternative<PolishCancelled>(result)) {
+    keep_preview(Severity::note, "Polishing was cancelled: the preview's samples stay.", news);
+  } else if (const auto* refused = std::get_if<LoadFailed>(&result)) {
+    news.messages.emplace_back(Severity::error, refused->reason);
+    resume_polishing();
+  } else {
+    news.messages.emplace_back(Severity::note, "Loading was cancelled.");
+    resume_polishing();
+  }
+}
+
+void Session::polish() {
+  if (loader_.busy() || polished_ || !document_ || !document_->previewed()) return;
+  preview_pictures_ = 0;
+  loader_.polish(*document_);
+}
+
+/// Another document was to be loaded while the samples of this one were polished; it stays after all.
+void Session::resume_polishing() {
+  if (document_ && document_->model != left_preview_) polish();
+}
+
+void Session::keep_preview(Severity severity, const std::string& why, SessionNews& news) {
+  news.messages.emplace_back(severity, why);
+  const Document* shown = pending_ ? &pending_->document : document_ ? &*document_ : nullptr;
+  if (shown == nullptr || !shown->model) return;
+  left_preview_ = shown->model;
+  for (const std::string& note : notes_of_samples(*shown->model)) news.messages.emplace_back(Severity::warning, note);
+}
+
+/// Hands polished samples to the simulation, or shows them where none runs.
+void Session::show_polished(SessionNews& news) {
+  if (!polished_ || polished_->number > 0 || pending_) return;
+  const bool shown = document_ && document_->model == polished_->models.preview;
+  if (!shown || !simulates_document_) {
+    finish_polished(news);
+  } else {
+    polished_->number = ++replacements_;
+    simulation_.send(ReplaceModelCommand{polished_->models.preview, polished_->models.model});
+    if (by_clock_) return;
+    settle([&](const SimFrame& frame) { return frame.replacements >= replacements_; });
+  }
+}
+
+void Session::finish_polished(SessionNews& news) {
+  const Polished models = std::exchange(polished_, std::nullopt)->models;
+  if (!document_ || document_->model != models.preview) return;  // what they belong to was refused, or closed
+  document_->model = models.model;
+  for (const std::string& note : notes_of_samples(*document_->model))
+    news.messages.emplace_back(Severity::warning, note);
 }
 
 void Session::accept_document(Document document, SessionNews& news) {
   for (const std::string& note : document.notes) {
     news.messages.emplace_back(document.kind == DocumentKind::mesh ? Severity::note : Severity::warning, note);
+  }
+  if (document.model && !document.previewed()) {
+    for (const std::string& note : notes_of_samples(*document.model))
+      news.messages.emplace_back(Severity::warning, note);
   }
   const bool play = !reloading_ || playing();
   const bool framed = !reloading_;
@@ -181,14 +254,29 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   }
   last_error_ = frame->error;
   if (answers && frame->error.empty()) accept_pending(*frame, news);
-  if (answers) pending_.reset();
+  if (answers && pending_) refuse_pending();
+  const bool replaced = polished_ && polished_->number > 0 && frame->replacements >= polished_->number;
+  if (replaced && reads_by(*frame, polished_->models.model)) {
+    finish_polished(news);
+  } else if (replaced) {  // refused: the error was told
+    left_preview_ = std::exchange(polished_, std::nullopt)->models.preview;
+  }
   const bool stands = frame->scene && frame->scene->timestep > 0;
   if (!stands || frame->loads < least_load_) return;
   tell_warnings(*frame, news);
-  note_pressures(*frame);
+  note_pressures(*frame, !frame_ || (frame_->scene != frame->scene && !replaced) || frame->step < frame_->step);
   if (frame->finished) playing_ = false;
   frame_ = std::move(frame);
   news.new_frame = true;
+}
+
+/// What was to be opened could not be simulated: what is open stays, and so does the work on its samples.
+void Session::refuse_pending() {
+  const bool another = !document_ || pending_->document.model != document_->model;
+  pending_.reset();
+  if (!another) return;
+  if (loader_.polishing()) loader_.close();
+  resume_polishing();
 }
 
 /// What the sensors found out about the scene since the frame before.
@@ -220,8 +308,7 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   }
 }
 
-void Session::note_pressures(const SimFrame& frame) {
-  const bool another_run = !frame_ || frame_->scene != frame.scene || frame.step < frame_->step;
+void Session::note_pressures(const SimFrame& frame, bool another_run) {
   const std::size_t rows = frame.trace ? frame.trace->size() : 0;
   if (another_run || rows < rows_seen_) {
     peaks_.clear();
@@ -256,7 +343,11 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
     for (std::size_t i = first; i < last; ++i) input.peaks.push_back(peaks_[i]);
   }
   input.loading = {};
-  if (loader_.busy()) {
+  input.polishing = {};
+  if (loader_.polishing()) {
+    input.polishing = {true, by_clock_ ? loader_.fraction() : 0};
+  }
+  if (loader_.loading()) {
     const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
     input.loading = {true, what, loader_.fraction(), loader_.seconds(), true};
   } else if (pending_) {

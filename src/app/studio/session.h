@@ -32,22 +32,24 @@ class Session {
   void open(const std::string& file);  ///< empty: the built-in fingertip
   void reload();                       ///< keeps pause and cameras
   void close();
-  void cancel_loading() { loader_.cancel(); }
+  void cancel_loading() { loader_.cancel(); }  ///< or polishing, whichever runs
+  void polish();                               ///< the samples shown, where they are a preview's
   void run_sweep(const SweepScenario& scenario);
   void set_playing(bool playing);
   void step_once();
   void reset();
   void set_speed(double factor);
 
-  /// Takes what worker and simulation have ready.
-  SessionNews update();
+  /// Takes what worker and simulation have ready. Not by clock it waits for them, but shows a preview for some
+  /// pictures, long enough for a script to act on it, unless it is to `hurry`.
+  SessionNews update(bool hurry = false);
   /// Runs the simulation for `seconds` of real time, if it plays, and waits for its frame. Not by clock only.
   void advance(double seconds);
 
   /// Everything of `input` but rates.
   void fill(ui::UiInput& input, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
-  [[nodiscard]] bool idle() const { return !loader_.busy() && !pending_; }
+  [[nodiscard]] bool idle() const { return !loader_.busy() && !pending_ && !polished_; }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
@@ -64,14 +66,26 @@ class Session {
     std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
   };
 
+  /// Samples that were polished, on their way to what is shown: the simulation reads by them first.
+  struct Replacement {
+    Polished models;
+    std::uint64_t number = 0;  ///< of the request, as SimFrame::replacements counts; 0: not sent yet
+  };
+
   void accept_result(LoadResult result, SessionNews& news);
+  void refuse_pending();
+  void resume_polishing();
+  void keep_preview(Severity severity, const std::string& why, SessionNews& news);
+  void show_polished(SessionNews& news);
+  void finish_polished(SessionNews& news);
+  [[nodiscard]] bool preview_is_due() const;
   void accept_document(Document document, SessionNews& news);
   void accept_frame(SimFramePtr frame, SessionNews& news);
   void accept_pending(const SimFrame& frame, SessionNews& news);
   void tell_warnings(const SimFrame& frame, SessionNews& news);
   void build_scene(Pending pending);
   void drop_scene();
-  void note_pressures(const SimFrame& frame);
+  void note_pressures(const SimFrame& frame, bool another_run);
   /// Waits for a frame for which `done` holds; not by clock only. Throws Error when none comes.
   template <class Done>
   void settle(const Done& done);
@@ -82,7 +96,11 @@ class Session {
   SimFramePtr frame_;
   SimFramePtr settled_;  ///< what settle() waited for; update() tells of it
   std::optional<Pending> pending_;
-  std::uint64_t loads_ = 0;       ///< scenes asked for
+  std::optional<Replacement> polished_;
+  SensorModelPtr left_preview_;  ///< polishing it was cancelled or failed: not begun again unasked
+  int preview_pictures_ = 0;     ///< shown of the present preview; not by clock only
+  std::uint64_t loads_ = 0;      ///< scenes asked for
+  std::uint64_t replacements_ = 0;
   std::uint64_t least_load_ = 1;  ///< frames of earlier scenes are not shown any more
   std::optional<Document> document_;
   SweepScenario scenario_;

@@ -72,6 +72,16 @@ Json overlays_json(const ui::Overlays& o) {
           {"grid", o.grid}};
 }
 
+const char* to_string(SampleQuality quality) {
+  return quality == SampleQuality::preview ? "preview" : "polished";
+}
+
+/// What is compiled of the document.
+Json model_json(const ui::UiInput& input) {
+  if (!input.model) return nullptr;
+  return {{"quality", to_string(input.model->quality)}, {"polishing", input.polishing.active}};
+}
+
 Json document_json(const ui::UiInput& input) {
   if (!input.model) return nullptr;
   Json json = Json::object();
@@ -95,15 +105,19 @@ Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["finished"] = frame.finished;
   json["speed"] = input.speed;
   json["rows"] = frame.trace ? frame.trace->size() : 0;
+  const auto is_preview = [](const TraceRow& row) { return row.quality == SampleQuality::preview; };
+  json["preview_rows"] = frame.trace ? std::count_if(frame.trace->begin(), frame.trace->end(), is_preview) : 0;
   json["sensors"] = Json::array();
-  for (const SensorFrameState& sensor : frame.sensors) {
+  for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
+    const SensorFrameState& sensor = frame.sensors[s];
     std::size_t polygons = 0;
     double largest = 0;
     for (const ContactSurface& surface : sensor.surfaces) {
       polygons += surface.polygons.size();
       largest = std::max(largest, surface.max_pressure());
     }
-    json["sensors"].push_back({{"readings", sensor.readings},
+    json["sensors"].push_back({{"quality", to_string(frame.scene->sensors[s]->quality)},
+                               {"readings", sensor.readings},
                                {"force", to_json(sensor.force_W)},
                                {"polygons", polygons},
                                {"max_pressure", largest},
@@ -218,6 +232,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
     json["selection"]["taxel"] = model->layout.taxels[static_cast<std::size_t>(ui.selection.taxel)].id;
   }
   json["document"] = document_json(input);
+  json["model"] = model_json(input);
   json["history"] = {{"depth", 0}};
   json["simulation"] = simulation_json(ui, input);
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};

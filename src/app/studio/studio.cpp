@@ -120,8 +120,9 @@ void Studio::run_by_clock() {
 
 void Studio::run_by_frames() {
   const ScriptStage stage = script_stage();
-  for (int i = 0; i < kSettlingPictures; ++i) {  // so that a script's first line finds the window complete
-    act_on(session_.update());
+  // So that a script's first line finds the window complete, its samples polished.
+  for (int i = 0; i <= kSettlingPictures; ++i) {
+    act_on(session_.update(true));
     draw_picture(kScriptFrame);
   }
   pace_ = {};

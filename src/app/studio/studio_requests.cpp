@@ -44,6 +44,8 @@ void Studio::carry_out(const ui::Request& request) {
     list_folder(ui_.dialog, list->path);
   } else if (std::holds_alternative<ui::CancelLoading>(request)) {
     session_.cancel_loading();
+  } else if (std::holds_alternative<ui::PolishSamples>(request)) {
+    session_.polish();
   } else if (const auto* sweep = std::get_if<ui::RunSweep>(&request)) {
     session_.run_sweep(sweep->scenario);
   } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {

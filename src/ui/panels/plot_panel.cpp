@@ -33,6 +33,11 @@ void rebuild_curves(PlotCurves& curves, const std::vector<TraceRow>& trace, bool
   curves.travel_mm.clear();
   curves.readings.assign(trace.empty() ? 0 : trace.front().readings.size(), {});
   curves.largest = 0;
+  curves.polished_from.reset();
+  for (std::size_t r = 1; r < trace.size(); ++r) {
+    if (trace[r - 1].quality == SampleQuality::preview && trace[r].quality == SampleQuality::polished)
+      curves.polished_from = plot_x(trace[r], sweep);
+  }
   const std::size_t stride = 1 + trace.size() / kMostPoints;
   for (std::size_t r = 0; r < trace.size(); r += stride) {
     curves.travel_mm.push_back(plot_x(trace[r], sweep));
@@ -108,6 +113,19 @@ void draw_cursor(const UiState& ui, const UiInput& input) {
   ImPlot::PlotInfLines("##now", &x, 1, spec);
 }
 
+/// Where the samples were polished while the simulation ran: readings before are of the preview's.
+void draw_polish_mark(const UiState& ui) {
+  if (!ui.curves.polished_from) return;
+  const double x = *ui.curves.polished_from;
+  ImPlotSpec spec;
+  spec.LineColor = palette(ui.saved.dark).dim;
+  spec.LineWeight = 1.0f;
+  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlot::PlotInfLines("##polished", &x, 1, spec);
+  const ImVec2 away(-0.6f * ImGui::GetFontSize(), 0.6f * ImGui::GetFontSize());
+  ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.saved.dark).raised, away, true, "polished samples");
+}
+
 void draw_plot(UiState& ui, const UiInput& input) {
   PlotCurves& curves = ui.curves;
   const Layout& layout = input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
@@ -125,6 +143,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
       draw_curve(ui, readings, scale, static_cast<int>(k), layout.taxels[k].id,
                  ui.selection.taxel == static_cast<int>(k));
     }
+    draw_polish_mark(ui);
     draw_cursor(ui, input);
     ImPlot::EndPlot();
     ui.widgets.note_item("Plot");

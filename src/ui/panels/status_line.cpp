@@ -49,6 +49,31 @@ void draw_contact(UiState& ui, const UiInput& input) {
   item(ui, "polygons", grouped(static_cast<long long>(polygons)));
 }
 
+/// Tells while a preview's samples are shown, and what happens to them.
+void draw_samples(UiState& ui, const UiInput& input) {
+  const bool preview = input.model && input.model->quality == SampleQuality::preview;
+  if (!preview && !input.polishing.active) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).warning);
+  std::string text = "Preview samples";
+  if (input.polishing.active) text = "Polishing samples";
+  if (input.polishing.fraction > 0) text += fmt::format(" {:.0f} %", 100 * input.polishing.fraction);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ui.widgets.note_item(text);
+  tooltip("Readings are of quickly made samples, which are less even, until they are polished");
+  ImGui::SameLine(0, 5);
+  if (input.polishing.active) {
+    if (ImGui::SmallButton("Cancel##polishing")) ui.ask(CancelLoading{});
+    ui.widgets.note_item("Cancel polishing");
+    tooltip("Keep the preview's samples");
+  } else {
+    if (ImGui::SmallButton("Polish")) ui.ask(PolishSamples{});
+    ui.widgets.note_item("Polish");
+    tooltip("Spread the samples as evenly as possible");
+  }
+  ImGui::SameLine(0, 1.3f * ImGui::GetFontSize());
+}
+
 /// Counters at the right end; a click opens the list.
 void draw_message_counter(UiState& ui, const UiInput& input) {
   const auto count = [&](Severity severity) {
@@ -88,6 +113,7 @@ void draw_status_line(UiState& ui, const UiInput& input) {
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
   if (ImGui::BeginViewportSideBar("Status", ImGui::GetMainViewport(), ImGuiDir_Down, height, kFlags)) {
     draw_rates(ui, input);
+    draw_samples(ui, input);
     draw_contact(ui, input);
     draw_message_counter(ui, input);
   }

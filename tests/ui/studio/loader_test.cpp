@@ -30,38 +30,125 @@ std::string layout_of_density(double density) {
   return (folder / "dense.taxels.json").string();
 }
 
-TEST(Loader, ProgressGrowsUntilTheDocumentIsThere) {
-  Loader loader;
-  EXPECT_FALSE(loader.busy());
-  loader.start(layout_of_density(2e7));
-  EXPECT_TRUE(loader.busy());
-  std::set<double> seen;
+/// The next result of a loader that has one to come.
+LoadResult next(Loader& loader) {
+  loader.wait();
+  std::optional<LoadResult> result = loader.take();
+  if (!result) throw std::runtime_error("nothing is loading");
+  return std::move(*result);
+}
+
+/// Watches `fraction` until the next result, and returns that.
+LoadResult watched(Loader& loader, std::set<double>& seen) {
   double before = 0;
-  std::optional<LoadResult> result;
-  while (!(result = loader.take())) {
+  while (true) {
     const double now = loader.fraction();
+    if (std::optional<LoadResult> result = loader.take()) return std::move(*result);
     EXPECT_GE(now, before) << "the bar never goes back";
     seen.insert(before = now);
     std::this_thread::sleep_for(200us);
   }
-  EXPECT_GE(std::count_if(seen.begin(), seen.end(), [](double f) { return f > 0 && f < 1; }), 3);
-  ASSERT_TRUE(std::holds_alternative<Document>(*result));
-  EXPECT_EQ(std::get<Document>(*result).model->taxel_count(), 12);
-  EXPECT_EQ(loader.fraction(), 1);
+}
+
+TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
+  const std::string file = layout_of_density(2e7);
+  Loader loader;
+  EXPECT_FALSE(loader.busy());
+  loader.start(file);
+  EXPECT_TRUE(loader.busy() && loader.loading());
+  std::set<double> loading, polishing;
+  const LoadResult first = watched(loader, loading);
+  ASSERT_TRUE(std::holds_alternative<Document>(first));
+  const Document& document = std::get<Document>(first);
+  EXPECT_EQ(document.model->taxel_count(), 12);
+  EXPECT_TRUE(document.previewed());
+  EXPECT_TRUE(loader.polishing() && !loader.loading());
+  const LoadResult second = watched(loader, polishing);
+  for (const std::set<double>& seen : {loading, polishing})
+    EXPECT_GE(std::count_if(seen.begin(), seen.end(), [](double f) { return f > 0 && f < 1; }), 3);
+  ASSERT_TRUE(std::holds_alternative<Polished>(second));
+  const Polished& polished = std::get<Polished>(second);
+  EXPECT_EQ(polished.preview, document.model);
+  EXPECT_EQ(polished.model->quality, SampleQuality::polished);
+  EXPECT_EQ(polished.model->body, document.model->body) << "which is not made twice";
   EXPECT_FALSE(loader.busy());
   EXPECT_FALSE(loader.take()) << "once";
+
+  const SensorModelPtr alone = load_sensor_model(file);
+  ASSERT_EQ(polished.model->samples.size(), alone->samples.size());
+  for (std::size_t i = 0; i < alone->samples.size(); ++i)
+    ASSERT_EQ(polished.model->samples[i].position, alone->samples[i].position) << "the same as without a preview";
+}
+
+TEST(Loader, AReloadAfterAnEditOfTaxelsKeepsThePolishedSamples) {
+  const std::string file = layout_of_density(1e6);
+  Loader loader;
+  loader.start(file);
+  next(loader);
+  const SensorModelPtr before = std::get<Polished>(next(loader)).model;
+  test::Json layout = test::Json::parse(test::file_text(file));
+  layout["taxels"][3]["radius"] = 0.004;
+  test::write_text(file, layout.dump());
+  loader.start(file);
+  const SensorModelPtr after = std::get<Document>(next(loader)).model;
+  EXPECT_EQ(after->quality, SampleQuality::polished) << "at once";
+  EXPECT_FALSE(loader.busy());
+  EXPECT_EQ(after->body, before->body);
+  EXPECT_EQ(after->samples[7].position, before->samples[7].position);
+  EXPECT_LT(after->fields.entries.size(), before->fields.entries.size());
 }
 
 TEST(Loader, CancelEndsALoadThatHasBegun) {
+  std::chrono::steady_clock::time_point cancelled;
+  {
+    Loader loader;
+    loader.start(layout_of_density(1e8));
+    while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
+    loader.cancel();
+    cancelled = std::chrono::steady_clock::now();
+    EXPECT_TRUE(loader.busy()) << "until that was told";
+    EXPECT_TRUE(std::holds_alternative<LoadCancelled>(next(loader)));
+    EXPECT_FALSE(loader.busy());
+    EXPECT_FALSE(loader.take());
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - cancelled, 10s) << "a million samples take longer";
+}
+
+TEST(Loader, CancelOfPolishingKeepsTheDocument) {
   Loader loader;
-  loader.start(layout_of_density(1e8));
+  loader.start(layout_of_density(1e7));
+  const Document document = std::get<Document>(next(loader));
   while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
   loader.cancel();
+  EXPECT_TRUE(std::holds_alternative<PolishCancelled>(next(loader)));
+  EXPECT_FALSE(loader.busy());
+  loader.polish(document);  // after all
+  EXPECT_TRUE(loader.polishing());
+  EXPECT_EQ(std::get<Polished>(next(loader)).preview, document.model);
+}
+
+TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
+  Loader loader;
+  loader.start(layout_of_density(1e5));
   loader.wait();
-  const std::optional<LoadResult> result = loader.take();
-  ASSERT_TRUE(result);
-  EXPECT_TRUE(std::holds_alternative<LoadCancelled>(*result));
-  EXPECT_LT(loader.fraction(), 1) << "it did not run to its end";
+  loader.cancel();
+  EXPECT_TRUE(std::holds_alternative<LoadCancelled>(next(loader)));
+  loader.start(layout_of_density(1e5));
+  loader.wait();
+  loader.close();
+  EXPECT_FALSE(loader.busy());
+  EXPECT_FALSE(loader.take()) << "nothing is told";
+}
+
+TEST(Loader, AFailureOfPolishingIsTold) {
+  Loader loader;
+  loader.start(layout_of_density(1e5));
+  Document document = std::get<Document>(next(loader));
+  document.compile = [](const SensorBuild&) -> SensorModelPtr { throw std::runtime_error("no memory"); };
+  loader.polish(document);
+  const LoadResult result = next(loader);
+  ASSERT_TRUE(std::holds_alternative<PolishFailed>(result));
+  EXPECT_EQ(std::get<PolishFailed>(result).reason, "no memory");
   EXPECT_FALSE(loader.busy());
 }
 
@@ -69,10 +156,10 @@ TEST(Loader, AnotherLoadTakesTheFirstOnesPlace) {
   Loader loader;
   loader.start(layout_of_density(1e8));
   loader.start("nothing.obj");
-  loader.wait();
-  const std::optional<LoadResult> result = loader.take();
-  ASSERT_TRUE(result && std::holds_alternative<LoadFailed>(*result));
-  EXPECT_EQ(std::get<LoadFailed>(*result).reason, "nothing.obj: no such file");
+  const LoadResult result = next(loader);
+  ASSERT_TRUE(std::holds_alternative<LoadFailed>(result));
+  EXPECT_EQ(std::get<LoadFailed>(result).reason, "nothing.obj: no such file");
+  EXPECT_FALSE(loader.busy());
 }
 
 /// Panels in a window of their own, without anything that draws.

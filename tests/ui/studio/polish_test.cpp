@@ -1,0 +1,149 @@
+// Opening shows a preview of the samples first; polished ones take its place while all else goes on.
+#include <gtest/gtest.h>
+
+#include "studio_program.h"
+
+namespace taxel::test {
+namespace {
+
+std::string dump(const std::string& file) {
+  return R"({"do": "dump_state", "file": ")" + file + R"("})";
+}
+
+std::string at_frame(int frame, const std::string& rest) {
+  return R"({"frame": )" + std::to_string(frame) + ", " + rest + "}";
+}
+
+/// A fingertip with so many samples per square metre, in the test's folder.
+std::string write_layout(const StudioProgram& studio, double density) {
+  const std::string assets = TAXEL_SOURCE_DIR "/assets";
+  Json layout = Json::parse(file_text(assets + "/layouts/fingertip.taxels.json"));
+  layout["mesh"]["file"] = assets + "/meshes/fingertip.obj";
+  layout["sampling"]["density"] = density;
+  write_text(studio.folder() / "finger.taxels.json", layout.dump());
+  return "finger.taxels.json";
+}
+
+bool says(const Json& state, const std::string& what) {
+  return state["messages"].dump().find(what) != std::string::npos;
+}
+bool shows(const Json& state, const std::string& widget) {
+  return state["widgets"].dump().find(widget) != std::string::npos;
+}
+
+TEST(Polish, ThePreviewIsShownFirstAndReplacedWhileTheSweepRuns) {
+  const StudioProgram studio;
+  const std::string file = write_layout(studio, 2e6);
+  studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
+               at_frame(3, R"("do": "dump_state", "file": "first.json")"),
+               at_frame(4, R"("event": "click", "at": {"taxel": 3})"),
+               at_frame(5, R"("do": "dump_state", "file": "chosen.json")"), R"({"do": "wait_idle"})", dump("idle.json"),
+               R"({"do": "wait_time", "time": 1.5})", dump("later.json")});
+  const Json first = studio.state("first.json"), chosen = studio.state("chosen.json"), idle = studio.state("idle.json");
+  EXPECT_EQ(first["model"], Json({{"quality", "preview"}, {"polishing", true}}));
+  EXPECT_EQ(first["simulation"]["sensors"][0]["quality"], "preview");
+  EXPECT_TRUE(shows(first, "Polishing samples"));
+  EXPECT_EQ(first["document"]["layout"]["taxels"].size(), 12U);
+  EXPECT_EQ(first["simulation"]["readings"].size(), 12U);
+  EXPECT_EQ(idle["model"], Json({{"quality", "polished"}, {"polishing", false}}));
+  EXPECT_EQ(idle["simulation"]["sensors"][0]["quality"], "polished");
+  EXPECT_FALSE(shows(idle, "Polishing samples"));
+
+  // All else goes on.
+  EXPECT_EQ(chosen["model"]["quality"], "preview");
+  EXPECT_FALSE(chosen["selection"]["taxel"].is_null());
+  EXPECT_EQ(idle["selection"], chosen["selection"]);
+  EXPECT_EQ(idle["camera"], chosen["camera"]);
+  EXPECT_EQ(idle["document"], chosen["document"]);
+  EXPECT_EQ(idle["mode"], chosen["mode"]);
+  EXPECT_GT(idle["simulation"]["step"], chosen["simulation"]["step"]);
+  EXPECT_TRUE(idle["simulation"]["playing"]);
+  EXPECT_EQ(idle["messages"], first["messages"]) << "nothing to say";
+  const Json later = studio.state("later.json");
+  EXPECT_EQ(later["simulation"]["preview_rows"], idle["simulation"]["preview_rows"]);
+  EXPECT_GT(later["simulation"]["preview_rows"], 0) << "the history tells which rows are of the preview";
+  EXPECT_LT(later["simulation"]["preview_rows"], 20);
+}
+
+TEST(Polish, ReadingsAfterItAreThoseOfPolishedSamplesAlone) {
+  const StudioProgram studio;
+  const std::string file = write_layout(studio, 1e6);
+  // Once by way of the preview; once loaded again, where the polished samples are known and no preview is made.
+  studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
+               at_frame(3, R"("do": "wait_time", "time": 1.5)"), dump("dropped.json"),
+               at_frame(4, R"("event": "key", "key": "l", "mods": ["ctrl"])"),
+               at_frame(5, R"("do": "dump_state", "file": "reloaded.json")"), R"({"do": "wait_time", "time": 1.5})",
+               dump("again.json")});
+  EXPECT_EQ(studio.state("reloaded.json")["model"]["quality"], "polished") << "at once: the samples are known";
+  EXPECT_EQ(studio.state("reloaded.json")["simulation"]["preview_rows"], 0);
+  const Json dropped = studio.state("dropped.json")["simulation"], again = studio.state("again.json")["simulation"];
+  ASSERT_EQ(dropped["step"], again["step"]);
+  EXPECT_EQ(dropped["sensors"], again["sensors"]);
+  EXPECT_GT(dropped["sensors"][0]["polygons"], 0);
+}
+
+TEST(Polish, CancelKeepsThePreviewUntilItIsAskedForAgain) {
+  const StudioProgram studio;
+  const std::string file = write_layout(studio, 1e6);
+  studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
+               at_frame(4, R"("event": "click", "at": {"widget": "Cancel polishing"})"),
+               at_frame(5, R"("do": "wait_idle")"), dump("cancelled.json"),
+               at_frame(6, R"("event": "click", "at": {"widget": "Polish"})"), R"({"do": "wait_idle"})",
+               dump("asked.json")});
+  const Json cancelled = studio.state("cancelled.json"), asked = studio.state("asked.json");
+  EXPECT_EQ(cancelled["model"], Json({{"quality", "preview"}, {"polishing", false}}));
+  EXPECT_TRUE(says(cancelled, "Polishing was cancelled"));
+  EXPECT_TRUE(shows(cancelled, "Preview samples"));
+  EXPECT_TRUE(cancelled["simulation"]["playing"]);
+  EXPECT_EQ(asked["model"], Json({{"quality", "polished"}, {"polishing", false}}));
+  EXPECT_EQ(asked["simulation"]["sensors"][0]["quality"], "polished");
+}
+
+TEST(Polish, AFileThatIsRefusedMeanwhileDoesNotStopIt) {
+  const StudioProgram studio;
+  const std::string file = write_layout(studio, 1e6);
+  studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
+               at_frame(3, R"("event": "drop", "files": ["nothing.obj"])"),
+               at_frame(4, R"("do": "dump_state", "file": "refused.json")"), R"({"do": "wait_idle"})",
+               dump("idle.json")});
+  const Json refused = studio.state("refused.json"), idle = studio.state("idle.json");
+  EXPECT_TRUE(says(refused, "nothing.obj: no such file"));
+  EXPECT_EQ(refused["model"], Json({{"quality", "preview"}, {"polishing", true}}));
+  EXPECT_EQ(idle["model"]["quality"], "polished");
+  EXPECT_EQ(idle["messages"].size(), 1U) << "said once: " << idle["messages"].dump();
+}
+
+TEST(Polish, AnotherFileTakesItsPlace) {
+  const StudioProgram studio;
+  const std::string file = write_layout(studio, 1e6), mesh = TAXEL_SOURCE_DIR "/assets/meshes/fingertip.glb";
+  studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
+               at_frame(3, R"("event": "drop", "files": [")" + mesh + R"("])"),
+               at_frame(4, R"("do": "dump_state", "file": "mesh.json")"), R"({"do": "wait_idle"})",
+               R"({"do": "screenshot", "file": "mesh.png"})", dump("idle.json")});
+  EXPECT_EQ(studio.state("mesh.json")["document"]["file"], mesh);
+  EXPECT_EQ(studio.state("mesh.json")["model"]["quality"], "preview");
+  const Json idle = studio.state("idle.json");
+  EXPECT_EQ(idle["document"]["file"], mesh);
+  EXPECT_EQ(idle["mode"], "layout");
+  EXPECT_EQ(idle["model"]["quality"], "polished");
+}
+
+TEST(Polish, AnEmptyFieldIsToldOfThePolishedSamples) {
+  const StudioProgram studio;
+  write_layout(studio, 1e6);
+  Json layout = Json::parse(file_text(studio.folder() / "finger.taxels.json"));
+  layout["taxels"][5]["radius"] = 2e-5;  // less than the distance of samples
+  write_text(studio.folder() / "finger.taxels.json", layout.dump());
+  studio.play({at_frame(2, R"("event": "drop", "files": ["finger.taxels.json"])"),
+               at_frame(3, R"("do": "dump_state", "file": "first.json")"), R"({"do": "wait_idle"})",
+               dump("idle.json")});
+  EXPECT_FALSE(says(studio.state("first.json"), "no sample lies in the receptive field"));
+  const Json messages = studio.state("idle.json")["messages"];
+  const std::string text = messages.dump();
+  const std::size_t told = text.find("/taxels/5: no sample lies in the receptive field");
+  ASSERT_NE(told, std::string::npos) << text;
+  EXPECT_EQ(text.find("no sample lies", told + 20), std::string::npos) << "once";
+}
+
+}  // namespace
+}  // namespace taxel::test
