@@ -36,7 +36,7 @@ TEST(Polish, ThePreviewIsShownFirstAndReplacedWhileTheSweepRuns) {
   const std::string file = write_layout(studio, 2e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
                at_frame(3, R"("do": "dump_state", "file": "first.json")"),
-               at_frame(4, R"("event": "click", "at": {"taxel": 3})"),
+               at_frame(4, R"("event": "click", "at": {"taxel": 9})"),
                at_frame(5, R"("do": "dump_state", "file": "chosen.json")"), R"({"do": "wait_idle"})", dump("idle.json"),
                R"({"do": "wait_time", "time": 1.5})", dump("later.json")});
   const Json first = studio.state("first.json"), chosen = studio.state("chosen.json"), idle = studio.state("idle.json");
