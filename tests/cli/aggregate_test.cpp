@@ -146,5 +146,29 @@ TEST(ReleasedCode, InAnyScene) {
   expect_released(run({"paper/scene.xml"}, "a"), run({"paper/scene.xml", "--aggregate", "weighted_sum"}, "b"), weights);
 }
 
+// The integral needs what samples do not: a model that is switched to it has to get it.
+TEST(Aggregates, ForceBySwitchAndByLayoutAreTheSame) {
+  const fs::path folder = contact_folder();
+  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
+  write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));
+  const auto run = [&](const std::vector<std::string>& options, const char* out) {
+    std::vector<std::string> arguments{"run",     "scene.xml", "--layout",  "changed.taxels.json",
+                                       "--geom",  "tip",       "--seconds", "0.01",
+                                       "--quiet", "--out",     out};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = taxel(arguments, folder);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_csv(folder / out / "readings.csv");
+  };
+  const Table switched = run({"--aggregate", "force"}, "switched");
+  changed_layout(folder, density_and(aggregate_patch("force")));
+  EXPECT_EQ(switched, run({}, "layout"));
+  double felt = 0;
+  for (const auto& [head, values] : switched) {
+    if (head.starts_with("taxel_")) felt += *std::max_element(values.begin(), values.end());
+  }
+  EXPECT_GT(felt, 0);
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -68,7 +68,7 @@ std::string taxel_text(const UiState& ui, const UiInput& input, const SensorMode
       fmt::format("\n{} samples, radius {}", model.fields.first[i + 1] - model.fields.first[i], in_mm(taxel.radius));
   const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
   if (sensor != nullptr && i < sensor->readings.size())
-    text += "\n" + in_unit(sensor->readings[i], shown_unit(model.layout.readout.aggregate));
+    text += fmt::format("\n{}", in_unit(sensor->readings[i], shown_unit(model.layout.readout.aggregate)));
   return text;
 }
 

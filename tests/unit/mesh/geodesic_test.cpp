@@ -340,7 +340,7 @@ TEST(GeodesicMap, KeepsEveryBitOfAPropagation) {
     int reached = 0;
     for (int i = 0; i < 400; ++i) {
       const OnSurface target =
-          i < 5 ? OnSurface{source.face, inner_point(mesh, random).barycentric} : random_point(mesh, random);
+          i < 5 ? OnSurface{source.face, inner_point(mesh, random).weights} : random_point(mesh, random);
       expected.emplace_back(target, geodesic.to(target.face, target.position(mesh)));
       reached += expected.back().second < kInfinity ? 1 : 0;
     }

@@ -84,7 +84,7 @@ TEST(Convergence, MakesNothingTwice) {
   read_convergence(*model, list, cache);
   const SensorSkinPtr skin = cache.skin(plate.mesh, Shells::outer);
   EXPECT_EQ(skin->sensed, model->skin);
-  EXPECT_EQ(cache.body(skin, plate.layout.material, ""), model->body);
+  EXPECT_EQ(cache.body(plate.mesh, plate.layout.material, ""), model->body);
   Progress cancelled;
   cancelled.cancel();
   const auto samples = [&](double factor) {
