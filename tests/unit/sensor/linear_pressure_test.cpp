@@ -7,42 +7,24 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/primitives.h"
+#include "core/project/validation/flat_patch.h"
 #include "core/sensor/reading.h"
 #include "unit/sensor/random_surface.h"
 
 namespace taxel {
 namespace {
 
-constexpr double kHalf = 0.010, kThickness = 0.0005, kRadius = 0.003;  // of the plate and of a taxel [m]
+constexpr double kHalf = FlatPatch::kHalf, kThickness = FlatPatch::kThickness, kRadius = FlatPatch::kRadius;  // [m]
 
-/// 7 x 7 taxels on the upper face of a plate, away from its edges; about `samples` in each.
 Layout patch_layout(double samples, std::uint64_t seed, SampleWeights weights) {
-  Layout layout;
-  layout.mesh.file = "plate";
-  layout.sampling.density = samples / (kPi * kRadius * kRadius);
-  layout.sampling.seed = seed;
-  layout.sampling.weights = weights;
-  layout.material.thickness = 0.8 * kThickness;
-  layout.readout.max_depth = kThickness;
-  for (int j = -3; j <= 3; ++j)
-    for (int i = -3; i <= 3; ++i) {
-      Taxel taxel;
-      taxel.id = static_cast<int>(layout.taxels.size());
-      taxel.center = dvec3(0.00201 * i, 0.00203 * j, 0.5 * kThickness);
-      taxel.radius = kRadius;
-      layout.taxels.push_back(taxel);
-    }
-  return layout;
+  return FlatPatch::layout(samples, seed, weights);
 }
-
 SensorModelPtr patch_model(const Layout& layout) {
-  return build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(kHalf, kHalf, 0.5 * kThickness))), "",
-                            "plate");
+  return FlatPatch::model(layout);
 }
 
 /// p = kBase + kSlope x over the whole plate, inside of it: between 0.4 and 1.6 times kBase.
-constexpr double kBase = 2e4, kSlope = 0.6 * kBase / kHalf;
+constexpr double kBase = 2e4, kSlope = FlatPatch::kSlope * kBase;
 ContactSurface linear_pressure() {
   ContactSurface surface;
   const double a = kHalf, z = 0.2 * kThickness;

@@ -8,6 +8,7 @@
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
 #include "core/mesh/primitives.h"
+#include "core/project/validation/flat_patch.h"
 #include "core/project/validation/sample_score.h"
 #include "core/project/validation/validation.h"
 #include "core/sensor/reading.h"
@@ -81,45 +82,18 @@ dvec3 random_point(const TriMesh& mesh, int face, const CounterRng& rng, std::ui
   return a + u * (b - a) + v * (c - a);
 }
 
-/// 7 x 7 taxels on a thin plate, away from its edges, with about `samples` in each.
-struct Patch {
-  static constexpr double kHalf = 0.010, kThickness = 0.0005, kRadius = 0.003, kSlope = 0.6 / kHalf;
-  SensorModelPtr model;
-
-  Patch(double samples, std::uint64_t seed, SampleWeights weights) {
-    Layout layout;
-    layout.mesh.file = "plate";
-    layout.sampling.density = samples / (kPi * kRadius * kRadius);
-    layout.sampling.seed = seed;
-    layout.sampling.weights = weights;
-    layout.material.thickness = 0.8 * kThickness;
-    layout.readout.max_depth = kThickness;
-    for (int j = -3; j <= 3; ++j) {
-      for (int i = -3; i <= 3; ++i) {
-        Taxel taxel;
-        taxel.id = static_cast<int>(layout.taxels.size());
-        taxel.center = dvec3(0.00201 * i, 0.00203 * j, 0.5 * kThickness);
-        taxel.radius = kRadius;
-        layout.taxels.push_back(taxel);
-      }
-    }
-    const auto plate = std::make_shared<TriMesh>(make_box(dvec3(kHalf, kHalf, 0.5 * kThickness)));
-    model = build_sensor_model(layout, plate, "", "plate");
-  }
-  /// p = 1 + slope x, from 0.4 to 1.6 over the plate, offered to each ray at its origin.
-  static double pressure(double x) { return 1.0 + kSlope * x; }
-  void read(Statistic& statistic) const {
-    RayHits hits;
-    hits.clear(model->rays.size());
-    for (std::size_t r = 0; r < model->rays.size(); ++r)
-      hits.offer(static_cast<std::int32_t>(r), {0, 0, 0, pressure(model->rays[r].origin.x)});
-    hits.finish();
-    std::vector<double> values;
-    aggregate(*model, hits, Aggregate::weighted_mean, values);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      statistic.add(values[k], pressure(model->layout.taxels[k].center.x));
-  }
-};
+/// The readings of a FlatPatch whose rays feel p = 1 + slope x at their origins, against p at the taxels' centres.
+void read_flat_patch(const SensorModel& model, Statistic& statistic) {
+  const auto pressure = [](double x) { return 1.0 + FlatPatch::kSlope * x; };
+  RayHits hits;
+  hits.clear(model.rays.size());
+  for (std::size_t r = 0; r < model.rays.size(); ++r)
+    hits.offer(static_cast<std::int32_t>(r), {0, 0, 0, pressure(model.rays[r].origin.x)});
+  hits.finish();
+  std::vector<double> values;
+  aggregate(model, hits, Aggregate::weighted_mean, values);
+  for (std::size_t k = 0; k < values.size(); ++k) statistic.add(values[k], pressure(model.layout.taxels[k].center.x));
+}
 
 }  // namespace
 
@@ -171,7 +145,8 @@ ClosedFormChecks validate_weighted_mean() {
                                               name, kSeeds)};
     for (const int samples : {25, 100, 400}) {
       Statistic statistic;
-      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) Patch(samples, seed, weights).read(statistic);
+      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+        read_flat_patch(*FlatPatch::model(FlatPatch::layout(samples, seed, weights)), statistic);
       const std::string quantity = fmt::format("mean with {} samples a taxel", samples);
       const double bound = (weights == SampleWeights::voronoi ? 0.005 : 0.01) * (samples < 100 ? 3 : 1);
       checks.push_back(statistic.mean(about, quantity, "1", 0.2 * bound));
