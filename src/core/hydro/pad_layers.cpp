@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/hydro/prism.h"
 
 namespace taxel {
 namespace {
@@ -18,8 +19,6 @@ constexpr double kHighest = 0.8;
 constexpr double kSlope = 1.0;
 /// A middle vertex is worth nothing where the skin is nearer than this part of the depth that its faces promise.
 constexpr double kOwnDepth = 0.5;
-/// A tet is well shaped when its volume is at least this part of the third of a straight prism's.
-constexpr double kLeastVolume = 0.05;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 

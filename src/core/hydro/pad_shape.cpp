@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/hydro/prism.h"
 
 namespace taxel {
 namespace {
@@ -21,8 +22,6 @@ constexpr double kLongestMitre = 2.0;
 constexpr double kShortestCrease = 0.5;
 /// Offsets of neighbours differ at most by this times their distance.
 constexpr double kLargestSlope = 1.5;
-/// A tet is well shaped when its volume is at least this part of the third of a straight prism's.
-constexpr double kLeastVolume = 0.05;
 /// Below this part it counts as folded; not zero, because planes of flatter tets are rounding.
 constexpr double kFoldedVolume = 1e-4;
 /// A face this nearly edge on to the direction of one of its corners folds back however short the offset.

@@ -62,13 +62,8 @@ std::vector<SensorRay> parallel_rays(const std::vector<ContactSurface>& surfaces
     const ContactSurface& surface = surfaces[dice.pick(surfaces.size())];
     if (surface.empty()) continue;
     const ContactPolygon& polygon = surface.polygons[dice.pick(surface.polygons.size())];
-    const auto corner = [&](std::size_t k) {
-      return surface.vertices[static_cast<std::size_t>(polygon.first) + k % static_cast<std::size_t>(polygon.count)];
-    };
     const std::size_t k = dice.pick(static_cast<std::size_t>(polygon.count));
-    dvec3 aim = polygon.centroid + size * 0.5 * dice.vector();
-    if (i % 4 == 0) aim = corner(k);
-    if (i % 4 == 1) aim = 0.5 * (corner(k) + corner(k + 1));
+    const dvec3 aim = aim_of(i, surface, polygon, k, polygon.centroid + size * 0.5 * dice.vector());
     dvec3 from = aim - (0.6 * size * dice.uniform()) * direction;
     if (i % 8 == 7 && !rays.empty()) from = rays.back().origin;
     const dvec3 noise = set % 4 == 3 ? 1e-16 * dice.vector() : dvec3(0);
@@ -80,18 +75,12 @@ std::vector<SensorRay> parallel_rays(const std::vector<ContactSurface>& surfaces
 // 10 000 sets of rays over 100 scenes of two objects, a third of the second ones the first again: ties.
 TEST(RayGrid, EqualsBruteForceTreesAndTetTableOnRandomSets) {
   constexpr int kScenes = 100, kSets = 100, kRays = 24;
-  const double size = 0.02;
-  const HydroBodyPtr bodies[] = {soft(ShapeType::sphere, dvec3(size), 0.02),
-                                 soft(ShapeType::box, dvec3(size, 0.7 * size, 0.5 * size), 0.02)};
-  const HydroBodyPtr objects[] = {rigid(ShapeType::box, dvec3(size)), rigid(ShapeType::sphere, dvec3(size))};
+  constexpr double size = RandomScenes::kSize;
+  const RandomScenes scenes;
   long hits = 0, nodes_beside_bvh = 0;
   for (int scene = 0; scene < kScenes; ++scene) {
-    const HydroBodyPtr& body = bodies[scene % 2];
-    std::vector<ContactSurface> surfaces(2);
-    IntersectWorkspace workspace;
-    const Pose X_WA = random_pose(1, scene, size);
-    for (std::size_t o = 0; o < 2; ++o)
-      intersect(*body, *objects[o], X_WA, random_pose(2 + o, scene, size), surfaces[o], workspace);
+    const HydroBodyPtr& body = scenes.body(scene);
+    std::vector<ContactSurface> surfaces = scenes.surfaces(scene);
     if (scene % 3 == 0) surfaces[1] = surfaces[0];
     const auto list = pointers(surfaces);
     const WithoutTrees brute_force(list);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/hydro/intersect.h"
 #include "core/sensor/cast_rays.h"
 #include "core/sensor/tet_table.h"
@@ -60,6 +62,37 @@ inline ::testing::AssertionResult same(const RayHit& a, const RayHit& b) {
                                        << " and " << b.polygon << ", depth " << a.depth << " and " << b.depth;
 }
 
+/// Scenes of one soft body and two objects, by number.
+class RandomScenes {
+ public:
+  static constexpr double kSize = 0.02;
+  [[nodiscard]] const HydroBodyPtr& body(int scene) const { return bodies_[static_cast<std::size_t>(scene % 2)]; }
+  /// One surface per object.
+  [[nodiscard]] std::vector<ContactSurface> surfaces(int scene) const {
+    std::vector<ContactSurface> surfaces(objects_.size());
+    IntersectWorkspace workspace;
+    const Pose X_WA = random_pose(1, scene, kSize);
+    for (std::size_t o = 0; o < objects_.size(); ++o)
+      intersect(*body(scene), *objects_[o], X_WA, random_pose(2 + o, scene, kSize), surfaces[o], workspace);
+    return surfaces;
+  }
+
+ private:
+  std::array<HydroBodyPtr, 2> bodies_{soft(ShapeType::sphere, dvec3(kSize), 0.02),
+                                      soft(ShapeType::box, dvec3(kSize, 0.7 * kSize, 0.5 * kSize), 0.02)};
+  std::array<HydroBodyPtr, 2> objects_{rigid(ShapeType::box, dvec3(kSize)), rigid(ShapeType::sphere, dvec3(kSize))};
+};
+
+/// Where ray i aims: every fourth at the corner with number k, every fourth at the middle of the edge from there, the
+/// others at `inside`.
+inline dvec3 aim_of(int i, const ContactSurface& surface, const ContactPolygon& polygon, std::size_t k,
+                    const dvec3& inside) {
+  const auto corner = [&](std::size_t n) {
+    return surface.vertices[static_cast<std::size_t>(polygon.first) + n % static_cast<std::size_t>(polygon.count)];
+  };
+  return i % 4 == 0 ? corner(k) : i % 4 == 1 ? 0.5 * (corner(k) + corner(k + 1)) : inside;
+}
+
 /// Random segments around the contact; every fourth aims at a corner, every fourth at the middle of an edge.
 inline std::vector<SensorRay> random_rays(const std::vector<ContactSurface>& surfaces, double size, int count,
                                           std::uint64_t seed) {
@@ -77,13 +110,8 @@ inline std::vector<SensorRay> random_rays(const std::vector<ContactSurface>& sur
     const ContactSurface& surface = surfaces[pick(surfaces.size())];
     if (surface.empty()) continue;
     const ContactPolygon& polygon = surface.polygons[pick(surface.polygons.size())];
-    const auto corner = [&](std::size_t k) {
-      return surface.vertices[static_cast<std::size_t>(polygon.first) + k % static_cast<std::size_t>(polygon.count)];
-    };
     const std::size_t k = pick(static_cast<std::size_t>(polygon.count));
-    dvec3 aim = polygon.centroid + size * 0.5 * vector();
-    if (i % 4 == 0) aim = corner(k);
-    if (i % 4 == 1) aim = 0.5 * (corner(k) + corner(k + 1));
+    const dvec3 aim = aim_of(i, surface, polygon, k, polygon.centroid + size * 0.5 * vector());
     const dvec3 from = aim + 0.6 * size * vector();
     rays.push_back({i, from, glm::normalize(aim - from), (0.4 + rng.uniform(next++)) * size});
   }

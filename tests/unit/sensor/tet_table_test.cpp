@@ -15,18 +15,12 @@ namespace {
 // 10 000 sets of rays over 100 scenes of two objects.
 TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
   constexpr int kScenes = 100, kSets = 100, kRays = 24;
-  const double size = 0.02;
-  const HydroBodyPtr bodies[] = {soft(ShapeType::sphere, dvec3(size), 0.02),
-                                 soft(ShapeType::box, dvec3(size, 0.7 * size, 0.5 * size), 0.02)};
-  const HydroBodyPtr objects[] = {rigid(ShapeType::box, dvec3(size)), rigid(ShapeType::sphere, dvec3(size))};
+  constexpr double size = RandomScenes::kSize;
+  const RandomScenes scenes;
   long hits = 0, clear = 0, nodes_beside_bvh = 0, nodes = 0;
   for (int scene = 0; scene < kScenes; ++scene) {
-    const HydroBodyPtr& body = bodies[scene % 2];
-    std::vector<ContactSurface> surfaces(2);
-    IntersectWorkspace workspace;
-    const Pose X_WA = random_pose(1, scene, size);
-    for (std::size_t o = 0; o < 2; ++o)
-      intersect(*body, *objects[o], X_WA, random_pose(2 + o, scene, size), surfaces[o], workspace);
+    const HydroBodyPtr& body = scenes.body(scene);
+    const std::vector<ContactSurface> surfaces = scenes.surfaces(scene);
     const auto list = pointers(surfaces);
     const WithoutTrees brute_force(list);
     AllPaths both;
