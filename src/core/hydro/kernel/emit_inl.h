@@ -99,15 +99,15 @@ HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const Sur
   const FanSums sums = fan_sums(polygon, triangle.metric, kMergeDistance * source.size);
   const double area = triangle.area * sums.twice_area;
   if (!(area > kNoArea * source.size * source.size)) return;
-  if (!(area > kSliverArea * source.size * source.size))
-    return writer.reject(Rejection::sliver, StoredPolygon(polygon).in_plane(), triangle, area, 0);
   const dvec3& g = pressure.gradient;
   const PlanePressure p = pressure_on(triangle, pressure);
+  if (!(area > kSliverArea * source.size * source.size))
+    return writer.reject(Rejection::sliver, StoredPolygon(polygon).in_plane(), triangle, p, area);
   const double third = 1.0 / (3.0 * sums.twice_area);
   const dvec2 centroid(first_lane(polygon.u) + sums.u * third, first_lane(polygon.v) + sums.v * third);
   const double p_mean = p.at(centroid.x, centroid.y);
   if (!pushes(p_mean, g, source.size))
-    return writer.reject(Rejection::touching, StoredPolygon(polygon).in_plane(), triangle, area, p_mean * area);
+    return writer.reject(Rejection::touching, StoredPolygon(polygon).in_plane(), triangle, p, area);
   if (sums.crowded) {
     writer.add_merged(StoredPolygon(polygon).in_plane(), triangle, p, g, area, centroid, source);
   } else {

@@ -39,7 +39,7 @@ struct SliceInPlane {
 
 /// False where the slice has no area.
 HWY_INLINE bool to_plane(const TetSlice& slice, const std::array<int, 3>& basis, const std::array<dvec3, 3>& x,
-                         SliceInPlane& out) {
+                         const dvec3& normal, SliceInPlane& out) {
   out.polygon.edges = 0;
   for (int i = 0; i < slice.count; ++i)
     out.polygon.edges |= (kOwnEdge + static_cast<std::uint64_t>(slice.face[static_cast<std::size_t>(i)])) << (8 * i);
@@ -51,13 +51,13 @@ HWY_INLINE bool to_plane(const TetSlice& slice, const std::array<int, 3>& basis,
     return true;
   }
   const dvec3 eu = x[1] - x[0], ev = x[2] - x[0];
-  const PlaneMetric m{glm::dot(eu, eu), glm::dot(eu, ev), glm::dot(ev, ev)};
-  const double det = m.uu * m.vv - m.uv * m.uv;
-  if (!(det > 0)) return false;
+  // Ratios of areas, which keep their digits in strips: those of squared lengths would lose twice as many.
+  const dvec3 beside_v = glm::cross(ev, normal), beside_u = glm::cross(normal, eu);
+  const double area = glm::dot(eu, beside_v);
+  if (!(area > 0)) return false;
   const auto other = static_cast<std::size_t>((basis[2] + 1) % 4);
   const dvec3 r = slice.points[other] - x[0];
-  const double ru = glm::dot(r, eu), rv = glm::dot(r, ev);
-  out.fourth = dvec2(ru * m.vv - rv * m.uv, rv * m.uu - ru * m.uv) / det;
+  out.fourth = dvec2(glm::dot(r, beside_v), glm::dot(r, beside_u)) / area;
   double u[8] = {}, v[8] = {};
   u[basis[1]] = 1;
   v[basis[2]] = 1;

@@ -44,15 +44,19 @@ void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTrian
 }
 
 void SurfaceWriter::reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
-                           double area, double force) {
+                           const PlanePressure& pressure, double area) {
   RejectedPolygons& rejected = since_mark_.rejected[static_cast<std::size_t>(reason)];
   any_left_out_ = true;
   ++rejected.count;
-  rejected.area += std::max(0.0, area);
-  rejected.force += std::max(0.0, force);
   out_.filtered.push_back({reason, static_cast<int>(out_.filtered_vertices.size()), polygon.count});
-  for (int i = 0; i < polygon.count; ++i)
+  double sum = 0;
+  for (int i = 0; i < polygon.count; ++i) {
+    sum += pressure.at(polygon.u[i], polygon.v[i]);
     out_.filtered_vertices.push_back(triangle.point_A(polygon.u[i], polygon.v[i]));
+  }
+  rejected.area += std::max(0.0, area);
+  // The mean over the vertices: it has no digits to lose where the polygon is hardly one.
+  rejected.force += std::max(0.0, sum / polygon.count * area);
 }
 
 void SurfaceWriter::count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b,

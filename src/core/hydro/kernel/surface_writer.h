@@ -88,8 +88,9 @@ class SurfaceWriter {
   /// would be left.
   void add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
                   const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source);
-  void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle, double area,
-              double force);
+  /// Keeps a polygon out of the surface, and counts its area [m^2] and force [N].
+  void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
+              const PlanePressure& pressure, double area);
   /// Notes that a polygon ends on a pad's rigid core along the edge from a to b, in its own sense of turning.
   void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
   /// Gives back unused room and enters what the cores hide. Call once, at the end.

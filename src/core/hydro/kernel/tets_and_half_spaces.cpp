@@ -24,7 +24,7 @@ HWY_INLINE void add_slice(const FieldIndex& field, std::int32_t index, const std
        slice.points[static_cast<std::size_t>(basis[2])]},
       normal);
   SliceInPlane in_plane;
-  if (!to_plane(slice, basis, triangle.x_S, in_plane)) return;
+  if (!to_plane(slice, basis, triangle.x_S, normal, in_plane)) return;
   emit(in_plane.polygon, tet.core_faces << kOwnEdge, triangle, tet.pressure(), {index, -1, tet.size}, writer);
 }
 

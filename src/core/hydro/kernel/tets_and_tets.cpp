@@ -249,7 +249,7 @@ class TetsAndTets {
     TriangleInTet in_tet;
     classify(corners, l, index, in_tet);  // for the distances: the basis is not the whole slice
     SliceInPlane in_plane;
-    if (!to_plane(slice, basis, x, in_plane) || !find_cuts(in_plane, l, index, in_tet)) return 0;
+    if (!to_plane(slice, basis, x, normal, in_plane) || !find_cuts(in_plane, l, index, in_tet)) return 0;
     PlanePolygon& polygon = in_plane.polygon;
     if (!clip(in_tet, polygon)) return 0;
     emit(polygon, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
@@ -262,7 +262,7 @@ class TetsAndTets {
   /// own linear pressure: within a small part of the tet's size the polygon counts as in the face.
   HWY_INLINE bool find_cuts(const SliceInPlane& slice, const PackedTet& l, std::int32_t index, TriangleInTet& in_tet) {
     const TagD d;
-    const VecD tolerance = hn::Set(d, 1e-10 * l.size), u = hn::Set(d, slice.fourth.x), v = hn::Set(d, slice.fourth.y);
+    const VecD tolerance = hn::Set(d, 1e-12 * l.size), u = hn::Set(d, slice.fourth.x), v = hn::Set(d, slice.fourth.y);
     const VecD w = hn::Sub(hn::Sub(hn::Set(d, 1.0), u), v);
     unsigned in_face = 0, outside = 0, below = 0;
     for (std::size_t i = 0; i < 4; i += kLanesD) {
