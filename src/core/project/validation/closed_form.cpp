@@ -21,7 +21,9 @@ void Statistic::add(double computed, double exact) {
   exact_sum_ += exact;
   error_sum_ += error;
   ++count_;
-  if (std::isnan(worst_error_) ? count_ == 1 : !(error < worst_error_)) {  // a NaN is the worst, and stays it
+  constexpr double kRounding = 1e-12;  // of errors that differ by less the first one counts, on every machine
+  const bool worse = !std::isnan(worst_error_) && !(error < worst_error_ + kRounding);  // a NaN stays the worst
+  if (count_ == 1 || worse) {
     worst_error_ = error;
     worst_computed_ = computed;
     worst_exact_ = exact;
