@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/mesh/edge_sides.h"
+#include "core/mesh/nearest_tree_inl.h"
 #include "core/mesh/point_triangle.h"
 #include "core/mesh/ray_triangle.h"
 
@@ -12,25 +13,6 @@ namespace {
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-/// By value, so that it compiles to one instruction and not to a branch that nobody can predict.
-inline double larger(double a, double b) {
-  return a > b ? a : b;
-}
-
-inline dvec3 larger(const dvec3& a, const dvec3& b) {
-  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z)};
-}
-inline dvec3 smaller(const dvec3& a, const dvec3& b) {
-  return -larger(-a, -b);
-}
-
-inline double squared_distance(const Aabb& box, const dvec3& p) {
-  const double x = larger(larger(box.lo.x - p.x, p.x - box.hi.x), 0.0);
-  const double y = larger(larger(box.lo.y - p.y, p.y - box.hi.y), 0.0);
-  const double z = larger(larger(box.lo.z - p.z, p.z - box.hi.z), 0.0);
-  return x * x + y * y + z * z;
 }
 
 /// Rounding turns a normal, the cross product of two edges over its length, by at most some units in the last place of
@@ -66,6 +48,7 @@ MeshIndex::MeshIndex(TriMeshPtr mesh)
     for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh_->vertex(f, c));
   }
   bvh_.build(boxes);
+  tree_ = NearestTree(bvh_, boxes);
 }
 
 SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
@@ -76,44 +59,20 @@ SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
   // that the face found does not depend on the shape of the tree.
   const dvec3 reach = glm::max(glm::max(glm::abs(mesh_->bounds().lo), glm::abs(mesh_->bounds().hi)), glm::abs(p));
   const double slack = 16 * std::numeric_limits<double>::epsilon() * glm::length(reach);
-  double best_squared = best.distance, reach_limit = within + slack, limit = reach_limit * reach_limit;
-  struct Waiting {  // not a pair: that would be zeroed kMaxDepth times for every query
-    std::int32_t node;
-    double squared_distance;
-  };
-  std::array<Waiting, Bvh::kMaxDepth> stack;  // NOLINT: filled as it is used
-  int size = 0;
-  stack[at(size++)] = {0, squared_distance(bvh_.nodes()[0].box, p)};
-  while (size > 0) {
-    const auto [index, d2] = stack[at(--size)];
-    if (d2 > limit) continue;
-    const Bvh::Node& node = bvh_.nodes()[at(index)];
-    if (node.leaf()) {
-      for (int i = node.first; i < node.first + node.count; ++i) {
-        const int face = bvh_.items()[at(i)];
-        const dvec3& a = mesh_->vertex(face, 0);
-        // No point of a triangle is nearer than its plane: that spares most of them the search.
-        const dvec3 from = p - a;
-        const double above = std::abs(glm::dot(mesh_->face_normals()[at(face)], from));
-        const double error = normal_errors_[at(face)] * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z));
-        if (above > reach_limit + error) continue;
-        const dvec3 &b = mesh_->vertex(face, 1), &c = mesh_->vertex(face, 2);
-        if (squared_distance({smaller(smaller(a, b), c), larger(larger(a, b), c)}, p) > limit) continue;
-        const TrianglePoint q = nearest_on_triangle(p, a, b, c);
-        if (q.squared_distance > best_squared || (q.squared_distance == best_squared && face > best.face)) continue;
-        best_squared = q.squared_distance;
-        best = {q.position, face, q.barycentric, std::sqrt(best_squared)};
-        reach_limit = best.distance + slack;
-        limit = reach_limit * reach_limit;
-      }
-      continue;
-    }
-    Waiting nearer{node.first, squared_distance(bvh_.nodes()[at(node.first)].box, p)};
-    Waiting farther{node.first + 1, squared_distance(bvh_.nodes()[at(node.first + 1)].box, p)};
-    if (farther.squared_distance < nearer.squared_distance) std::swap(nearer, farther);
-    if (farther.squared_distance <= limit) stack[at(size++)] = farther;
-    if (nearer.squared_distance <= limit) stack[at(size++)] = nearer;
-  }
+  double best_squared = best.distance;
+  tree_.visit(p, within + slack, [&, reach = within + slack](int face) mutable {
+    const dvec3& a = mesh_->vertex(face, 0);
+    // No point of a triangle is nearer than its plane: that spares many of them the search.
+    const dvec3 from = p - a;
+    const double above = std::abs(glm::dot(mesh_->face_normals()[at(face)], from));
+    const double error = normal_errors_[at(face)] * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z));
+    if (above > reach + error) return reach;
+    const TrianglePoint q = nearest_on_triangle(p, a, mesh_->vertex(face, 1), mesh_->vertex(face, 2));
+    if (q.squared_distance > best_squared || (q.squared_distance == best_squared && face > best.face)) return reach;
+    best_squared = q.squared_distance;
+    best = {q.position, face, q.barycentric, std::sqrt(best_squared)};
+    return reach = best.distance + slack;
+  });
   return best;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/bvh.h"
+#include "core/mesh/nearest_tree.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -52,6 +53,7 @@ class MeshIndex {
  private:
   TriMeshPtr mesh_;
   Bvh bvh_;
+  NearestTree tree_;
   std::vector<dvec3> edge_normals_;    ///< pseudonormal of the edge from corner c to c + 1 at 3 face + c
   std::vector<double> normal_errors_;  ///< how far rounding may turn each face's normal; large for needles
 };

@@ -33,13 +33,14 @@ inline double nearest_on_segment(const dvec3& p, const dvec3& a, const dvec3& b,
   return swapped ? 1.0 - t : t;
 }
 
-/// Where the foot of the perpendicular lies inside, that foot; else the nearest of the three edges' points. Stable on
-/// slivers too, because no decision depends on the regions of the plane outside.
+/// Where the foot of the perpendicular lies inside, that foot; else the nearest point of the edges that have it on
+/// their outer side, or have it there but for rounding: so it is stable on slivers too.
 inline TrianglePoint nearest_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
   const dvec3 normal = glm::cross(b - a, c - a);
-  const double u = glm::dot(normal, glm::cross(b - p, c - p));
-  const double v = glm::dot(normal, glm::cross(c - p, a - p));
-  const double w = glm::dot(normal, glm::cross(a - p, b - p));
+  const dvec3 pa = a - p, pb = b - p, pc = c - p;
+  const double u = glm::dot(normal, glm::cross(pb, pc));
+  const double v = glm::dot(normal, glm::cross(pc, pa));
+  const double w = glm::dot(normal, glm::cross(pa, pb));
   TrianglePoint best;
   if (u > 0 && v > 0 && w > 0) {
     best.barycentric = dvec3(u, v, w) / (u + v + w);
@@ -49,7 +50,12 @@ inline TrianglePoint nearest_on_triangle(const dvec3& p, const dvec3& a, const d
   }
   best.squared_distance = std::numeric_limits<double>::infinity();
   const dvec3* corner[3] = {&a, &b, &c};
+  const double opposite[3] = {w, u, v};
+  // The crosses above and the normal carry roundings of this size at most.
+  const double error = 64 * std::numeric_limits<double>::epsilon() * (glm::dot(b - a, b - a) + glm::dot(c - a, c - a)) *
+                       (glm::dot(pa, pa) + glm::dot(pb, pb) + glm::dot(pc, pc));
   for (int e = 0; e < 3; ++e) {
+    if (opposite[e] > error) continue;
     dvec3 q;
     const double t = nearest_on_segment(p, *corner[e], *corner[(e + 1) % 3], q);
     const double d2 = glm::dot(p - q, p - q);
