@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "core/sensor/ray_grid.h"
 #include "core/sensor/tet_table.h"
@@ -15,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Wide = hn::CappedTag<double, RayBlock::kRays>;
+using Wide = hn::CappedTag<double, RayList::kPadding>;
 using Lanes = hn::Vec<Wide>;
 
 struct Lanes3 {
@@ -41,17 +42,20 @@ class PolygonTest {
         polygon_(polygon),
         edges_(edges),
         normal_(broadcast(polygon.normal)),
-        centroid_(broadcast(polygon.centroid)) {}
+        centroid_(broadcast(polygon.centroid)),
+        corners_(corners()),
+        circle_(find_circle()) {}
 
   /// Offers the hits of the rays [first, last), and of some behind them: rays as well, or lanes that meet nothing.
   HWY_INLINE void offer(const RayLanes& rays, std::size_t first, std::size_t last, RayHit hit, RayHits& hits) {
     const Wide d;
-    alignas(64) double t[RayBlock::kRays] = {}, x[RayBlock::kRays] = {}, y[RayBlock::kRays] = {},
-                       z[RayBlock::kRays] = {};
+    alignas(64) double t[RayList::kPadding] = {}, x[RayList::kPadding] = {}, y[RayList::kPadding] = {},
+                       z[RayList::kPadding] = {};
     for (; first < last; first += hn::Lanes(d)) {
-      for (unsigned met = meet_plane(rays, first, t, x, y, z); met != 0; met &= met - 1) {
+      for (unsigned met = meet_plane(rays, first, last - first, t, x, y, z); met != 0; met &= met - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(met));
         const dvec3 from_centroid(x[i], y[i], z[i]);
+        if (!ready_) make_ready();
         if (!inside(from_centroid)) continue;
         hit.depth = t[i];
         hit.pressure = std::max(0.0, polygon_.pressure + glm::dot(polygon_.gradient, from_centroid));
@@ -63,8 +67,9 @@ class PolygonTest {
  private:
   /// Bit i: lane first + i meets the plane within its range, and within the polygon's circle about its
   /// centroid. Distance, and point from the centroid.
-  HWY_INLINE unsigned meet_plane(const RayLanes& rays, std::size_t first, double* HWY_RESTRICT distance,
-                                 double* HWY_RESTRICT x, double* HWY_RESTRICT y, double* HWY_RESTRICT z) {
+  HWY_INLINE unsigned meet_plane(const RayLanes& rays, std::size_t first, std::size_t count,
+                                 double* HWY_RESTRICT distance, double* HWY_RESTRICT x, double* HWY_RESTRICT y,
+                                 double* HWY_RESTRICT z) {
     const Wide d;
     const Lanes3 w{hn::Sub(hn::LoadU(d, rays.ox + first), centroid_.x),
                    hn::Sub(hn::LoadU(d, rays.oy + first), centroid_.y),
@@ -72,11 +77,10 @@ class PolygonTest {
     const Lanes3 direction{hn::LoadU(d, rays.dx + first), hn::LoadU(d, rays.dy + first), hn::LoadU(d, rays.dz + first)};
     const Lanes t = hn::Div(hn::Neg(dot(normal_, w)), dot(normal_, direction));
     auto met = hn::And(hn::Ge(t, hn::LoadU(d, rays.t_min + first)), hn::Le(t, hn::LoadU(d, rays.t_max + first)));
-    if (hn::AllFalse(d, met)) return 0;
-    if (!ready_) make_ready();
+    met = hn::And(met, hn::FirstN(d, count));
     const Lanes3 at{hn::Add(w.x, hn::Mul(t, direction.x)), hn::Add(w.y, hn::Mul(t, direction.y)),
                     hn::Add(w.z, hn::Mul(t, direction.z))};
-    met = hn::And(met, hn::Le(dot(at, at), hn::Set(d, circle_)));
+    met = hn::And(met, hn::Le(dot(at, at), circle_));
     if (hn::AllFalse(d, met)) return 0;
     hn::Store(t, d, distance);
     hn::Store(at.x, d, x);
@@ -109,7 +113,7 @@ class PolygonTest {
   }
 
   /// The polygon's corners with room behind them to load whole vectors.
-  const dvec3* corners() {
+  const dvec3* corners() const {
     const auto first = static_cast<std::size_t>(polygon_.first), count = static_cast<std::size_t>(polygon_.count);
     const dvec3* corner = surface_.vertices.data() + first;
     if (first + count + EdgeLanes::kEdges < surface_.vertices.size()) return corner;
@@ -118,14 +122,34 @@ class PolygonTest {
     return edges_.corners.data();
   }
 
+  /// Squared radius about the centroid that holds the polygon and what reaches over its rim [m^2]. Of many rays that
+  /// meet the plane of a small polygon, it spares most the edges.
+  HWY_INLINE Lanes find_circle() const {
+    const Wide d;
+    const auto count = static_cast<std::size_t>(polygon_.count);
+    Lanes farthest = hn::Zero(d);
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+      const Lanes3 a = load_corners(corners_, k);
+      const Lanes3 outward{hn::Sub(a.x, centroid_.x), hn::Sub(a.y, centroid_.y), hn::Sub(a.z, centroid_.z)};
+      farthest = hn::Max(farthest, hn::IfThenElseZero(hn::FirstN(d, count - k), dot(outward, outward)));
+    }
+    // (r + reach)^2 <= (1 + 1e-4) r^2 + (1 + 1e4) reach^2 where reach <= kRimReach (l1 + 4 count r), an edge being no
+    // longer than 2 r, by its components 4 r: only rays outside for certain are left out.
+    const double l1 = std::abs(polygon_.centroid.x) + std::abs(polygon_.centroid.y) + std::abs(polygon_.centroid.z);
+    const double edges = 4.0 * polygon_.count;
+    constexpr double kReach = 2.2e4 * kRimReach * kRimReach;
+    return hn::Add(hn::Mul(hn::Set(d, 1.0002 + kReach * edges * edges), hn::MaxOfLanes(d, farthest)),
+                   hn::Set(d, kReach * l1 * l1));
+  }
+
   /// fill_edge_planes(), in its order of operations.
   void make_ready() {
     const Wide d;
     const auto count = static_cast<std::size_t>(polygon_.count);
-    const dvec3* corner = corners();
+    const dvec3* corner = corners_;
     const Lanes3 first_corner = broadcast(corner[0]);
     edges_.groups.resize(std::max(edges_.groups.size(), (count + EdgeLanes::kEdges - 1) / EdgeLanes::kEdges));
-    Lanes longest = hn::Zero(d), farthest = hn::Zero(d);
+    Lanes longest = hn::Zero(d);
     for (std::size_t k = 0; k < edges_.groups.size() * EdgeLanes::kEdges; k += hn::Lanes(d)) {
       EdgeLanes::Group& group = edges_.groups[k / EdgeLanes::kEdges];
       const std::size_t i = k % EdgeLanes::kEdges;
@@ -152,13 +176,9 @@ class PolygonTest {
       hn::Store(m.y, d, &group.my[i]);
       hn::Store(m.z, d, &group.mz[i]);
       hn::Store(hn::IfThenElseZero(used, dot(m, inward)), d, &group.c[i]);
-      farthest = hn::Max(farthest, hn::IfThenElseZero(used, dot(inward, inward)));
     }
     const double longest_edge = hn::GetLane(hn::MaxOfLanes(d, longest));
     shift_outward(hn::Set(d, edge_shift(polygon_, longest_edge)));
-    // (r + reach)^2 <= (1 + 1e-4) r^2 + (1 + 1e4) reach^2: only rays outside for certain are left out.
-    const double reach = polygon_reach(polygon_, longest_edge);
-    circle_ = 1.0002 * hn::GetLane(hn::MaxOfLanes(d, farthest)) + 1.1e4 * reach * reach;
     ready_ = true;
   }
 
@@ -175,26 +195,20 @@ class PolygonTest {
   const ContactPolygon& polygon_;
   EdgeLanes& edges_;
   Lanes3 normal_, centroid_;
-  bool ready_ = false;
-  double circle_ = 0;  // squared radius that holds the polygon and what reaches over its rim [m^2]
+  const dvec3* corners_;  // with room behind the last
+  Lanes circle_;
+  bool ready_ = false;  // the edges are
 };
-
-RayLanes lanes_of(const RayBlock& b) {
-  return {b.ox.data(), b.oy.data(),    b.oz.data(),    b.dx.data(), b.dy.data(),
-          b.dz.data(), b.t_min.data(), b.t_max.data(), b.ray.data()};
-}
 
 bool run_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
                       RayHits& hits) {
+  const RayLanes rays = table.lanes();
   for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
     const ContactPolygon& polygon = surface.polygons[p];
     if (!table.has(polygon.tet)) return false;
-    const std::span<const RayBlock> blocks = table.blocks(polygon.tet);
-    if (blocks.empty()) continue;
-    PolygonTest test(surface, polygon, edges);
-    for (const RayBlock& block : blocks)
-      test.offer(lanes_of(block), 0, static_cast<std::size_t>(block.count), {surface_number, static_cast<int>(p), 0, 0},
-                 hits);
+    const auto [first, last] = table.rays_of(polygon.tet);
+    if (first == last) continue;
+    PolygonTest(surface, polygon, edges).offer(rays, first, last, {surface_number, static_cast<int>(p), 0, 0}, hits);
   }
   return true;
 }

@@ -58,23 +58,10 @@ RayGrid::RayGrid(std::span<const SensorRay> rays, const dvec3& direction) {
   }
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   std::vector<std::int32_t> filling(first_.begin(), first_.end() - 1);
-  const std::size_t size = rays.size() + kPadding;
-  for (auto* values : {&ox_, &oy_, &oz_, &dx_, &dy_, &dz_, &t_min_}) values->assign(size, 0.0);
-  t_max_.assign(size, -1.0);  // before t_min: never met
-  ray_.assign(size, 0);
-  for (std::size_t r = 0; r < rays.size(); ++r) {
-    const auto i = static_cast<std::size_t>(filling[cell[r]]++);
-    const SensorRay& ray = rays[r];
-    ox_[i] = ray.origin.x, oy_[i] = ray.origin.y, oz_[i] = ray.origin.z;
-    dx_[i] = ray.direction.x, dy_[i] = ray.direction.y, dz_[i] = ray.direction.z;
-    t_max_[i] = ray.max_depth;
-    ray_[i] = static_cast<std::int32_t>(r);
-  }
-}
-
-RayLanes RayGrid::lanes() const {
-  return {ox_.data(), oy_.data(),    oz_.data(),    dx_.data(), dy_.data(),
-          dz_.data(), t_min_.data(), t_max_.data(), ray_.data()};
+  rays_ = RayList(rays.size());
+  for (std::size_t r = 0; r < rays.size(); ++r)
+    rays_.set(static_cast<std::size_t>(filling[cell[r]]++), rays[r], static_cast<std::int32_t>(r), 0,
+              rays[r].max_depth);
 }
 
 RayGrid::Cells RayGrid::cells_under(const ContactSurface& surface, const ContactPolygon& polygon) const {

@@ -10,17 +10,10 @@
 #include "core/hydro/contact_surface.h"
 #include "core/sensor/edge_lanes.h"
 #include "core/sensor/ray_hits.h"
+#include "core/sensor/ray_lanes.h"
 #include "core/sensor/sensor_ray.h"
 
 namespace taxel {
-
-/// Rays side by side, to be read as many at a time as the machine has lanes.
-struct RayLanes {
-  const double *ox, *oy, *oz;   ///< origins [m]
-  const double *dx, *dy, *dz;   ///< directions
-  const double *t_min, *t_max;  ///< where a hit counts [m]
-  const std::int32_t* ray;      ///< in SensorModel::rays
-};
 
 class RayGrid {
  public:
@@ -28,10 +21,8 @@ class RayGrid {
   /// none.
   static std::shared_ptr<const RayGrid> make(std::span<const SensorRay> rays);
 
-  /// Sorted by row, within a row by column, within a cell ascending. Behind the last one stand kPadding that meet
-  /// nothing.
-  [[nodiscard]] RayLanes lanes() const;
-  static constexpr std::size_t kPadding = 8;
+  /// Sorted by row, within a row by column, within a cell ascending.
+  [[nodiscard]] RayLanes lanes() const { return rays_.lanes(); }
 
   /// Calls visit(first, last) for ranges of lanes() that hold every ray which may meet the polygon, and others.
   template <class Visit>
@@ -65,8 +56,7 @@ class RayGrid {
   double per_cell_ = 1;  // 1 / edge of a cell [1/m]
   std::size_t rows_ = 1, columns_ = 1;
   std::vector<std::int32_t> first_;  // of each cell in row order, and the end
-  std::vector<double> ox_, oy_, oz_, dx_, dy_, dz_, t_min_, t_max_;
-  std::vector<std::int32_t> ray_;
+  RayList rays_;
 };
 
 /// Offers the hits of all rays on one surface, wherever it comes from.

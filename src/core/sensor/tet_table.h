@@ -2,7 +2,6 @@
 // frame. A contact polygon lies in one tet, and only that tet's rays can meet it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,20 +10,11 @@
 #include "core/hydro/pressure_field.h"
 #include "core/sensor/edge_lanes.h"
 #include "core/sensor/ray_hits.h"
+#include "core/sensor/ray_lanes.h"
 #include "core/sensor/sensor_ray.h"
 #include "core/sensor/tet_crossings.h"
 
 namespace taxel {
-
-/// Up to eight rays that cross one tet, lanes over the rays.
-struct alignas(64) RayBlock {
-  static constexpr std::size_t kRays = 8;
-  std::array<double, kRays> ox, oy, oz;    ///< origins [m]
-  std::array<double, kRays> dx, dy, dz;    ///< directions
-  std::array<double, kRays> t_min, t_max;  ///< inside the tet and the allowed depth [m]; empty in unused lanes
-  std::array<std::int32_t, kRays> ray;     ///< in SensorModel::rays, ascending
-  std::int32_t count = 0;
-};
 
 class TetTable {
  public:
@@ -37,18 +27,24 @@ class TetTable {
   }
 
   [[nodiscard]] int tet_count() const { return static_cast<int>(first_.size()) - 1; }
-  [[nodiscard]] std::span<const RayBlock> blocks(int tet) const {
-    const auto t = static_cast<std::size_t>(tet);
-    return {blocks_.data() + first_[t], blocks_.data() + first_[t + 1]};
-  }
   [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
-  [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(RayBlock); }
+  /// The rays of a tet, ascending, are those of lanes() from `first` on, before `last`.
+  struct Range {
+    std::size_t first, last;
+  };
+  [[nodiscard]] Range rays_of(int tet) const {
+    const auto t = static_cast<std::size_t>(tet);
+    return {first_[t], first_[t + 1]};
+  }
+  /// Side by side, tet by tet: what few rays of few tets share stays in the caches.
+  [[nodiscard]] RayLanes lanes() const { return rays_.lanes(); }
+  [[nodiscard]] std::size_t bytes() const { return rays_.bytes() + first_.size() * sizeof(first_[0]); }
 
  private:
   void fill(std::size_t tets, std::span<const SensorRay> rays, std::span<const std::span<const TetCrossing>> crossings);
 
-  std::vector<std::size_t> first_{0};
-  std::vector<RayBlock> blocks_;
+  std::vector<std::uint32_t> first_{0};
+  RayList rays_;
 };
 
 /// Offers the hits of all rays on one surface, whose tets are those of the table. False where a polygon names none: the
