@@ -3,8 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 
 #include "core/sensor/reading.h"
 #include "rays/frames.h"
@@ -15,7 +17,7 @@ namespace {
 using namespace taxel;
 using namespace taxel::bench;
 
-constexpr int kRounds = 40;
+constexpr int kRounds = 20;
 constexpr double kDepthTolerance = 1e-6;  // Embree works in single precision [m]
 
 /// Processor time of this thread: what other programs do on the machine does not count [us].
@@ -36,18 +38,41 @@ Times summary(std::vector<double> samples) {
   return {at(0.5), at(0.99)};
 }
 
-template <class Body>
-Times time_frames(const Path& path, const Body& body) {
-  std::vector<double> samples;
+/// Reads all of a frame: a surface that was just computed is in the caches, too.
+double touch(const std::vector<ContactSurface>& frame) {
+  double sum = 0;
+  for (const ContactSurface& surface : frame) {
+    for (const dvec3& v : surface.vertices) sum += v.x;
+    for (const ContactPolygon& polygon : surface.polygons) sum += polygon.area + polygon.tet;
+  }
+  return sum;
+}
+
+using Way = std::function<void(const std::vector<const ContactSurface*>&)>;
+
+/// One after another in each round, so that the machine's moods meet all of them.
+std::vector<Times> time_ways(const Path& path, const std::vector<Way>& ways) {
+  std::vector<std::vector<double>> samples(ways.size());
+  double sum = 0;
   for (int round = -2; round < kRounds; ++round) {
-    for (const auto& frame : path.frames) {
-      const auto list = pointers(frame);
-      const double start = now();
-      body(list);
-      if (round >= 0) samples.push_back(now() - start);
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      for (const auto& frame : path.frames) {
+        const auto list = pointers(frame);
+        sum += touch(frame);
+        const double start = now();
+        ways[w](list);
+        if (round >= 0) samples[w].push_back(now() - start);
+      }
     }
   }
-  return summary(std::move(samples));
+  if (std::isnan(sum)) fmt::print(stderr, "a frame is not finite\n");
+  std::vector<Times> times;
+  for (std::vector<double>& of_way : samples) times.push_back(summary(std::move(of_way)));
+  return times;
+}
+
+Way casting(RayCaster& caster) {
+  return [&caster](const auto& list) { caster.cast(list); };
 }
 
 /// Rays whose answer differs from brute force in double: in surface, polygon or any bit of the depth.
@@ -81,15 +106,17 @@ void print_class(const SensorModelPtr& sensor, Object object) {
   const auto paper = make_paper(*sensor);
   const auto embree = make_embree(*sensor);
   for (const Path& path : record_paths(*sensor, object)) {
-    const auto run = [&](RayCaster& caster) { return time_frames(path, [&](const auto& list) { caster.cast(list); }); };
-    const Times t = run(*table), b = run(*tree), p = run(*paper);
     SensorReading reading;
-    const Times r = time_frames(path, [&](const auto& list) { read_sensor(*sensor, list, reading); });
+    std::vector<Way> ways{casting(*table), casting(*tree), casting(*paper),
+                          [&](const auto& list) { read_sensor(*sensor, list, reading); }};
+    for (const auto& variant : embree) ways.push_back(casting(*variant));
+    const std::vector<Times> times = time_ways(path, ways);
+    const Times &t = times[0], &b = times[1], &p = times[2], &r = times[3];
     Times best;
     RayCaster* best_variant = nullptr;
-    for (const auto& variant : embree) {
-      const Times e = run(*variant);
-      if (best_variant == nullptr || e.median < best.median) best = e, best_variant = variant.get();
+    for (std::size_t i = 0; i < embree.size(); ++i) {
+      const Times& e = times[4 + i];
+      if (best_variant == nullptr || e.median < best.median) best = e, best_variant = embree[i].get();
     }
     const Differences d = compare(*sensor, path, *table, *tree, best_variant ? *best_variant : *paper);
     const std::string of_embree =
@@ -110,8 +137,8 @@ void print_flat(const std::string& name, Object object) {
   const auto raster = make_own(*sensor, RayPath::raster), table = make_own(*sensor, RayPath::tet_table),
              tree = make_own(*sensor, RayPath::bvh);
   for (const Path& path : record_flat_paths(*sensor, object)) {
-    const auto run = [&](RayCaster& caster) { return time_frames(path, [&](const auto& list) { caster.cast(list); }); };
-    const Times r = run(*raster), t = run(*table), b = run(*tree);
+    const std::vector<Times> times = time_ways(path, {casting(*raster), casting(*table), casting(*tree)});
+    const Times &r = times[0], &t = times[1], &b = times[2];
     const Differences d = compare(*sensor, path, *raster, *table, *tree);
     fmt::print(
         "| {}, {} | {} | {:.0f} | {} | {:.1f} / {:.1f} | {:.1f} / {:.1f} | {:.0f} / {:.0f} | **{:.1f}** | {} |\n", name,
@@ -148,9 +175,10 @@ void print_flat_arrays() {
 
 }  // namespace
 
-/// bench_rays [flat]: of flat arrays only.
+/// bench_rays [flat|curved]: one of the two tables only.
 int main(int argc, char** argv) {
-  if (argc < 2 || std::string(argv[1]) != "flat") print_curved();
-  print_flat_arrays();
+  const std::string only = argc > 1 ? argv[1] : "";
+  if (only != "flat") print_curved();
+  if (only != "curved") print_flat_arrays();
   return 0;
 }
