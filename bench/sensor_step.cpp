@@ -1,5 +1,5 @@
-// What one evaluation of the fingertip sensor costs, part by part: contact surface, traction, reading; and the contact surface against
-// the brute force of the tests (every tet against every triangle) in the same run.
+// What one evaluation of the fingertip sensor costs, part by part: contact surface, traction, reading; and the contact
+// surface against the brute force of the tests (every tet against every triangle) in the same run.
 #include <benchmark/benchmark.h>
 
 #include "core/hydro/hydro_body.h"
@@ -12,13 +12,19 @@
 namespace {
 using namespace taxel;
 
-/// The finger tilted by 45 degrees, pressed 1.5 mm onto a box's edge.
+/// The finger tilted by 45 degrees, pressed onto a box's edge.
 struct Press {
-  SensorModelPtr model = load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
+  SensorModelPtr model;
   HydroBodyPtr box = make_body({ShapeType::box, dvec3(0.025)}, Material{.friction = 0.5}, "box");
   Pose X_WM, X_WB;
 
-  Press() {
+  explicit Press(double depth, Aggregate aggregate = Aggregate::weighted_mean)
+      : model(load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json")) {
+    if (aggregate != model->layout.readout.aggregate) {
+      Layout layout = model->layout;
+      layout.readout.aggregate = aggregate;
+      model = build_sensor_model(layout, model->mesh, layout.mesh.sha256, "fingertip");
+    }
     X_WM.q = glm::angleAxis(0.75 * kPi, dvec3(1, 0, 0));  // tip (+z) and pad (-y) both face down
     double lowest = 1.0;
     dvec3 at{0};
@@ -29,31 +35,31 @@ struct Press {
         at = p;
       }
     }
-    X_WM.p = dvec3(-at.x, -at.y, -lowest - 0.0015);
+    X_WM.p = dvec3(-at.x, -at.y, -lowest - depth);
     X_WB.p = dvec3(0, 0.023, -0.025);  // the edge is 2 mm from the lowest point
   }
 };
 
 void contact_surface(benchmark::State& state) {
-  const Press press;
+  const Press press(1e-6 * static_cast<double>(state.range(0)));
   ContactSurface surface;
   IntersectWorkspace workspace;
   for (auto _ : state) intersect(*press.model->body, *press.box, press.X_WM, press.X_WB, surface, workspace);
   state.counters["polygons"] = static_cast<double>(surface.polygons.size());
 }
-BENCHMARK(contact_surface)->Unit(benchmark::kMicrosecond);
+BENCHMARK(contact_surface)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
 
 void contact_traction(benchmark::State& state) {
-  const Press press;
+  const Press press(1e-6 * static_cast<double>(state.range(0)));
   ContactSurface surface;
   IntersectWorkspace workspace;
   intersect(*press.model->body, *press.box, press.X_WM, press.X_WB, surface, workspace);
   for (auto _ : state) benchmark::DoNotOptimize(traction(surface, {5.0, 0.5}, {{0.01, 0, -0.001}, {0, 0, 0}}));
 }
-BENCHMARK(contact_traction)->Unit(benchmark::kMicrosecond);
+BENCHMARK(contact_traction)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
 
-void reading(benchmark::State& state) {
-  const Press press;
+void read(benchmark::State& state, Aggregate aggregate) {
+  const Press press(1e-6 * static_cast<double>(state.range(0)), aggregate);
   ContactSurface surface;
   IntersectWorkspace workspace;
   intersect(*press.model->body, *press.box, press.X_WM, press.X_WB, surface, workspace);
@@ -61,13 +67,23 @@ void reading(benchmark::State& state) {
   const ContactSurface* surfaces[] = {&surface};
   for (auto _ : state) read_sensor(*press.model, surfaces, result);
   state.counters["rays"] = static_cast<double>(press.model->rays.size());
+  state.counters["polygons"] = static_cast<double>(surface.polygons.size());
 }
-BENCHMARK(reading)->Unit(benchmark::kMicrosecond);
+void reading(benchmark::State& state) {
+  read(state, Aggregate::weighted_mean);
+}
+BENCHMARK(reading)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
+
+void reading_by_integral(benchmark::State& state) {
+  read(state, Aggregate::force);
+}
+BENCHMARK(reading_by_integral)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
 
 void model_build(benchmark::State& state) {
-  const Press press;
+  const Press press(0.0015);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(build_sensor_model(press.model->layout, press.model->mesh, press.model->layout.mesh.sha256, "fingertip"));
+    benchmark::DoNotOptimize(
+        build_sensor_model(press.model->layout, press.model->mesh, press.model->layout.mesh.sha256, "fingertip"));
   }
   state.counters["samples"] = static_cast<double>(press.model->samples.size());
 }
