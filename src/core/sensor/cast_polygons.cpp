@@ -37,7 +37,7 @@ HWY_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
 /// many edges as there are lanes. The edges are made ready when a ray asks for them.
 class PolygonTest {
  public:
-  PolygonTest(const ContactSurface& surface, const ContactPolygon& polygon, EdgeLanes& edges)
+  HWY_INLINE PolygonTest(const ContactSurface& surface, const ContactPolygon& polygon, EdgeLanes& edges)
       : surface_(surface),
         polygon_(polygon),
         edges_(edges),
@@ -113,10 +113,12 @@ class PolygonTest {
   }
 
   /// The polygon's corners with room behind them to load whole vectors.
-  const dvec3* corners() const {
+  HWY_INLINE const dvec3* corners() const {
     const auto first = static_cast<std::size_t>(polygon_.first), count = static_cast<std::size_t>(polygon_.count);
     const dvec3* corner = surface_.vertices.data() + first;
-    if (first + count + EdgeLanes::kEdges < surface_.vertices.size()) return corner;
+    return first + count + EdgeLanes::kEdges < surface_.vertices.size() ? corner : copy_corners(corner, count);
+  }
+  HWY_NOINLINE const dvec3* copy_corners(const dvec3* corner, std::size_t count) const {
     edges_.corners.resize(count + EdgeLanes::kEdges + 1);
     std::copy_n(corner, count, edges_.corners.begin());
     return edges_.corners.data();
