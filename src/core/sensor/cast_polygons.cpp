@@ -112,6 +112,22 @@ class PolygonTest {
     return v;
   }
 
+  /// The corners that follow those from number `first` on, which are `a`; the first one follows the last.
+  HWY_INLINE Lanes3 next_corners(const Lanes3& a, std::size_t first) const {
+    const Wide d;
+    const auto count = static_cast<std::size_t>(polygon_.count);
+    if (count <= hn::Lanes(d)) {  // all are at hand
+      alignas(64) static constexpr std::int64_t kNext[EdgeLanes::kEdges + 1][EdgeLanes::kEdges] = {
+          {}, {}, {1}, {1, 2}, {1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 4, 5}, {1, 2, 3, 4, 5, 6}, {1, 2, 3, 4, 5, 6, 7}};
+      const auto next = hn::SetTableIndices(d, kNext[count]);
+      return {hn::TableLookupLanes(a.x, next), hn::TableLookupLanes(a.y, next), hn::TableLookupLanes(a.z, next)};
+    }
+    const auto wraps = hn::AndNot(hn::FirstN(d, count - first - 1), hn::FirstN(d, count - first));
+    const Lanes3 next = load_corners(corners_, first + 1), around = broadcast(corners_[0]);
+    return {hn::IfThenElse(wraps, around.x, next.x), hn::IfThenElse(wraps, around.y, next.y),
+            hn::IfThenElse(wraps, around.z, next.z)};
+  }
+
   /// The polygon's corners with room behind them to load whole vectors.
   HWY_INLINE const dvec3* corners() const {
     const auto first = static_cast<std::size_t>(polygon_.first), count = static_cast<std::size_t>(polygon_.count);
@@ -149,7 +165,6 @@ class PolygonTest {
     const Wide d;
     const auto count = static_cast<std::size_t>(polygon_.count);
     const dvec3* corner = corners_;
-    const Lanes3 first_corner = broadcast(corner[0]);
     edges_.groups.resize(std::max(edges_.groups.size(), (count + EdgeLanes::kEdges - 1) / EdgeLanes::kEdges));
     Lanes longest = hn::Zero(d);
     for (std::size_t k = 0; k < edges_.groups.size() * EdgeLanes::kEdges; k += hn::Lanes(d)) {
@@ -160,13 +175,9 @@ class PolygonTest {
         continue;
       }
       const auto used = hn::FirstN(d, count - k);
-      const auto wraps = hn::AndNot(hn::FirstN(d, count - k - 1), used);
-      const Lanes3 a = load_corners(corner, k), next = load_corners(corner, k + 1);
-      const auto edge = [&](Lanes from, Lanes to, Lanes around) {
-        return hn::IfThenElseZero(used, hn::Sub(hn::IfThenElse(wraps, around, to), from));
-      };
-      const Lanes3 e{edge(a.x, next.x, first_corner.x), edge(a.y, next.y, first_corner.y),
-                     edge(a.z, next.z, first_corner.z)};
+      const Lanes3 a = load_corners(corner, k), next = next_corners(a, k);
+      const auto edge = [&](Lanes from, Lanes to) { return hn::IfThenElseZero(used, hn::Sub(to, from)); };
+      const Lanes3 e{edge(a.x, next.x), edge(a.y, next.y), edge(a.z, next.z)};
       const Lanes3 size{hn::Abs(e.x), hn::Abs(e.y), hn::Abs(e.z)};
       longest = hn::Max(longest, hn::Add(hn::Add(size.x, size.y), size.z));
       const Lanes3 m{hn::Sub(hn::Mul(normal_.y, e.z), hn::Mul(e.y, normal_.z)),
