@@ -1,6 +1,5 @@
 #include "core/mesh/closest_point.h"
 
-#include <array>
 #include <utility>
 
 #include "core/mesh/edge_sides.h"

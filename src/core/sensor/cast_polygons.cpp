@@ -46,7 +46,7 @@ class PolygonTest {
         corners_(corners()),
         circle_(find_circle()) {}
 
-  /// Offers the hits of the rays [first, last), and of some behind them: rays as well, or lanes that meet nothing.
+  /// Offers the hits of the rays [first, last).
   HWY_INLINE void offer(const RayLanes& rays, std::size_t first, std::size_t last, RayHit hit, RayHits& hits) {
     const Wide d;
     alignas(64) double t[RayList::kPadding] = {}, x[RayList::kPadding] = {}, y[RayList::kPadding] = {},
@@ -164,7 +164,6 @@ class PolygonTest {
   void make_ready() {
     const Wide d;
     const auto count = static_cast<std::size_t>(polygon_.count);
-    const dvec3* corner = corners_;
     edges_.groups.resize(std::max(edges_.groups.size(), (count + EdgeLanes::kEdges - 1) / EdgeLanes::kEdges));
     Lanes longest = hn::Zero(d);
     for (std::size_t k = 0; k < edges_.groups.size() * EdgeLanes::kEdges; k += hn::Lanes(d)) {
@@ -175,7 +174,7 @@ class PolygonTest {
         continue;
       }
       const auto used = hn::FirstN(d, count - k);
-      const Lanes3 a = load_corners(corner, k), next = next_corners(a, k);
+      const Lanes3 a = load_corners(corners_, k), next = next_corners(a, k);
       const auto edge = [&](Lanes from, Lanes to) { return hn::IfThenElseZero(used, hn::Sub(to, from)); };
       const Lanes3 e{edge(a.x, next.x), edge(a.y, next.y), edge(a.z, next.z)};
       const Lanes3 size{hn::Abs(e.x), hn::Abs(e.y), hn::Abs(e.z)};
