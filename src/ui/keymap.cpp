@@ -10,8 +10,9 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr int kCtrl = ImGuiMod_Ctrl;
+constexpr int kCtrl = ImGuiMod_Ctrl, kAlt = ImGuiMod_Alt;
 constexpr auto kEverywhere = Context::everywhere;
+constexpr auto kLayout = Context::layout;
 constexpr auto kSimulate = Context::simulate;
 
 // Columns: action, context, chord, repeats, label, menu, separated. Order within a menu is the order here.
@@ -22,6 +23,10 @@ constexpr std::array kBindings = {
     Binding{Action::close_document, kEverywhere, 0, false, "Close", "File", false},
     Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
     Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
+
+    Binding{Action::select_all, kLayout, ImGuiKey_A, false, "Select all", "Edit", false},
+    Binding{Action::select_none, kLayout, kAlt | ImGuiKey_A, false, "Select none", "Edit", false},
+    Binding{Action::invert_selection, kLayout, kCtrl | ImGuiKey_I, false, "Invert selection", "Edit", false},
 
     Binding{Action::mode_layout, kEverywhere, kCtrl | ImGuiKey_1, false, "Layout mode", "Mode", false},
     Binding{Action::mode_simulate, kEverywhere, kCtrl | ImGuiKey_2, false, "Simulate mode", "Mode", false},
@@ -73,6 +78,7 @@ constexpr std::array kGestures = {
     Gesture{kEverywhere, "Wheel, middle-drag", "Zoom"},
     Gesture{kEverywhere, "Right double-click", "Centre on the point"},
     Gesture{kEverywhere, "Click", "Select a taxel (view, table, bars, legend)"},
+    Gesture{kEverywhere, "Shift+click", "Add a taxel to the selection, or take it out"},
     Gesture{kEverywhere, "Drop a file", "Open a layout, a mesh or a MuJoCo scene"},
 };
 

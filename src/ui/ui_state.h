@@ -16,18 +16,13 @@
 #include "ui/scene/camera.h"
 #include "ui/scene/picking.h"
 #include "ui/scene/scene_renderer.h"
+#include "ui/selection.h"
 #include "ui/tools/model_summary.h"
 #include "ui/widgets/widget_registry.h"
 
 namespace taxel::ui {
 
 enum class Mode { layout, simulate };
-
-struct Selection {
-  int sensor = 0;
-  int taxel = -1;  ///< index in layout order; -1: none
-  bool operator==(const Selection&) const = default;
-};
 
 /// Which panels are open; their names are the titles of their windows.
 struct PanelsShown {

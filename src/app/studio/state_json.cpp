@@ -226,11 +226,9 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   Json json = Json::object();
   json["mode"] = ui.mode == ui::Mode::layout ? "layout" : "simulate";
   json["camera"] = camera_json(ui.camera());
-  json["selection"] = {{"sensor", ui.selection.sensor}, {"taxel", nullptr}};
+  json["selection"] = {{"sensor", ui.selection.sensor}, {"taxel", nullptr}, {"taxels", ui.selection.taxels}};
+  if (const std::optional<int> active = ui.selection.active()) json["selection"]["taxel"] = *active;
   const SensorModelPtr model = input.shown_model(ui);
-  if (model && ui.selection.taxel >= 0 && ui.selection.taxel < model->taxel_count()) {
-    json["selection"]["taxel"] = model->layout.taxels[static_cast<std::size_t>(ui.selection.taxel)].id;
-  }
   json["document"] = document_json(input);
   json["model"] = model_json(input);
   json["history"] = {{"depth", 0}};

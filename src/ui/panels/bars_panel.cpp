@@ -23,8 +23,8 @@ void draw_bars_panel(UiState& ui, const UiInput& input) {
       }
       const ReadingUnit unit = shown_unit(layout.readout.aggregate);
       caption((std::string(unit.text) + " by taxel, the line is the peak").c_str());
-      const int clicked = draw_pressure_bars(ui, values, unit, ImGui::GetContentRegionAvail(), ui.selection.taxel);
-      if (clicked >= 0) select_taxel(ui, clicked);
+      const int clicked = draw_pressure_bars(ui, values, unit, ImGui::GetContentRegionAvail());
+      if (clicked >= 0) click_taxel(ui, values[static_cast<std::size_t>(clicked)].id, ImGui::GetIO().KeyShift);
     }
   } else {
     ui.bars.clear();

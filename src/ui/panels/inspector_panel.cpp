@@ -53,7 +53,7 @@ std::string direction(const dvec3& v) {
 constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
 
 void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
-  const int index = ui.selection.taxel;
+  const int index = active_index(ui.selection, model.layout);
   if (!header(ui, "Selected taxel")) return;
   if (index < 0 || index >= model.taxel_count()) {
     ImGui::TextDisabled("None. Click one in the view.");

@@ -39,7 +39,7 @@ void draw_menu(UiState& ui, const UiInput& input, const char* menu) {
 void draw_menu_bar(UiState& ui, const UiInput& input) {
   ImGui::SetNextWindowBgAlpha(0);  // it has a colour of its own
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const char* menu : std::array{"File", "Mode", "Simulation", "View", "Panels", "Help"})
+  for (const char* menu : std::array{"File", "Edit", "Mode", "Simulation", "View", "Panels", "Help"})
     draw_menu(ui, input, menu);
   const std::string version = "Taxel Studio " + input.version;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;

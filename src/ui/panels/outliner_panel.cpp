@@ -43,7 +43,7 @@ void draw_scene(UiState& ui, const UiInput& input) {
     const std::string label = fmt::format("{}##sensor{}", geom, i);
     if (selectable(ui, label.c_str(), ui.selection.sensor == static_cast<int>(i)) &&
         ui.selection.sensor != static_cast<int>(i)) {
-      ui.selection = {static_cast<int>(i), -1};
+      ui.selection = {static_cast<int>(i), {}};
     }
     ImGui::SameLine();
     ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());

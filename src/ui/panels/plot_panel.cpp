@@ -101,7 +101,7 @@ void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, 
   ImPlot::PlotLine(label.c_str(), curves.travel_mm.data(), curves.drawn.data(), static_cast<int>(curves.drawn.size()),
                    spec);
   if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    select_taxel(ui, taxel);
+    click_taxel(ui, id, ImGui::GetIO().KeyShift);
 }
 
 void draw_cursor(const UiState& ui, const UiInput& input) {
@@ -141,7 +141,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
       const double peak = readings.empty() ? 0.0 : *std::max_element(readings.begin(), readings.end());
       if (ui.saved.plot.responding_only && !(peak > kResponding * curves.largest)) continue;
       draw_curve(ui, readings, scale, static_cast<int>(k), layout.taxels[k].id,
-                 ui.selection.taxel == static_cast<int>(k));
+                 ui.selection.contains(layout.taxels[k].id));
     }
     draw_polish_mark(ui);
     draw_cursor(ui, input);

@@ -40,8 +40,8 @@ void draw_row(UiState& ui, const SensorModel& model, const SensorFrameState* sen
   draw_swatch(index);
   ImGui::SameLine(0, 6);
   const std::string label = fmt::format("{}##taxel{}", taxel.id, index);
-  if (ImGui::Selectable(label.c_str(), ui.selection.taxel == index, ImGuiSelectableFlags_SpanAllColumns)) {
-    select_taxel(ui, index);
+  if (ImGui::Selectable(label.c_str(), ui.selection.contains(taxel.id), ImGuiSelectableFlags_SpanAllColumns)) {
+    click_taxel(ui, taxel.id, ImGui::GetIO().KeyShift);
   }
   ui.widgets.note_item(fmt::format("Taxel {}", taxel.id));
   ImGui::TableNextColumn();

@@ -41,7 +41,7 @@ std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& came
       label.pixel = dvec2(tip) + kPastTip * direction;
       if (label.pixel.x < 0 || label.pixel.y < 0 || label.pixel.x > width || label.pixel.y > height) continue;
       label.occluded = glm::dot(normal, eye - center) <= 0 || hidden(input, view, eye, center);
-      label.selected = k == view.selected_taxel;
+      label.selected = view.selected(k);
       label.sensor = view.index;
       label.taxel = k;
       found.emplace_back(tip.z, std::move(label));

@@ -44,7 +44,8 @@ struct SceneInput {
   Overlays overlays;
   PressureRange range;
   int selected_sensor = 0;
-  int selected_taxel = -1;  ///< index in layout order, -1: none
+  int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
+  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
   bool dark = true;
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };

@@ -22,15 +22,17 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
     for (std::size_t i = 0; i < models.size() && i < input.frame->sensors.size(); ++i) {
       const SensorFrameState& state = input.frame->sensors[i];
       const int index = static_cast<int>(i);
-      if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1});
+      if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1, {}});
     }
   } else if (input.document_model) {
-    out.push_back({0, input.document_model, nullptr, Pose{}, -1});
+    out.push_back({0, input.document_model, nullptr, Pose{}, -1, {}});
   }
   for (SensorView& view : out) {
-    if (view.index == input.selected_sensor && input.selected_taxel < view.model->taxel_count()) {
-      view.selected_taxel = input.selected_taxel;
-    }
+    if (view.index != input.selected_sensor) continue;
+    const int count = view.model->taxel_count();
+    if (input.selected_taxel < count) view.selected_taxel = input.selected_taxel;
+    view.selected_taxels = input.selected_taxels;
+    std::erase_if(view.selected_taxels, [count](int taxel) { return taxel >= count; });
   }
   return out;
 }

@@ -1,6 +1,7 @@
 // The sensors of a picture, wherever they come from: a running simulation, or a layout alone at the origin.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ui/scene/scene_renderer.h"
@@ -12,7 +13,12 @@ struct SensorView {
   SensorModelPtr model;                     ///< never null
   const SensorFrameState* state = nullptr;  ///< null: a layout alone
   Pose X_WM;
-  int selected_taxel = -1;  ///< -1: none, or in another sensor
+  int selected_taxel = -1;           ///< the active one; -1: none, or in another sensor
+  std::vector<int> selected_taxels;  ///< all of them; ascending
+
+  [[nodiscard]] bool selected(int taxel) const {
+    return taxel == selected_taxel || std::binary_search(selected_taxels.begin(), selected_taxels.end(), taxel);
+  }
 };
 
 /// The pointers live as long as `input.frame`.

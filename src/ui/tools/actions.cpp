@@ -67,7 +67,7 @@ void escape(UiState& ui) {
   if (ui.saved.panels.help) {
     ui.saved.panels.help = false;
   } else {
-    select_taxel(ui, -1);
+    ui.selection.clear();
   }
 }
 
@@ -112,8 +112,8 @@ double next_speed(double speed, bool faster) {
   return std::exp2(std::clamp(notch, -4.0, 4.0));
 }
 
-void select_taxel(UiState& ui, int taxel) {
-  ui.selection.taxel = taxel;
+void click_taxel(UiState& ui, int id, bool shift) {
+  shift ? ui.selection.toggle(id) : ui.selection.set(id);
 }
 
 void add_message(UiState& ui, Severity severity, std::string text, double now) {
@@ -174,6 +174,15 @@ void perform(Action action, UiState& ui, const UiInput& input) {
     case Action::mode_simulate:
       ui.ask(SetMode{Mode::simulate});
       break;
+    case Action::select_all:
+      ui.selection.set_all(input.shown_model(ui)->layout);
+      break;
+    case Action::select_none:
+      ui.selection.clear();
+      break;
+    case Action::invert_selection:
+      ui.selection.invert(input.shown_model(ui)->layout);
+      break;
     case Action::frame_all:
       ui.camera().frame(scene_box(ui, input));
       break;
@@ -208,6 +217,13 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
       return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
     case Action::reload_file:
       return !input.file.empty();
+    case Action::select_all:
+    case Action::invert_selection: {
+      const SensorModelPtr model = input.shown_model(ui);
+      return model && model->taxel_count() > 0;
+    }
+    case Action::select_none:
+      return !ui.selection.empty();
     case Action::frame_all:
       return !scene_box(ui, input).empty();
     case Action::frame_selection:

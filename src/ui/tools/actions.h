@@ -15,8 +15,8 @@ void handle_keys(UiState& ui, const UiInput& input);
 /// The speed one notch above or below, along 1/16 ... 1/2, 1, 2 ... 16.
 [[nodiscard]] double next_speed(double speed, bool faster);
 
-/// Selects a taxel, or none with -1, and clears it where it is out of range.
-void select_taxel(UiState& ui, int taxel);
+/// What a click on a taxel does, wherever it is shown: it selects it alone, or with Shift also, or not any more.
+void click_taxel(UiState& ui, int id, bool shift);
 
 /// The file dialog, with empty fields.
 void open_dialog(UiState& ui);

@@ -46,9 +46,15 @@ bool clicked_in_place(ImGuiMouseButton button) {
          io.MouseDragMaxDistanceSqr[button] < io.MouseDragThreshold * io.MouseDragThreshold;
 }
 
-void select_under(UiState& ui, const std::optional<Pick>& under) {
+void select_under(UiState& ui, const UiInput& input, const std::optional<Pick>& under) {
   if (under && under->sensor >= 0 && ui.mode == Mode::simulate) ui.selection.sensor = under->sensor;
-  select_taxel(ui, under ? under->taxel : -1);
+  const bool shift = ImGui::GetIO().KeyShift;
+  const SensorModelPtr model = input.shown_model(ui);
+  if (under && under->taxel >= 0 && model && under->taxel < model->taxel_count()) {
+    click_taxel(ui, model->layout.taxels[static_cast<std::size_t>(under->taxel)].id, shift);
+  } else if (!shift) {
+    ui.selection.clear();
+  }
 }
 
 }  // namespace
@@ -60,7 +66,10 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;
   scene.selected_sensor = ui.selection.sensor;
-  scene.selected_taxel = ui.selection.taxel;
+  if (const SensorModelPtr model = input.shown_model(ui)) {
+    scene.selected_taxel = active_index(ui.selection, model->layout);
+    scene.selected_taxels = selected_indices(ui.selection, model->layout);
+  }
   scene.dark = ui.saved.dark;
   return scene;
 }
@@ -92,11 +101,13 @@ Aabb scene_box(const UiState& ui, const UiInput& input) {
 Aabb selection_box(const UiState& ui, const UiInput& input) {
   Aabb box;
   const SensorModelPtr model = input.shown_model(ui);
-  if (!model || ui.selection.taxel < 0 || ui.selection.taxel >= model->taxel_count()) return box;
-  const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(ui.selection.taxel)];
-  const dvec3 center_W = shown_pose(ui, input) * taxel.center;
-  box.include(center_W - dvec3(taxel.radius));
-  box.include(center_W + dvec3(taxel.radius));
+  if (!model) return box;
+  for (const int index : selected_indices(ui.selection, model->layout)) {
+    const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(index)];
+    const dvec3 center_W = shown_pose(ui, input) * taxel.center;
+    box.include(center_W - dvec3(taxel.radius));
+    box.include(center_W + dvec3(taxel.radius));
+  }
   return box;
 }
 
@@ -122,7 +133,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   const double reach = kReach * static_cast<double>(ui.saved.scale);
   const std::optional<Pick> under =
       pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
-  if (left) select_under(ui, under);
+  if (left) select_under(ui, input, under);
   if (centre && under) ui.camera().target = under->position_W;
   if (resting) ui.hovered = under;
 }

@@ -8,7 +8,7 @@ namespace taxel::ui {
 
 /// What the camera can frame: the sensor and its path in SIMULATE, the mesh in LAYOUT. Empty: nothing there.
 [[nodiscard]] Aabb scene_box(const UiState& ui, const UiInput& input);
-/// The selected taxel's receptive field, or empty.
+/// The selected taxels' receptive fields, or empty.
 [[nodiscard]] Aabb selection_box(const UiState& ui, const UiInput& input);
 /// Frame of the mesh file in the world, as the view shows it now.
 [[nodiscard]] Pose shown_pose(const UiState& ui, const UiInput& input);

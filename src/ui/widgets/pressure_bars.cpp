@@ -80,8 +80,7 @@ void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, f
 
 }  // namespace
 
-int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size,
-                       int selected) {
+int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size) {
   ui.bars.clear();
   const Palette& colors = palette(ui.saved.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -104,7 +103,7 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const R
   int clicked = -1;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
-    draw_bar(ui, list, axis, x0, x1, values[i], static_cast<int>(i) == selected);
+    draw_bar(ui, list, axis, x0, x1, values[i], ui.selection.contains(values[i].id));
     list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(static_cast<int>(i)), 1);
     draw_bar_texts(list, colors, axis, x0, x1, values[i]);
     if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;

@@ -17,9 +17,8 @@ struct BarValue {
 };
 
 /// Draws bars into `size` at the cursor; heights from 0 to a round number above the largest peak, colours from the
-/// shared range, or from the bars' own where readings are no pressures. Returns the bar that was clicked, or -1; leaves
-/// in ui.bars what was drawn.
-int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size,
-                       int selected);
+/// shared range, or from the bars' own where readings are no pressures. Those of selected taxels stand out. Returns the
+/// bar that was clicked, or -1; leaves in ui.bars what was drawn.
+int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size);
 
 }  // namespace taxel::ui

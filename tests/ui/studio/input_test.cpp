@@ -109,6 +109,46 @@ TEST(Selection, ByViewTableAndBarAndClearedByEscape) {
   EXPECT_TRUE(studio.state("cleared.json")["selection"]["taxel"].is_null());
 }
 
+TEST(Selection, ShiftTogglesAndKeysSelectAllNoneAndTheOthers) {
+  const StudioProgram studio;
+  const std::string shift = R"(, "mods": ["shift"]})";
+  studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})",
+               idle(),
+               click(R"({"taxel": 3})"),
+               idle(),
+               R"({"event": "click", "at": {"taxel": 0})" + shift,
+               idle(),
+               R"({"event": "click", "at": {"widget": "Taxel 7"})" + shift,
+               idle(),
+               dump("three.json"),
+               R"({"event": "click", "at": {"taxel": 0})" + shift,
+               idle(),
+               dump("two.json"),
+               R"({"event": "key", "key": "i", "mods": ["ctrl"]})",
+               idle(),
+               dump("others.json"),
+               key("a"),
+               idle(),
+               dump("all.json"),
+               R"({"event": "key", "key": "a", "mods": ["alt"]})",
+               idle(),
+               dump("none.json")});
+  const auto taxels = [&](const char* file) { return studio.state(file)["selection"]["taxels"]; };
+  EXPECT_EQ(taxels("three.json"), Json({3, 0, 7}));
+  EXPECT_EQ(studio.state("three.json")["selection"]["taxel"], 7) << "the last one is the active one";
+  EXPECT_EQ(taxels("two.json"), Json({3, 7}));
+  EXPECT_EQ(taxels("others.json"), Json({0, 1, 2, 4, 5, 6, 8, 9, 10, 11}));
+  EXPECT_EQ(taxels("all.json").size(), 12U);
+  EXPECT_EQ(taxels("none.json"), Json::array());
+}
+
+TEST(Selection, KeepsItsTaxelsFromLayoutToSimulation) {
+  const StudioProgram studio;
+  studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(), click(R"({"taxel": 3})"), idle(),
+               R"({"event": "key", "key": "2", "mods": ["ctrl"]})", idle(), dump("simulate.json")});
+  EXPECT_EQ(studio.state("simulate.json")["selection"]["taxels"], Json({3}));
+}
+
 TEST(Transport, SpaceRightBackspaceAndSpeed) {
   const StudioProgram studio;
   studio.play({R"({"frame": 10, "event": "key", "key": "Space"})", idle(), dump("paused.json"), key("Right"),

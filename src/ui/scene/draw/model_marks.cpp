@@ -83,7 +83,7 @@ TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards,
     const dvec3 normal = glm::normalize(taxel.normal);
     if ((glm::dot(normal, eye_M - taxel.center) > 0) != towards) continue;
     const std::uint32_t color = pack(taxel_color(k));
-    const bool selected = k == view.selected_taxel;
+    const bool selected = view.selected(k);
     (selected ? out.selected_center : out.centers).push_back(point_mark(taxel.center, dvec3(0), 1.0, color));
     out.arrows.push_back(segment(taxel.center, taxel.center + length * normal,
                                  size * (selected ? kSelectedArrowWidth : kArrowWidth), color));
