@@ -1,5 +1,6 @@
 #include "core/base/files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,17 +25,49 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
+namespace {
+
+/// A descriptor that closes itself.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (open()) ::close(number_);
+  }
+  [[nodiscard]] bool open() const { return number_ >= 0; }
+  /// All bytes, and down to the disk. False: errno says why.
+  [[nodiscard]] bool write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(number_, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) return false;
+      if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return sync();
+  }
+  [[nodiscard]] bool sync() const { return ::fsync(number_) == 0 || errno == EINVAL; }  // EINVAL: has no disk
+
+ private:
+  int number_;
+};
+
+void sync_folder(const fs::path& folder) {
+  const Descriptor descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  // The new file is in place: where its folder cannot be synced there is nothing to take back.
+  static_cast<void>(descriptor.open() && descriptor.sync());
+}
+
+}  // namespace
+
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
   const fs::path beside = path.string() + fmt::format(".{}.part", ::getpid());
   std::error_code ec;
   {
-    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-    if (!out) throw Error(path.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.flush();
-    if (!out) {
+    const Descriptor out(beside, O_WRONLY | O_CREAT | O_TRUNC);
+    if (!out.open()) throw Error(path.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
+    if (!out.write(bytes)) {
       const int why = errno;
-      out.close();
       fs::remove(beside, ec);
       throw Error(path.string(), fmt::format("writing failed: {}", std::strerror(why)));
     }
@@ -45,6 +78,7 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
     fs::remove(beside, ec);
     throw Error(path.string(), fmt::format("cannot be replaced: {}", why));
   }
+  sync_folder(path.parent_path());
 }
 
 void make_folder(const fs::path& path) {

@@ -1,5 +1,6 @@
 // Whole files in and out. Writing is atomic: the bytes go beside the target and are renamed over it, so a reader sees
-// the old file or the new one, never half of one.
+// the old file or the new one, never half of one; and they are on the disk before that (fsync of the file, then of its
+// folder), so that a machine that loses power has one of the two as well.
 #pragma once
 
 #include <filesystem>
