@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/json_text.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -17,24 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
-constexpr int kMaxNesting = 64;  // deeper documents are refused: printing walks recursively
-
-std::string escaped(const std::string& key) {  // RFC 6901
-  std::string out;
-  for (const char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
-
 /// A value for messages: short values as they are, long ones by their kind.
 std::string shown(const Json& value) {
-  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_line(value);
   if (text.size() <= 60) return text;
   return value.is_object() ? "an object" : value.is_array() ? "an array" : "a long " + std::string(value.type_name());
 }
@@ -140,52 +126,12 @@ class Object : public Value {
   }
   void keep_unknown() const {
     for (const auto& [key, value] : json_.items())
-      if (!known_.contains(key))
-        document_.unknown[pointer_ + "/" + escaped(key)] = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+      if (!known_.contains(key)) document_.unknown[pointer_ + "/" + escaped_key(key)] = json_line(value);
   }
 
  private:
   std::set<std::string> known_;
 };
-
-/// Line and column, both from 1, of the byte before `offset` (where the parser gave up).
-std::pair<int, int> line_and_column(const std::string& text, std::size_t offset) {
-  int line = 1, column = 1;
-  for (std::size_t i = 0; i + 1 < std::min(offset, text.size() + 1); ++i) {
-    const bool continues_character = (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
-    if (text[i] == '\n')
-      ++line, column = 1;
-    else if (!continues_character)
-      ++column;
-  }
-  return {line, column};
-}
-
-/// Parses, refusing what would be read ambiguously (a key twice) or could not be printed again (endless nesting).
-Json parse_json(const std::string& text, const std::string& file) {
-  std::vector<std::set<std::string>> keys;
-  const Json::parser_callback_t watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > kMaxNesting) throw Error(file, fmt::format("is nested deeper than {} levels", kMaxNesting));
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw Error(file, fmt::format("has the key {} twice in one object", parsed.dump()));
-    return true;
-  };
-  try {
-    return Json::parse(text, watch);
-  } catch (const nlohmann::json::parse_error& e) {
-    const auto [line, column] = line_and_column(text, e.byte);
-    std::string why = e.what();
-    const std::size_t detail = why.find(": ");
-    if (detail != std::string::npos) why = why.substr(detail + 2);
-    throw Error(file, fmt::format("line {}, column {}", line, column), "is not JSON: " + why);
-  } catch (const nlohmann::json::exception& e) {  // a number that no double holds
-    std::string why = e.what();
-    const std::size_t detail = why.find("] ");
-    throw Error(file, "is not JSON: " + (detail == std::string::npos ? why : why.substr(detail + 2)));
-  }
-}
 
 void read_head(Object& root, const std::string& file) {
   const std::string format = root.required("format").text();
@@ -362,7 +308,7 @@ Calibration read_calibration(const Value& value, const std::string& file) {
 }  // namespace
 
 Layout parse_layout(const std::string& text, const std::string& file) {
-  const Json json = parse_json(text, file);
+  const Json json = parse_json<Json>(text, file);
   Document document{file, {}};
   Object root(Value(json, "", document));
   read_head(root, file);

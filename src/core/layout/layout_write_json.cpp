@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/json_text.h"
 #include "core/layout/layout_json.h"
 #include "core/layout/words.h"
 
@@ -13,17 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The shortest form that reads back exactly: whole numbers without a point, others by the shortest digits.
 Json number(double v, const std::string& pointer) {
-  if (!std::isfinite(v)) throw Error("", pointer, fmt::format("must be finite to be written, is {}", v));
-  const double exact_limit = 1e15;
-  if (v == std::floor(v) && std::abs(v) < exact_limit && !(v == 0.0 && std::signbit(v)))
-    return static_cast<std::int64_t>(v);
-  return v;
+  return json_number<Json>(v, pointer);
 }
 
 Json vector(const dvec3& v, const std::string& pointer) {
-  return {number(v.x, pointer + "/0"), number(v.y, pointer + "/1"), number(v.z, pointer + "/2")};
+  return json_vector<Json>(v, pointer);
 }
 
 template <class E>
@@ -177,29 +173,6 @@ void restore_unknown(Json& json, const std::map<std::string, std::string>& unkno
   }
 }
 
-/// Two-space indent, one key a line; arrays of plain values stay on one line.
-void print(const Json& json, const std::string& indent, std::string& out) {
-  const bool nested = json.is_structured() && std::any_of(json.begin(), json.end(), [&](const Json& item) {
-                        return json.is_object() || item.is_structured();
-                      });
-  if (!json.is_structured() || json.empty()) {
-    out += json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return;
-  }
-  const std::string inner = indent + "  ";
-  const char* separator = "";
-  out += json.is_object() ? "{" : "[";
-  for (const auto& [key, item] : json.items()) {
-    out += separator;
-    if (nested) out += "\n" + inner;
-    if (json.is_object()) out += Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
-    print(item, inner, out);
-    separator = nested ? "," : ", ";
-  }
-  if (nested) out += "\n" + indent;
-  out += json.is_object() ? "}" : "]";
-}
-
 }  // namespace
 
 std::string layout_to_json(const Layout& layout) {
@@ -210,9 +183,7 @@ std::string layout_to_json(const Layout& layout) {
     json["taxels"].push_back(taxel_json(layout.taxels[i], fmt::format("/taxels/{}", i)));
   if (layout.calibration) json["calibration"] = calibration_json(*layout.calibration);
   restore_unknown(json, layout.unknown);
-  std::string text;
-  print(json, "", text);
-  return text + "\n";
+  return json_text(json);
 }
 
 void write_layout(const std::filesystem::path& path, const Layout& layout) {

@@ -161,7 +161,7 @@ CaseBody parse_body(const Node& node) {
 }  // namespace
 
 ContactCase parse_contact_case(const std::string& text, const std::string& file) {
-  const Json json = parse_strictly<Json>(text, file);
+  const Json json = parse_json<Json>(text, file);
   const Node root(json, file);
   root.only({"format", "version", "name", "a", "b"});
   const std::string format = root.at("format").text();

@@ -29,6 +29,7 @@ constexpr std::array<Parameter, 9> kParameters{{{"depth", &SweepScenario::depth,
                                                 {"box_size", &SweepScenario::box_size, Range::positive}}};
 
 void check_range(const Node& node, double value, Range range) {
+  if (!std::isfinite(value)) node.fail(fmt::format("must be finite, is {}", value));
   if (range == Range::positive) node.must_be_positive(value);
   if (range == Range::not_negative) node.must_not_be_negative(value);
 }
@@ -47,7 +48,7 @@ std::string scenario_to_json(const SweepScenario& scenario) {
 }
 
 SweepScenario parse_scenario(const std::string& text, const std::string& file) {
-  const Json json = parse_strictly<Json>(text, file);
+  const Json json = parse_json<Json>(text, file);
   const Node root(json, file);
   root.must_be_object();
   const Node node = root.find("scenario").value_or(root);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/base/math.h"
 
 namespace taxel {
@@ -99,50 +100,11 @@ class StrictNode {
   }
 
  private:
-  [[nodiscard]] std::string below(std::string_view key) const {
-    std::string pointer = pointer_ + "/";
-    for (const char c : key) {
-      if (c == '~') {
-        pointer += "~0";
-      } else if (c == '/') {
-        pointer += "~1";
-      } else {
-        pointer += c;
-      }
-    }
-    return pointer;
-  }
+  [[nodiscard]] std::string below(std::string_view key) const { return pointer_ + "/" + escaped_key(key); }
 
   const Json* json_;
   const std::string* file_;
   std::string pointer_;
 };
-
-/// Parses a whole text. Throws Error with line and column where it is not JSON, or with the key that stands twice.
-template <class Json>
-Json parse_strictly(const std::string& text, const std::string& file) {
-  std::vector<std::set<std::string>> keys;
-  const auto watch = [&](int, typename Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.template get<std::string>()).second) {
-      throw Error(file, fmt::format("has the key {} twice in one object", parsed.dump()));
-    }
-    return true;
-  };
-  try {
-    return Json::parse(text, watch);
-  } catch (const typename Json::parse_error& e) {
-    std::size_t line = 1;
-    std::size_t column = 1;
-    for (std::size_t i = 0; i + 1 < e.byte && i < text.size(); ++i) {
-      line += text[i] == '\n' ? 1 : 0;
-      column = text[i] == '\n' ? 1 : column + 1;
-    }
-    throw Error(file, fmt::format("line {}, column {}", line, column), "is not JSON");
-  } catch (const typename Json::exception&) {
-    throw Error(file, "holds a number that is out of range");
-  }
-}
 
 }  // namespace taxel

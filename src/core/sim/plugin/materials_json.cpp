@@ -40,7 +40,7 @@ OtherMaterial parse_material(const Node& node) {
 }  // namespace
 
 OtherMaterials parse_materials(const std::string& text, const std::string& file) {
-  const Json json = parse_strictly<Json>(text, file);
+  const Json json = parse_json<Json>(text, file);
   const Node root(json, file);
   root.must_be_object();
   OtherMaterials materials;
