@@ -18,6 +18,8 @@ void reflect(T& disc, const dvec3& p, const dvec3& n) {
   disc.normal = reflected(disc.normal, dvec3(0), n);
 }
 
+}  // namespace
+
 std::string mirrored_name(const std::string& name) {
   const std::string left = "left", right = "right";
   if (const std::size_t at = name.find(left); at != std::string::npos)
@@ -26,8 +28,6 @@ std::string mirrored_name(const std::string& name) {
     return std::string(name).replace(at, right.size(), left);
   return name.empty() ? name : name + " mirrored";
 }
-
-}  // namespace
 
 std::vector<Taxel> mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane) {
   require_finite("mirror", "point", plane.point);

@@ -1,0 +1,214 @@
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/files.h"
+#include "core/layout/layout_json.h"
+#include "core/project/edit.h"
+#include "core/project/scenario_json.h"
+#include "core/project/strict_json.h"
+
+namespace taxel {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Node = StrictNode<Json>;
+namespace fs = std::filesystem;
+
+constexpr int kVersion = 1;
+
+void read_head(const Node& root) {
+  root.must_be_object();
+  const std::string format = root.at("format").text();
+  if (format != "taxel-project")
+    root.fail_at("format", fmt::format("must be \"taxel-project\", is {}", Json(format).dump()));
+  const double version = root.at("version").number();
+  if (version != kVersion)
+    root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kVersion));
+  root.only({"format", "version", "layout", "scenario", "view", "mirrors", "hidden", "region"});
+}
+
+/// Errors of the part's own reader, with where the part stands in the project.
+template <class Read>
+auto read_part(const std::string& file, const std::string& pointer, const Read& read) {
+  try {
+    return read();
+  } catch (const Error& e) {
+    throw Error(file, pointer + e.where(), e.message());
+  }
+}
+
+int whole_number(const Node& node) {
+  const double v = node.number();
+  if (!(v == std::floor(v) && v >= 0.0 && v <= std::numeric_limits<int>::max()))
+    node.wrong("a whole number from 0, of at most 31 bits");
+  return static_cast<int>(v);
+}
+
+View read_view(const Node& node) {
+  node.only({"target", "azimuth_deg", "elevation_deg", "distance", "fov_deg"});
+  View view;
+  view.target = node.at("target").vector3();
+  view.azimuth_deg = node.at("azimuth_deg").number();
+  view.elevation_deg = node.at("elevation_deg").number();
+  if (!(std::abs(view.elevation_deg) <= 90.0)) node.at("elevation_deg").wrong("between -90 and 90");
+  view.distance = node.at("distance").number();
+  node.at("distance").must_be_positive(view.distance);
+  view.fov_deg = node.at("fov_deg").number();
+  if (!(view.fov_deg > 0.0 && view.fov_deg < 180.0)) node.at("fov_deg").wrong("between 0 and 180");
+  return view;
+}
+
+Mirror read_mirror(const Node& node) {
+  node.only({"plane", "links"});
+  const Node plane = node.at("plane"), links = node.at("links");
+  plane.only({"point", "normal"});
+  Mirror mirror{{plane.at("point").vector3(), plane.at("normal").vector3()}, {}};
+  for (std::size_t i = 0; i < links.length(); ++i) {
+    const Node link = links.item(i);
+    if (link.length() != 2) link.wrong("an array of 2 ids");
+    mirror.links.push_back({whole_number(link.item(0)), whole_number(link.item(1))});
+  }
+  return mirror;
+}
+
+/// Runs of faces, [first, last] each.
+std::vector<int> read_region(const Node& node) {
+  constexpr std::int64_t kMostFaces = 100'000'000;  // what would not fit in memory as a mesh is no region either
+  std::vector<int> faces;
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < node.length(); ++i) {
+    const Node run = node.item(i);
+    if (run.length() != 2) run.wrong("an array of 2 faces, the first and the last of a run");
+    const int first = whole_number(run.item(0)), last = whole_number(run.item(1));
+    if (last < first) run.fail(fmt::format("must not end before it begins, is [{}, {}]", first, last));
+    if (!faces.empty() && first <= faces.back()) run.fail(fmt::format("must follow face {}", faces.back()));
+    count += std::int64_t{last} - first + 1;
+    if (count > kMostFaces) run.fail(fmt::format("makes more than {} faces", kMostFaces));
+    for (int face = first; face < last; ++face) faces.push_back(face);
+    faces.push_back(last);
+  }
+  return faces;
+}
+
+Json region_json(const std::vector<int>& faces) {
+  Json runs = Json::array();
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t last = i;
+    while (last + 1 < faces.size() && faces[last + 1] == faces[last] + 1) ++last;
+    runs.push_back({faces[i], faces[last]});
+    i = last + 1;
+  }
+  return runs;
+}
+
+Json view_json(const View& view) {
+  return {{"target", json_vector<Json>(view.target, "/view/target")},
+          {"azimuth_deg", json_number<Json>(view.azimuth_deg, "/view/azimuth_deg")},
+          {"elevation_deg", json_number<Json>(view.elevation_deg, "/view/elevation_deg")},
+          {"distance", json_number<Json>(view.distance, "/view/distance")},
+          {"fov_deg", json_number<Json>(view.fov_deg, "/view/fov_deg")}};
+}
+
+Json mirror_json(const Mirror& mirror, const std::string& pointer) {
+  Json links = Json::array();
+  for (const MirrorLink& link : mirror.links) links.push_back({link.taxel, link.image});
+  return {{"plane",
+           {{"point", json_vector<Json>(mirror.plane.point, pointer + "/plane/point")},
+            {"normal", json_vector<Json>(mirror.plane.normal, pointer + "/plane/normal")}}},
+          {"links", links}};
+}
+
+/// A path of the document as it is written into a file of this folder.
+std::string relative_to(const fs::path& folder, const std::string& file) {
+  const fs::path path(file);
+  if (file.empty() || !path.is_absolute()) return file;
+  const fs::path relative = path.lexically_relative(folder);
+  return relative.empty() ? file : relative.generic_string();
+}
+
+std::string absolute_from(const fs::path& folder, const std::string& file) {
+  return file.empty() ? file : (folder / file).lexically_normal().string();
+}
+
+fs::path folder_of(const fs::path& file) {
+  return fs::absolute(file).lexically_normal().parent_path();
+}
+
+/// What `text_of()` makes, written to the file, whose name its errors get.
+template <class Text>
+void write_text(const fs::path& path, const Text& text_of) {
+  const std::string text = read_part(path.string(), "", text_of);
+  write_file_atomically(path, text);
+}
+
+}  // namespace
+
+Project parse_project(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file, kMaxJsonNesting + 1);
+  const Node root(json, file);
+  read_head(root);
+  Project project;
+  root.at("layout").must_be_object();
+  project.layout = read_part(file, "/layout", [&] { return parse_layout(json["layout"].dump()); });
+  if (const auto node = root.find("scenario")) {
+    node->must_be_object();
+    if (node->find("scenario")) node->fail_at("scenario", "unknown key");
+    project.scenario = read_part(file, "/scenario", [&] { return parse_scenario(json["scenario"].dump()); });
+  }
+  if (const auto node = root.find("view")) project.view = read_view(*node);
+  if (const auto node = root.find("mirrors"))
+    for (std::size_t i = 0; i < node->length(); ++i) project.mirrors.push_back(read_mirror(node->item(i)));
+  if (const auto node = root.find("hidden"))
+    for (std::size_t i = 0; i < node->length(); ++i) project.hidden.push_back(whole_number(node->item(i)));
+  if (const auto node = root.find("region")) project.region = read_region(*node);
+  read_part(file, "", [&] { check_project(project); });
+  return project;
+}
+
+std::string project_to_json(const Project& project) {
+  Json json = {{"format", "taxel-project"}, {"version", kVersion}};
+  json["layout"] = read_part("", "/layout", [&] { return Json::parse(layout_to_json(project.layout)); });
+  read_part("", "/scenario", [&] { check_scenario(project.scenario); });
+  json["scenario"] = Json::parse(scenario_to_json(project.scenario));
+  if (project.view) json["view"] = view_json(*project.view);
+  json["mirrors"] = Json::array();
+  for (std::size_t i = 0; i < project.mirrors.size(); ++i)
+    json["mirrors"].push_back(mirror_json(project.mirrors[i], fmt::format("/mirrors/{}", i)));
+  json["hidden"] = project.hidden;
+  json["region"] = region_json(*project.region);
+  return json_text(json);
+}
+
+Project read_project(const fs::path& path) {
+  Project project = parse_project(read_file(path), path.string());
+  project.layout.mesh.file = absolute_from(folder_of(path), project.layout.mesh.file);
+  project.scenario.object = absolute_from(folder_of(path), project.scenario.object);
+  return project;
+}
+
+ProjectOfLayout read_layout_as_project(const fs::path& path) {
+  ProjectOfLayout opened;
+  Layout& layout = opened.project.layout;
+  layout = read_layout(path);
+  layout.mesh.file = absolute_from(folder_of(path), layout.mesh.file);
+  for (const std::string& note : make_ids_unique(layout)) opened.notes.push_back(path.string() + ": " + note);
+  return opened;
+}
+
+void write_project(const fs::path& path, const Project& project) {
+  Project written = project;
+  written.layout.mesh.file = relative_to(folder_of(path), project.layout.mesh.file);
+  written.scenario.object = relative_to(folder_of(path), project.scenario.object);
+  write_text(path, [&] { return project_to_json(written); });
+}
+
+void export_layout(const fs::path& path, const Project& project) {
+  Layout layout = project.layout;
+  layout.mesh.file = relative_to(folder_of(path), layout.mesh.file);
+  write_layout(path, layout);
+}
+
+}  // namespace taxel

@@ -1,0 +1,131 @@
+// Mirror twins: made once, and following from then on.
+#include <gtest/gtest.h>
+
+#include "core/project/edit.h"
+#include "fixtures/complaint.h"
+
+namespace taxel {
+namespace {
+
+const MirrorPlane kX{};  // x = 0
+const MirrorPlane kY{dvec3(0), dvec3(0, 3, 0)};
+
+/// Six on the +x side.
+Project six() {
+  Project project;
+  project.layout.mesh.file = "/m.obj";
+  for (int i = 0; i < 6; ++i)
+    project.layout.taxels.push_back(
+        {i, i == 0 ? "right pad" : "", dvec3(4 + i, i - 6, 14.6462) * 1e-3, dvec3(0.4, -0.9, 0.1), 0.006, {}});
+  return project;
+}
+
+const Taxel& taxel_of(const Project& project, int id) {
+  return project.layout.taxels[taxel_index(project.layout, id)];
+}
+
+SetTaxels move(int id, const dvec3& center) {
+  TaxelChange change;
+  change.id = id;
+  change.center = center;
+  return {{change}};
+}
+
+dvec3 flipped_x(const dvec3& v) {
+  return {-v.x, v.y, v.z};
+}
+
+TEST(MirrorLink, SixTaxelsBecomeTwelve) {
+  const Project project = apply_edit(six(), MirrorTaxels{{0, 1, 2, 3, 4, 5}, kX});
+  ASSERT_EQ(project.layout.taxels.size(), 12U);
+  ASSERT_EQ(project.mirrors.size(), 1U);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(project.mirrors[0].links[static_cast<std::size_t>(i)], (MirrorLink{i, i + 6}));
+    EXPECT_EQ(taxel_of(project, i + 6).center, flipped_x(taxel_of(project, i).center));
+    EXPECT_EQ(taxel_of(project, i + 6).normal, flipped_x(taxel_of(project, i).normal));
+  }
+  EXPECT_EQ(taxel_of(project, 6).name, "left pad");
+  EXPECT_EQ(apply_edit(project, MirrorTaxels{{0, 1, 2, 3, 4, 5, 6, 7}, kX}), project) << "twice is once";
+}
+
+TEST(MirrorLink, LinksATwinThatIsThereAndLeavesThePlaneAlone) {
+  Project project = six();
+  project.layout.taxels[1].center = flipped_x(project.layout.taxels[0].center);
+  project.layout.taxels[2].center.x = 0;
+  project = apply_edit(project, MirrorTaxels{{0, 2}, kX});
+  EXPECT_EQ(project.layout.taxels.size(), 6U);
+  EXPECT_EQ(project.mirrors[0].links, (std::vector<MirrorLink>{{0, 1}}));
+  EXPECT_TRUE(apply_edit(six(), MirrorTaxels{{}, kX}).mirrors.empty());
+}
+
+TEST(MirrorLink, EitherTwinLeadsAndOnlyWhatChanged) {
+  Project project = apply_edit(six(), MirrorTaxels{{0}, kX});
+  TaxelChange nudge;  // as a tool that projects the image onto a mesh that is not quite symmetric
+  nudge.id = 6;
+  nudge.center = dvec3(-0.0041, -0.006, 0.0146);
+  project = apply_edit(project, SetTaxels{{nudge}, false});
+  EXPECT_EQ(taxel_of(project, 0).center, six().layout.taxels[0].center);
+
+  TaxelChange resize;
+  resize.id = 0;
+  resize.radius = 0.004;
+  project = apply_edit(project, SetTaxels{{resize}});
+  EXPECT_EQ(taxel_of(project, 6).radius, 0.004);
+  EXPECT_EQ(taxel_of(project, 6).center, *nudge.center) << "its place is not what changed";
+
+  project = apply_edit(project, move(6, {-0.001, 0.002, 0.003}));
+  EXPECT_EQ(taxel_of(project, 0).center, dvec3(0.001, 0.002, 0.003));
+  EXPECT_EQ(taxel_of(project, 0).name, "right pad");
+}
+
+TEST(MirrorLink, TwinsThatAreBothEditedKeepTheirValues) {
+  const Project project = apply_edit(six(), MirrorTaxels{{0}, kX});
+  SetTaxels both = move(0, {1, 0, 0});
+  both.changes.push_back(move(6, {2, 0, 0}).changes[0]);
+  EXPECT_EQ(taxel_of(apply_edit(project, both), 0).center, dvec3(1, 0, 0));
+  EXPECT_EQ(taxel_of(apply_edit(project, both), 6).center, dvec3(2, 0, 0));
+}
+
+TEST(MirrorLink, FollowsAcrossTwoPlanes) {
+  Project project = apply_edit(six(), MirrorTaxels{{0}, kX});
+  project = apply_edit(project, MirrorTaxels{{0, 6}, kY});
+  ASSERT_EQ(project.layout.taxels.size(), 9U);  // 6: -x, 7: -y, 8: -x -y
+  project = apply_edit(project, move(7, {0.001, -0.002, 0.003}));
+  EXPECT_EQ(taxel_of(project, 0).center, dvec3(0.001, 0.002, 0.003));
+  EXPECT_EQ(taxel_of(project, 6).center, dvec3(-0.001, 0.002, 0.003));
+  EXPECT_EQ(taxel_of(project, 8).center, dvec3(-0.001, -0.002, 0.003));
+}
+
+TEST(MirrorLink, SubtaxelsFollow) {
+  Project project = six();
+  project.layout.taxels[0].subtaxels = {{dvec3(1, 2, 3), dvec3(1, 0, 0), 0.001}};
+  project = apply_edit(project, MirrorTaxels{{0}, kX});
+  EXPECT_EQ(taxel_of(project, 6).subtaxels[0].center, dvec3(-1, 2, 3));
+  project = apply_edit(project, move(0, taxel_of(project, 0).center + dvec3(1, 0, 0)));
+  EXPECT_EQ(taxel_of(project, 6).subtaxels[0].center, dvec3(-2, 2, 3));
+  EXPECT_EQ(taxel_of(project, 6).subtaxels[0].normal, dvec3(-1, 0, 0));
+}
+
+TEST(MirrorLink, UnlinkedTaxelsStay) {
+  Project project = apply_edit(six(), MirrorTaxels{{0, 1}, kX});
+  project = apply_edit(project, UnlinkTaxels{{6}});
+  EXPECT_EQ(project.mirrors[0].links, (std::vector<MirrorLink>{{1, 7}}));
+  project = apply_edit(project, move(0, {1, 0, 0}));
+  EXPECT_EQ(taxel_of(project, 6).center, flipped_x(six().layout.taxels[0].center));
+  EXPECT_TRUE(apply_edit(project, UnlinkTaxels{{1}}).mirrors.empty());
+}
+
+TEST(MirrorLink, NamesWhatCannotBeLinked) {
+  const auto complaint = [](const Edit& edit) {
+    return test::complaint_of([&] { apply_edit(apply_edit(six(), LinkTaxels{{{0, 1}}, kX}), edit); });
+  };
+  EXPECT_EQ(complaint(LinkTaxels{{{2, 2}}, kX}), "taxel 2: cannot be its own mirror image");
+  EXPECT_EQ(complaint(LinkTaxels{{{2, 0}}, kX}), "taxel 0: is already linked with taxel 1");
+  EXPECT_EQ(complaint(LinkTaxels{{{2, 0}}, kY}), "accepted");
+  EXPECT_EQ(complaint(LinkTaxels{{{2, 9}}, kX}), "taxel 9: is not in the layout");
+  EXPECT_EQ(complaint(MirrorTaxels{{9}, kX}), "taxel 9: is not in the layout");
+  EXPECT_EQ(complaint(MirrorTaxels{{2}, {dvec3(0), dvec3(0)}}), "mirror: normal: must be a direction, is [0, 0, 0]");
+}
+
+}  // namespace
+}  // namespace taxel
