@@ -3,140 +3,27 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/json_text.h"
-#include "core/layout/words.h"
+#include "core/layout/json_value.h"
+#include "core/layout/taxel_value.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Document = JsonDocument;
+using Value = JsonValue<Json>;
+using Object = JsonObject<Json>;
 
 constexpr int kVersion = 1;
-/// A value for messages: short values as they are, long ones by their kind.
-std::string shown(const Json& value) {
-  const std::string text = json_line(value);
-  if (text.size() <= 60) return text;
-  return value.is_object() ? "an object" : value.is_array() ? "an array" : "a long " + std::string(value.type_name());
-}
-
-/// What all readers of one document share.
-struct Document {
-  std::string file;
-  std::map<std::string, std::string> unknown;
-};
-
-/// One JSON value and the pointer to it.
-class Value {
- public:
-  Value(const Json& json, std::string pointer, Document& document)
-      : json_(json), pointer_(std::move(pointer)), document_(document) {}
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw Error(document_.file, pointer_, fmt::format("must be {}, is {}", expected, shown(json_)));
-  }
-  [[nodiscard]] double number() const {
-    if (!json_.is_number()) fail("a number");
-    return json_.get<double>();
-  }
-  [[nodiscard]] bool flag() const {
-    if (!json_.is_boolean()) fail("true or false");
-    return json_.get<bool>();
-  }
-  [[nodiscard]] bool is_text() const { return json_.is_string(); }
-  [[nodiscard]] std::string text() const {
-    if (!json_.is_string()) fail("a text");
-    return json_.get<std::string>();
-  }
-  [[nodiscard]] std::uint64_t natural() const {
-    if (json_.is_number_unsigned()) return json_.get<std::uint64_t>();
-    const double exact_limit = 0x1.0p53;
-    const double v = json_.is_number_float() ? json_.get<double>() : -1.0;
-    if (!(v >= 0.0 && v <= exact_limit && v == std::floor(v))) fail("a whole number, 0 or more");
-    return static_cast<std::uint64_t>(v);
-  }
-  [[nodiscard]] int small_integer() const {
-    const double v = json_.is_number() ? json_.get<double>() : 0.5;
-    const double limit = std::numeric_limits<int>::max();
-    if (!(v == std::floor(v) && std::abs(v) <= limit)) fail("a whole number of at most 31 bits");
-    return static_cast<int>(v);
-  }
-  [[nodiscard]] dvec3 vector() const {
-    if (!json_.is_array() || json_.size() != 3) fail("an array of 3 numbers");
-    return {item(0).number(), item(1).number(), item(2).number()};
-  }
-  template <class E>
-  [[nodiscard]] E word() const {
-    if (!json_.is_string()) fail("a text");
-    const std::optional<E> value = from_word<E>(json_.get<std::string>());
-    if (!value) fail("one of " + word_list<E>());
-    return *value;
-  }
-  [[nodiscard]] std::size_t array_size() const {
-    if (!json_.is_array()) fail("an array");
-    return json_.size();
-  }
-  [[nodiscard]] Value item(std::size_t i) const { return {json_[i], fmt::format("{}/{}", pointer_, i), document_}; }
-
- protected:
-  const Json& json_;
-  std::string pointer_;
-  Document& document_;
-};
-
-/// An object whose keys are taken one by one; what is left over at the end is kept as unknown.
-class Object : public Value {
- public:
-  explicit Object(const Value& value) : Value(value) {
-    if (!json_.is_object()) fail("an object");
-  }
-  /// Calls take(value) where the key stands; the default stays otherwise.
-  template <class Take>
-  void optional(const char* key, const Take& take) {
-    known_.insert(key);
-    const auto found = json_.find(key);
-    if (found != json_.end()) take(Value(*found, pointer_ + "/" + key, document_));
-  }
-  [[nodiscard]] Value required(const char* key) {
-    known_.insert(key);
-    const auto found = json_.find(key);
-    if (found == json_.end()) throw Error(document_.file, pointer_ + "/" + key, "is missing");
-    return {*found, pointer_ + "/" + key, document_};
-  }
-  void number(const char* key, std::optional<double>& out) {
-    optional(key, [&](const Value& v) { out = v.number(); });
-  }
-  void number(const char* key, double& out) {
-    optional(key, [&](const Value& v) { out = v.number(); });
-  }
-  void vector(const char* key, dvec3& out) {
-    optional(key, [&](const Value& v) { out = v.vector(); });
-  }
-  void text(const char* key, std::string& out) {
-    optional(key, [&](const Value& v) { out = v.text(); });
-  }
-  template <class E>
-  void word(const char* key, E& out) {
-    optional(key, [&](const Value& v) { out = v.word<E>(); });
-  }
-  void keep_unknown() const {
-    for (const auto& [key, value] : json_.items())
-      if (!known_.contains(key)) document_.unknown[pointer_ + "/" + escaped_key(key)] = json_line(value);
-  }
-
- private:
-  std::set<std::string> known_;
-};
-
 void read_head(Object& root, const std::string& file) {
   const std::string format = root.required("format").text();
   if (format != "taxel-layout")
-    throw Error(file, "/format", fmt::format("must be \"taxel-layout\", is {}", shown(Json(format))));
+    throw Error(file, "/format", fmt::format("must be \"taxel-layout\", is {}", shown_json(Json(format))));
   const Value version = root.required("version");
   const double v = version.number();
   if (v != kVersion)
@@ -192,32 +79,6 @@ void read_settings(Object& root, Layout& layout) {
     object.number("friction", layout.material.friction);
     object.keep_unknown();
   });
-}
-
-Subtaxel read_subtaxel(const Value& value) {
-  Object object(value);
-  Subtaxel subtaxel;
-  subtaxel.center = object.required("center").vector();
-  subtaxel.normal = object.required("normal").vector();
-  subtaxel.radius = object.required("radius").number();
-  object.keep_unknown();
-  return subtaxel;
-}
-
-Taxel read_taxel(const Value& value, std::size_t index) {
-  Object object(value);
-  Taxel taxel;
-  taxel.id = static_cast<int>(index);
-  object.optional("id", [&](const Value& v) { taxel.id = v.small_integer(); });
-  object.text("name", taxel.name);
-  taxel.center = object.required("center").vector();
-  taxel.normal = object.required("normal").vector();
-  taxel.radius = object.required("radius").number();
-  object.optional("subtaxels", [&](const Value& v) {
-    for (std::size_t i = 0; i < v.array_size(); ++i) taxel.subtaxels.push_back(read_subtaxel(v.item(i)));
-  });
-  object.keep_unknown();
-  return taxel;
 }
 
 Curve read_curve(const Value& value) {

@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/json_text.h"
 #include "core/layout/layout_json.h"
+#include "core/layout/taxel_value.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -49,26 +50,6 @@ void write_settings(Json& json, const Layout& layout) {
                       {"thickness", number(layout.material.thickness, "/material/thickness")},
                       {"dissipation", number(layout.material.dissipation, "/material/dissipation")},
                       {"friction", number(layout.material.friction, "/material/friction")}};
-}
-
-/// The three values that a taxel and a subtaxel have in common.
-template <class T>
-void write_disc(Json& json, const T& disc, const std::string& pointer) {
-  json["center"] = vector(disc.center, pointer + "/center");
-  json["normal"] = vector(disc.normal, pointer + "/normal");
-  json["radius"] = number(disc.radius, pointer + "/radius");
-}
-
-Json taxel_json(const Taxel& taxel, const std::string& pointer) {
-  Json json = {{"id", taxel.id}, {"name", taxel.name}};
-  write_disc(json, taxel, pointer);
-  json["subtaxels"] = Json::array();
-  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
-    Json subtaxel = Json::object();
-    write_disc(subtaxel, taxel.subtaxels[i], fmt::format("{}/subtaxels/{}", pointer, i));
-    json["subtaxels"].push_back(std::move(subtaxel));
-  }
-  return json;
 }
 
 Json curve_json(const Curve& curve, const std::string& pointer) {
@@ -180,7 +161,7 @@ std::string layout_to_json(const Layout& layout) {
   write_settings(json, layout);
   json["taxels"] = Json::array();
   for (std::size_t i = 0; i < layout.taxels.size(); ++i)
-    json["taxels"].push_back(taxel_json(layout.taxels[i], fmt::format("/taxels/{}", i)));
+    json["taxels"].push_back(taxel_json<Json>(layout.taxels[i], fmt::format("/taxels/{}", i)));
   if (layout.calibration) json["calibration"] = calibration_json(*layout.calibration);
   restore_unknown(json, layout.unknown);
   return json_text(json);

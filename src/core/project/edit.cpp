@@ -194,4 +194,17 @@ std::vector<std::string> make_ids_unique(Layout& layout) {
   return notes;
 }
 
+std::vector<Taxel> with_unused_ids(std::vector<Taxel> taxels, const Layout& layout) {
+  std::set<int> taken;
+  for (const Taxel& taxel : layout.taxels) taken.insert(taxel.id);
+  std::vector<Taxel*> homeless;
+  for (Taxel& taxel : taxels)
+    if (taxel.id < 0 || !taken.insert(taxel.id).second) homeless.push_back(&taxel);
+  Layout all = layout;
+  for (const Taxel& taxel : taxels) all.taxels.push_back(taxel);
+  const std::vector<int> ids = unused_ids(all, homeless.size());
+  for (std::size_t i = 0; i < homeless.size(); ++i) homeless[i]->id = ids[i];
+  return taxels;
+}
+
 }  // namespace taxel

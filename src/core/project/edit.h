@@ -137,4 +137,8 @@ std::string edit_name(const Edit& edit);
 /// elsewhere needs before it becomes a project.
 std::vector<std::string> make_ids_unique(Layout& layout);
 
+/// Taxels from elsewhere (pasted, duplicated, generated) for adding to the layout: each keeps its id where no taxel has
+/// it, in the layout or before it in the list; the others get unused ones.
+std::vector<Taxel> with_unused_ids(std::vector<Taxel> taxels, const Layout& layout);
+
 }  // namespace taxel

@@ -246,5 +246,14 @@ TEST(Edit, IdsOfForeignLayoutsBecomeUnique) {
   EXPECT_EQ(complaint_of([&] { unused_ids(layout, 1); }), "taxels: no id is left after the largest");
 }
 
+TEST(Edit, PastedTaxelsKeepTheIdsThatAreFree) {
+  const std::vector<Taxel> pasted = {taxel_at(7, {}), taxel_at(20, {}), taxel_at(20, {}), taxel_at(-1, {}),
+                                     taxel_at(0, {})};
+  std::vector<int> ids;
+  for (const Taxel& taxel : with_unused_ids(pasted, three().layout)) ids.push_back(taxel.id);
+  EXPECT_EQ(ids, (std::vector{21, 20, 22, 23, 0}));
+  EXPECT_EQ(ids_of(apply_edit(three(), AddTaxels{with_unused_ids(pasted, three().layout), {}})).size(), 8U);
+}
+
 }  // namespace
 }  // namespace taxel

@@ -1,0 +1,64 @@
+// Taxels as JSON, the same in layout files and on the clipboard.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "core/layout/json_value.h"
+#include "core/layout/layout.h"
+
+namespace taxel {
+
+template <class Json>
+Subtaxel read_subtaxel(const JsonValue<Json>& value) {
+  JsonObject<Json> object(value);
+  Subtaxel subtaxel;
+  subtaxel.center = object.required("center").vector();
+  subtaxel.normal = object.required("normal").vector();
+  subtaxel.radius = object.required("radius").number();
+  object.keep_unknown();
+  return subtaxel;
+}
+
+/// `index` is the id where none is given.
+template <class Json>
+Taxel read_taxel(const JsonValue<Json>& value, std::size_t index) {
+  JsonObject<Json> object(value);
+  Taxel taxel;
+  taxel.id = static_cast<int>(index);
+  object.optional("id", [&](const JsonValue<Json>& v) { taxel.id = v.small_integer(); });
+  object.text("name", taxel.name);
+  taxel.center = object.required("center").vector();
+  taxel.normal = object.required("normal").vector();
+  taxel.radius = object.required("radius").number();
+  object.optional("subtaxels", [&](const JsonValue<Json>& v) {
+    for (std::size_t i = 0; i < v.array_size(); ++i) taxel.subtaxels.push_back(read_subtaxel(v.item(i)));
+  });
+  object.keep_unknown();
+  return taxel;
+}
+
+/// The three values that a taxel and a subtaxel have in common.
+template <class Json, class T>
+void write_disc(Json& json, const T& disc, const std::string& pointer) {
+  json["center"] = json_vector<Json>(disc.center, pointer + "/center");
+  json["normal"] = json_vector<Json>(disc.normal, pointer + "/normal");
+  json["radius"] = json_number<Json>(disc.radius, pointer + "/radius");
+}
+
+template <class Json>
+Json taxel_json(const Taxel& taxel, const std::string& pointer) {
+  Json json = {{"id", taxel.id}, {"name", taxel.name}};
+  write_disc(json, taxel, pointer);
+  json["subtaxels"] = Json::array();
+  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
+    Json subtaxel = Json::object();
+    write_disc(subtaxel, taxel.subtaxels[i], fmt::format("{}/subtaxels/{}", pointer, i));
+    json["subtaxels"].push_back(std::move(subtaxel));
+  }
+  return json;
+}
+
+}  // namespace taxel
