@@ -14,13 +14,15 @@
 namespace taxel {
 namespace {
 
-/// Throws the first error that layout_check finds below `pointer`; what is wrong elsewhere does not count.
-void require_usable_settings(const Layout& layout, const std::string& pointer) {
+/// What layout_check calls an error in the settings below `pointer`.
+Problems errors_of_settings(const Layout& layout, const std::string& pointer) {
   Layout settings = layout;
   settings.taxels.clear();
-  for (const Problem& problem : check_layout_values(settings, ""))
-    if (problem.severity == Severity::error && problem.pointer.starts_with(pointer))
-      throw Error("", problem.pointer, problem.message);
+  Problems problems = check_layout_values(settings, "");
+  std::erase_if(problems, [&](const Problem& problem) {
+    return problem.severity != Severity::error || !problem.pointer.starts_with(pointer);
+  });
+  return problems;
 }
 
 /// Ascending, each once.
@@ -96,10 +98,17 @@ struct Apply {
   void operator()(const ReplaceLayout& edit) const { replace_layout(project, edit); }
 
  private:
+  /// Refuses what is not usable; what was not before, and stays as it was, does not count.
   template <class T>
   void set(T& setting, const T& value, const char* pointer) const {
+    const Problems before = errors_of_settings(layout, pointer);
     setting = value;
-    require_usable_settings(layout, pointer);
+    for (const Problem& problem : errors_of_settings(layout, pointer)) {
+      const bool there = std::any_of(before.begin(), before.end(), [&](const Problem& old) {
+        return old.pointer == problem.pointer && old.message == problem.message;  // it shows the value
+      });
+      if (!there) throw Error("", problem.pointer, problem.message);
+    }
   }
 };
 

@@ -97,26 +97,30 @@ ChangedFields change_taxel(const TaxelChange& change, Taxel& taxel) {
           .subtaxels = change.subtaxels.has_value() || (change.center && !taxel.subtaxels.empty())};
 }
 
-}  // namespace
-
-void require_usable(const std::vector<Taxel>& taxels) {
+/// Throws Error("", "taxel ID: FIELD", ...) for the first error of layout_check in these taxels that concerns(index,
+/// field), field being "center", "normal", "radius", "subtaxels" or "id".
+template <class Concerns>
+void require_usable(const std::vector<Taxel>& taxels, const Concerns& concerns) {
   Layout layout;
   layout.taxels = taxels;
   const std::string start = "/taxels/";
   for (const Problem& problem : check_layout_values(layout, "")) {
     if (problem.severity != Severity::error || !problem.pointer.starts_with(start)) continue;
-    const std::size_t slash = problem.pointer.find('/', start.size());
-    const int id = taxels[std::stoul(problem.pointer.substr(start.size()))].id;
+    const std::size_t index = std::stoul(problem.pointer.substr(start.size()));
+    const std::string place = problem.pointer.substr(problem.pointer.find('/', start.size()) + 1);
+    if (!concerns(index, place.substr(0, place.find('/')))) continue;
     std::string message = problem.message;
-    const std::string named = fmt::format(" (taxel {})", id);
+    const std::string named = fmt::format(" (taxel {})", taxels[index].id);
     if (message.ends_with(named)) message.resize(message.size() - named.size());
-    throw Error("", fmt::format("taxel {}: {}", id, problem.pointer.substr(slash + 1)), message);
+    throw Error("", fmt::format("taxel {}: {}", taxels[index].id, place), message);
   }
 }
 
+}  // namespace
+
 void add_taxels(Project& project, const AddTaxels& edit) {
   std::vector<Taxel>& taxels = project.layout.taxels;
-  require_usable(edit.taxels);
+  require_usable(edit.taxels, [](std::size_t, const std::string&) { return true; });
   const auto there = taxel_indices(project.layout);
   for (const Taxel& taxel : edit.taxels)
     if (there.contains(taxel.id)) fail(taxel.id, "is already in the layout");
@@ -152,19 +156,15 @@ void set_taxels(Project& project, const SetTaxels& edit) {
     const auto found = there.find(change.id);
     if (found == there.end()) fail(change.id, "is not in the layout");
     Taxel taxel = project.layout.taxels[found->second];
-    if (change.normal || change.center) {  // before they are divided by their length
-      Taxel place = taxel;
-      place.subtaxels.clear();
-      place.center = change.center.value_or(dvec3(0));
-      place.normal = change.normal.value_or(dvec3(0, 0, 1));
-      place.radius = 1.0;
-      require_usable({place});
-    }
     changed.push_back(change_taxel(change, taxel));
     touched.push_back(taxel);
     project.layout.taxels[found->second] = std::move(taxel);
   }
-  require_usable(touched);
+  require_usable(touched, [&](std::size_t i, const std::string& field) {
+    const TaxelChange& change = edit.changes[i];
+    return (change.center && field == "center") || (change.normal && field == "normal") ||
+           (change.radius && field == "radius") || (change.subtaxels && field == "subtaxels");
+  });
   if (edit.twins_follow) follow_links(project, changed);
 }
 

@@ -11,7 +11,4 @@ void set_taxels(Project& project, const SetTaxels& edit);
 void renumber_taxels(Project& project, const RenumberTaxels& edit);
 void reorder_taxels(Project& project, const ReorderTaxels& edit);
 
-/// Throws Error("", "taxel ID: FIELD", ...) for the first of these taxels that layout_check calls an error.
-void require_usable(const std::vector<Taxel>& taxels);
-
 }  // namespace taxel

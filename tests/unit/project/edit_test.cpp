@@ -147,12 +147,18 @@ TEST(Edit, RefusesWhatCouldNotBeUsed) {
 TEST(Edit, MendsOnePlaceOfABrokenLayout) {
   Project project = three();
   project.layout.taxels[0].radius = -1;
+  project.layout.taxels[0].normal = dvec3(0);
   project.layout.taxels[1].normal = dvec3(0);
   project.layout.material.modulus = -1;
   TaxelChange change = change_of(4);
   change.radius = 0.01;
   project = apply_edit(project, SetTaxels{{change}});
-  project = apply_edit(project, SetMaterial{{}});
+  project.layout.material.friction = -1;
+  Material material = project.layout.material;
+  material.modulus = 1;
+  project = apply_edit(project, SetMaterial{material});
+  material.friction = -2;
+  EXPECT_EQ(complaint(SetMaterial{material}, project), "/material/friction: must be 0 or more, is -2");
   change = move_of(7, {0, 0, 1});
   change.normal = dvec3(0, 1, 0);
   project.layout.taxels[1].subtaxels = {{dvec3(0), dvec3(0, 0, 1), 0.001}};

@@ -1,0 +1,30 @@
+// Repairs: for what layout_check lists, the edit that mends it and the words that offer it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/mesh/closest_point.h"
+#include "core/project/edit.h"
+
+namespace taxel {
+
+struct Fix {
+  std::string words;  ///< for a button: "Move taxel 3 to the surface, by 0.8 mm"
+  Edit edit;
+};
+
+/// What mends `problem`, which must have been found on this project's layout as it is; nothing where that takes a
+/// decision (a mesh that is open, a subtaxel far away). `skin` are the shells that are sampled, null where the mesh
+/// could not be read: then there are fewer repairs. To mend many, apply one, check again, and so on, in one gesture.
+///
+/// A place or a normal is mended alone; a twin follows in its radius only. `mesh_sha256` is that of the mesh file read.
+std::optional<Fix> fix_for(const Problem& problem, const Project& project, const MeshIndex* skin,
+                           const std::string& mesh_sha256 = "");
+
+/// The taxel and its subtaxels at the nearest points of the skin, with the smooth normals there. Where a centre is not
+/// finite, what it belongs to stays.
+TaxelChange projected(const Taxel& taxel, const MeshIndex& skin);
+
+}  // namespace taxel
