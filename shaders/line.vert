@@ -7,7 +7,8 @@ flat out vec2 size;                // length, half width [pixel]
 noperspective out vec2 along;      // from end a along the line and across it [pixel]
 
 void main() {
-  Segment s = segments[gl_VertexID / 6];
+  Segment s = segments[gl_VertexID / 4];
+  float width = segment_width(s);
   vec4 a, b;
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside
   tint = unpackUnorm4x8(s.rgba);
@@ -19,10 +20,10 @@ void main() {
   vec2 d = pb - pa;
   float len = length(d);
   d = len > 1e-4 ? d / len : vec2(1.0, 0.0);
-  float reach = 0.5 * s.width + 1.0;
+  float reach = 0.5 * width + 1.0;
   vec2 offset = reach * ((2.0 * corner.x - 1.0) * d + corner.y * vec2(-d.y, d.x));
   vec4 end = corner.x > 0.5 ? b : a;
   gl_Position = vec4(end.xy + offset * 2.0 * viewport.zw * end.w, end.zw);
-  size = vec2(len, 0.5 * s.width);
+  size = vec2(len, 0.5 * width);
   along = vec2(corner.x * len + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
 }

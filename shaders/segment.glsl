@@ -1,7 +1,7 @@
-// Straight pieces on the screen, pulled from a buffer: six vertices each, no vertex attributes.
+// Straight pieces on the screen, pulled from a buffer: four vertices each, no vertex attributes.
 struct Segment {
   vec3 a;
-  float width;  // [pixel]
+  uint normal;  // three signed bytes, all zero: seen from everywhere; last: width in tenths of a pixel
   vec3 b;
   uint rgba;    // sRGB, straight alpha
 };
@@ -10,8 +10,15 @@ layout(std430, binding = 1) readonly buffer Segments { Segment segments[]; };
 uniform mat4 world_from_model;
 uniform float toward_eye;  // part of the depth by which it is drawn nearer, without moving on the screen
 
-// Ends of a segment in clip coordinates, cut at the near plane; false when all of it lies behind.
+uniform float facing;      // +1: segments that face the eye, -1: those that do not, 0: all
+
+float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w; }
+
+// Ends of a segment in clip coordinates, cut at the near plane; false when all of it lies behind, or faces the wrong
+// way.
 bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
+  vec3 toward = eye.xyz - (world_from_model * vec4(s.a, 1.0)).xyz;
+  if (facing * dot(mat3(world_from_model) * unpackSnorm4x8(s.normal).xyz, toward) < 0.0) return false;
   vec3 a = (view_from_world * (world_from_model * vec4(s.a, 1.0))).xyz;
   vec3 b = (view_from_world * (world_from_model * vec4(s.b, 1.0))).xyz;
   float near = -ground_light.w;
@@ -23,8 +30,5 @@ bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
   return true;
 }
 
-// Corner 0..5 of a quad of two triangles: (end 0 or 1, side -1 or +1).
-vec2 quad_corner(int vertex) {
-  int k = vertex % 6;
-  return vec2(k == 1 || k == 2 || k == 4 ? 1.0 : 0.0, k == 2 || k == 4 || k == 5 ? 1.0 : -1.0);
-}
+// Corner 0..3 of a quad: (end 0 or 1, side -1 or +1).
+vec2 quad_corner(int vertex) { return vec2(vertex & 1, 2 * ((vertex >> 1) & 1) - 1); }

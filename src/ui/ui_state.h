@@ -15,6 +15,7 @@
 #include "ui/panels/section_panel.h"
 #include "ui/scene/camera.h"
 #include "ui/scene/picking.h"
+#include "ui/scene/scene_labels.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
 #include "ui/tools/model_summary.h"
@@ -102,6 +103,7 @@ struct ViewShown {
   int width = 0, height = 0;  ///< of the texture
   SceneInput input;
   Camera camera;
+  std::vector<SceneLabel> labels;  ///< of that picture
   bool drawn = false;
   int draws = 0;
 };

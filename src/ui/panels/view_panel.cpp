@@ -9,7 +9,6 @@
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/filtered_legend.h"
-#include "ui/scene/scene_labels.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/widgets/controls.h"
@@ -28,6 +27,8 @@ void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& rendere
       view.drawn && view.width == width && view.height == height && view.camera == ui.camera() && view.input == scene;
   if (same) return;
   renderer.render(scene, ui.camera(), width, height);
+  const double text_height = static_cast<double>(kSmallText * ImGui::GetFontSize());
+  view.labels = scene_labels(scene, ui.camera(), width, height, text_height);
   view.input = std::move(scene);
   view.camera = ui.camera();
   view.width = width;
@@ -100,7 +101,7 @@ void draw_hover_tooltip(const UiState& ui, const UiInput& input) {
 void draw_labels(const UiState& ui, ImDrawList& list) {
   const Palette& colors = palette(ui.saved.dark);
   const float size = kSmallText * ImGui::GetFontSize();
-  for (const SceneLabel& label : scene_labels(ui.view.input, ui.view.camera, ui.view.width, ui.view.height)) {
+  for (const SceneLabel& label : ui.view.labels) {
     const float width = kSmallText * ImGui::CalcTextSize(label.text.c_str()).x;
     const ImVec2 at(std::round(ui.view.rect.x0 + static_cast<float>(label.pixel.x) - 0.5f * width),
                     std::round(ui.view.rect.y0 + static_cast<float>(label.pixel.y) - 0.5f * size));

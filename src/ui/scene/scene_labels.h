@@ -16,7 +16,11 @@ struct SceneLabel {
   int sensor = 0, taxel = 0;  ///< taxel in layout order
 };
 
-/// Labels of all taxels in the view, farthest first. Empty where overlays.taxel_labels is off.
-std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height);
+/// Labels of the taxels in the view, farthest first: as many as have room beside each other when the selected one comes
+/// first, then those that face the eye, in an order that does not change with the camera. Of many taxels only those in
+/// sight have one. `text_height` [pixel] is that of a digit's line. Empty where overlays.taxel_labels is off.
+/// O(taxels), and a ray for each label.
+std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
+                                     double text_height = 12);
 
 }  // namespace taxel::ui

@@ -15,6 +15,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kHardwareSamples = 4;
+constexpr int kMostFacesInSoftware = 120'000;  // of a mesh, so that it turns fluently
 
 /// What decides how a picture looks.
 struct RenderKey {
@@ -23,6 +24,20 @@ struct RenderKey {
   int width = 0, height = 0;
   bool operator==(const RenderKey&) const = default;
 };
+
+/// What decides how shadows look: they stay while only the camera moves.
+struct ShadowKey {
+  Pose X_WP;
+  SimFramePtr frame;
+  SensorModelPtr model;
+  bool operator==(const ShadowKey& other) const {
+    return X_WP.p == other.X_WP.p && X_WP.q == other.X_WP.q && frame == other.frame && model == other.model;
+  }
+};
+
+ShadowKey shadow_key(const SceneInput& input, const Ground& floor) {
+  return {floor.X_WP, input.frame, input.frame ? nullptr : input.document_model};
+}
 
 /// Puts back the framebuffer and viewport that were bound.
 class KeepTarget {
@@ -54,7 +69,8 @@ struct SceneRenderer::Impl {
         meshes(shaders),
         segments(shaders),
         points(shaders),
-        sensors(shaders) {}
+        sensors(shaders),
+        cache(software ? kMostFacesInSoftware : 0) {}
 
   bool software;
   GroundPass ground;
@@ -67,6 +83,7 @@ struct SceneRenderer::Impl {
   gl::Buffer frame_buffer, pixel_buffer;
   std::optional<gl::Framebuffer> target;
   std::optional<RenderKey> last;
+  std::optional<ShadowKey> shadows;
 
   void draw_scene(const SceneInput& input, const Camera& camera, const Look& look);
   void draw_overlay(const Camera& camera, const Look& look);
@@ -76,10 +93,12 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   const MeshList list = mesh_list(input, look, cache);
   const SceneGround plane = scene_ground(input);
   const Ground floor{plane.X_WP, plane.plane};
-  ground.make_shadow(floor, scene_bounds(input),
-                     [&](const gl::Program& program) { meshes.draw_casters(program, list); });
-
-  meshes.make_shadow(sensors_of(input, cache), sensor_bounds(input));
+  if (ShadowKey key = shadow_key(input, floor); !shadows || !(*shadows == key)) {
+    ground.make_shadow(floor, scene_bounds(input),
+                       [&](const gl::Program& program) { meshes.draw_casters(program, list); });
+    meshes.make_shadow(sensors_of(input, cache), sensor_bounds(input));
+    shadows = std::move(key);
+  }
 
   target->bind();
   glClearColor(0, 0, 0, 1);

@@ -32,7 +32,10 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
     const int count = view.model->taxel_count();
     if (input.selected_taxel < count) view.selected_taxel = input.selected_taxel;
     view.selected_taxels = input.selected_taxels;
-    std::erase_if(view.selected_taxels, [count](int taxel) { return taxel >= count; });
+    std::vector<int>& all = view.selected_taxels;
+    std::erase_if(all, [count](int taxel) { return taxel >= count; });
+    const auto place = std::lower_bound(all.begin(), all.end(), view.selected_taxel);
+    if (view.selected_taxel >= 0 && !view.selected(view.selected_taxel)) all.insert(place, view.selected_taxel);
   }
   return out;
 }

@@ -14,10 +14,10 @@ struct SensorView {
   const SensorFrameState* state = nullptr;  ///< null: a layout alone
   Pose X_WM;
   int selected_taxel = -1;           ///< the active one; -1: none, or in another sensor
-  std::vector<int> selected_taxels;  ///< all of them; ascending
+  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
 
   [[nodiscard]] bool selected(int taxel) const {
-    return taxel == selected_taxel || std::binary_search(selected_taxels.begin(), selected_taxels.end(), taxel);
+    return std::binary_search(selected_taxels.begin(), selected_taxels.end(), taxel);
   }
 };
 

@@ -5,6 +5,7 @@
 #include "ui/scene/geometry/depth_order.h"
 #include "ui/scene/geometry/field_ring.h"
 #include "ui/scene/geometry/mesh_edges.h"
+#include "ui/scene/geometry/simplify.h"
 
 namespace taxel::ui {
 namespace {
@@ -79,7 +80,7 @@ TEST(MeshEdges, TheOutlineOfASphereIsAClosedLoopNearTheHorizon) {
 }
 
 TEST(FieldRing, OnAPlaneItIsACircle) {
-  const TriMesh plane = square(1);
+  const MeshIndex plane(std::make_shared<const TriMesh>(square(1)));
   const dvec3 center(0.1, -0.05, 0.12);
   const double r = std::sqrt(0.3 * 0.3 - 0.12 * 0.12);
   const auto ring = field_ring(plane, center, 0.3, {0, 0, 1}, 45, 2.0);
@@ -92,14 +93,14 @@ TEST(FieldRing, OnAPlaneItIsACircle) {
 }
 
 TEST(FieldRing, ACircleInsideOneFaceIsWhole) {
-  const TriMesh plane = square(1);
+  const MeshIndex plane(std::make_shared<const TriMesh>(square(1)));
   const auto ring = field_ring(plane, {0.5, -0.5, 0}, 0.1, {0, 0, 1}, 45, 1.0);
   EXPECT_NEAR(total_length(ring), 2 * kPi * 0.1, 1e-4);
   for (const RingPiece& piece : ring) EXPECT_EQ(piece.face, 0);
 }
 
 TEST(FieldRing, OnASphereItsPiecesJoinToOneLoopOfTheKnownLength) {
-  const TriMesh sphere = make_icosphere(1, 5);
+  const MeshIndex sphere(std::make_shared<const TriMesh>(make_icosphere(1, 5)));
   const auto ring = field_ring(sphere, {0, 0, 1}, 0.4, {0, 0, 1}, 45, 2.0);
   // |x - (0,0,1)| = r on the unit sphere: z = 1 - r^2 / 2
   const double z = 1 - 0.5 * 0.4 * 0.4;
@@ -111,11 +112,11 @@ TEST(FieldRing, OnASphereItsPiecesJoinToOneLoopOfTheKnownLength) {
 }
 
 TEST(FieldRing, StaysOnFacesWithinTheAngle) {
-  const TriMesh box = make_box({0.01, 0.01, 0.01});
+  const MeshIndex box(std::make_shared<const TriMesh>(make_box({0.01, 0.01, 0.01})));
   const auto ring = field_ring(box, {0, 0, 0.01}, 0.012, {0, 0, 2}, 45);  // reaches over the rim
   ASSERT_FALSE(ring.empty());
   for (const RingPiece& piece : ring) {
-    EXPECT_GT(box.face_normals()[static_cast<std::size_t>(piece.face)].z, std::cos(glm::radians(45.0)));
+    EXPECT_GT(box.mesh().face_normals()[static_cast<std::size_t>(piece.face)].z, std::cos(glm::radians(45.0)));
   }
   EXPECT_GT(field_ring(box, {0, 0, 0.01}, 0.012, {0, 0, 1}, 120).size(), ring.size());
 }
@@ -123,8 +124,26 @@ TEST(FieldRing, StaysOnFacesWithinTheAngle) {
 TEST(FieldRing, SubtaxelsHaveTheirOwnRings) {
   Taxel taxel;
   taxel.subtaxels = {{{-0.5, 0, 0}, {0, 0, 1}, 0.1}, {{0.5, 0, 0}, {0, 0, 1}, 0.2}};
-  const auto ring = taxel_rings(square(1), taxel, {});
+  const auto ring = taxel_rings(MeshIndex(std::make_shared<const TriMesh>(square(1))), taxel, {});
   EXPECT_NEAR(total_length(ring), 2 * kPi * 0.3, 0.003);
+}
+
+TEST(Simplify, KeepsTheShapeWithAboutAsManyFacesAsAskedFor) {
+  const auto sphere = std::make_shared<const TriMesh>(make_icosphere(0.5, 6));  // 81 920 faces
+  const TriMeshPtr coarse = simplify(sphere, 5000);
+  EXPECT_GT(coarse->face_count(), 2500);
+  EXPECT_LT(coarse->face_count(), 10000);
+  EXPECT_NEAR(coarse->volume(), sphere->volume(), 0.02 * sphere->volume());
+  const double cell = std::sqrt(2 * sphere->area() / 5000);
+  for (const dvec3& v : coarse->vertices()) EXPECT_NEAR(glm::length(v), 0.5, 0.5 * cell);
+  for (int f = 0; f < coarse->face_count(); ++f) {  // no face turned inside out
+    EXPECT_GT(glm::dot(coarse->face_normals()[static_cast<std::size_t>(f)], coarse->vertex(f, 0)), 0);
+  }
+}
+
+TEST(Simplify, AMeshThatWouldVanishStays) {
+  const auto box = std::make_shared<const TriMesh>(make_box({1, 1, 1}));
+  EXPECT_EQ(simplify(box, 1), box);
 }
 
 TEST(DepthOrder, GoesFromBackToFrontAndLosesNothing) {

@@ -148,6 +148,37 @@ TEST_F(PickingTest, LabelsStandPastTheArrowsAndKnowWhatHidesThem) {
   EXPECT_GE(facing_but_hidden, 1);
 }
 
+TEST_F(PickingTest, LabelsOfManyTaxelsHaveRoomBesideEachOther) {
+  Layout layout = model_->layout;
+  for (int k = 0; k < 600; ++k) {  // all around, some at the same place
+    Taxel taxel = layout.taxels[static_cast<std::size_t>(k % 12)];
+    taxel.id = 100 + k;
+    taxel.center += 2e-4 * dvec3(k % 7, k % 5, k % 11);
+    layout.taxels.push_back(taxel);
+  }
+  auto many = std::make_shared<SensorModel>(*model_);
+  many->layout = layout;
+  SceneInput input = layout_input();
+  input.document_model = many;
+  input.selected_taxel = 611;
+  const Camera camera = layout_camera();
+  const auto labels = scene_labels(input, camera, kWidth, kHeight, 12);
+  EXPECT_GT(labels.size(), 12u);
+  EXPECT_LE(labels.size(), 250u);
+  int selected = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const SceneLabel& a = labels[i];
+    selected += a.selected ? 1 : 0;
+    const Taxel& taxel = layout.taxels[static_cast<std::size_t>(a.taxel)];
+    EXPECT_TRUE(a.selected || glm::dot(taxel.normal, camera.eye() - taxel.center) > 0) << a.text;
+    for (std::size_t j = 0; j < i; ++j) {
+      const dvec2 apart = glm::abs(a.pixel - labels[j].pixel);
+      EXPECT_TRUE(apart.y >= 12 || apart.x >= 0.5 * 7 * (a.text.size() + labels[j].text.size())) << a.text;
+    }
+  }
+  EXPECT_EQ(selected, 1);
+}
+
 TEST(Gizmo, AClickOnABallLooksFromItsAxis) {
   Camera camera;
   camera.target = {0.1, 0.2, 0.3};

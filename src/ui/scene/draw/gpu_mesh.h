@@ -14,20 +14,25 @@ namespace taxel::ui {
 
 class GpuMesh {
  public:
-  explicit GpuMesh(TriMeshPtr mesh);
+  /// With `most_faces` > 0 a mesh of more is drawn simplified to about that.
+  explicit GpuMesh(TriMeshPtr mesh, int most_faces = 0);
 
-  [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }
-  [[nodiscard]] const std::vector<MeshEdge>& edges() const { return edges_; }
+  [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }  ///< as drawn
+  const std::vector<MeshEdge>& edges();                         ///< made when first asked for
+  /// Whether it is small enough to look at each edge in each picture.
+  [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMostOutlined; }
 
   void draw() const;
-  /// Faces from back to front as seen along `direction` (frame of the mesh).
-  void draw_sorted(const glm::vec3& direction);
+  /// Faces from back to front as seen along `direction` (frame of the mesh); of a large mesh those that look away, then
+  /// those that look towards the eye, which is the same for convex shapes.
+  void draw_blended(const glm::vec3& direction);
   /// All edges as segments of that colour; made when first asked for.
   const gl::Buffer& wires(float width, std::uint32_t rgba);
 
  private:
   TriMeshPtr mesh_;
-  std::vector<MeshEdge> edges_;
+  static constexpr int kMostSorted = 60'000, kMostOutlined = 300'000;  // faces
+  std::optional<std::vector<MeshEdge>> edges_;
   std::vector<glm::vec3> centroids_;
   std::vector<std::uint32_t> indices_, sorted_;
   gl::Buffer vertex_buffer_, index_buffer_, sorted_buffer_;
@@ -39,6 +44,8 @@ class GpuMesh {
 /// Keeps what was drawn lately; what a whole picture did not use is dropped.
 class MeshCache {
  public:
+  /// `most_faces` as of GpuMesh.
+  explicit MeshCache(int most_faces) : most_faces_(most_faces) {}
   GpuMesh& get(const TriMeshPtr& mesh);
   void end_frame();
 
@@ -47,7 +54,8 @@ class MeshCache {
     std::unique_ptr<GpuMesh> mesh;
     bool used = true;
   };
-  std::map<const TriMesh*, Entry> entries_;  // each entry holds its TriMesh, so no address is reused
+  int most_faces_;
+  std::map<TriMeshPtr, Entry> entries_;
 };
 
 }  // namespace taxel::ui

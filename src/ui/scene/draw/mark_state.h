@@ -1,12 +1,27 @@
 // What lines, arrows, points and contact surfaces have in common when they are drawn.
 #pragma once
 
-#include <glm/glm.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 
+#include "core/base/math.h"
 #include "ui/gl/program.h"
 #include "ui/gl/state.h"
 
 namespace taxel::ui {
+
+/// A unit normal in 127ths, zero: seen from everywhere; and one number more, 0 to 1.
+using MarkNormal = std::array<std::int8_t, 4>;
+
+inline MarkNormal pack_normal(const dvec3& normal, double last) {
+  const auto part = [](double x) { return static_cast<std::int8_t>(std::lround(127 * x)); };
+  return {part(normal.x), part(normal.y), part(normal.z), part(std::clamp(last, 0.0, 1.0))};
+}
+
+/// Of marks with a normal: which are drawn.
+enum class Facing { all, eye, away };
 
 /// How a batch of marks is drawn.
 struct MarkState {
@@ -16,6 +31,7 @@ struct MarkState {
   bool hidden = false;  ///< only where something nearer stands in front
   bool depth_write = false;
   float dim = 1;  ///< multiplies alpha
+  Facing facing = Facing::all;
 };
 
 /// Sends the uniforms that all their shaders share, and sets depth and blending.
@@ -23,6 +39,7 @@ inline void set_mark_state(const gl::Program& program, const MarkState& state) {
   program.set("world_from_model", state.world_from_model);
   program.set("toward_eye", state.toward_eye);
   program.set("dim", state.dim);
+  program.set("facing", state.facing == Facing::all ? 0.0f : state.facing == Facing::eye ? 1.0f : -1.0f);
   const GLenum test = state.hidden ? GL_GREATER : GL_LEQUAL;
   gl::apply({.depth = state.depth_test ? test : GL_ALWAYS, .depth_write = state.depth_write, .blend = true});
 }

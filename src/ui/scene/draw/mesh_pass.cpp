@@ -6,10 +6,11 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f;
-constexpr float kSeenThrough = 0.3f;    // of the alpha of lines that shine through
-constexpr double kGrazing = 0.03;       // of the skin's size: how far before its outline a ray may touch it
-constexpr float kTowardEye = 0.004f;    // edges in front of their faces
-constexpr double kShadowHeight = 0.14;  // of the sensors' size, at which their shadow is a third as dark
+constexpr float kSeenThrough = 0.3f;      // of the alpha of lines that shine through
+constexpr std::size_t kMostCasts = 3000;  // edges of an outline, above which none is asked what stands before it
+constexpr double kGrazing = 0.03;         // of the skin's size: how far before its outline a ray may touch it
+constexpr float kTowardEye = 0.004f;      // edges in front of their faces
+constexpr double kShadowHeight = 0.14;    // of the sensors' size, at which their shadow is a third as dark
 
 /// Whether the skin stands clearly before a point of its own outline.
 bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
@@ -97,12 +98,13 @@ void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look
     skin_.set("world_from_mesh", matrix(item.X_WM));
     skin_.set("albedo", item.albedo);
     const dvec3 direction_W = glm::normalize(camera.target - camera.eye());
-    item.mesh->draw_sorted(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
+    item.mesh->draw_blended(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
   }
 }
 
 void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments) const {
   for (const MeshItem& item : items) {
+    if (!item.mesh->has_outlines()) continue;
     const TriMesh& mesh = item.mesh->mesh();
     const std::vector<MeshEdge>& edges = item.mesh->edges();
     const dvec3 eye = item.X_WM.inverse() * camera.eye();
@@ -115,10 +117,11 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
       const MeshEdge& e = edges[static_cast<std::size_t>(i)];
       lines.push_back(segment(vertex(e.a), vertex(e.b), kCreaseWidth, item.transparent != nullptr ? dim : full));
     }
+    const bool many = visible.outline.size() > kMostCasts;
     for (const int i : visible.outline) {
       const MeshEdge& e = edges[static_cast<std::size_t>(i)];
-      const bool behind =
-          item.transparent != nullptr && lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b)));
+      const bool behind = item.transparent != nullptr &&
+                          (many || lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b))));
       lines.push_back(segment(vertex(e.a), vertex(e.b), kOutlineWidth, behind ? dim : full));
     }
     segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});

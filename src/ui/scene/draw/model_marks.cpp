@@ -1,94 +1,139 @@
 #include "ui/scene/draw/model_marks.h"
 
+#include <numeric>
+
+#include "core/base/parallel.h"
 #include "ui/scene/color_map.h"
 
 namespace taxel::ui {
 namespace {
 
 constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // of a sample of the selected taxel
-constexpr float kRingWidth = 1.6f, kSelectedRingWidth = 2.8f, kArrowWidth = 2.6f, kSelectedArrowWidth = 4.0f;
-constexpr double kArrowPart = 0.11;  // of the mesh's diagonal
+constexpr float kRingWidth = 1.6f, kThinRingWidth = 1.1f, kSelectedRingWidth = 2.8f, kArrowWidth = 2.6f,
+                kSelectedArrowWidth = 4.0f;
+constexpr double kArrowPart = 0.11;      // of the mesh's diagonal
+constexpr double kArrowOfSpacing = 1.2;  // of the distance between taxels that are spread evenly
+constexpr double kNormalPart = 0.8;      // of the distance between samples
+constexpr int kManyTaxels = 200;         // from which on rings are thin, of fewer pieces
+constexpr double kFineStepDeg = 6, kCoarseStepDeg = 20;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-bool contains(const std::vector<int>& values, int value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
+/// Numbers 0 ... count - 1, those that are near each other far apart: by multiplicative hashing (Knuth 6.4).
+std::vector<std::uint32_t> spread_order(std::size_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [](std::uint32_t i) { return i * 2654435769u; };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  return order;
+}
+
+/// Whether two lists share a value, `sorted` ascending.
+bool share(const std::vector<int>& values, const std::vector<int>& sorted) {
+  return std::any_of(values.begin(), values.end(),
+                     [&](int v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
 }
 
 }  // namespace
 
-std::vector<PointMark> sample_marks(const SensorModel& model, int selected_taxel, const Look& look) {
+std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<int>& selected, const Look& look) {
   std::vector<PointMark> out;
   out.reserve(model.samples.size());
   const std::uint32_t unused = pack(look.unused_sample);
-  for (std::size_t i = 0; i < model.samples.size(); ++i) {
+  for (const std::uint32_t i : spread_order(model.samples.size())) {
     const SurfaceSample& sample = model.samples[i];
-    const bool used = i < model.taxels_of_sample.size() && !model.taxels_of_sample[i].empty();
-    if (!used) {
+    const std::vector<int>& taxels = model.taxels_of_sample[i];
+    if (taxels.empty()) {
       out.push_back(point_mark(sample.position, sample.normal, kUnusedSize, unused));
       continue;
     }
-    const std::vector<int>& taxels = model.taxels_of_sample[i];
-    const bool large = selected_taxel < 0 || contains(taxels, selected_taxel);
+    const bool large = selected.empty() || share(taxels, selected);
     out.push_back(point_mark(sample.position, sample.normal, large ? 1.0 : kOtherSize, pack(taxel_color(taxels[0]))));
   }
   return out;
 }
 
-ModelMarks::ModelMarks(SensorModelPtr model, int selected_taxel, const Look& look)
-    : model_(std::move(model)), selected_(selected_taxel), look_(&look) {
-  samples_.upload(std::span<const PointMark>(sample_marks(*model_, selected_, look)), GL_STATIC_DRAW);
+ModelMarks::ModelMarks(SensorModelPtr model, const Look& look) : model_(std::move(model)), look_(&look) {
   const TriMesh& skin = model_->skin->mesh();
   if (!model_->samples.empty()) spacing_ = std::sqrt(skin.area() / static_cast<double>(model_->samples.size()));
-  for (int k = 0; k < model_->taxel_count(); ++k) {
-    const Taxel& taxel = model_->layout.taxels[at(k)];
-    for (const RingPiece& piece : taxel_rings(skin, taxel, model_->layout.receptive_field)) {
-      const float width = k == selected_ ? kSelectedRingWidth : kRingWidth;
-      rings_.push_back({segment(piece.a, piece.b, width, pack(taxel_color(k))), piece.face});
-    }
+  const int count = model_->taxel_count();
+  const float width = count > kManyTaxels ? kThinRingWidth : kRingWidth;
+  std::vector<Segments> rings_of(at(count));
+  parallel_chunks(count, 16, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) rings_of[at(k)] = ring_segments(k, width);
+  });
+  Segments rings, arrows;
+  std::vector<PointMark> centers;
+  for (int k = 0; k < count; ++k) {
+    rings.insert(rings.end(), rings_of[at(k)].begin(), rings_of[at(k)].end());
+    arrows.push_back(arrow_segment(k, kArrowWidth));
+    centers.push_back(center_mark(k));
   }
+  rings_.upload(std::span<const Segment>(rings), GL_STATIC_DRAW);
+  arrows_.upload(std::span<const Segment>(arrows), GL_STATIC_DRAW);
+  centers_.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
 
-bool ModelMarks::is_for(const SensorModelPtr& model, int selected_taxel, const Look& look) const {
-  return model == model_ && selected_taxel == selected_ && &look == look_;
+void ModelMarks::select(const std::vector<int>& taxels) {
+  if (selected_ == taxels) return;
+  selected_ = taxels;
+  samples_.upload(std::span<const PointMark>(sample_marks(*model_, taxels, *look_)), GL_STATIC_DRAW);
+  Segments rings, arrows;
+  std::vector<PointMark> centers;
+  for (const int k : taxels) {
+    const Segments ring = ring_segments(k, kSelectedRingWidth);
+    rings.insert(rings.end(), ring.begin(), ring.end());
+    arrows.push_back(arrow_segment(k, kSelectedArrowWidth));
+    centers.push_back(center_mark(k));
+  }
+  selected_marks_.rings.upload(std::span<const Segment>(rings), GL_STATIC_DRAW);
+  selected_marks_.arrows.upload(std::span<const Segment>(arrows), GL_STATIC_DRAW);
+  selected_marks_.centers.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
 
-void ModelMarks::append_rings(const dvec3& eye_M, bool towards, Segments& out) const {
-  const TriMesh& skin = model_->skin->mesh();
-  for (const Ring& ring : rings_) {
-    const bool seen = glm::dot(skin.face_normals()[at(ring.face)], eye_M - skin.vertex(ring.face, 0)) > 0;
-    if (seen == towards) out.push_back(ring.segment);
+Segments ModelMarks::ring_segments(int taxel, float width) const {
+  const std::vector<dvec3>& normals = model_->skin->mesh().face_normals();
+  const double step = model_->taxel_count() > kManyTaxels ? kCoarseStepDeg : kFineStepDeg;
+  const std::uint32_t color = pack(taxel_color(taxel));
+  Segments out;
+  const Layout& layout = model_->layout;
+  for (const RingPiece& piece : taxel_rings(*model_->skin, layout.taxels[at(taxel)], layout.receptive_field, step)) {
+    out.push_back(segment(piece.a, piece.b, width, color, normals[at(piece.face)]));
   }
+  return out;
 }
 
-void append_sample_normals(const SensorModel& model, double length, std::uint32_t rgba, Segments& out) {
-  for (std::size_t i = 0; i < model.samples.size(); ++i) {
-    if (i >= model.taxels_of_sample.size() || model.taxels_of_sample[i].empty()) continue;
-    const SurfaceSample& sample = model.samples[i];
-    out.push_back(segment(sample.position, sample.position + length * sample.normal, 1.0f, rgba));
+Segment ModelMarks::arrow_segment(int taxel, float width) const {
+  const Taxel& t = model_->layout.taxels[at(taxel)];
+  const dvec3 normal = glm::normalize(t.normal);
+  const dvec3 tip = t.center + taxel_arrow_length(*model_) * normal;
+  return segment(t.center, tip, width, pack(taxel_color(taxel)), normal);
+}
+
+PointMark ModelMarks::center_mark(int taxel) const {
+  const Taxel& t = model_->layout.taxels[at(taxel)];
+  return point_mark(t.center, glm::normalize(t.normal), 1.0, pack(taxel_color(taxel)));
+}
+
+const gl::Buffer& ModelMarks::sample_normals() {
+  if (sample_normals_) return *sample_normals_;
+  Segments lines;
+  for (std::size_t i = 0; i < model_->samples.size(); ++i) {
+    if (model_->taxels_of_sample[i].empty()) continue;
+    const SurfaceSample& sample = model_->samples[i];
+    const dvec3 end = sample.position + kNormalPart * spacing_ * sample.normal;
+    lines.push_back(segment(sample.position, end, 1.0f, pack(look_->wire), sample.normal));
   }
+  sample_normals_.emplace();
+  sample_normals_->upload(std::span<const Segment>(lines), GL_STATIC_DRAW);
+  return *sample_normals_;
 }
 
 double taxel_arrow_length(const SensorModel& model) {
-  return kArrowPart * model.mesh->bounds().diagonal();
-}
-
-TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards, float size) {
-  TaxelMarks out;
-  const double length = taxel_arrow_length(*view.model);
-  for (int k = 0; k < view.model->taxel_count(); ++k) {
-    const Taxel& taxel = view.model->layout.taxels[at(k)];
-    const dvec3 normal = glm::normalize(taxel.normal);
-    if ((glm::dot(normal, eye_M - taxel.center) > 0) != towards) continue;
-    const std::uint32_t color = pack(taxel_color(k));
-    const bool selected = view.selected(k);
-    (selected ? out.selected_center : out.centers).push_back(point_mark(taxel.center, dvec3(0), 1.0, color));
-    out.arrows.push_back(segment(taxel.center, taxel.center + length * normal,
-                                 size * (selected ? kSelectedArrowWidth : kArrowWidth), color));
-  }
-  return out;
+  const double apart = std::sqrt(model.skin->mesh().area() / std::max(1, model.taxel_count()));
+  return std::min(kArrowPart * model.mesh->bounds().diagonal(), kArrowOfSpacing * apart);
 }
 
 }  // namespace taxel::ui

@@ -1,7 +1,7 @@
 // What is drawn of one sensor model and does not change with the simulation: samples, taxels, receptive fields.
 #pragma once
 
-#include <map>
+#include <optional>
 
 #include "ui/scene/draw/look.h"
 #include "ui/scene/draw/points.h"
@@ -11,43 +11,52 @@
 
 namespace taxel::ui {
 
-/// Samples coloured by their nearest taxel; unused ones grey and small, those of a selected taxel largest.
-std::vector<PointMark> sample_marks(const SensorModel& model, int selected_taxel, const Look& look);
+/// Samples coloured by their nearest taxel; unused ones grey and small, those of selected taxels largest. In an order
+/// of which the first of any number are spread over all.
+std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<int>& selected, const Look& look);
 
+/// Lies on the card; built once for a model, and for selected taxels what shows the selection.
 class ModelMarks {
  public:
-  ModelMarks(SensorModelPtr model, int selected_taxel, const Look& look);
+  ModelMarks(SensorModelPtr model, const Look& look);
+  [[nodiscard]] bool is_for(const SensorModelPtr& model, const Look& look) const {
+    return model == model_ && &look == look_;
+  }
+  /// Ascending.
+  void select(const std::vector<int>& taxels);
 
   [[nodiscard]] const PointBuffer& samples() const { return samples_; }
+  [[nodiscard]] int sample_count() const { return static_cast<int>(model_->samples.size()); }
   [[nodiscard]] double sample_spacing() const { return spacing_; }  ///< between neighbours on the skin, about [m]
-  /// Rings (frame M) whose face looks towards `eye_M`, or away from it.
-  void append_rings(const dvec3& eye_M, bool towards, Segments& out) const;
-  [[nodiscard]] bool is_for(const SensorModelPtr& model, int selected_taxel, const Look& look) const;
+  /// Normals of the samples as short lines; made when first asked for.
+  const gl::Buffer& sample_normals();
+
+  // With the normals of faces and taxels, so that those that look away can be drawn apart.
+  [[nodiscard]] const gl::Buffer& rings() const { return rings_; }
+  [[nodiscard]] const gl::Buffer& arrows() const { return arrows_; }
+  [[nodiscard]] const PointBuffer& centers() const { return centers_; }
+  struct Selected {
+    gl::Buffer rings, arrows;
+    PointBuffer centers;
+  };
+  [[nodiscard]] const Selected& selected() const { return selected_marks_; }
 
  private:
-  struct Ring {
-    Segment segment;
-    int face;
-  };
+  [[nodiscard]] Segments ring_segments(int taxel, float width) const;
+  [[nodiscard]] Segment arrow_segment(int taxel, float width) const;
+  [[nodiscard]] PointMark center_mark(int taxel) const;
+
   SensorModelPtr model_;
-  int selected_;
   const Look* look_;
-  PointBuffer samples_;
-  std::vector<Ring> rings_;
+  PointBuffer samples_, centers_;
+  gl::Buffer rings_, arrows_;
+  std::optional<gl::Buffer> sample_normals_;
+  Selected selected_marks_;
+  std::optional<std::vector<int>> selected_;
   double spacing_ = 0;
 };
 
-/// Normals of the samples, as short lines (frame M).
-void append_sample_normals(const SensorModel& model, double length, std::uint32_t rgba, Segments& out);
-
-/// Centres and normal arrows of the taxels that face the eye, or of those that do not (frame M). `size` scales widths.
-struct TaxelMarks {
-  std::vector<PointMark> centers, selected_center;
-  Segments arrows;
-};
-TaxelMarks taxel_marks(const SensorView& view, const dvec3& eye_M, bool towards, float size);
-
-/// Length of a taxel's arrow. [m]
+/// Length of a taxel's arrow: no longer than taxels are apart. [m]
 double taxel_arrow_length(const SensorModel& model);
 
 }  // namespace taxel::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 
 #include "core/base/math.h"
@@ -12,17 +13,14 @@ namespace taxel::ui {
 
 struct PointMark {
   glm::vec3 position{0};
-  std::array<std::int8_t, 4> normal{0, 0, 0, 127};  ///< 127ths; zero: seen from everywhere. Last: part of the size
-  std::uint32_t rgba = 0;                           ///< sRGB, straight alpha, red in the lowest byte
+  MarkNormal normal{0, 0, 0, 127};  ///< last: part of the size
+  std::uint32_t rgba = 0;           ///< sRGB, straight alpha, red in the lowest byte
 };
 
 PointMark point_mark(const dvec3& position, const dvec3& normal, double size, std::uint32_t rgba);
 
-enum class Facing { all, eye, away };
-
 struct PointStyle {
   float diameter = 4;  ///< [pixel]; of a point of size 1
-  Facing facing = Facing::all;
   glm::vec4 outline{0, 0, 0, 0};
   float outline_width = 0;  ///< [pixel], inside the diameter
 };
@@ -32,7 +30,8 @@ class PointBuffer {
  public:
   PointBuffer();
   void upload(std::span<const PointMark> points, GLenum usage) { buffer_.upload(points, usage); }
-  void draw() const;
+  /// The first `most` of them.
+  void draw(int most = std::numeric_limits<int>::max()) const;
 
  private:
   gl::Buffer buffer_;
@@ -42,7 +41,8 @@ class PointBuffer {
 class PointPass {
  public:
   explicit PointPass(const gl::ShaderReader& read) : program_(read, "point") {}
-  void draw(const PointBuffer& points, const PointStyle& style, const MarkState& state) const;
+  void draw(const PointBuffer& points, const PointStyle& style, const MarkState& state,
+            int most = std::numeric_limits<int>::max()) const;
   void draw(std::span<const PointMark> points, const PointStyle& style, const MarkState& state);
 
  private:

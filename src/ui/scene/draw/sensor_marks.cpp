@@ -15,21 +15,23 @@ constexpr double kSamplePart = 0.5;                            // of the distanc
 constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
 constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
+constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
+constexpr int kMostSeenThrough = 300;                       // taxels
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f;
 constexpr double kForceScale = 0.012;  // [m/N]
 constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
-dvec3 eye_in(const SensorView& view, const Camera& camera) {
-  return view.X_WM.inverse() * camera.eye();
+/// Marks on the far side: nothing of them is seen through a solid skin, nor told apart among many.
+bool far_side_seen(const SceneInput& input, const SensorView& view) {
+  return input.overlays.sensor_transparent && view.model->taxel_count() <= kMostSeenThrough;
 }
 
 }  // namespace
 
-const ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look) {
+ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look) {
   std::unique_ptr<ModelMarks>& marks = marks_[view.index];
-  if (!marks || !marks->is_for(view.model, view.selected_taxel, look)) {
-    marks = std::make_unique<ModelMarks>(view.model, view.selected_taxel, look);
-  }
+  if (!marks || !marks->is_for(view.model, look)) marks = std::make_unique<ModelMarks>(view.model, look);
+  marks->select(view.selected_taxels);
   return *marks;
 }
 
@@ -57,32 +59,32 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
   }
 }
 
-void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
+void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool towards) {
+  if (!scene.input.overlays.receptive_fields || !(towards || far_side_seen(scene.input, view))) return;
   const ModelMarks& marks = marks_of(view, scene.look);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
-  const Overlays& show = scene.input.overlays;
-  Segments lines;
-  if (show.receptive_fields) {
-    marks.append_rings(eye_in(view, scene.camera), false, lines);
-    MarkState behind = state;
-    behind.dim = kHiddenDim;
-    scene.segments.draw_lines(lines, behind);
-  }
-  if (show.samples) {
+  state.facing = towards ? Facing::eye : Facing::away;
+  if (!towards) state.dim = kHiddenDim;
+  scene.segments.draw_lines(marks.rings(), state);
+  scene.segments.draw_lines(marks.selected().rings, state);
+}
+
+void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
+  ModelMarks& marks = marks_of(view, scene.look);
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  draw_rings(scene, view, false);
+  if (scene.input.overlays.samples) {
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
     const double diameter = std::clamp(kSamplePart * spacing, kSmallestSample, kLargestSample);
-    scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter), .facing = Facing::eye}, state);
+    // Where they crowd, the eye cannot tell them apart: fewer, spread evenly, look the same.
+    const double part = std::min(1.0, spacing * spacing / (kLeastSpacing * kLeastSpacing));
+    state.facing = Facing::eye;
+    scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state,
+                      static_cast<int>(std::ceil(part * marks.sample_count())));
+    state.facing = Facing::all;
   }
-  if (show.sample_normals) {
-    lines.clear();
-    append_sample_normals(*view.model, 0.8 * marks.sample_spacing(), pack(scene.look.wire), lines);
-    scene.segments.draw_lines(lines, state);
-  }
-  if (show.receptive_fields) {
-    lines.clear();
-    marks.append_rings(eye_in(view, scene.camera), true, lines);
-    scene.segments.draw_lines(lines, state);
-  }
+  if (scene.input.overlays.sample_normals) scene.segments.draw_lines(marks.sample_normals(), state);
+  draw_rings(scene, view, true);
 }
 
 void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
@@ -132,17 +134,20 @@ void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
 }
 
 void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {
+  if (!(towards || far_side_seen(scene.input, view))) return;
+  const ModelMarks& marks = marks_of(view, scene.look);
   const double arrow = taxel_arrow_length(*view.model) * scene.pixels_per_metre;
   const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
-  const TaxelMarks marks = taxel_marks(view, eye_in(view, scene.camera), towards, size);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.facing = towards ? Facing::eye : Facing::away;
   if (!towards) state.dim = kHiddenDim;
-  scene.segments.draw_arrows(marks.arrows, state, scene.look.mark_outline);
+  scene.segments.draw_arrows(marks.arrows(), state, scene.look.mark_outline, size);
+  scene.segments.draw_arrows(marks.selected().arrows, state, scene.look.mark_outline, size);
   state.toward_eye = kBeforeSkin;
   PointStyle style{.diameter = size * kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f * size};
-  scene.points.draw(marks.centers, style, state);
+  scene.points.draw(marks.centers(), style, state);
   style = {.diameter = size * kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f * size};
-  scene.points.draw(marks.selected_center, style, state);
+  scene.points.draw(marks.selected().centers, style, state);
 }
 
 void SensorMarks::draw_force(const Scene& scene, const SensorView& view) {

@@ -26,7 +26,8 @@ class SensorMarks {
     SegmentPass& segments;
     PointPass& points;
   };
-  const ModelMarks& marks_of(const SensorView& view, const Look& look);
+  ModelMarks& marks_of(const SensorView& view, const Look& look);
+  void draw_rings(const Scene& scene, const SensorView& view, bool towards);
   void draw_fields(const Scene& scene, const SensorView& view);
   void draw_contact(const Scene& scene, const SensorView& view);
   void draw_filtered(const Scene& scene, const SensorView& view);

@@ -55,44 +55,53 @@ std::vector<double> crossings(const PlaneTriangle& t, double r) {
   return angles;
 }
 
+/// The pieces of the circle of radius r about the foot that lie within the triangle.
+void append_arcs(const PlaneTriangle& t, double r, int face, double step, std::vector<RingPiece>& out) {
+  std::vector<double> angles = crossings(t, r);
+  if (angles.empty()) angles.push_back(-kPi);  // the whole circle or nothing
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double from = angles[i];
+    const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi;
+    const double middle = 0.5 * (from + to);
+    if (!(to > from) || !t.contains(r * dvec2(std::cos(middle), std::sin(middle)))) continue;
+    const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
+    for (int k = 0; k < pieces; ++k) {
+      out.push_back(
+          {t.lift(from + (to - from) * k / pieces, r), t.lift(from + (to - from) * (k + 1) / pieces, r), face});
+    }
+  }
+}
+
 }  // namespace
 
-std::vector<RingPiece> field_ring(const TriMesh& mesh, const dvec3& center, double radius, const dvec3& normal,
+std::vector<RingPiece> field_ring(const MeshIndex& skin, const dvec3& center, double radius, const dvec3& normal,
                                   double max_angle_deg, double step_deg) {
+  const TriMesh& mesh = skin.mesh();
   const double least = std::cos(glm::radians(max_angle_deg)) * glm::length(normal);
   const double step = glm::radians(step_deg);
   std::vector<RingPiece> out;
-  for (int f = 0; f < mesh.face_count(); ++f) {
+  const auto near = [&](const Aabb& box) {
+    const dvec3 away = center - glm::clamp(center, box.lo, box.hi);
+    return glm::dot(away, away) <= radius * radius;
+  };
+  skin.bvh().visit(near, [&](int f) {
     const dvec3& n = mesh.face_normals()[static_cast<std::size_t>(f)];
-    if (glm::dot(n, normal) <= least) continue;
+    if (glm::dot(n, normal) <= least) return;
     const double h = glm::dot(center - mesh.vertex(f, 0), n);  // height above the plane
-    if (std::abs(h) >= radius) continue;
-    const double r = std::sqrt(radius * radius - h * h);
-    const PlaneTriangle t = in_own_plane(mesh, f, center);
-    std::vector<double> angles = crossings(t, r);
-    if (angles.empty()) angles.push_back(-kPi);  // the whole circle or nothing
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      const double from = angles[i];
-      const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi;
-      const double middle = 0.5 * (from + to);
-      if (!(to > from) || !t.contains(r * dvec2(std::cos(middle), std::sin(middle)))) continue;
-      const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
-      for (int k = 0; k < pieces; ++k) {
-        out.push_back(
-            {t.lift(from + (to - from) * k / pieces, r), t.lift(from + (to - from) * (k + 1) / pieces, r), f});
-      }
-    }
-  }
+    if (std::abs(h) >= radius) return;
+    append_arcs(in_own_plane(mesh, f, center), std::sqrt(radius * radius - h * h), f, step, out);
+  });
   return out;
 }
 
-std::vector<RingPiece> taxel_rings(const TriMesh& mesh, const Taxel& taxel, const ReceptiveFieldRule& rule) {
+std::vector<RingPiece> taxel_rings(const MeshIndex& skin, const Taxel& taxel, const ReceptiveFieldRule& rule,
+                                   double step_deg) {
   if (taxel.subtaxels.empty()) {
-    return field_ring(mesh, taxel.center, taxel.radius, taxel.normal, rule.max_angle_deg);
+    return field_ring(skin, taxel.center, taxel.radius, taxel.normal, rule.max_angle_deg, step_deg);
   }
   std::vector<RingPiece> out;
   for (const Subtaxel& s : taxel.subtaxels) {
-    const auto ring = field_ring(mesh, s.center, s.radius, s.normal, rule.max_angle_deg);
+    const auto ring = field_ring(skin, s.center, s.radius, s.normal, rule.max_angle_deg, step_deg);
     out.insert(out.end(), ring.begin(), ring.end());
   }
   return out;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/layout/layout.h"
-#include "core/mesh/tri_mesh.h"
+#include "core/mesh/closest_point.h"
 
 namespace taxel::ui {
 
@@ -16,11 +16,12 @@ struct RingPiece {
 
 /// Intersection of the sphere |x - center| = radius with the faces whose normal is less than `max_angle_deg` from
 /// `normal`: circular arcs in each face's plane, cut into pieces of at most `step_deg` of their circle.
-/// O(faces).
-std::vector<RingPiece> field_ring(const TriMesh& mesh, const dvec3& center, double radius, const dvec3& normal,
+/// Looks only at the faces near the sphere. Pieces in no useful order, the same each time.
+std::vector<RingPiece> field_ring(const MeshIndex& skin, const dvec3& center, double radius, const dvec3& normal,
                                   double max_angle_deg, double step_deg = 6.0);
 
 /// The rings of a taxel: of itself, or of each of its subtaxels.
-std::vector<RingPiece> taxel_rings(const TriMesh& mesh, const Taxel& taxel, const ReceptiveFieldRule& rule);
+std::vector<RingPiece> taxel_rings(const MeshIndex& skin, const Taxel& taxel, const ReceptiveFieldRule& rule,
+                                   double step_deg = 6.0);
 
 }  // namespace taxel::ui
