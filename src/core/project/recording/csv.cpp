@@ -5,14 +5,9 @@
 #include <algorithm>
 #include <iterator>
 
-namespace taxel {
+#include "core/base/csv.h"
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
+namespace taxel {
 
 namespace {
 

@@ -18,7 +18,4 @@ std::string calibrated_to_csv(const Recording& recording);
 /// readings; empty: none does.
 std::string shear_to_csv(const Recording& recording);
 
-/// A field as CSV wants it (RFC 4180): quoted where it holds a comma, a quote or a line break.
-std::string csv_field(const std::string& text);
-
 }  // namespace taxel
