@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/taxel_program.h"
+#include "core/base/files.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::test {
@@ -236,10 +237,31 @@ TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
   const Outcome run = taxel({"check", "run.json"}, folder);
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err,
-            "taxel: run.json: /format: is \"taxel-run\"; what can be checked is taxel-layout, contact-case and "
-            "taxel-sweep\n");
+            "taxel: run.json: /format: is \"taxel-run\"; what can be checked is taxel-layout, taxel-project, "
+            "contact-case and taxel-sweep\n");
   EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "sweep.json").string()}, folder).status, 0);
   EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
+}
+
+TEST(Check, ListsTheProblemsOfAProject) {
+  const fs::path folder = test_folder();
+  const fs::path layout = changed_layout(folder, Json::parse(R"([
+    {"op": "replace", "path": "/taxels/3/radius", "value": -0.006}])"));
+  Json project = {{"format", "taxel-project"}, {"version", 1}, {"layout", Json::parse(read_file(layout))}};
+  project["region"] = Json::parse("[[0, 3], [1000000, 1000001]]");
+  write_text(folder / "p.taxelproj", project.dump());
+  std::map<std::string, std::string> codes;
+  const Json report = Json::parse(taxel({"check", "p.taxelproj", "--json"}, folder).out);
+  for (const Json& problem : report["problems"])
+    if (problem["severity"] != "note") codes[problem["pointer"]] = problem["code"];
+  const std::map<std::string, std::string> expected = {{"/layout/taxels/3/radius", "radius_not_positive"},
+                                                       {"/region", "region_off_mesh"}};
+  EXPECT_EQ(codes, expected);
+  project["hidden"] = {77};
+  write_text(folder / "p.taxelproj", project.dump());
+  const Outcome refused = taxel({"check", "p.taxelproj"}, folder);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.out.substr(0, refused.out.find('\n')), "p.taxelproj: /hidden/0: error: there is no taxel 77");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
 #include "core/project/contact_case.h"
+#include "core/project/project_json.h"
 #include "core/project/scenario_json.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/simulator.h"
@@ -21,8 +22,7 @@ bool any_error(const Problems& problems) {
 }
 
 /// Values first; then on the mesh; then all that compiling the layout finds out.
-Problems check_layout(const std::string& text, const std::string& file) {
-  const Layout layout = parse_layout(text, file);
+Problems check_layout(const Layout& layout, const std::string& file) {
   Problems problems = check_layout_values(layout, file);
   LoadedMesh loaded;
   try {
@@ -45,6 +45,21 @@ Problems check_layout(const std::string& text, const std::string& file) {
   problems.insert(problems.end(), of_mesh.begin(), of_mesh.end());
   for (const std::string& note : loaded.notes) {
     problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
+  }
+  return problems;
+}
+
+/// The layout, with pointers from the project's root, and whether the region fits the mesh.
+Problems check_project_file(const std::string& text, const std::string& file) {
+  const Project project = parse_project(text, file);
+  Problems problems = check_layout(project.layout, file);
+  for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
+  if (project.region->empty()) return problems;
+  try {
+    const LoadedMesh loaded = load_mesh(mesh_path(project.layout, file), project.layout.mesh.scale);
+    const Problems of_region = check_region(project, loaded.mesh->face_count(), file);
+    problems.insert(problems.end(), of_region.begin(), of_region.end());
+  } catch (const Error&) {  // the layout's check has said it
   }
   return problems;
 }
@@ -117,11 +132,13 @@ Problems check_file(const std::string& file) {
     parse_scenario(text, file);
     return {};
   }
+  if (format == "taxel-project") return check_project_file(text, file);
   if (!format.empty() && format != "taxel-layout") {
-    throw Error(file, "/format",
-                "is \"" + format + "\"; what can be checked is taxel-layout, contact-case and taxel-sweep");
+    throw Error(
+        file, "/format",
+        "is \"" + format + "\"; what can be checked is taxel-layout, taxel-project, contact-case and taxel-sweep");
   }
-  return check_layout(text, file);
+  return check_layout(parse_layout(text, file), file);
 }
 
 }  // namespace taxel::cli

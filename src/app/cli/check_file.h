@@ -1,4 +1,4 @@
-// Every problem of one file: a layout, a contact case, a scenario, a mesh or a MuJoCo scene.
+// Every problem of one file: a layout, a project, a contact case, a scenario, a mesh or a MuJoCo scene.
 #pragma once
 
 #include <string>

@@ -6,9 +6,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/shared_value.h"
 #include "core/layout/generators/mirror.h"
 #include "core/layout/layout.h"
@@ -69,5 +71,9 @@ std::vector<int> unused_ids(const Layout& layout, std::size_t count);
 /// there are; no taxel linked to itself or twice across one plane; hidden and region ascending. Throws Error with the
 /// JSON pointer of the first place where it is not.
 void check_project(const Project& project);
+
+/// What tells a region against a mesh of so many faces: warning "region_off_mesh" where it names others. It was painted
+/// on another mesh then.
+Problems check_region(const Project& project, int face_count, const std::string& file);
 
 }  // namespace taxel

@@ -185,5 +185,14 @@ TEST(ProjectJson, DeepUnknownKeysOfALayoutGoRound) {
   EXPECT_EQ(parse_project(project_to_json(project)), project);
 }
 
+TEST(ProjectCheck, ARegionBeyondTheMeshIsOfAnotherMesh) {
+  EXPECT_TRUE(check_region(full_project(), 22, "p").empty());
+  EXPECT_TRUE(check_region({}, 0, "p").empty());
+  const Problems problems = check_region(full_project(), 20, "p");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].code, "region_off_mesh");
+  EXPECT_EQ(problems[0].message, "names face 21, the mesh has 20: 2 of 6 painted faces are not there");
+}
+
 }  // namespace
 }  // namespace taxel
