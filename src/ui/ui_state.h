@@ -104,6 +104,7 @@ struct ViewShown {
   SceneInput input;
   Camera camera;
   std::vector<SceneLabel> labels;  ///< of that picture
+  FieldNumbers numbers;            ///< of its overlays
   bool drawn = false;
   int draws = 0;
 };

@@ -31,6 +31,10 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("taxels", s.overlays.taxels);
   visit("taxel_labels", s.overlays.taxel_labels);
   visit("receptive_fields", s.overlays.receptive_fields);
+  visit("fields_filled", s.overlays.fields_filled);
+  visit("fields_compared", s.overlays.fields_compared);
+  visit("coverage", s.overlays.coverage);
+  visit("normal_angles", s.overlays.normal_angles);
   visit("path", s.overlays.path);
   visit("grid", s.overlays.grid);
   visit("panel_outliner", s.panels.outliner);

@@ -68,12 +68,34 @@ Json overlays_json(const ui::Overlays& o) {
           {"taxels", o.taxels},
           {"taxel_labels", o.taxel_labels},
           {"receptive_fields", o.receptive_fields},
+          {"fields_filled", o.fields_filled},
+          {"fields_compared", o.fields_compared},
+          {"coverage", o.coverage},
+          {"normal_angles", o.normal_angles},
           {"path", o.path},
           {"grid", o.grid}};
 }
 
 const char* to_string(SampleQuality quality) {
   return quality == SampleQuality::preview ? "preview" : "polished";
+}
+
+/// What the overlays about receptive fields say; null where they are off.
+Json field_numbers_json(const ui::FieldNumbers& numbers) {
+  Json json = {{"coverage", nullptr}, {"comparison", nullptr}, {"normals", nullptr}};
+  if (const auto& c = numbers.coverage) {
+    json["coverage"] = {{"area_of_overlap", c->area_of_overlap}, {"area", c->area}, {"overlap", c->overlap}};
+  }
+  if (const auto& c = numbers.comparison) {
+    json["comparison"] = {{"euclidean", c->euclidean},
+                          {"geodesic", c->geodesic},
+                          {"euclidean_only", c->euclidean_only},
+                          {"differing", c->differing}};
+  }
+  if (const auto& n = numbers.normals) {
+    json["normals"] = {{"largest_deg", n->largest_deg}, {"mean_deg", n->mean_deg}, {"limit_deg", n->limit_deg}};
+  }
+  return json;
 }
 
 /// What is compiled of the document.
@@ -235,6 +257,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["simulation"] = simulation_json(ui, input);
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);
+  json["fields"] = field_numbers_json(ui.view.numbers);
   json["bars"] = bars_json(ui);
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},

@@ -38,7 +38,7 @@ std::array<RejectedPolygons, kRejections> left_out(const SensorFrameState& senso
   return sums;
 }
 
-void draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor) {
+float draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor) {
   const Palette& colors = palette(ui.saved.dark);
   const std::array<RejectedPolygons, kRejections> sums = left_out(sensor);
   std::array<std::string, kRejections> rows;
@@ -62,6 +62,7 @@ void draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor) {
                          to_u32(ImVec4(c.x, c.y, c.z, 1)));
     list.AddText({corner.x + pad + line, y}, to_u32(sums[r].count > 0 ? colors.text : colors.dim), rows[r].c_str());
   }
+  return corner.y;
 }
 
 }  // namespace taxel::ui

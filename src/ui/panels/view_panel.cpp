@@ -8,6 +8,7 @@
 
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/field_legend.h"
 #include "ui/panels/filtered_legend.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
@@ -28,6 +29,7 @@ void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& rendere
   if (same) return;
   renderer.render(scene, ui.camera(), width, height);
   const double text_height = static_cast<double>(kSmallText * ImGui::GetFontSize());
+  view.numbers = renderer.field_numbers();
   view.labels = scene_labels(scene, ui.camera(), width, height, text_height);
   view.input = std::move(scene);
   view.camera = ui.camera();
@@ -128,7 +130,11 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   draw_labels(ui, list);
   if (input.model || input.frame) draw_heading(ui, input, list);
   if (shows_pressure(ui, input)) draw_pressure_legend(ui, legend_place(ui));
-  if (ui.saved.overlays.filtered_polygons && shows_pressure(ui, input)) draw_filtered_legend(ui, *input.sensor(ui));
+  float bottom = ui.view.rect.y1 - 0.7f * ImGui::GetFontSize();
+  if (ui.saved.overlays.filtered_polygons && shows_pressure(ui, input)) {
+    bottom = draw_filtered_legend(ui, *input.sensor(ui)) - 0.5f * ImGui::GetFontSize();
+  }
+  if (const SensorModelPtr model = input.shown_model(ui)) draw_field_legends(ui, ui.view.numbers, *model, bottom);
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
 }

@@ -159,6 +159,9 @@ unsigned SceneRenderer::texture() const {
 gl::RgbImage SceneRenderer::picture() const {
   return impl_->target ? impl_->target->read() : gl::RgbImage{};
 }
+FieldNumbers SceneRenderer::field_numbers() const {
+  return impl_->last ? impl_->sensors.numbers() : FieldNumbers{};
+}
 bool SceneRenderer::software() const {
   return impl_->software;
 }

@@ -9,6 +9,7 @@
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
 #include "ui/scene/camera.h"
+#include "ui/scene/field_numbers.h"
 
 namespace taxel::ui {
 
@@ -32,6 +33,10 @@ struct Overlays {
   bool taxels = true;              // centre and normal arrow
   bool taxel_labels = true;
   bool receptive_fields = true;  // ring on the surface
+  bool fields_filled = false;    // by the layout's metric
+  bool fields_compared = false;  // what the straight distance reaches and the geodesic one does not
+  bool coverage = false;         // how many taxels see each spot
+  bool normal_angles = false;    // taxel normals coloured by their angle to the skin's
   bool path = true;              // red line
   bool grid = true;
   bool all_rays = false;  // else only those of the selected taxel (of all responding ones when none is)
@@ -63,9 +68,10 @@ class SceneRenderer {
   /// Multisampled only on hardware renderers. Does nothing when input, camera and size are those of the last call.
   /// Leaves the framebuffer that was bound, bound; other GL state as it happens to be.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
-  [[nodiscard]] unsigned texture() const;      ///< GL name of the colour texture of the last render
-  [[nodiscard]] gl::RgbImage picture() const;  ///< pixels of the last render, top row first
-  [[nodiscard]] bool software() const;         ///< llvmpipe or the like
+  [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
+  [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
+  [[nodiscard]] FieldNumbers field_numbers() const;  ///< of the overlays in the last render
+  [[nodiscard]] bool software() const;               ///< llvmpipe or the like
 
  private:
   struct Impl;

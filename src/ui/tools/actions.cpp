@@ -38,6 +38,14 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.overlays.taxel_labels;
     case Action::toggle_fields:
       return &saved.overlays.receptive_fields;
+    case Action::toggle_fields_filled:
+      return &saved.overlays.fields_filled;
+    case Action::toggle_fields_compared:
+      return &saved.overlays.fields_compared;
+    case Action::toggle_coverage:
+      return &saved.overlays.coverage;
+    case Action::toggle_normal_angles:
+      return &saved.overlays.normal_angles;
     case Action::toggle_path:
       return &saved.overlays.path;
     case Action::toggle_grid:

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "ui/scene/color_map.h"
+#include "ui/scene/geometry/field_patch.h"
 
 namespace taxel::ui {
 namespace {
@@ -58,22 +59,35 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
 ModelMarks::ModelMarks(SensorModelPtr model, const Look& look) : model_(std::move(model)), look_(&look) {
   const TriMesh& skin = model_->skin->mesh();
   if (!model_->samples.empty()) spacing_ = std::sqrt(skin.area() / static_cast<double>(model_->samples.size()));
-  const int count = model_->taxel_count();
-  const float width = count > kManyTaxels ? kThinRingWidth : kRingWidth;
-  std::vector<Segments> rings_of(at(count));
-  parallel_chunks(count, 16, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) rings_of[at(k)] = ring_segments(k, width);
-  });
+  find_rings();
+  const float width = model_->taxel_count() > kManyTaxels ? kThinRingWidth : kRingWidth;
   Segments rings, arrows;
   std::vector<PointMark> centers;
-  for (int k = 0; k < count; ++k) {
-    rings.insert(rings.end(), rings_of[at(k)].begin(), rings_of[at(k)].end());
+  for (int k = 0; k < model_->taxel_count(); ++k) {
+    append_ring(k, width, rings);
     arrows.push_back(arrow_segment(k, kArrowWidth));
     centers.push_back(center_mark(k));
   }
   rings_.upload(std::span<const Segment>(rings), GL_STATIC_DRAW);
   arrows_.upload(std::span<const Segment>(arrows), GL_STATIC_DRAW);
   centers_.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
+}
+
+/// By the metric of the layout.
+void ModelMarks::find_rings() {
+  const Layout& layout = model_->layout;
+  rings_of_.resize(layout.taxels.size());
+  if (layout.receptive_field.metric == Metric::geodesic) {
+    std::vector<FieldPatch> patches = taxel_patches(*model_, FieldPart::geodesic);
+    for (std::size_t k = 0; k < patches.size(); ++k) rings_of_[k] = std::move(patches[k].boundary);
+    return;
+  }
+  const double step = model_->taxel_count() > kManyTaxels ? kCoarseStepDeg : kFineStepDeg;
+  parallel_chunks(model_->taxel_count(), 16, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      rings_of_[at(k)] = taxel_rings(*model_->skin, layout.taxels[at(k)], layout.receptive_field, step);
+    }
+  });
 }
 
 void ModelMarks::select(const std::vector<int>& taxels) {
@@ -83,8 +97,7 @@ void ModelMarks::select(const std::vector<int>& taxels) {
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (const int k : taxels) {
-    const Segments ring = ring_segments(k, kSelectedRingWidth);
-    rings.insert(rings.end(), ring.begin(), ring.end());
+    append_ring(k, kSelectedRingWidth, rings);
     arrows.push_back(arrow_segment(k, kSelectedArrowWidth));
     centers.push_back(center_mark(k));
   }
@@ -93,16 +106,12 @@ void ModelMarks::select(const std::vector<int>& taxels) {
   selected_marks_.centers.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
 
-Segments ModelMarks::ring_segments(int taxel, float width) const {
+void ModelMarks::append_ring(int taxel, float width, Segments& out) const {
   const std::vector<dvec3>& normals = model_->skin->mesh().face_normals();
-  const double step = model_->taxel_count() > kManyTaxels ? kCoarseStepDeg : kFineStepDeg;
   const std::uint32_t color = pack(taxel_color(taxel));
-  Segments out;
-  const Layout& layout = model_->layout;
-  for (const RingPiece& piece : taxel_rings(*model_->skin, layout.taxels[at(taxel)], layout.receptive_field, step)) {
+  for (const RingPiece& piece : rings_of_[at(taxel)]) {
     out.push_back(segment(piece.a, piece.b, width, color, normals[at(piece.face)]));
   }
-  return out;
 }
 
 Segment ModelMarks::arrow_segment(int taxel, float width) const {

@@ -42,12 +42,14 @@ class ModelMarks {
   [[nodiscard]] const Selected& selected() const { return selected_marks_; }
 
  private:
-  [[nodiscard]] Segments ring_segments(int taxel, float width) const;
+  void find_rings();
+  void append_ring(int taxel, float width, Segments& out) const;
   [[nodiscard]] Segment arrow_segment(int taxel, float width) const;
   [[nodiscard]] PointMark center_mark(int taxel) const;
 
   SensorModelPtr model_;
   const Look* look_;
+  std::vector<std::vector<RingPiece>> rings_of_;  // by taxel
   PointBuffer samples_, centers_;
   gl::Buffer rings_, arrows_;
   std::optional<gl::Buffer> sample_normals_;

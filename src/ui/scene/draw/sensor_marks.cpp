@@ -8,7 +8,7 @@ namespace taxel::ui {
 namespace {
 
 // How far marks are drawn before the surface they lie on, in parts of their depth.
-constexpr float kOnSkin = 0.004f, kOnContact = 0.003f, kBeforeContact = 0.005f;
+constexpr float kPaintOnSkin = 0.002f, kOnSkin = 0.004f, kOnContact = 0.003f, kBeforeContact = 0.005f;
 constexpr float kHiddenDim = 0.28f, kHiddenRayDim = 0.55f;
 constexpr float kBeforeSkin = 0.02f;                           // taxels, which stick out
 constexpr double kSamplePart = 0.5;                            // of the distance between samples
@@ -42,6 +42,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
   const std::vector<SensorView> views = sensor_views(input);
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, false);
+    draw_paint(scene, view);
     draw_fields(scene, view);
   }
   for (const SensorView& view : views) {
@@ -55,8 +56,49 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
   draw_path(scene);
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, true);
+    if (input.overlays.normal_angles) draw_normals(scene, view);
     if (view.state != nullptr && input.overlays.contact_surface) draw_force(scene, view);
   }
+  note_numbers(input, views);
+}
+
+FieldPaint& SensorMarks::paint_of(const SensorView& view) {
+  std::unique_ptr<FieldPaint>& paint = field_paint_[view.index];
+  if (!paint || paint->model() != view.model) paint = std::make_unique<FieldPaint>(view.model);
+  return *paint;
+}
+
+/// One map at a time: of what is on, the one that says most.
+void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
+  const Overlays& show = scene.input.overlays;
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  if (show.coverage) {
+    state.depth_write = true;
+    paint_.draw(paint_of(view).coverage(), state);
+  } else if (show.fields_compared) {
+    paint_.draw(paint_of(view).compared(), state);
+  } else if (show.fields_filled) {
+    paint_.draw(paint_of(view).filled(), state);
+  }
+}
+
+void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
+  const double length = taxel_arrow_length(*view.model);
+  const auto size =
+      static_cast<float>(std::clamp(length * scene.pixels_per_metre / kFullSizeArrow, kSmallestMark, 1.0));
+  const FieldPaint::Normals& normals = paint_of(view).normals(length, pack(scene.look.ray_hit));
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin, .facing = Facing::eye};
+  scene.segments.draw_lines(normals.skin, state);
+  scene.segments.draw_arrows(normals.arrows, state, scene.look.mark_outline, size);
+}
+
+void SensorMarks::note_numbers(const SceneInput& input, const std::vector<SensorView>& views) {
+  numbers_ = {};
+  if (views.empty()) return;
+  const FieldPaint& paint = paint_of(views.front());
+  if (input.overlays.coverage) numbers_.coverage = paint.coverage_numbers();
+  if (input.overlays.fields_compared && !input.overlays.coverage) numbers_.comparison = paint.comparison();
+  if (input.overlays.normal_angles) numbers_.normals = paint.normal_numbers();
 }
 
 void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool towards) {

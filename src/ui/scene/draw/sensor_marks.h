@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "ui/scene/draw/field_paint.h"
 #include "ui/scene/draw/model_marks.h"
 #include "ui/scene/draw/surfaces.h"
 
@@ -11,11 +12,13 @@ namespace taxel::ui {
 
 class SensorMarks {
  public:
-  explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read) {}
+  explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read), paint_(read) {}
 
   /// Exact colours over the lit picture of `height` pixels; the frame's perspective must be bound.
   void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
             PointPass& points);
+  /// What the overlays of the last picture say.
+  [[nodiscard]] const FieldNumbers& numbers() const { return numbers_; }
 
  private:
   struct Scene {  // of one picture
@@ -27,6 +30,10 @@ class SensorMarks {
     PointPass& points;
   };
   ModelMarks& marks_of(const SensorView& view, const Look& look);
+  FieldPaint& paint_of(const SensorView& view);
+  void draw_paint(const Scene& scene, const SensorView& view);
+  void draw_normals(const Scene& scene, const SensorView& view);
+  void note_numbers(const SceneInput& input, const std::vector<SensorView>& views);
   void draw_rings(const Scene& scene, const SensorView& view, bool towards);
   void draw_fields(const Scene& scene, const SensorView& view);
   void draw_contact(const Scene& scene, const SensorView& view);
@@ -37,6 +44,9 @@ class SensorMarks {
   void draw_path(const Scene& scene);
 
   SurfacePass surfaces_;
+  PaintPass paint_;
+  std::map<int, std::unique_ptr<FieldPaint>> field_paint_;  // by sensor
+  FieldNumbers numbers_;
   std::map<int, std::unique_ptr<ModelMarks>> marks_;  // by sensor
 };
 

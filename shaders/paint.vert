@@ -1,0 +1,14 @@
+#version 450 core
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 rgba;  // sRGB, straight alpha
+uniform mat4 world_from_model;
+uniform float toward_eye;
+flat out vec4 tint;
+
+void main() {
+  vec3 v = (view_from_world * (world_from_model * vec4(position, 1.0))).xyz * (1.0 - toward_eye);
+  gl_Position = clip_from_view * vec4(v, 1.0);
+  tint = rgba;
+}

@@ -1,0 +1,40 @@
+// Triangles on a skin in flat colours, seen from the side that they face.
+#pragma once
+
+#include <span>
+
+#include "ui/gl/buffer.h"
+#include "ui/scene/draw/mark_state.h"
+#include "ui/scene/geometry/field_patch.h"
+
+namespace taxel::ui {
+
+struct PaintVertex {
+  glm::vec3 position{0};
+  std::uint32_t rgba = 0;  ///< sRGB, straight alpha, red in the lowest byte
+};
+
+void append_piece(const SkinPiece& piece, std::uint32_t rgba, std::vector<PaintVertex>& out);
+
+/// Triangles that stay on the card.
+class PaintBuffer {
+ public:
+  PaintBuffer();
+  void upload(std::span<const PaintVertex> triangles) { buffer_.upload(triangles, GL_STATIC_DRAW); }
+  void draw() const;
+
+ private:
+  gl::Buffer buffer_;
+  gl::VertexArray array_;
+};
+
+class PaintPass {
+ public:
+  explicit PaintPass(const gl::ShaderReader& read) : program_(read, "paint") {}
+  void draw(const PaintBuffer& triangles, const MarkState& state) const;
+
+ private:
+  gl::Program program_;
+};
+
+}  // namespace taxel::ui

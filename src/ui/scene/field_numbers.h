@@ -1,0 +1,47 @@
+// What the overlays about receptive fields say in numbers; the panel writes them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace taxel::ui {
+
+/// How much of the skin one field covers by each metric, summed over the taxels. [m^2]
+struct FieldComparison {
+  double euclidean = 0, geodesic = 0;
+  double euclidean_only = 0;  ///< within the radius straight, but not along the surface
+  int differing = 0;          ///< taxels where that is more than 1 % of the field
+};
+
+/// How many taxels see how much of the skin.
+struct CoverageNumbers {
+  std::vector<double> area_of_overlap;  ///< by number of taxels, [0]: none [m^2]
+  double area = 0;                      ///< of the skin [m^2]
+  double overlap = 0;                   ///< mean number of taxels over what is covered
+};
+
+/// Between the normals of taxels and of the skin below them.
+struct NormalNumbers {
+  double largest_deg = 0, mean_deg = 0;
+  int largest_taxel = -1;  ///< layout order
+  double limit_deg = 0;    ///< of the layout: the colours end here
+};
+
+/// Each where its overlay is on, of the first sensor in the picture.
+struct FieldNumbers {
+  std::optional<FieldComparison> comparison;
+  std::optional<CoverageNumbers> coverage;
+  std::optional<NormalNumbers> normals;
+};
+
+/// sRGB of a spot that so many taxels see; none has a colour of its own. From `kMostOverlap` on all the same.
+inline constexpr int kMostOverlap = 6;
+glm::vec3 overlap_color(int taxels);
+/// Of what only the straight distance reaches.
+glm::vec3 euclidean_only_color();
+/// Of an angle between normals: the lighter four fifths of viridis up to the limit, beyond it a colour of its own.
+glm::vec3 normal_color(double angle_deg, double limit_deg);
+
+}  // namespace taxel::ui

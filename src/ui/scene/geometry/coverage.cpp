@@ -1,0 +1,136 @@
+#include "ui/scene/geometry/coverage.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/mesh/geodesic/geodesic_distance.h"
+
+namespace taxel::ui {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A skin in small triangles, those of a face beside each other.
+struct Pieces {
+  std::vector<Coverage::Piece> all;
+  std::vector<int> first;  // of each face, and one more
+};
+
+/// n^2 equal triangles, wound like the face.
+void append_pieces(const TriMesh& mesh, int face, int n, std::vector<Coverage::Piece>& out) {
+  const dvec3 o = mesh.vertex(face, 0), u = (mesh.vertex(face, 1) - o) / double(n),
+              v = (mesh.vertex(face, 2) - o) / double(n);
+  const auto point = [&](int i, int j) { return o + double(i) * u + double(j) * v; };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; i + j < n; ++j) {
+      out.push_back({{point(i, j), point(i + 1, j), point(i, j + 1), face}});
+      if (i + j + 1 < n) out.push_back({{point(i + 1, j), point(i + 1, j + 1), point(i, j + 1), face}});
+    }
+  }
+}
+
+Pieces cut_skin(const TriMesh& mesh, int pieces) {
+  Pieces out;
+  out.first.push_back(0);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const double share = pieces * mesh.face_areas()[at(f)] / mesh.area();
+    append_pieces(mesh, f, std::max(1, static_cast<int>(std::ceil(std::sqrt(share)))), out.all);
+    out.first.push_back(static_cast<int>(out.all.size()));
+  }
+  return out;
+}
+
+/// Which pieces a taxel sees; one per thread.
+class Seeing {
+ public:
+  Seeing(const SensorModel& model, const Pieces& pieces, std::shared_ptr<const UnfoldedMesh> unfolded)
+      : model_(model), pieces_(pieces), cosine_(min_cosine(model.layout.receptive_field)) {
+    if (unfolded) geodesic_.emplace(std::move(unfolded));
+  }
+
+  std::vector<int> operator()(const Taxel& taxel) {
+    std::vector<int> seen;
+    for (const FieldDisc& disc : discs_of(taxel)) geodesic_ ? by_path(disc, seen) : straight(disc, seen);
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    return seen;
+  }
+
+ private:
+  template <class Distance>
+  void visit(int face, const FieldDisc& disc, const Distance& distance, std::vector<int>& seen) const {
+    if (!disc.faces(model_.skin->mesh().face_normals()[at(face)], cosine_)) return;
+    for (int i = pieces_.first[at(face)]; i < pieces_.first[at(face) + 1]; ++i) {
+      const SkinPiece& piece = pieces_.all[at(i)].at;
+      if (distance((piece.a + piece.b + piece.c) / 3.0) <= disc.radius) seen.push_back(i);
+    }
+  }
+  void straight(const FieldDisc& disc, std::vector<int>& seen) const {
+    const auto near = [&](const Aabb& box) {
+      return glm::distance(disc.center, glm::clamp(disc.center, box.lo, box.hi)) <= disc.radius;
+    };
+    const auto distance = [&](const dvec3& p) { return glm::distance(p, disc.center); };
+    model_.skin->bvh().visit(near, [&](int face) { visit(face, disc, distance, seen); });
+  }
+  void by_path(const FieldDisc& disc, std::vector<int>& seen) {
+    const SurfacePoint from = model_.skin->closest_point(disc.center);
+    geodesic_->propagate(from.face, from.position, disc.radius);
+    for (const int face : geodesic_->reached_faces()) {
+      visit(
+          face, disc, [&](const dvec3& p) { return geodesic_->to(face, p); }, seen);
+    }
+  }
+
+  const SensorModel& model_;
+  const Pieces& pieces_;
+  double cosine_;
+  std::optional<GeodesicDistance> geodesic_;
+};
+
+}  // namespace
+
+double Coverage::shared() const {
+  double sum = 0;
+  for (std::size_t n = 2; n < area_of_overlap.size(); ++n) sum += area_of_overlap[n];
+  return sum;
+}
+
+double Coverage::overlap() const {
+  double sum = 0;
+  for (std::size_t n = 1; n < area_of_overlap.size(); ++n) sum += static_cast<double>(n) * area_of_overlap[n];
+  const double covered = area - uncovered();
+  return covered > 0 ? sum / covered : 0;
+}
+
+Coverage make_coverage(const SensorModel& model, int pieces) {
+  const TriMesh& mesh = model.skin->mesh();
+  Pieces cut = cut_skin(mesh, pieces);
+  std::shared_ptr<const UnfoldedMesh> unfolded;
+  if (model.layout.receptive_field.metric == Metric::geodesic) {
+    unfolded = std::make_shared<const UnfoldedMesh>(model.skin->mesh_ptr());
+  }
+  tbb::enumerable_thread_specific<Seeing> seeing([&] { return Seeing(model, cut, unfolded); });
+  std::vector<std::vector<int>> seen(model.layout.taxels.size());
+  parallel_chunks(model.taxel_count(), 8, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) seen[at(k)] = seeing.local()(model.layout.taxels[at(k)]);
+  });
+  Coverage out;
+  out.pieces = std::move(cut.all);
+  for (const std::vector<int>& of_taxel : seen) {
+    for (const int i : of_taxel) ++out.pieces[at(i)].taxels;
+  }
+  out.area = mesh.area();
+  out.area_of_overlap.assign(1, 0);
+  for (const Coverage::Piece& piece : out.pieces) {
+    if (out.area_of_overlap.size() <= at(piece.taxels)) out.area_of_overlap.resize(at(piece.taxels) + 1, 0);
+    const SkinPiece& p = piece.at;
+    out.area_of_overlap[at(piece.taxels)] += 0.5 * glm::length(glm::cross(p.b - p.a, p.c - p.a));
+  }
+  return out;
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,132 @@
+#include "ui/scene/geometry/field_patch.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <array>
+
+#include "core/base/parallel.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr int kFine = 8, kCoarse = 5, kManyTaxels = 200;
+
+/// The part of a convex polygon where a linear value is negative (Sutherland, Hodgman 1974), and where it was cut.
+template <class Corner, class Value>
+std::vector<Corner> clipped(const std::vector<Corner>& polygon, const Value& value, std::vector<dvec3>& cuts) {
+  std::vector<Corner> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double va = value(a), vb = value(b);
+    if (va < 0) kept.push_back(a);
+    if ((va < 0) == (vb < 0)) continue;
+    const double t = va / (va - vb);
+    kept.push_back({glm::mix(a.p, b.p, t), glm::mix(a.euclidean, b.euclidean, t), glm::mix(a.geodesic, b.geodesic, t)});
+    cuts.push_back(kept.back().p);
+  }
+  return kept;
+}
+
+double squared_distance(const dvec3& p, const Aabb& box) {
+  const dvec3 away = p - glm::clamp(p, box.lo, box.hi);
+  return glm::dot(away, away);
+}
+
+}  // namespace
+
+/// One field being cut out of one face.
+struct FieldCutter::Cut {
+  const FieldDisc& disc;
+  FieldPart part;
+  double reach;  ///< straight, from the centre: nothing beyond belongs to the field [m]
+  double edge;   ///< longest of a leaf [m]
+  int face = -1;
+};
+
+FieldCutter::FieldCutter(const MeshIndex& skin, std::shared_ptr<const UnfoldedMesh> unfolded, double min_cosine,
+                         int fineness)
+    : skin_(skin), geodesic_(std::move(unfolded)), min_cosine_(min_cosine), fineness_(fineness) {}
+
+void FieldCutter::append(const FieldDisc& disc, FieldPart part, FieldPatch& out) {
+  Cut cut{disc, part, disc.radius, disc.radius / fineness_};
+  if (part != FieldPart::euclidean) {
+    // Geodesic distances begin at the point of the skin closest to the centre; somewhat beyond the radius they are
+    // needed to find where they equal it.
+    const SurfacePoint from = skin_.closest_point(disc.center);
+    geodesic_.propagate(from.face, from.position, disc.radius + 2 * cut.edge);
+    if (part == FieldPart::geodesic) cut.reach += from.distance;
+  }
+  const TriMesh& mesh = skin_.mesh();
+  std::vector<int> faces;
+  const auto near = [&](const Aabb& box) { return squared_distance(disc.center, box) <= cut.reach * cut.reach; };
+  skin_.bvh().visit(near, [&](int f) {
+    if (disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_)) faces.push_back(f);
+  });
+  std::sort(faces.begin(), faces.end());
+  for (const int f : faces) {
+    cut.face = f;
+    halve(cut, {mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)}, out);
+  }
+}
+
+void FieldCutter::halve(const Cut& cut, const std::array<dvec3, 3>& corners, FieldPatch& out) {
+  const auto& [a, b, c] = corners;
+  Aabb box;
+  for (const dvec3& p : corners) box.include(p);
+  if (squared_distance(cut.disc.center, box) > cut.reach * cut.reach) return;
+  const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  if (longest <= cut.edge) return cut_leaf(cut, corners, out);
+  const dvec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+  halve(cut, {a, ab, ca}, out);
+  halve(cut, {ab, b, bc}, out);
+  halve(cut, {ca, bc, c}, out);
+  halve(cut, {ab, bc, ca}, out);
+}
+
+void FieldCutter::cut_leaf(const Cut& cut, const std::array<dvec3, 3>& corners, FieldPatch& out) {
+  const double most = geodesic_.radius() - cut.disc.radius;
+  std::vector<Corner> polygon;
+  for (const dvec3& p : corners) {
+    const double geodesic =
+        cut.part == FieldPart::euclidean ? 0 : std::min(geodesic_.to(cut.face, p) - cut.disc.radius, most);
+    polygon.push_back({p, glm::distance(p, cut.disc.center) - cut.disc.radius, geodesic});
+  }
+  std::vector<dvec3> cuts, ignored;
+  if (cut.part != FieldPart::geodesic) {
+    polygon = clipped(
+        polygon, [](const Corner& corner) { return corner.euclidean; }, cuts);
+  }
+  if (cut.part == FieldPart::geodesic) {
+    polygon = clipped(
+        polygon, [](const Corner& corner) { return corner.geodesic; }, cuts);
+  }
+  if (cut.part == FieldPart::euclidean_only) {
+    polygon = clipped(
+        polygon, [](const Corner& corner) { return -corner.geodesic; }, ignored);
+  } else if (cuts.size() == 2) {
+    out.boundary.push_back({cuts[0], cuts[1], cut.face});
+  }
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const SkinPiece piece{polygon[0].p, polygon[i - 1].p, polygon[i].p, cut.face};
+    out.area += 0.5 * glm::length(glm::cross(piece.b - piece.a, piece.c - piece.a));
+    out.pieces.push_back(piece);
+  }
+}
+
+std::vector<FieldPatch> taxel_patches(const SensorModel& model, FieldPart part) {
+  const auto unfolded = std::make_shared<const UnfoldedMesh>(model.skin->mesh_ptr());
+  const double cosine = min_cosine(model.layout.receptive_field);
+  const int fineness = model.taxel_count() > kManyTaxels ? kCoarse : kFine;
+  tbb::enumerable_thread_specific<FieldCutter> cutters(
+      [&] { return FieldCutter(*model.skin, unfolded, cosine, fineness); });
+  std::vector<FieldPatch> patches(model.layout.taxels.size());
+  parallel_chunks(model.taxel_count(), 8, [&](int begin, int end) {
+    FieldCutter& cutter = cutters.local();
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      for (const FieldDisc& disc : discs_of(model.layout.taxels[k])) cutter.append(disc, part, patches[k]);
+    }
+  });
+  return patches;
+}
+
+}  // namespace taxel::ui
