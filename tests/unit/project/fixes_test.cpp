@@ -209,13 +209,13 @@ TEST(Fixes, ProjectTaxelsWithTheirSubtaxels) {
 
 TEST(Fixes, LeaveTheTwinWhereItIs) {
   Project project = good();
-  project.layout.taxels[1].center = dvec3(-0.004, 0, 0.005);
+  project.layout.taxels[1].center = dvec3(-0.0041, 0.001, 0.005);
   project.mirrors = {{{}, {{3, 8}}}};
   project.layout.taxels[0].center.z += 0.002;
   project.layout.taxels[1].radius = -1;
   const Problems problems = problems_of(project);
   for (const Problem& problem : problems) project = apply_edit(project, fix_for(problem, project, &box())->edit);
-  EXPECT_EQ(project.layout.taxels[1].center, dvec3(-0.004, 0, 0.005));
+  EXPECT_EQ(project.layout.taxels[1].center, dvec3(-0.0041, 0.001, 0.005));
   EXPECT_EQ(project.layout.taxels[0].radius, project.layout.taxels[1].radius) << "radii stay the same";
 }
 

@@ -73,7 +73,10 @@ TEST(MirrorLink, EitherTwinLeadsAndOnlyWhatChanged) {
   EXPECT_EQ(taxel_of(project, 6).radius, 0.004);
   EXPECT_EQ(taxel_of(project, 6).center, *nudge.center) << "its place is not what changed";
 
+  resize.radius = 0.003;
+  project = apply_edit(project, SetTaxels{{resize}, false});
   project = apply_edit(project, move(6, {-0.001, 0.002, 0.003}));
+  EXPECT_EQ(taxel_of(project, 0).radius, 0.003) << "nor is the radius now";
   EXPECT_EQ(taxel_of(project, 0).center, dvec3(0.001, 0.002, 0.003));
   EXPECT_EQ(taxel_of(project, 0).name, "right pad");
 }
