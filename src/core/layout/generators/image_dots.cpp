@@ -1,0 +1,92 @@
+#include "core/layout/generators/image_dots.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/layout/generators/place.h"
+
+namespace taxel {
+namespace {
+
+const char* const kName = "image";
+
+void check(const GreyImage& image, const ImageDots& dots) {
+  if (image.width < 1 || image.height < 1 ||
+      image.grey.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
+    throw Error(kName, "picture", fmt::format("must have pixels, is {} x {}", image.width, image.height));
+  if (dots.threshold < 1 || dots.threshold > 255)
+    throw Error(kName, "threshold", fmt::format("must be 1 to 255, is {}", dots.threshold));
+  require_count(kName, "least_pixels", dots.least_pixels);
+  require_positive(kName, "width", dots.width);
+  require_positive(kName, "radius", dots.radius);
+  require_finite(kName, "center", dots.center);
+}
+
+/// The pixels of one dot, from its first one on; they are taken out of `inside`.
+std::pair<dvec2, int> take_dot(const GreyImage& image, std::vector<bool>& inside, std::size_t first) {
+  const auto width = static_cast<std::size_t>(image.width);
+  dvec2 sum(0);
+  int count = 0;
+  std::vector<std::size_t> open{first};
+  inside[first] = false;
+  while (!open.empty()) {
+    const std::size_t pixel = open.back();
+    open.pop_back();
+    const int x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
+    sum += dvec2(x + 0.5, y + 0.5);
+    ++count;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.height - 1); ++v) {
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, image.width - 1); ++u) {
+        const std::size_t next = static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u);
+        if (!inside[next]) continue;
+        inside[next] = false;
+        open.push_back(next);
+      }
+    }
+  }
+  return {sum / static_cast<double>(count), count};
+}
+
+}  // namespace
+
+std::vector<dvec2> dots_of(const GreyImage& image, const ImageDots& dots) {
+  check(image, dots);
+  std::vector<bool> inside(image.grey.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = (image.grey[i] < dots.threshold) != dots.light;
+  std::vector<dvec2> centers;
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (!inside[i]) continue;
+    const auto [center, pixels] = take_dot(image, inside, i);
+    if (pixels < dots.least_pixels) continue;
+    if (centers.size() == kMaxGeneratedTaxels)
+      throw Error(kName, "picture", fmt::format("has more than {} dots", kMaxGeneratedTaxels));
+    centers.push_back(center);
+  }
+  return centers;
+}
+
+std::vector<Taxel> image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin) {
+  const std::vector<dvec2> centers = dots_of(image, dots);
+  const dvec3 normal = require_direction(kName, "normal", dots.normal);
+  const dvec3 along = require_direction(kName, "along_row", dots.along_row);
+  const dvec3 in_plane = along - glm::dot(along, normal) * normal;
+  const double parallel = 1e-6;  // sine of the smallest angle that still tells a direction in the plane
+  if (glm::length(in_plane) < parallel) throw Error(kName, "along_row", "must not be parallel to normal");
+  if (centers.empty())
+    throw Error(kName, "picture",
+                fmt::format("has no dot {} than {}", dots.light ? "lighter" : "darker", dots.threshold));
+  const dvec3 right = glm::normalize(in_plane), up = glm::cross(normal, right);
+  const double pixel = dots.width / image.width;
+  std::vector<Taxel> taxels;
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    const dvec3 start = dots.center + pixel * (centers[i].x - 0.5 * image.width) * right +
+                        pixel * (0.5 * image.height - centers[i].y) * up;
+    const std::string where = fmt::format("dot {} at pixel ({:.5g}, {:.5g})", i, centers[i].x, centers[i].y);
+    taxels.push_back(
+        taxel_on(skin.mesh(), outside_hit(skin, start, -normal, kName, where), static_cast<int>(i), dots.radius));
+  }
+  return taxels;
+}
+
+}  // namespace taxel
