@@ -8,232 +8,227 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 
+#include "core/sensor/polygon_lanes_inl.h"
 #include "core/sensor/ray_grid.h"
 #include "core/sensor/tet_table.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Wide = hn::CappedTag<double, RayList::kPadding>;
-using Lanes = hn::Vec<Wide>;
-
-struct Lanes3 {
-  Lanes x, y, z;
-};
-
-HWY_INLINE Lanes3 broadcast(const dvec3& v) {
-  const Wide d;
-  return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
-}
-
-/// In the order of glm::dot, without fused multiply-add: the same bits on every machine, and as hit_polygon().
-HWY_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
-/// hit_polygon() in two parts: the plane against as many rays as there are lanes; then, for each ray that meets it, as
-/// many edges as there are lanes. The edges are made ready when a ray asks for them.
-class PolygonTest {
+/// One surface's polygons, in blocks that go through the stages of CastBuffers. No stage branches on what a single ray
+/// does: which ray meets what is as good as random, and a wrong guess costs as much as testing several rays.
+class SurfaceCast {
  public:
-  HWY_INLINE PolygonTest(const ContactSurface& surface, const ContactPolygon& polygon, EdgeLanes& edges)
-      : surface_(surface),
-        polygon_(polygon),
-        edges_(edges),
-        normal_(broadcast(polygon.normal)),
-        centroid_(broadcast(polygon.centroid)),
-        corners_(corners()),
-        circle_(find_circle()) {}
+  static constexpr std::size_t kBlock = 128;  // polygons: what they list stays in the caches
 
-  /// Offers the hits of the rays [first, last).
-  HWY_INLINE void offer(const RayLanes& rays, std::size_t first, std::size_t last, RayHit hit, RayHits& hits) {
-    const Wide d;
-    alignas(64) double t[RayList::kPadding] = {}, x[RayList::kPadding] = {}, y[RayList::kPadding] = {},
-                       z[RayList::kPadding] = {};
-    for (; first < last; first += hn::Lanes(d)) {
-      for (unsigned met = meet_plane(rays, first, last - first, t, x, y, z); met != 0; met &= met - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(met));
-        const dvec3 from_centroid(x[i], y[i], z[i]);
-        if (!ready_) make_ready();
-        if (!inside(from_centroid)) continue;
-        hit.depth = t[i];
-        hit.pressure = std::max(0.0, polygon_.pressure + glm::dot(polygon_.gradient, from_centroid));
-        hits.offer(rays.ray[first + i], hit);
+  SurfaceCast(std::span<const SensorRay> rays, const ContactSurface& surface, int surface_number, CastBuffers& buffers,
+              RayHits& hits)
+      : rays_(rays), surface_(surface), number_(surface_number), buffers_(buffers), hits_(hits) {
+    buffers_.circle.resize(kBlock);
+  }
+
+  /// Stage 1 for one polygon: rays of its tet that pass by it.
+  HWY_INLINE void list_near(std::size_t p, const RayView& view, std::span<const TetTable::Tile> tiles) {
+    const Single f;
+    const hn::Rebind<std::int32_t, Single> n;
+    make_room(tiles.size() * TetTable::Tile::kRays);
+    const dvec3& c = surface_.polygons[p].centroid;
+    const InView centroid(view, c), normal(view, surface_.polygons[p].normal);
+    const auto h = hn::Set(f, centroid.at[0]), u_c = hn::Set(f, centroid.at[1]), v_c = hn::Set(f, centroid.at[2]);
+    const auto n_h = hn::Set(f, normal.at[0]), n_u = hn::Set(f, normal.at[1]), n_v = hn::Set(f, normal.at[2]);
+    const float rounding = kSingleRounding * static_cast<float>(std::abs(c.x) + std::abs(c.y) + std::abs(c.z));
+    const float reach = view.stretch * radius(p) + view.spread + rounding;
+    const auto limit = hn::Set(f, std::min(1.00001F * reach * reach, std::numeric_limits<float>::max()));
+    const auto slack = hn::Set(f, 4.0F * (view.spread + rounding));
+    for (const TetTable::Tile& tile : tiles) {
+      for (std::size_t i = 0; i < TetTable::Tile::kRays; i += hn::Lanes(f)) {
+        const auto u_slope = hn::Load(f, &tile.u_slope[i]), v_slope = hn::Load(f, &tile.v_slope[i]);
+        // At the depth of the centroid, from it; and from there, heights above the plane at the piece's middle and end.
+        const auto u = hn::Sub(hn::MulAdd(h, u_slope, hn::Load(f, &tile.u[i])), u_c);
+        const auto v = hn::Sub(hn::MulAdd(h, v_slope, hn::Load(f, &tile.v[i])), v_c);
+        const auto rise = hn::MulAdd(n_u, u_slope, hn::MulAdd(n_v, v_slope, n_h));
+        const auto height =
+            hn::MulAdd(hn::Sub(hn::Load(f, &tile.middle[i]), h), rise, hn::MulAdd(n_u, u, hn::Mul(n_v, v)));
+        const auto near =
+            hn::And(hn::Le(hn::MulAdd(u, u, hn::Mul(v, v)), limit),
+                    hn::Le(hn::Abs(height), hn::MulAdd(hn::Load(f, &tile.half[i]), hn::Abs(rise), slack)));
+        append(p, hn::Load(n, &tile.ray[i]), hn::RebindMask(n, near));
       }
     }
+  }
+
+  /// The same for the cells of a grid under it.
+  HWY_INLINE void list_near(std::size_t p, const RayGrid& grid) {
+    const Single f;
+    const hn::Rebind<std::int32_t, Single> n;
+    const ContactPolygon& polygon = surface_.polygons[p];
+    const dvec3 c = grid.to_grid(polygon.centroid);
+    const auto x_c = hn::Set(f, static_cast<float>(c.x)), y_c = hn::Set(f, static_cast<float>(c.y));
+    const float reach = radius(p) + grid.slack() + kSingleRounding * static_cast<float>(std::abs(c.x) + std::abs(c.y));
+    const auto limit = hn::Set(f, std::min(1.00001F * reach * reach, std::numeric_limits<float>::max()));
+    grid.visit(surface_, polygon, [&](std::size_t first, std::size_t last) {
+      make_room(last - first);
+      for (; first < last; first += hn::Lanes(f)) {
+        const auto x = hn::Sub(hn::LoadU(f, grid.x() + first), x_c), y = hn::Sub(hn::LoadU(f, grid.y() + first), y_c);
+        const auto near = hn::And(hn::Le(hn::MulAdd(x, x, hn::Mul(y, y)), limit), hn::FirstN(f, last - first));
+        append(p, hn::LoadU(n, grid.rays() + first), hn::RebindMask(n, near));
+      }
+    });
+  }
+
+  /// The other stages: offers what was listed.
+  void flush() {
+    meet_planes();
+    keep_inside();
+    for (std::size_t k = 0; k < inside_; ++k) offer(static_cast<std::size_t>(buffers_.inside[k]));
+    near_ = met_ = inside_ = 0;
   }
 
  private:
-  /// Bit i: lane first + i meets the plane within its range, and within the polygon's circle about its
-  /// centroid. Distance, and point from the centroid.
-  HWY_INLINE unsigned meet_plane(const RayLanes& rays, std::size_t first, std::size_t count,
-                                 double* HWY_RESTRICT distance, double* HWY_RESTRICT x, double* HWY_RESTRICT y,
-                                 double* HWY_RESTRICT z) {
-    const Wide d;
-    const Lanes3 w{hn::Sub(hn::LoadU(d, rays.ox + first), centroid_.x),
-                   hn::Sub(hn::LoadU(d, rays.oy + first), centroid_.y),
-                   hn::Sub(hn::LoadU(d, rays.oz + first), centroid_.z)};
-    const Lanes3 direction{hn::LoadU(d, rays.dx + first), hn::LoadU(d, rays.dy + first), hn::LoadU(d, rays.dz + first)};
-    const Lanes t = hn::Div(hn::Neg(dot(normal_, w)), dot(normal_, direction));
-    auto met = hn::And(hn::Ge(t, hn::LoadU(d, rays.t_min + first)), hn::Le(t, hn::LoadU(d, rays.t_max + first)));
-    met = hn::And(met, hn::FirstN(d, count));
-    const Lanes3 at{hn::Add(w.x, hn::Mul(t, direction.x)), hn::Add(w.y, hn::Mul(t, direction.y)),
-                    hn::Add(w.z, hn::Mul(t, direction.z))};
-    met = hn::And(met, hn::Le(dot(at, at), circle_));
-    if (hn::AllFalse(d, met)) return 0;
-    hn::Store(t, d, distance);
-    hn::Store(at.x, d, x);
-    hn::Store(at.y, d, y);
-    hn::Store(at.z, d, z);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, met, bits);
-    return bits[0];
-  }
-
-  [[nodiscard]] HWY_INLINE bool inside(const dvec3& from_centroid) const {
-    const Wide d;
-    const Lanes3 y = broadcast(from_centroid);
-    for (std::size_t g = 0; g * EdgeLanes::kEdges < static_cast<std::size_t>(polygon_.count); ++g) {
-      const EdgeLanes::Group& group = edges_.groups[g];
-      for (std::size_t i = 0; i < EdgeLanes::kEdges; i += hn::Lanes(d)) {
-        const Lanes3 m{hn::Load(d, &group.mx[i]), hn::Load(d, &group.my[i]), hn::Load(d, &group.mz[i])};
-        const Lanes side = hn::Add(dot(m, y), hn::Load(d, &group.c[i]));
-        if (!hn::AllTrue(d, hn::Ge(side, hn::Zero(d)))) return false;
+  using Single = hn::CappedTag<float, TetTable::Tile::kRays>;
+  /// A vector along the axes of a view.
+  struct InView {
+    alignas(16) std::array<float, 4> at{};
+    HWY_INLINE InView(const RayView& view, const dvec3& v) {
+      const hn::CappedTag<float, 4> f;
+      const auto x = hn::Set(f, static_cast<float>(v.x)), y = hn::Set(f, static_cast<float>(v.y)),
+                 z = hn::Set(f, static_cast<float>(v.z));
+      for (std::size_t i = 0; i < 4; i += hn::Lanes(f)) {
+        const auto xy = hn::MulAdd(x, hn::LoadU(f, &view.x[i]), hn::Mul(y, hn::LoadU(f, &view.y[i])));
+        hn::Store(hn::MulAdd(z, hn::LoadU(f, &view.z[i]), xy), f, &at[i]);
       }
     }
-    return true;
+  };
+  static constexpr float kSingleRounding = 4e-6F;
+
+  HWY_INLINE void make_room(std::size_t more) {
+    const std::size_t size = near_ + more + TetTable::Tile::kRays;
+    if (size <= buffers_.t.size()) return;
+    for (auto* numbers : {&buffers_.near_polygon, &buffers_.near_ray, &buffers_.met, &buffers_.inside})
+      numbers->resize(2 * size);
+    for (auto* values : {&buffers_.t, &buffers_.x, &buffers_.y, &buffers_.z}) values->resize(2 * size);
   }
 
-  /// Corners from number `first` on, as many as there are lanes; what lies beyond the last one is anything.
-  static HWY_INLINE Lanes3 load_corners(const dvec3* corners, std::size_t first) {
-    Lanes3 v;
-    hn::LoadInterleaved3(Wide(), &corners[first].x, v.x, v.y, v.z);
-    return v;
+  template <class Rays, class Mask>
+  HWY_INLINE void append(std::size_t p, Rays rays, Mask near) {
+    const hn::Rebind<std::int32_t, Single> n;
+    hn::StoreU(hn::Set(n, static_cast<std::int32_t>(p)), n, buffers_.near_polygon.data() + near_);
+    hn::StoreU(hn::Compress(rays, near), n, buffers_.near_ray.data() + near_);
+    near_ += hn::CountTrue(n, near);
   }
 
-  /// The corners that follow those from number `first` on, which are `a`; the first one follows the last.
-  HWY_INLINE Lanes3 next_corners(const Lanes3& a, std::size_t first) const {
+  /// Of the circle that holds the polygon, which is kept [m].
+  [[nodiscard]] HWY_INLINE float radius(std::size_t p) {
+    const double squared = PolygonLanes(surface_, surface_.polygons[p], buffers_).circle();
+    buffers_.circle[p % kBlock] = squared;
+    return std::sqrt(static_cast<float>(squared));
+  }
+
+  /// Stage 2: the plane, and the circle in it, of as many pairs as there are lanes. As hit_polygon().
+  HWY_INLINE void meet_planes() {
     const Wide d;
-    const auto count = static_cast<std::size_t>(polygon_.count);
-    if (count <= hn::Lanes(d)) {  // all are at hand
-      alignas(64) static constexpr std::int64_t kNext[EdgeLanes::kEdges + 1][EdgeLanes::kEdges] = {
-          {}, {}, {1}, {1, 2}, {1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 4, 5}, {1, 2, 3, 4, 5, 6}, {1, 2, 3, 4, 5, 6, 7}};
-      const auto next = hn::SetTableIndices(d, kNext[count]);
-      return {hn::TableLookupLanes(a.x, next), hn::TableLookupLanes(a.y, next), hn::TableLookupLanes(a.z, next)};
+    const hn::Rebind<std::int64_t, Wide> n;
+    const hn::Rebind<std::int32_t, Wide> narrow_n;
+    static_assert(sizeof(ContactPolygon) == 14 * sizeof(double) && sizeof(SensorRay) == 8 * sizeof(double));
+    const double* polygons = &surface_.polygons.data()->normal.x;
+    const double* rays = &rays_.data()->origin.x;
+    for (std::size_t k = 0; k < near_; k += hn::Lanes(d)) {
+      const auto used = hn::FirstN(n, near_ - k);
+      const auto p = hn::IfThenElseZero(used, hn::PromoteTo(n, hn::LoadU(narrow_n, &buffers_.near_polygon[k])));
+      const auto r = hn::IfThenElseZero(used, hn::PromoteTo(n, hn::LoadU(narrow_n, &buffers_.near_ray[k])));
+      const auto ip = hn::Sub(hn::ShiftLeft<4>(p), hn::ShiftLeft<1>(p)), ir = hn::ShiftLeft<3>(r);
+      const auto gather3 = [&](const double* from, auto index) {
+        return Lanes3{hn::GatherIndex(d, from, index), hn::GatherIndex(d, from + 1, index),
+                      hn::GatherIndex(d, from + 2, index)};
+      };
+      const Lanes3 normal = gather3(polygons, ip), centroid = gather3(polygons + 4, ip), origin = gather3(rays, ir),
+                   direction = gather3(rays + 3, ir);
+      const Lanes3 w{hn::Sub(origin.x, centroid.x), hn::Sub(origin.y, centroid.y), hn::Sub(origin.z, centroid.z)};
+      const Lanes t = hn::Div(hn::Neg(dot(normal, w)), dot(normal, direction));
+      const Lanes3 at{hn::Add(w.x, hn::Mul(t, direction.x)), hn::Add(w.y, hn::Mul(t, direction.y)),
+                      hn::Add(w.z, hn::Mul(t, direction.z))};
+      const Lanes circle = hn::GatherIndex(d, buffers_.circle.data(), hn::And(p, hn::Set(n, kBlock - 1)));
+      auto met = hn::And(hn::Ge(t, hn::Zero(d)), hn::Le(t, hn::GatherIndex(d, rays + 6, ir)));
+      met = hn::And(hn::And(met, hn::RebindMask(d, used)), hn::Le(dot(at, at), circle));
+      hn::StoreU(t, d, &buffers_.t[k]);
+      hn::StoreU(at.x, d, &buffers_.x[k]);
+      hn::StoreU(at.y, d, &buffers_.y[k]);
+      hn::StoreU(at.z, d, &buffers_.z[k]);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, met, bits);
+      hn::StoreU(hn::Compress(hn::Iota(narrow_n, static_cast<std::int32_t>(k)), hn::LoadMaskBits(narrow_n, bits)),
+                 narrow_n, &buffers_.met[met_]);
+      met_ += hn::CountTrue(d, met);
     }
-    const auto wraps = hn::AndNot(hn::FirstN(d, count - first - 1), hn::FirstN(d, count - first));
-    const Lanes3 next = load_corners(corners_, first + 1), around = broadcast(corners_[0]);
-    return {hn::IfThenElse(wraps, around.x, next.x), hn::IfThenElse(wraps, around.y, next.y),
-            hn::IfThenElse(wraps, around.z, next.z)};
   }
 
-  /// The polygon's corners with room behind them to load whole vectors.
-  HWY_INLINE const dvec3* corners() const {
-    const auto first = static_cast<std::size_t>(polygon_.first), count = static_cast<std::size_t>(polygon_.count);
-    const dvec3* corner = surface_.vertices.data() + first;
-    return first + count + EdgeLanes::kEdges < surface_.vertices.size() ? corner : copy_corners(corner, count);
-  }
-  HWY_NOINLINE const dvec3* copy_corners(const dvec3* corner, std::size_t count) const {
-    edges_.corners.resize(count + EdgeLanes::kEdges + 1);
-    std::copy_n(corner, count, edges_.corners.begin());
-    return edges_.corners.data();
-  }
-
-  /// Squared radius about the centroid that holds the polygon and what reaches over its rim [m^2]. Of many rays that
-  /// meet the plane of a small polygon, it spares most the edges.
-  HWY_INLINE Lanes find_circle() const {
-    const Wide d;
-    const auto count = static_cast<std::size_t>(polygon_.count);
-    Lanes farthest = hn::Zero(d);
-    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-      const Lanes3 a = load_corners(corners_, k);
-      const Lanes3 outward{hn::Sub(a.x, centroid_.x), hn::Sub(a.y, centroid_.y), hn::Sub(a.z, centroid_.z)};
-      farthest = hn::Max(farthest, hn::IfThenElseZero(hn::FirstN(d, count - k), dot(outward, outward)));
-    }
-    // (r + reach)^2 <= (1 + 1e-4) r^2 + (1 + 1e4) reach^2 where reach <= kRimReach (l1 + 4 count r), an edge being no
-    // longer than 2 r, by its components 4 r: only rays outside for certain are left out.
-    const double l1 = std::abs(polygon_.centroid.x) + std::abs(polygon_.centroid.y) + std::abs(polygon_.centroid.z);
-    const double edges = 4.0 * polygon_.count;
-    constexpr double kReach = 2.2e4 * kRimReach * kRimReach;
-    return hn::Add(hn::Mul(hn::Set(d, 1.0002 + kReach * edges * edges), hn::MaxOfLanes(d, farthest)),
-                   hn::Set(d, kReach * l1 * l1));
-  }
-
-  /// fill_edge_planes(), in its order of operations.
-  void make_ready() {
-    const Wide d;
-    const auto count = static_cast<std::size_t>(polygon_.count);
-    edges_.groups.resize(std::max(edges_.groups.size(), (count + EdgeLanes::kEdges - 1) / EdgeLanes::kEdges));
-    Lanes longest = hn::Zero(d);
-    for (std::size_t k = 0; k < edges_.groups.size() * EdgeLanes::kEdges; k += hn::Lanes(d)) {
-      EdgeLanes::Group& group = edges_.groups[k / EdgeLanes::kEdges];
-      const std::size_t i = k % EdgeLanes::kEdges;
-      if (k >= count) {
-        for (auto* values : {&group.mx, &group.my, &group.mz, &group.c}) hn::Store(hn::Zero(d), d, &(*values)[i]);
-        continue;
+  /// Stage 3: the edges.
+  HWY_INLINE void keep_inside() {
+    std::int32_t ready = -1;
+    PolygonLanes::FewEdges few{};
+    for (std::size_t j = 0; j < met_; ++j) {
+      const auto k = static_cast<std::size_t>(buffers_.met[j]);
+      const std::int32_t p = buffers_.near_polygon[k];
+      const ContactPolygon& polygon = surface_.polygons[static_cast<std::size_t>(p)];
+      const bool is_few = PolygonLanes::has_few_edges(polygon);
+      if (p != std::exchange(ready, p)) {
+        PolygonLanes lanes(surface_, polygon, buffers_);
+        if (is_few)
+          few = lanes.few_edges();
+        else
+          lanes.fill_edges();
       }
-      const auto used = hn::FirstN(d, count - k);
-      const Lanes3 a = load_corners(corners_, k), next = next_corners(a, k);
-      const auto edge = [&](Lanes from, Lanes to) { return hn::IfThenElseZero(used, hn::Sub(to, from)); };
-      const Lanes3 e{edge(a.x, next.x), edge(a.y, next.y), edge(a.z, next.z)};
-      const Lanes3 size{hn::Abs(e.x), hn::Abs(e.y), hn::Abs(e.z)};
-      longest = hn::Max(longest, hn::Add(hn::Add(size.x, size.y), size.z));
-      const Lanes3 m{hn::Sub(hn::Mul(normal_.y, e.z), hn::Mul(e.y, normal_.z)),
-                     hn::Sub(hn::Mul(normal_.z, e.x), hn::Mul(e.z, normal_.x)),
-                     hn::Sub(hn::Mul(normal_.x, e.y), hn::Mul(e.x, normal_.y))};
-      const Lanes3 inward{hn::Sub(centroid_.x, a.x), hn::Sub(centroid_.y, a.y), hn::Sub(centroid_.z, a.z)};
-      hn::Store(hn::Max(hn::Max(size.x, size.y), size.z), d, &group.length[i]);
-      hn::Store(m.x, d, &group.mx[i]);
-      hn::Store(m.y, d, &group.my[i]);
-      hn::Store(m.z, d, &group.mz[i]);
-      hn::Store(hn::IfThenElseZero(used, dot(m, inward)), d, &group.c[i]);
-    }
-    const double longest_edge = hn::GetLane(hn::MaxOfLanes(d, longest));
-    shift_outward(hn::Set(d, edge_shift(polygon_, longest_edge)));
-    ready_ = true;
-  }
-
-  HWY_INLINE void shift_outward(Lanes s) {
-    const Wide d;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(polygon_.count); k += hn::Lanes(d)) {
-      EdgeLanes::Group& group = edges_.groups[k / EdgeLanes::kEdges];
-      const std::size_t i = k % EdgeLanes::kEdges;
-      hn::Store(hn::Add(hn::Load(d, &group.c[i]), hn::Mul(s, hn::Load(d, &group.length[i]))), d, &group.c[i]);
+      const bool in = is_few ? PolygonLanes::inside(few, from_centroid(k))
+                             : PolygonLanes::inside(buffers_, polygon.count, from_centroid(k));
+      buffers_.inside[inside_] = static_cast<std::int32_t>(k);
+      inside_ += static_cast<std::size_t>(in);
     }
   }
 
+  HWY_INLINE void offer(std::size_t k) {
+    const ContactPolygon& polygon = surface_.polygons[static_cast<std::size_t>(buffers_.near_polygon[k])];
+    const double pressure = std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, from_centroid(k)));
+    hits_.offer(buffers_.near_ray[k], {number_, buffers_.near_polygon[k], buffers_.t[k], pressure});
+  }
+
+  [[nodiscard]] HWY_INLINE dvec3 from_centroid(std::size_t pair) const {
+    return {buffers_.x[pair], buffers_.y[pair], buffers_.z[pair]};
+  }
+
+  std::span<const SensorRay> rays_;
   const ContactSurface& surface_;
-  const ContactPolygon& polygon_;
-  EdgeLanes& edges_;
-  Lanes3 normal_, centroid_;
-  const dvec3* corners_;  // with room behind the last
-  Lanes circle_;
-  bool ready_ = false;  // the edges are
+  int number_;
+  CastBuffers& buffers_;
+  RayHits& hits_;
+  std::size_t near_ = 0, met_ = 0, inside_ = 0;
 };
 
-bool run_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
-                      RayHits& hits) {
-  const RayLanes rays = table.lanes();
+bool run_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
+                      int surface_number, CastBuffers& buffers, RayHits& hits) {
+  SurfaceCast cast(rays, surface, surface_number, buffers, hits);
   for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
-    const ContactPolygon& polygon = surface.polygons[p];
-    if (!table.has(polygon.tet)) return false;
-    const auto [first, last] = table.rays_of(polygon.tet);
-    if (first == last) continue;
-    PolygonTest(surface, polygon, edges).offer(rays, first, last, {surface_number, static_cast<int>(p), 0, 0}, hits);
+    const int tet = surface.polygons[p].tet;
+    if (!table.has(tet)) return false;
+    const auto tiles = table.rays_of(tet);
+    if (!tiles.empty()) cast.list_near(p, table.view_of(tet), tiles);
+    if ((p + 1) % SurfaceCast::kBlock == 0) cast.flush();
   }
+  cast.flush();
   return true;
 }
 
-void run_through_grid(const RayGrid& grid, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
-                      RayHits& hits) {
-  const RayLanes rays = grid.lanes();
+void run_through_grid(const RayGrid& grid, std::span<const SensorRay> rays, const ContactSurface& surface,
+                      int surface_number, CastBuffers& buffers, RayHits& hits) {
+  SurfaceCast cast(rays, surface, surface_number, buffers, hits);
   for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
-    PolygonTest test(surface, surface.polygons[p], edges);
-    grid.visit(surface, surface.polygons[p], [&](std::size_t first, std::size_t last) {
-      test.offer(rays, first, last, {surface_number, static_cast<int>(p), 0, 0}, hits);
-    });
+    cast.list_near(p, grid);
+    if ((p + 1) % SurfaceCast::kBlock == 0) cast.flush();
   }
+  cast.flush();
 }
 
 }  // namespace taxel::HWY_NAMESPACE
@@ -244,14 +239,14 @@ namespace taxel {
 HWY_EXPORT(run_through_tets);
 HWY_EXPORT(run_through_grid);
 
-bool cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
-                       RayHits& hits) {
-  return HWY_DYNAMIC_DISPATCH(run_through_tets)(table, surface, surface_number, edges, hits);
+bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
+                       int surface_number, CastBuffers& buffers, RayHits& hits) {
+  return HWY_DYNAMIC_DISPATCH(run_through_tets)(table, rays, surface, surface_number, buffers, hits);
 }
 
-void cast_through_grid(const RayGrid& grid, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
-                       RayHits& hits) {
-  HWY_DYNAMIC_DISPATCH(run_through_grid)(grid, surface, surface_number, edges, hits);
+void cast_through_grid(const RayGrid& grid, std::span<const SensorRay> rays, const ContactSurface& surface,
+                       int surface_number, CastBuffers& buffers, RayHits& hits) {
+  HWY_DYNAMIC_DISPATCH(run_through_grid)(grid, rays, surface, surface_number, buffers, hits);
 }
 }  // namespace taxel
 #endif

@@ -121,8 +121,8 @@ void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> 
   for (std::size_t i = 0; i < surfaces.size() && (raster || through_tets); ++i) {
     if (!surfaces[i]) continue;
     const int number = static_cast<int>(i);
-    if (raster) cast_through_grid(*model.ray_grid, *surfaces[i], number, workspace.edges, hits);
-    if (raster || cast_through_tets(*model.tet_table, *surfaces[i], number, workspace.edges, hits))
+    if (raster) cast_through_grid(*model.ray_grid, model.rays, *surfaces[i], number, workspace.buffers, hits);
+    if (raster || cast_through_tets(*model.tet_table, model.rays, *surfaces[i], number, workspace.buffers, hits))
       workspace.others[i] = nullptr;
   }
   workspace.caster.build(workspace.others);

@@ -67,7 +67,7 @@ enum class RayPath {
 struct CastWorkspace {
   SurfaceCaster caster;
   std::vector<const ContactSurface*> others;  ///< by surface number; null: cast without trees
-  EdgeLanes edges;
+  CastBuffers buffers;
 };
 
 /// The first hits of all rays on all surfaces (frame M; null or empty ones hold nothing). With RayPath::tet_table the

@@ -58,10 +58,17 @@ RayGrid::RayGrid(std::span<const SensorRay> rays, const dvec3& direction) {
   }
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   std::vector<std::int32_t> filling(first_.begin(), first_.end() - 1);
-  rays_ = RayList(rays.size());
-  for (std::size_t r = 0; r < rays.size(); ++r)
-    rays_.set(static_cast<std::size_t>(filling[cell[r]]++), rays[r], static_cast<std::int32_t>(r), 0,
-              rays[r].max_depth);
+  rays_.assign(rays.size() + kRoom, -1);
+  x_.assign(rays_.size(), 0.0F);
+  y_.assign(rays_.size(), 0.0F);
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    const auto place = static_cast<std::size_t>(filling[cell[r]]++);
+    const dvec3 p = to_grid(rays[r].origin);
+    rays_[place] = static_cast<std::int32_t>(r);
+    x_[place] = static_cast<float>(p.x);
+    y_[place] = static_cast<float>(p.y);
+  }
+  single_slack_ = static_cast<float>(slack_ + 4e-6 * (largest + deepest));
 }
 
 RayGrid::Cells RayGrid::cells_under(const ContactSurface& surface, const ContactPolygon& polygon) const {

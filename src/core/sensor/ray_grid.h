@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
-#include "core/sensor/edge_lanes.h"
+#include "core/sensor/cast_buffers.h"
 #include "core/sensor/ray_hits.h"
-#include "core/sensor/ray_lanes.h"
 #include "core/sensor/sensor_ray.h"
 
 namespace taxel {
@@ -21,10 +20,17 @@ class RayGrid {
   /// none.
   static std::shared_ptr<const RayGrid> make(std::span<const SensorRay> rays);
 
-  /// Sorted by row, within a row by column, within a cell ascending.
-  [[nodiscard]] RayLanes lanes() const { return rays_.lanes(); }
+  /// Where rays are across the grid [m], in single precision, and their numbers in SensorModel::rays: sorted by row,
+  /// within a row by column, within a cell ascending. With kRoom places behind the last.
+  [[nodiscard]] const float* x() const { return x_.data(); }
+  [[nodiscard]] const float* y() const { return y_.data(); }
+  [[nodiscard]] const std::int32_t* rays() const { return rays_.data(); }
+  static constexpr std::size_t kRoom = 16;
+  /// More than what rays move across on their way down, and than rounding in all of that [m].
+  [[nodiscard]] float slack() const { return single_slack_; }
+  [[nodiscard]] dvec3 to_grid(const dvec3& p_M) const { return p_M * axes_; }
 
-  /// Calls visit(first, last) for ranges of lanes() that hold every ray which may meet the polygon, and others.
+  /// Calls visit(first, last) for ranges of those places that hold every ray which may meet the polygon, and others.
   template <class Visit>
   void visit(const ContactSurface& surface, const ContactPolygon& polygon, const Visit& visit) const {
     const Cells cells = cells_under(surface, polygon);
@@ -56,11 +62,13 @@ class RayGrid {
   double per_cell_ = 1;  // 1 / edge of a cell [1/m]
   std::size_t rows_ = 1, columns_ = 1;
   std::vector<std::int32_t> first_;  // of each cell in row order, and the end
-  RayList rays_;
+  std::vector<float> x_, y_;
+  std::vector<std::int32_t> rays_;
+  float single_slack_ = 0;
 };
 
-/// Offers the hits of all rays on one surface, wherever it comes from.
-void cast_through_grid(const RayGrid& grid, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
-                       RayHits& hits);
+/// Offers the hits of all rays (those of the grid) on one surface, wherever it comes from.
+void cast_through_grid(const RayGrid& grid, std::span<const SensorRay> rays, const ContactSurface& surface,
+                       int surface_number, CastBuffers& buffers, RayHits& hits);
 
 }  // namespace taxel

@@ -2,15 +2,16 @@
 // frame. A contact polygon lies in one tet, and only that tet's rays can meet it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/pressure_field.h"
-#include "core/sensor/edge_lanes.h"
+#include "core/sensor/cast_buffers.h"
 #include "core/sensor/ray_hits.h"
-#include "core/sensor/ray_lanes.h"
+#include "core/sensor/ray_view.h"
 #include "core/sensor/sensor_ray.h"
 #include "core/sensor/tet_crossings.h"
 
@@ -26,30 +27,38 @@ class TetTable {
     fill(field.tets().size(), rays, crossings);
   }
 
-  [[nodiscard]] int tet_count() const { return static_cast<int>(first_.size()) - 1; }
-  [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
-  /// The rays of a tet, ascending, are those of lanes() from `first` on, before `last`.
-  struct Range {
-    std::size_t first, last;
+  /// As many rays as fill a vector, with their places in the view of their tet. Empty places are nowhere.
+  struct alignas(64) Tile {
+    static constexpr std::size_t kRays = 16;
+    std::array<float, kRays> u, v, u_slope, v_slope, middle, half;  ///< RayPlace
+    std::array<std::int32_t, kRays> ray;                            ///< in SensorModel::rays; -1 where empty
   };
-  [[nodiscard]] Range rays_of(int tet) const {
-    const auto t = static_cast<std::size_t>(tet);
-    return {first_[t], first_[t + 1]};
+
+  [[nodiscard]] int tet_count() const { return static_cast<int>(tets_.size()); }
+  [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
+  /// The rays that cross a tet, ascending.
+  [[nodiscard]] std::span<const Tile> rays_of(int tet) const {
+    const TetRays& rays = tets_[static_cast<std::size_t>(tet)];
+    return {tiles_.data() + rays.first_tile, rays.tiles};
   }
-  /// Side by side, tet by tet: what few rays of few tets share stays in the caches.
-  [[nodiscard]] RayLanes lanes() const { return rays_.lanes(); }
-  [[nodiscard]] std::size_t bytes() const { return rays_.bytes() + first_.size() * sizeof(first_[0]); }
+  [[nodiscard]] const RayView& view_of(int tet) const { return tets_[static_cast<std::size_t>(tet)].view; }
+  [[nodiscard]] std::size_t bytes() const { return tiles_.size() * sizeof(Tile) + tets_.size() * sizeof(TetRays); }
 
  private:
   void fill(std::size_t tets, std::span<const SensorRay> rays, std::span<const std::span<const TetCrossing>> crossings);
+  void set(std::size_t tet, std::span<const RayPiece> pieces);
 
-  std::vector<std::uint32_t> first_{0};
-  RayList rays_;
+  struct alignas(64) TetRays {
+    RayView view;
+    std::uint32_t first_tile = 0, tiles = 0;
+  };
+  std::vector<TetRays> tets_;
+  std::vector<Tile> tiles_;  // tet by tet: what few polygons of few tets share stays in the caches
 };
 
-/// Offers the hits of all rays on one surface, whose tets are those of the table. False where a polygon names none: the
-/// surface is then for the trees, and what was offered so far is right but not all.
-bool cast_through_tets(const TetTable& table, const ContactSurface& surface, int surface_number, EdgeLanes& edges,
-                       RayHits& hits);
+/// Offers the hits of all rays (those of the table) on one surface, whose tets are those of the table. False where a
+/// polygon names none: the surface is then for the trees, and what was offered so far is right but not all.
+bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
+                       int surface_number, CastBuffers& buffers, RayHits& hits);
 
 }  // namespace taxel
