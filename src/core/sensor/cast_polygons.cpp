@@ -6,8 +6,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <utility>
@@ -133,9 +133,12 @@ class SurfaceCast {
     const Wide d;
     const hn::Rebind<std::int64_t, Wide> n;
     const hn::Rebind<std::int32_t, Wide> narrow_n;
+    if (near_ == 0) return;
     static_assert(sizeof(ContactPolygon) == 14 * sizeof(double) && sizeof(SensorRay) == 8 * sizeof(double));
-    const double* polygons = &surface_.polygons.data()->normal.x;
-    const double* rays = &rays_.data()->origin.x;
+    static_assert(offsetof(ContactPolygon, centroid) == offsetof(ContactPolygon, normal) + 4 * sizeof(double));
+    static_assert(offsetof(SensorRay, direction) == offsetof(SensorRay, origin) + 3 * sizeof(double) &&
+                  offsetof(SensorRay, max_depth) == offsetof(SensorRay, origin) + 6 * sizeof(double));
+    const double *polygons = &surface_.polygons.data()->normal.x, *rays = &rays_.data()->origin.x;
     for (std::size_t k = 0; k < near_; k += hn::Lanes(d)) {
       const auto used = hn::FirstN(n, near_ - k);
       const auto p = hn::IfThenElseZero(used, hn::PromoteTo(n, hn::LoadU(narrow_n, &buffers_.near_polygon[k])));
