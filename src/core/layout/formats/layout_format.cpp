@@ -1,0 +1,79 @@
+#include "core/layout/formats/layout_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/layout/layout_json.h"
+#include "core/layout/taxels_csv.h"
+
+namespace taxel {
+namespace {
+
+ImportedLayout read_own(const std::filesystem::path& path) {
+  return {read_layout(path), {}};
+}
+std::vector<std::string> write_own(const std::filesystem::path& path, const Layout& layout) {
+  write_layout(path, layout);
+  return {};
+}
+
+ImportedLayout read_table(const std::filesystem::path& path) {
+  CsvTaxels table = parse_taxels_csv(read_file(path), path.string());
+  ImportedLayout imported;
+  imported.layout.name = path.stem().string();
+  imported.layout.taxels = std::move(table.taxels);
+  imported.notes = {"a table holds taxels only: mesh and settings are to be chosen"};
+  if (!table.normals) imported.notes.emplace_back("the table has no normals: project the taxels onto the mesh");
+  if (!table.radii) imported.notes.push_back(fmt::format("the table has no radii: they are {} m", Taxel().radius));
+  return imported;
+}
+std::vector<std::string> write_table(const std::filesystem::path& path, const Layout& layout) {
+  write_file_atomically(path, taxels_to_csv(layout.taxels));
+  std::vector<std::string> lost = {"a table holds no mesh, sampling, receptive field rule, readout and material"};
+  if (layout.calibration) lost.emplace_back("a table holds no calibration");
+  return lost;
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+}  // namespace
+
+const std::vector<LayoutFormat>& layout_formats() {
+  static const std::vector<LayoutFormat> formats = {
+      {"Taxel layout", {".taxels.json", ".json"}, read_own, write_own},
+      {"Table of taxels", {".csv"}, read_table, write_table},
+  };
+  return formats;
+}
+
+const LayoutFormat* layout_format_of(const std::filesystem::path& path) {
+  const std::string name = lower(path.filename().string());
+  const LayoutFormat* best = nullptr;
+  std::size_t longest = 0;
+  for (const LayoutFormat& format : layout_formats()) {
+    for (const std::string_view extension : format.extensions) {
+      if (!name.ends_with(extension) || extension.size() <= longest) continue;
+      longest = extension.size();
+      best = &format;
+    }
+  }
+  return best;
+}
+
+ImportedLayout import_layout(const std::filesystem::path& path) {
+  if (const LayoutFormat* format = layout_format_of(path)) return format->read(path);
+  std::string known;
+  for (const LayoutFormat& format : layout_formats())
+    for (const std::string_view extension : format.extensions)
+      known += (known.empty() ? "" : ", ") + std::string(extension);
+  throw Error(path.string(), "is no layout by its name; known are " + known);
+}
+
+}  // namespace taxel
