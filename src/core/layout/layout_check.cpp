@@ -6,15 +6,12 @@
 #include <map>
 #include <numeric>
 
+#include "core/base/angle.h"
 #include "core/layout/value_check.h"
 #include "core/layout/words.h"
 
 namespace taxel {
 namespace {
-
-double angle_deg(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
-}
 
 void check_settings(const Layout& layout, Check& check) {
   if (layout.mesh.file.empty()) check.error("/mesh/file", "mesh_file_empty", "must name a mesh file, is \"\"");

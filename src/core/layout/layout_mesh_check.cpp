@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/angle.h"
 #include "core/layout/layout_check.h"
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/mesh_check.h"
@@ -54,10 +55,6 @@ void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& sk
     out.push_back(problem("/sampling/density", Severity::warning, "density_too_low",
                           fmt::format("{} per square metre gives no sample at all", layout.sampling.density),
                           fmt::format("at least {:.3g}", 1.0 / area)));
-}
-
-double angle_deg(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
 }
 
 /// Whether any face has a point within the disc's radius of `center` and a normal within its angle.

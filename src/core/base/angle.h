@@ -1,0 +1,13 @@
+// Angles between directions.
+#pragma once
+
+#include "core/base/math.h"
+
+namespace taxel {
+
+/// Between two directions of any length, 0 to 180 degrees; as exact near 0 as anywhere.
+inline double angle_deg(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
+}
+
+}  // namespace taxel
