@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <limits>
 
 #include "core/base/files.h"
+#include "core/base/rng.h"
 #include "core/layout/layout_json.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
@@ -122,6 +124,35 @@ TEST(ProjectJson, EveryShortenedFileIsRefused) {
   const std::string text = project_to_json(full_project());
   for (std::size_t size = 0; size + 2 < text.size(); ++size)
     ASSERT_NE(complaint_of([&] { parse_project(text.substr(0, size), "p"); }), "accepted") << size;
+}
+
+/// Bytes changed, doubled and left out, and values exchanged: an Error or a project, never anything else.
+TEST(ProjectJson, NoDamageBreaksIt) {
+  const std::string text = project_to_json(full_project());
+  const std::string values[] = {"null", "{}", "[]", "-1", "1e300", "\"\"", "[[[]]]", "true", "9999999999999999999"};
+  const CounterRng rng(12);
+  int refused = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    std::string wrong = text;
+    const std::size_t at = rng.bits(4 * i) % wrong.size(), count = rng.bits(4 * i + 1) % 20;
+    const std::string& value = values[rng.bits(4 * i + 2) % std::size(values)];
+    const std::size_t colon = wrong.find(": ", at), end = wrong.find_first_of(",\n", colon);
+    switch (rng.bits(4 * i + 3) % 4) {
+      case 0:
+        wrong[at] = static_cast<char>(rng.bits(4 * i + 2));
+        break;
+      case 1:
+        wrong.erase(at, count);
+        break;
+      case 2:
+        wrong.insert(at, wrong.substr(at, count));
+        break;
+      default:
+        if (end != std::string::npos) wrong.replace(colon + 2, end - colon - 2, value);
+    }
+    refused += complaint_of([&] { project_to_json(parse_project(wrong, "p")); }) != "accepted";
+  }
+  EXPECT_GT(refused, 2000);
 }
 
 TEST(ProjectJson, WhatCannotBeWrittenIsNamedAndKeepsTheOldFile) {
