@@ -10,9 +10,9 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr int kCtrl = ImGuiMod_Ctrl, kAlt = ImGuiMod_Alt;
+constexpr int kCtrl = ImGuiMod_Ctrl, kShift = ImGuiMod_Shift, kAlt = ImGuiMod_Alt;
 constexpr auto kEverywhere = Context::everywhere;
-constexpr auto kLayout = Context::layout;
+constexpr auto kLayout = Context::layout, kGesture = Context::gesture, kWidget = Context::widget;
 constexpr auto kSimulate = Context::simulate;
 
 // Columns: action, context, chord, repeats, label, menu, separated. Order within a menu is the order here.
@@ -21,9 +21,28 @@ constexpr std::array kBindings = {
     Binding{Action::open_sweep, kEverywhere, 0, false, "Open fingertip sweep", "File", false},
     Binding{Action::reload_file, kEverywhere, kCtrl | ImGuiKey_L, false, "Reload", "File", false},
     Binding{Action::close_document, kEverywhere, 0, false, "Close", "File", false},
+    Binding{Action::save, kEverywhere, kCtrl | ImGuiKey_S, false, "Save", "File", true},
+    Binding{Action::save_as, kEverywhere, kCtrl | kShift | ImGuiKey_S, false, "Save as...", "File", false},
+    Binding{Action::export_layout, kEverywhere, kCtrl | ImGuiKey_E, false, "Export layout...", "File", false},
     Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
     Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
 
+    Binding{Action::undo, kEverywhere, kCtrl | ImGuiKey_Z, true, "Undo", "Edit", false},
+    Binding{Action::redo, kEverywhere, kCtrl | kShift | ImGuiKey_Z, true, "Redo", "Edit", false, kCtrl | ImGuiKey_Y},
+    Binding{Action::copy, kLayout, kCtrl | ImGuiKey_C, false, "Copy taxels", "Edit", true},
+    Binding{Action::paste, kLayout, kCtrl | ImGuiKey_V, false, "Paste taxels", "Edit", false},
+    Binding{Action::duplicate, kLayout, kShift | ImGuiKey_D, false, "Duplicate", "Edit", false},
+    Binding{Action::delete_taxels, kLayout, ImGuiKey_Delete, false, "Delete", "Edit", false},
+    Binding{Action::place, kLayout, kShift | ImGuiKey_A, false, "Place taxels", "Edit", true},
+    Binding{Action::move, kLayout, ImGuiKey_G, false, "Move", "Edit", false},
+    Binding{Action::turn, kLayout, ImGuiKey_R, false, "Turn normals", "Edit", false},
+    Binding{Action::resize, kLayout, ImGuiKey_F, false, "Change radius", "Edit", false},
+    Binding{Action::project_back, kLayout, kShift | ImGuiKey_N, false, "Project back to the mesh", "Edit", false},
+    Binding{Action::mirror, kLayout, kCtrl | ImGuiKey_M, false, "Mirror, linked", "Edit", false},
+    Binding{Action::hide, kLayout, ImGuiKey_H, false, "Hide", "Edit", true},
+    Binding{Action::show_all, kLayout, kAlt | ImGuiKey_H, false, "Show all", "Edit", false},
+    Binding{Action::isolate, kLayout, ImGuiKey_Slash, false, "Show only these", "Edit", false},
+    Binding{Action::box_select, kLayout, ImGuiKey_B, false, "Select in a box", "Edit", true},
     Binding{Action::select_all, kLayout, ImGuiKey_A, false, "Select all", "Edit", false},
     Binding{Action::select_none, kLayout, kAlt | ImGuiKey_A, false, "Select none", "Edit", false},
     Binding{Action::invert_selection, kLayout, kCtrl | ImGuiKey_I, false, "Invert selection", "Edit", false},
@@ -73,6 +92,11 @@ constexpr std::array kBindings = {
     Binding{Action::scale_reset, kEverywhere, kCtrl | ImGuiKey_0, false, "Normal size", "Panels", false},
 
     Binding{Action::help, kEverywhere, ImGuiKey_F1, false, "Keys and mouse", "Help", false},
+    Binding{Action::gesture_x, kGesture, ImGuiKey_X, false, "Along or about X", nullptr, false},
+    Binding{Action::gesture_y, kGesture, ImGuiKey_Y, false, "Along or about Y", nullptr, false},
+    Binding{Action::gesture_z, kGesture, ImGuiKey_Z, false, "Along or about Z", nullptr, false},
+    Binding{Action::gesture_accept, kGesture, ImGuiKey_Enter, false, "Accept", nullptr, false, ImGuiKey_KeypadEnter},
+    Binding{Action::gesture_cancel, kGesture, ImGuiKey_Escape, false, "Cancel: all as it was", nullptr, false},
     Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false, "Cancel, then clear the selection", nullptr, false},
 };
 
@@ -83,6 +107,15 @@ constexpr std::array kGestures = {
     Gesture{kEverywhere, "Right double-click", "Centre on the point"},
     Gesture{kEverywhere, "Click", "Select a taxel (view, table, bars, legend)"},
     Gesture{kEverywhere, "Shift+click", "Add a taxel to the selection, or take it out"},
+    Gesture{kLayout, "Ctrl+click", "Add a taxel on the surface"},
+    Gesture{kLayout, "Drag a selected taxel", "Slide it along the surface"},
+    Gesture{kLayout, "Ctrl+wheel", "Change the radius by 2 %"},
+    Gesture{kGesture, "0-9 . -", "Exact value, in mm or degrees (Backspace)"},
+    Gesture{kGesture, "Shift", "A tenth of the pace"},
+    Gesture{kGesture, "Ctrl", "Snap"},
+    Gesture{kGesture, "Click, right click", "Accept, cancel"},
+    Gesture{kWidget, "Enter", "Take over what a field says, also by leaving it"},
+    Gesture{kWidget, "Esc", "Leave a field as it was"},
     Gesture{kEverywhere, "Drop a file", "Open a layout, a mesh or a MuJoCo scene"},
 };
 
@@ -92,6 +125,8 @@ const char* key_name(int key) {
       return "=";
     case ImGuiKey_Minus:
       return "-";
+    case ImGuiKey_Slash:
+      return "/";
     case ImGuiKey_Period:
       return ".";
     case ImGuiKey_RightArrow:
@@ -128,6 +163,11 @@ std::string chord_name(int chord) {
   return text + key_name(chord & ~ImGuiMod_Mask_);
 }
 
+std::string chord_names(const Binding& binding) {
+  const std::string also = chord_name(binding.also);
+  return also.empty() ? chord_name(binding.chord) : chord_name(binding.chord) + ", " + also;
+}
+
 const char* to_string(Context context) {
   switch (context) {
     case Context::everywhere:
@@ -136,17 +176,21 @@ const char* to_string(Context context) {
       return "LAYOUT";
     case Context::simulate:
       return "SIMULATE";
+    case Context::gesture:
+      return "gesture";
+    case Context::widget:
+      return "field";
   }
   return "";
 }
 
 std::string bindings_as_text() {
-  std::string text = fmt::format("{:<20} {:<12} {}\n", "KEY", "WHERE", "WHAT");
+  std::string text = fmt::format("{:<22} {:<12} {}\n", "KEY", "WHERE", "WHAT");
   for (const Binding& b : kBindings) {
-    if (b.chord != 0) text += fmt::format("{:<20} {:<12} {}\n", chord_name(b.chord), to_string(b.context), b.label);
+    if (b.chord != 0) text += fmt::format("{:<22} {:<12} {}\n", chord_names(b), to_string(b.context), b.label);
   }
   for (const Gesture& g : kGestures) {
-    text += fmt::format("{:<20} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
+    text += fmt::format("{:<22} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
   }
   return text;
 }

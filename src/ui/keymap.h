@@ -6,8 +6,8 @@
 
 namespace taxel::ui {
 
-/// Where a key counts. A focused text field or dialog always comes first.
-enum class Context { everywhere, layout, simulate };
+/// Where a key counts. /// A gesture that runs comes first, then the focused widget, then the mode.
+enum class Context { everywhere, layout, simulate, gesture, widget };
 
 enum class Action {
   open_file,
@@ -21,6 +21,30 @@ enum class Action {
   reset_simulation,
   slower,
   faster,
+  save,
+  save_as,
+  export_layout,
+  undo,
+  redo,
+  copy,
+  paste,
+  duplicate,
+  delete_taxels,
+  place,
+  move,
+  turn,
+  resize,
+  project_back,
+  mirror,
+  box_select,
+  hide,
+  show_all,
+  isolate,
+  gesture_x,
+  gesture_y,
+  gesture_z,
+  gesture_accept,
+  gesture_cancel,
   select_all,
   select_none,
   invert_selection,
@@ -71,6 +95,7 @@ struct Binding {
   const char* label;
   const char* menu;  ///< the menu it stands in; null: none
   bool separated;    ///< a line stands above it in the menu
+  int also = 0;      ///< a second chord
 };
 std::span<const Binding> bindings();
 const Binding& binding_of(Action action);
@@ -85,6 +110,7 @@ std::span<const Gesture> gestures();
 
 /// "Ctrl+Shift+S"; empty for 0. Needs no ImGui context.
 std::string chord_name(int chord);
+std::string chord_names(const Binding& binding);  ///< both of them: "Ctrl+Y, Ctrl+Shift+Z"
 const char* to_string(Context context);
 
 /// The whole table as aligned text: what --list-bindings prints.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/project/history.h"
 #include "core/sim/sim_command.h"
 #include "core/sim/sim_frame.h"
 #include "ui/keymap.h"
@@ -19,6 +20,7 @@
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
 #include "ui/tools/model_summary.h"
+#include "ui/tools/tool_state.h"
 #include "ui/widgets/widget_registry.h"
 
 namespace taxel::ui {
@@ -61,7 +63,10 @@ struct FolderEntry {
   bool folder = false;
 };
 
+enum class FileTask { open, save_project, export_layout };
+
 struct FileDialog {
+  FileTask task = FileTask::open;
   bool open = false;
   bool wants_focus = false;  ///< the path field gets the keyboard in the next frame
   std::string folder;        ///< absolute
@@ -69,7 +74,18 @@ struct FileDialog {
   std::string path;    ///< what stands in the field
   std::string filter;  ///< part of a name, any case
   int selected = -1;   ///< index in entries
-  std::string error;   ///< why the folder could not be listed
+  std::string error;   ///< why the folder could not be listed, or the file not be written
+  std::string exists;  ///< file that is there already: asked for once more, it is replaced
+};
+
+/// The document as it is edited.
+struct Editing {
+  ProjectPtr project;      ///< null: there is nothing to edit
+  bool compiled = true;    ///< UiInput::model was compiled of it, not of one before
+  std::string problem;     ///< why it cannot be compiled; empty: it can, or is not yet
+  std::string undo, redo;  ///< names of the next steps: "Undo Move taxel 3"
+  std::size_t undo_depth = 0, redo_depth = 0;
+  bool dirty = false;  ///< not saved as it is
 };
 
 /// A load that runs in the worker, or a scene that the simulation builds.
@@ -153,11 +169,43 @@ struct SetMode {
   Mode mode = Mode::simulate;
 };
 struct ReloadFile {};
+struct EditProject {
+  Edit edit;
+  taxel::Gesture gesture;
+};
+struct CancelGesture {
+  std::uint64_t number = 0;
+};
+struct EndGesture {};
+struct UndoStep {};
+struct RedoStep {};
+struct CopyTaxels {};  ///< those selected, as JSON
+struct PasteTaxels {};
+/// Empty: where it is, or the user is asked. `replace`: another file of that name may be lost.
+struct SaveProject {
+  std::string path;
+  bool replace = false;
+};
+struct SaveProjectAs {};  ///< asks
+struct ExportLayout {
+  std::string path;  ///< empty: asks
+  bool replace = false;
+};
+struct DialogClosed {};  ///< without a file
+enum class UnsavedAnswer { save, discard, cancel };
+struct AnswerUnsaved {
+  UnsavedAnswer answer = UnsavedAnswer::cancel;
+};
+struct AnswerRecovery {
+  bool recover = false;  ///< else it is thrown away
+};
 struct TakeScreenshot {};
 struct Quit {};
 using Request =
     std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
-                 RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, TakeScreenshot, Quit>;
+                 RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, EditProject,
+                 CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
+                 ExportLayout, DialogClosed, AnswerUnsaved, AnswerRecovery, TakeScreenshot, Quit>;
 
 struct UiState {
   SavedState saved;
@@ -166,6 +214,11 @@ struct UiState {
   std::array<Camera, 2> cameras;  ///< one per mode
   PressureRange range;
   Selection selection;
+  ToolState tool;
+  bool asks_unsaved = false;    ///< whether to save, before what is open is left
+  std::string recovery;         ///< name of a document that was lost unsaved and can be had back; empty: none
+  std::string recovery_detail;  ///< when and where
+  std::string title;            ///< of the window
   std::optional<Pick> hovered;  ///< what the resting pointer is on in the 3-D view
   SweepScenario edited_sweep;   ///< what the inspector's fields hold
   std::vector<Message> messages;
@@ -200,6 +253,7 @@ struct UiInput {
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in
   bool simulates_document = false;  ///< the running scene was built around `model`
+  Editing editing;
   SweepScenario scenario;
   bool sweep = false;  ///< the running scene is a sweep
   bool playing = false;
@@ -222,6 +276,13 @@ struct UiInput {
       return frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
     }
     return model;
+  }
+  /// The layout that there is to show: in LAYOUT the one that is edited, which may be newer than shown_model(). May be
+  /// null.
+  [[nodiscard]] const Layout* shown_layout(const UiState& ui) const {
+    if (ui.mode == Mode::layout && editing.project) return &editing.project->layout;
+    const SensorModelPtr shown = shown_model(ui);
+    return shown ? &shown->layout : nullptr;
   }
 };
 

@@ -11,6 +11,7 @@
 #include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
+#include "core/project/project_json.h"
 
 namespace taxel::studio {
 
@@ -45,13 +46,32 @@ std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) 
   return notes;
 }
 
-Document load_layout(const std::filesystem::path& file, const SensorBuild& how) {
-  const auto source = std::make_shared<const SensorSource>(read_sensor_source(file));
+/// The project's layout on its mesh, as read from files.
+Document compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                  const SensorBuild& how) {
+  const auto source =
+      std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, std::move(mesh)});
   const auto compile = [source](const SensorBuild& build) { return build_sensor_model(*source, build); };
-  Document document{DocumentKind::layout, file.string(), short_name(file), compile(how), {}, compile};
+  Document document{kind, file.string(), short_name(file), compile(how), nullptr, source->mesh, {}, compile};
+  document.project = std::make_shared<const Project>(std::move(project));
   if (!source->layout.name.empty()) document.name = source->layout.name;
   document.notes = warnings_of(*document.model, false);
   return document;
+}
+
+Document load_layout(const std::filesystem::path& file, const SensorBuild& how) {
+  SensorSource source = read_sensor_source(file);
+  Project project;
+  project.layout = std::move(source.layout);
+  project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
+  return compiled(DocumentKind::layout, file, std::move(project), std::move(source.mesh), how);
+}
+
+Document load_project(const std::filesystem::path& file, const SensorBuild& how) {
+  Project project = read_project(file);
+  throw_first_error(check_layout_values(project.layout, file.string()));
+  LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale);
+  return compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
 }
 
 /// A density of one significant digit that gives a picture's worth of samples, at most the default.
@@ -59,6 +79,12 @@ double density_for(double area) {
   const double wanted = kSamplesOfMesh / area;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
+}
+
+ProjectPtr project_of(const Layout& layout) {
+  Project project;
+  project.layout = layout;
+  return std::make_shared<const Project>(std::move(project));
 }
 
 Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
@@ -74,7 +100,8 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   const auto compile = [layout, mesh = loaded.mesh, file = file.string()](const SensorBuild& build) {
     return build_sensor_model(layout, mesh, layout.mesh.sha256, file, build);
   };
-  Document document{DocumentKind::mesh, file.string(), layout.name, compile(how), {}, compile};
+  Document document{DocumentKind::mesh, file.string(), layout.name, compile(how), nullptr, loaded, {}, compile};
+  document.project = project_of(layout);
   const dvec3 size = 1e3 * loaded.mesh->bounds().extent();
   document.notes.push_back(fmt::format("{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm", file.string(),
                                        unit == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z));
@@ -91,10 +118,12 @@ double guessed_unit(const Aabb& bounds) {
 DocumentKind document_kind(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == ".json") return DocumentKind::layout;
+  if (extension == ".taxelproj") return DocumentKind::project;
   if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
   if (is_mesh_file(file)) return DocumentKind::mesh;
   throw Error(file.string(),
-              "cannot be opened: it is no layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or "
+              "cannot be opened: it is no project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf "
+              ".glb) or "
               "MuJoCo scene (.xml)");
 }
 
@@ -102,24 +131,33 @@ Document load_document(const std::filesystem::path& file, const SensorBuild& how
   switch (document_kind(file)) {
     case DocumentKind::layout:
       return load_layout(file, how);
+    case DocumentKind::project:
+      return load_project(file, how);
     case DocumentKind::mesh:
       return load_bare_mesh(file, how);
     case DocumentKind::scene:
       break;
   }
-  return {DocumentKind::scene, file.string(), short_name(file), nullptr, {}, nullptr};
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, LoadedMesh(), {}, nullptr};
 }
 
 Document built_in_fingertip(const SensorBuild& how) {
   const std::string layout_name = "fingertip.taxels.json";
-  const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
-  PolygonSoup soup = read_obj(obj, "fingertip.obj");
-  const auto mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
-  const Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
-  const auto compile = [layout, mesh, sha256 = sha256_hex(obj), layout_name](const SensorBuild& build) {
-    return build_sensor_model(layout, mesh, sha256, layout_name, build);
+  const BuiltInMesh obj = built_in_mesh();
+  PolygonSoup soup = read_obj(obj.bytes, obj.name);
+  LoadedMesh mesh;
+  mesh.mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
+  mesh.sha256 = sha256_hex(obj.bytes);
+  Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
+  layout.mesh.file = obj.name;
+  const auto compile = [layout, mesh, layout_name](const SensorBuild& build) {
+    return build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build);
   };
-  return {DocumentKind::layout, "", "Fingertip sweep", compile(how), {}, compile};
+  return {DocumentKind::layout, "", "Fingertip sweep", compile(how), project_of(layout), mesh, {}, compile};
+}
+
+BuiltInMesh built_in_mesh() {
+  return {"fingertip.obj", embedded_file("assets/meshes/fingertip.obj")};
 }
 
 std::vector<std::string> notes_of_samples(const SensorModel& model) {

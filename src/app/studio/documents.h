@@ -1,17 +1,19 @@
-// What can be opened, and how it becomes a compiled layout: layout files, bare meshes, MuJoCo scenes, and the project's
-// own fingertip that travels inside the program.
+// What can be opened, and how it becomes a compiled layout: projects, layout files, bare meshes, MuJoCo scenes, and the
+// project's own fingertip that travels inside the program.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/project/project.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::studio {
 
-enum class DocumentKind { layout, mesh, scene };
+enum class DocumentKind { layout, project, mesh, scene };
 
 /// By the file's extension. Throws Error naming the file where it cannot be opened.
 DocumentKind document_kind(const std::filesystem::path& file);
@@ -21,6 +23,8 @@ struct Document {
   std::string file;                ///< empty: built in
   std::string name;                ///< for titles
   SensorModelPtr model;            ///< null for a scene: the simulation compiles its sensors
+  ProjectPtr project;              ///< what is edited; null for a scene
+  LoadedMesh mesh;                 ///< under its layout
   std::vector<std::string> notes;  ///< what the user should know: repairs, guessed units, warnings
   /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
@@ -32,6 +36,13 @@ struct Document {
 /// Reads and compiles. Throws Error naming file and field, or Cancelled.
 Document load_document(const std::filesystem::path& file, const SensorBuild& how);
 Document built_in_fingertip(const SensorBuild& how);
+
+/// The fingertip's mesh, which travels inside the program: its file name and its bytes.
+struct BuiltInMesh {
+  std::string name;
+  std::string_view bytes;
+};
+BuiltInMesh built_in_mesh();
 
 /// What the samples of a layout have to say: known for good only when they are polished, so not in Document::notes.
 std::vector<std::string> notes_of_samples(const SensorModel& model);

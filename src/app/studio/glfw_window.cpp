@@ -81,6 +81,7 @@ class GlfwWindow final : public Window {
   }
   [[nodiscard]] gl::RgbImage read() const override { return gl::read_pixels(0, width_, height_); }
   void show() override { glfwSwapBuffers(window_); }
+  void wake() override { glfwPostEmptyEvent(); }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
   void set_cursor(ImGuiMouseCursor shape) override;
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }

@@ -30,7 +30,8 @@ using LoadResult = std::variant<Document, LoadFailed, LoadCancelled, Polished, P
 
 class Loader {
  public:
-  Loader() = default;
+  /// `cache`: so that a reload of a layout costs what was changed in it; must live longer.
+  explicit Loader(SensorCache& cache) : cache_(cache) {}
   ~Loader();  ///< cancels and waits
   Loader(const Loader&) = delete;
   Loader& operator=(const Loader&) = delete;
@@ -62,7 +63,7 @@ class Loader {
   void forget_ended();
 
   std::string file_;
-  SensorCache cache_;  ///< so that a reload of a layout costs what was changed in it
+  SensorCache& cache_;
   std::shared_ptr<Job> job_;
   std::vector<std::shared_ptr<Job>> retired_;  ///< cancelled, yet to notice
   std::optional<LoadResult> cancelled_;        ///< what take() tells of them

@@ -34,9 +34,10 @@ ParsedOptions parse_options(int argc, char** argv) {
       "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
       "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
       "taxelstudio");
-  app.add_option("FILE", o.file,
-                 "Layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or MuJoCo scene (.xml); "
-                 "without one the fingertip sweep");
+  app.add_option(
+      "FILE", o.file,
+      "Project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or MuJoCo scene (.xml); "
+      "without one the fingertip sweep");
   app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
   app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
   app.add_option("--screenshot", o.screenshot, "Write the last picture as PNG");
@@ -46,6 +47,11 @@ ParsedOptions parse_options(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
       ->check(CLI::ExistingDirectory);
+  app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
+  app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
+  app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least every so many seconds")
+      ->default_str("30")
+      ->check(CLI::Range(0.01, 30.0));
   app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");
   app.add_flag("--version", o.version, "Print the version, the commit and the libraries' versions");
   try {

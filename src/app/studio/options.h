@@ -10,12 +10,17 @@ struct Options {
   std::string file;  ///< empty: the fingertip sweep
   bool headless = false;
   std::string script, screenshot, dump_state, shader_dir;
+  std::string state_dir;  ///< of settings and autosave; empty: the user's own, or none where frames follow a script
+  double autosave_every = 30;  ///< [s]
+  bool empty = false;          ///< opens nothing
   int width = 1280, height = 800;
   int frames = 0;  ///< 0: until the script ends or the window is closed
   bool list_bindings = false, version = false;
 
   /// Frames follow the script, not the clock.
   [[nodiscard]] bool by_clock() const { return !headless && script.empty(); }
+  /// Settings are read and written, and unsaved edits are kept.
+  [[nodiscard]] bool keeps_state() const { return by_clock() || !state_dir.empty(); }
 };
 
 /// Exit status instead where the program should stop right away (help, bad usage).

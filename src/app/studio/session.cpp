@@ -35,7 +35,7 @@ void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
 
 }  // namespace
 
-Session::Session(bool by_clock) : by_clock_(by_clock) {
+Session::Session(bool by_clock, std::function<void()> wake) : by_clock_(by_clock), edits_(cache_, std::move(wake)) {
   simulation_.set_clock_driven(by_clock);
 }
 
@@ -54,6 +54,7 @@ void Session::settle(const Done& done) {
 
 void Session::open(const std::string& file) {
   reloading_ = false;
+  recovered_.reset();
   loader_.start(file);
 }
 
@@ -68,6 +69,7 @@ void Session::close() {
   pending_.reset();
   polished_.reset();
   document_.reset();
+  edits_.close();
   drop_scene();
 }
 
@@ -81,7 +83,8 @@ void Session::drop_scene() {
 
 void Session::run_sweep(const SweepScenario& scenario) {
   if (!document_ || !document_->model || document_->model->taxel_count() == 0) return;
-  build_scene({*document_, true, scenario, true, false, 0});
+  if (edits_.is_open()) edits_.edit(SetScenario{scenario});
+  build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = false});
 }
 
 void Session::build_scene(Pending pending) {
@@ -157,6 +160,8 @@ SessionNews Session::update(bool hurry) {
   if (!keep || loader_.cancelled()) {
     if (std::optional<LoadResult> result = loader_.take()) accept_result(std::move(*result), news);
   }
+  take_edited(news);
+  hand_over_newest();
   show_polished(news);
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
@@ -205,8 +210,7 @@ void Session::keep_preview(Severity severity, const std::string& why, SessionNew
 /// Hands polished samples to the simulation, or shows them where none runs.
 void Session::show_polished(SessionNews& news) {
   if (!polished_ || polished_->number > 0 || pending_) return;
-  const bool shown = document_ && document_->model == polished_->models.preview;
-  if (!shown || !simulates_document_) {
+  if (!simulates_document_ || !frame_ || !reads_by(*frame_, polished_->models.preview)) {
     finish_polished(news);
   } else {
     polished_->number = ++replacements_;
@@ -235,13 +239,16 @@ void Session::accept_document(Document document, SessionNews& news) {
   const bool play = !reloading_ || playing();
   const bool framed = !reloading_;
   const bool layout_with_taxels = document.model && document.model->taxel_count() > 0;
-  if (document.kind == DocumentKind::scene || layout_with_taxels) {
+  const bool to_edit = document.kind == DocumentKind::project;  // what one saves, one goes on with
+  if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
     const bool sweep = layout_with_taxels;
-    build_scene({std::move(document), sweep, sweep ? scenario_ : SweepScenario{}, play, framed, 0});
+    const SweepScenario scenario = sweep ? scenario_ : SweepScenario{};
+    build_scene({std::move(document), sweep, scenario, play, framed, true});
     return;
   }
   drop_scene();
-  document_ = std::move(document);
+  show_document(std::move(document));
+  news.another_document = true;
   news.opened = ui::Mode::layout;
   news.opened_file = document_->file;
   news.framed = framed;
@@ -272,7 +279,7 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
 
 /// What was to be opened could not be simulated: what is open stays, and so does the work on its samples.
 void Session::refuse_pending() {
-  const bool another = !document_ || pending_->document.model != document_->model;
+  const bool another = pending_->another;
   pending_.reset();
   if (!another) return;
   if (loader_.polishing()) loader_.close();
@@ -290,13 +297,14 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   Pending pending = std::move(*pending_);
   pending_.reset();
   if (!pending.document.model && !frame.scene->sensors.empty()) pending.document.model = frame.scene->sensors.front();
-  document_ = std::move(pending.document);
+  if (pending.another) show_document(std::move(pending.document));
   sweep_ = pending.sweep;
   scenario_ = pending.sweep ? pending.scenario : scenario_;
   simulates_document_ = true;
   warned_.clear();
   unspent_ = 0;
-  news.opened = ui::Mode::simulate;
+  news.another_document = pending.another;
+  if (pending.shown) news.opened = ui::Mode::simulate;
   news.opened_file = document_->file;
   news.framed = pending.framed;
   playing_ = pending.play;
@@ -347,6 +355,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   if (loader_.polishing()) {
     input.polishing = {true, by_clock_ ? loader_.fraction() : 0};
   }
+  edits_.fill(input.editing, input.polishing, by_clock_);
   if (loader_.loading()) {
     const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
     input.loading = {true, what, loader_.fraction(), loader_.seconds(), true};

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/studio/autosave.h"
+#include "app/studio/edit_session.h"
 #include "app/studio/loader.h"
 #include "core/sim/sim_thread.h"
 #include "ui/ui_state.h"
@@ -17,23 +19,40 @@ namespace taxel::studio {
 /// What happened since the last look, for the window to act on.
 struct SessionNews {
   std::vector<std::pair<Severity, std::string>> messages;
-  std::optional<ui::Mode> opened;  ///< another document is shown, best in this mode
+  std::optional<ui::Mode> opened;  ///< another document or scene is shown, best in this mode
+  bool another_document = false;   ///< not the same one in another scene
   std::string opened_file;         ///< where it came from; empty: built in
   bool framed = false;             ///< the cameras should turn to it (not after a reload)
   bool new_frame = false;
+  bool new_model = false;  ///< of what is edited
 };
 
 class Session {
  public:
   /// by_clock: the simulation follows the clock in its own thread. Else it moves only by advance(), and every request
   /// is answered before the next picture, so that the same requests give the same pictures.
-  explicit Session(bool by_clock);
+  /// `wake` is called from a worker when update() has something to tell.
+  Session(bool by_clock, std::function<void()> wake);
 
-  void open(const std::string& file);  ///< empty: the built-in fingertip
-  void reload();                       ///< keeps pause and cameras
+  void open(const std::string& file);      ///< empty: the built-in fingertip
+  void recover(const LostDocument& lost);  ///< unsaved, as it was when it was kept
+  void reload();                           ///< keeps pause and cameras
   void close();
   void cancel_loading() { loader_.cancel(); }  ///< or polishing, whichever runs
   void polish();                               ///< the samples shown, where they are a preview's
+
+  /// What is edited. In LAYOUT edits leave the simulation alone.
+  [[nodiscard]] EditSession& edits() { return edits_; }
+  [[nodiscard]] const EditSession& edits() const { return edits_; }
+  /// To be called after each edit. `simulated`: the simulation is looked at, and is to read by it.
+  void after_edit(bool simulated);
+  /// As soon as the newest model is built, the simulation reads by it.
+  void hand_over() { hand_over_wanted_ = true; }
+  void saved_as(const std::string& file);  ///< a project
+  /// File of the open document; empty: none, or built in.
+  [[nodiscard]] std::string file() const { return document_ ? document_->file : ""; }
+  [[nodiscard]] DocumentKind kind() const { return document_ ? document_->kind : DocumentKind::layout; }
+
   void run_sweep(const SweepScenario& scenario);
   void set_playing(bool playing);
   void step_once();
@@ -49,7 +68,7 @@ class Session {
   /// Everything of `input` but rates.
   void fill(ui::UiInput& input, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
-  [[nodiscard]] bool idle() const { return !loader_.busy() && !pending_ && !polished_; }
+  [[nodiscard]] bool idle() const { return !loader_.busy() && !pending_ && !polished_ && !edits_.building(); }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
@@ -62,6 +81,8 @@ class Session {
     bool sweep = false;
     SweepScenario scenario;
     bool play = false, framed = true;
+    bool another = false;    ///< not the document that is open
+    bool shown = true;       ///< in SIMULATE, as soon as it stands
     std::uint64_t load = 0;  ///< number of the request, as SimFrame::loads counts
     std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
   };
@@ -72,6 +93,10 @@ class Session {
     std::uint64_t number = 0;  ///< of the request, as SimFrame::replacements counts; 0: not sent yet
   };
 
+  void show_document(Document document);
+  void restore_origin();
+  void take_edited(SessionNews& news);
+  void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
   void resume_polishing();
@@ -91,7 +116,9 @@ class Session {
   void settle(const Done& done);
 
   bool by_clock_;
-  Loader loader_;
+  SensorCache cache_;
+  Loader loader_{cache_};
+  EditSession edits_;
   SimThread simulation_;
   SimFramePtr frame_;
   SimFramePtr settled_;  ///< what settle() waited for; update() tells of it
@@ -103,9 +130,10 @@ class Session {
   std::uint64_t replacements_ = 0;
   std::uint64_t least_load_ = 1;  ///< frames of earlier scenes are not shown any more
   std::optional<Document> document_;
+  std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   SweepScenario scenario_;
   bool sweep_ = false, simulates_document_ = false;
-  bool playing_ = false, reloading_ = false;
+  bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
   double speed_ = 1;
   double unspent_ = 0;  ///< simulated time that did not fill a step [s]
   double largest_pressure_ = 0;

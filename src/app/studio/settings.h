@@ -10,6 +10,9 @@ namespace taxel::studio {
 /// $XDG_CONFIG_HOME/taxelstudio, else ~/.config/taxelstudio.
 std::filesystem::path settings_folder();
 
+/// Of what a program leaves for the next start: $XDG_STATE_HOME/taxelstudio, else ~/.local/state/taxelstudio.
+std::filesystem::path state_folder();
+
 /// What the file says; defaults for what it does not say. A broken file counts as none: settings are no reason to stop.
 ui::SavedState read_settings(const std::filesystem::path& file);
 /// Throws Error when the folder cannot be written.

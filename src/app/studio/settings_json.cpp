@@ -49,11 +49,24 @@ void visit_settings(Saved& s, const Visit& visit) {
 
 }  // namespace
 
-std::filesystem::path settings_folder() {
-  const char* config = std::getenv("XDG_CONFIG_HOME");
-  if (config != nullptr && *config != '\0') return std::filesystem::path(config) / "taxelstudio";
+namespace {
+
+/// The program's folder where the XDG Base Directory Specification has it.
+std::filesystem::path user_folder(const char* variable, const char* below_home) {
+  const char* set = std::getenv(variable);
+  if (set != nullptr && *set != '\0') return std::filesystem::path(set) / "taxelstudio";
   const char* home = std::getenv("HOME");
-  return std::filesystem::path(home != nullptr ? home : ".") / ".config" / "taxelstudio";
+  return std::filesystem::path(home != nullptr ? home : ".") / below_home / "taxelstudio";
+}
+
+}  // namespace
+
+std::filesystem::path settings_folder() {
+  return user_folder("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path state_folder() {
+  return user_folder("XDG_STATE_HOME", ".local/state");
 }
 
 ui::SavedState read_settings(const std::filesystem::path& file) {

@@ -109,10 +109,41 @@ Json document_json(const ui::UiInput& input) {
   Json json = Json::object();
   json["name"] = input.name;
   json["file"] = input.file;
-  json["layout"] = Json::parse(layout_to_json(input.model->layout));
+  const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
+  json["layout"] = Json::parse(layout_to_json(layout));
   json["mesh"] = {{"triangles", input.model->mesh->face_count()}, {"shells", input.model->mesh->shell_count()}};
   json["samples"] = input.model->samples.size();
   return json;
+}
+
+Json history_json(const ui::Editing& editing) {
+  return {{"depth", editing.undo_depth}, {"redo_depth", editing.redo_depth}, {"undo", editing.undo},
+          {"redo", editing.redo},        {"dirty", editing.dirty},           {"compiled", editing.compiled},
+          {"problem", editing.problem}};
+}
+
+const char* to_string(ui::Tool tool) {
+  switch (tool) {
+    case ui::Tool::none:
+      return "none";
+    case ui::Tool::place:
+      return "place";
+    case ui::Tool::slide:
+      return "slide";
+    case ui::Tool::move:
+      return "move";
+    case ui::Tool::turn:
+      return "turn";
+    case ui::Tool::resize:
+      return "resize";
+    case ui::Tool::box:
+      return "box";
+  }
+  return "none";
+}
+
+Json tool_json(const ui::ToolState& tool) {
+  return {{"name", to_string(tool.tool)}, {"value", tool.value}, {"problem", tool.problem}};
 }
 
 Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
@@ -253,7 +284,10 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   const SensorModelPtr model = input.shown_model(ui);
   json["document"] = document_json(input);
   json["model"] = model_json(input);
-  json["history"] = {{"depth", 0}};
+  json["title"] = ui.title;
+  json["history"] = history_json(input.editing);
+  json["recovery"] = ui.recovery;
+  json["tool"] = tool_json(ui.tool);
   json["simulation"] = simulation_json(ui, input);
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

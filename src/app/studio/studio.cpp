@@ -47,34 +47,29 @@ gl::ShaderReader shader_reader(const std::string& folder) {
   return [folder](const std::string& name) { return read_file(std::filesystem::path(folder) / name); };
 }
 
-std::filesystem::path settings_file() {
-  return settings_folder() / "settings.json";
-}
-std::filesystem::path arrangement_file() {
-  return settings_folder() / "window.ini";
-}
-
 }  // namespace
 
-Studio::Studio(const Options& options) : options_(options), session_(options.by_clock()) {
+Studio::Studio(const Options& options)
+    : options_(options), session_(options.by_clock(), [this] { window_->wake(); }), autosave_(options.autosave_every) {
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
   context_ = std::make_unique<InterfaceContext>(*window_);
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
-  if (options.by_clock()) {
-    ui_.saved = read_settings(settings_file());
+  if (options.keeps_state()) {
+    ui_.saved = read_settings(kept_file("settings.json"));
     std::error_code ignored;
-    if (std::filesystem::exists(arrangement_file(), ignored)) {
-      ImGui::LoadIniSettingsFromDisk(arrangement_file().string().c_str());
+    if (const auto file = kept_file("window.ini"); std::filesystem::exists(file, ignored)) {
+      ImGui::LoadIniSettingsFromDisk(file.string().c_str());
     }
+    start_autosave();
   }
   for (ui::Camera& camera : ui_.cameras) camera.elevation_deg = kElevationDeg;
   ui_.cameras[0].azimuth_deg = kLayoutAzimuthDeg;
   ui_.cameras[1].azimuth_deg = kAzimuthDeg;
   ui_.range.hi = kLeastRange;
   input_.version = versions().taxel;
-  session_.open(options.file);
+  if (!options.empty) session_.open(options.file);
   last_picture_at_ = pace_window_at_ = Clock::now();
 }
 
@@ -82,7 +77,8 @@ Studio::~Studio() = default;
 
 bool Studio::run() {
   options_.by_clock() ? run_by_clock() : run_by_frames();
-  if (options_.by_clock()) save_settings();
+  if (options_.keeps_state()) save_settings();
+  autosave_.end();
   finish_outputs();
   return !(options_.headless && argument_refused_);
 }
@@ -103,7 +99,7 @@ void Studio::run_by_clock() {
     const SessionNews news = session_.update();
     act_on(news);
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
-    if (!news.messages.empty() || news.opened) pictures_due_ = kSettlingPictures;
+    if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
     const bool counted = options_.frames > 0;  // a number of pictures was asked for, whether anything moves or not
     if (news.new_frame || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
     if (pictures_due_ == 0) {
@@ -150,7 +146,7 @@ void Studio::take(const std::vector<InputEvent>& events) {
     if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
       window_->resize(std::max(1, size->width), std::max(1, size->height));
     }
-    if (std::holds_alternative<CloseWindow>(event)) quit_ = true;
+    if (std::holds_alternative<CloseWindow>(event)) ui_.ask(ui::Quit{});
   }
 }
 
@@ -164,9 +160,12 @@ void Studio::act_on(const SessionNews& news) {
   }
   anything_opened_ = anything_opened_ || news.opened;
   session_.fill(input_, ui_.selection.sensor);
+  if (news.another_document) {
+    ui_.selection = {};
+    ui_.tool = {};
+  }
   if (news.opened) {
     ui_.mode = *news.opened;
-    ui_.selection = {};
     ui_.edited_sweep = session_.scenario();
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
     if (news.framed) turn_cameras_ = true;
@@ -175,6 +174,7 @@ void Studio::act_on(const SessionNews& news) {
   if (turn_cameras_ && framable) frame_cameras();
   update_range();
   update_title();
+  keep_unsaved();
 }
 
 /// Turns each mode's camera to what it will show.
@@ -199,9 +199,10 @@ void Studio::update_range() {
 }
 
 void Studio::update_title() {
-  const std::string title = input_.name.empty() ? "Taxel Studio" : input_.name + " - Taxel Studio";
-  if (title == title_) return;
-  title_ = title;
+  std::string title = input_.name.empty() ? "Taxel Studio" : input_.name + " - Taxel Studio";
+  if (input_.editing.dirty) title = "*" + title;
+  if (title == ui_.title) return;
+  ui_.title = title;
   window_->set_title(title);
 }
 
@@ -253,12 +254,16 @@ bool Studio::input_taken() const {
   return ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 
+std::filesystem::path Studio::kept_file(const char* name) const {
+  return (options_.state_dir.empty() ? settings_folder() : std::filesystem::path(options_.state_dir)) / name;
+}
+
 void Studio::save_settings() {
   try {
-    write_settings(settings_file(), ui_.saved);
+    write_settings(kept_file("settings.json"), ui_.saved);
     std::size_t size = 0;
     const char* text = ImGui::SaveIniSettingsToMemory(&size);
-    write_file_atomically(arrangement_file(), std::string_view(text, size));
+    write_file_atomically(kept_file("window.ini"), std::string_view(text, size));
   } catch (const Error& error) {
     std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", error.what());
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/studio/autosave.h"
 #include "app/studio/options.h"
 #include "app/studio/script_player.h"
 #include "app/studio/session.h"
@@ -48,6 +49,24 @@ class Studio {
   void carry_out_requests();
   void carry_out(const ui::Request& request);
   void set_mode(ui::Mode mode);
+  bool carry_out_edit(const ui::Request& request);
+  bool carry_out_save(const ui::Request& request);
+  bool hold_if_unsaved(const ui::Request& request);
+  template <class Body>
+  void edit_document(const Body& body, bool in_gesture = false);
+  void save_project(const std::string& path, bool replace);
+  void export_layout(const std::string& path, bool replace);
+  [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
+  void ask_for_file(ui::FileTask task, const std::string& problem);
+  void copy_taxels();
+  void paste_taxels();
+  void start_autosave();
+  void keep_unsaved();
+  void offer_recovery();
+  void answer_recovery(bool recover);
+  [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
+  void answer_unsaved(ui::UnsavedAnswer answer);
+  [[nodiscard]] Project project_to_save() const;
   void update_title();
   void save_settings();
   void finish_outputs();
@@ -72,7 +91,10 @@ class Studio {
   bool themed_dark_ = true;
   float themed_scale_ = 0;
   int pictures_due_ = 3;
-  std::string title_;
+  std::optional<ui::Request> held_;  ///< what is to be done when unsaved edits are saved or given up
+  bool leave_unsaved_ = false;       ///< the user said so
+  Autosave autosave_;
+  std::vector<LostDocument> lost_;  ///< to be offered, the first one now
   Pace pace_;
   int draws_at_dump_ = 0;
   std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;

@@ -33,6 +33,7 @@ void Studio::carry_out_requests() {
 }
 
 void Studio::carry_out(const ui::Request& request) {
+  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request)) return;
   if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
     session_.open(r->path);
   } else if (std::holds_alternative<ui::OpenFingertipSweep>(request)) {
@@ -50,6 +51,7 @@ void Studio::carry_out(const ui::Request& request) {
     session_.run_sweep(sweep->scenario);
   } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {
     if (!session_.simulates_document()) session_.run_sweep(session_.scenario());
+    session_.hand_over();
     session_.set_playing(play->playing);
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
     session_.step_once();
@@ -70,6 +72,7 @@ void Studio::carry_out(const ui::Request& request) {
 
 void Studio::set_mode(ui::Mode mode) {
   if (mode == ui::Mode::simulate && !session_.simulates_document()) session_.run_sweep(session_.scenario());
+  if (mode == ui::Mode::simulate) session_.hand_over();
   ui_.mode = mode;
 }
 
@@ -112,9 +115,9 @@ ImVec2 Studio::locate(const Target& target) const {
   dvec3 p_W{0};
   if (const auto* world = std::get_if<WorldTarget>(&target)) p_W = world->p_W;
   if (const auto* wanted = std::get_if<TaxelTarget>(&target)) {
-    const SensorModelPtr model = input_.shown_model(ui_);
-    if (!model) throw Error("no layout is open");
-    const auto& taxels = model->layout.taxels;
+    const Layout* layout = input_.shown_layout(ui_);
+    if (layout == nullptr) throw Error("no layout is open");
+    const auto& taxels = layout->taxels;
     const auto taxel = std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == wanted->id; });
     if (taxel == taxels.end()) throw Error(fmt::format("there is no taxel {}", wanted->id));
     p_W = ui::shown_pose(ui_, input_) * taxel->center;

@@ -31,6 +31,7 @@ class Window {
   virtual void begin_picture(const ImVec4& background) = 0;  ///< binds what is drawn into and fills it
   [[nodiscard]] virtual gl::RgbImage read() const = 0;       ///< the picture drawn, before show()
   virtual void show() = 0;
+  virtual void wake() {}  ///< ends a wait in take_events(); from any thread
   virtual void set_title(const std::string& title) = 0;
   virtual void set_cursor(ImGuiMouseCursor cursor) = 0;
   virtual void set_clipboard(const std::string& text) = 0;

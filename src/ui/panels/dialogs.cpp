@@ -49,7 +49,7 @@ void draw_help(UiState& ui) {
       ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 0.18f);
       for (const Gesture& g : gestures()) help_row(g.gesture, to_string(g.context), g.label);
       for (const Binding& b : bindings()) {
-        if (b.chord != 0) help_row(chord_name(b.chord).c_str(), to_string(b.context), b.label);
+        if (b.chord != 0) help_row(chord_names(b).c_str(), to_string(b.context), b.label);
       }
       ImGui::EndTable();
     }
@@ -79,6 +79,54 @@ void draw_loading(UiState& ui, const UiInput& input) {
   ImGui::PopStyleColor();
 }
 
+void draw_unsaved_question(UiState& ui, const UiInput& input) {
+  constexpr const char* kTitle = "Unsaved changes";
+  if (ui.asks_unsaved && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_AlwaysAutoResize;
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
+  ImGui::Text("%s has changes that are not saved.", input.name.c_str());
+  ImGui::Spacing();
+  const ImVec2 size(8 * ImGui::GetFontSize(), 0);
+  std::optional<UnsavedAnswer> answer;
+  if (button(ui, "Save", size)) answer = UnsavedAnswer::save;
+  ImGui::SameLine();
+  if (button(ui, "Discard", size)) answer = UnsavedAnswer::discard;
+  ImGui::SameLine();
+  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer = UnsavedAnswer::cancel;
+  if (answer || !ui.asks_unsaved) ImGui::CloseCurrentPopup();
+  if (answer) {
+    ui.asks_unsaved = false;
+    ui.ask(AnswerUnsaved{*answer});
+  }
+  ImGui::EndPopup();
+}
+
+void draw_recovery_card(UiState& ui) {
+  constexpr const char* kTitle = "Unsaved edits were kept";
+  if (ui.recovery.empty()) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_AlwaysAutoResize;
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
+  ImGui::Text("%s was edited and not saved when the program ended.", ui.recovery.c_str());
+  ImGui::TextDisabled("%s", ui.recovery_detail.c_str());
+  ImGui::Spacing();
+  const ImVec2 size(9 * ImGui::GetFontSize(), 0);
+  std::optional<bool> recover;
+  if (button(ui, "Recover", size)) recover = true;
+  ImGui::SameLine();
+  if (button(ui, "Throw away", size)) recover = false;
+  if (recover) {
+    ImGui::CloseCurrentPopup();
+    ui.recovery.clear();
+    ui.ask(AnswerRecovery{*recover});
+  }
+  ImGui::EndPopup();
+}
+
 void draw_start_card(UiState& ui) {
   ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
@@ -87,7 +135,7 @@ void draw_start_card(UiState& ui) {
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
   ImGui::TextUnformatted("Drop a mesh or a layout here");
   ImGui::PopFont();
-  ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   MuJoCo XML");
+  ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   .taxelproj   MuJoCo XML");
   ImGui::Spacing();
   if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui);
   ImGui::SameLine();

@@ -13,7 +13,22 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr const char* kTitle = "Open a layout, a mesh or a scene";
+struct Words {
+  const char *title, *button;
+  const char* extension;  ///< that a name gets which has none
+};
+
+Words words_of(FileTask task) {
+  switch (task) {
+    case FileTask::open:
+      return {"Open a project, a layout, a mesh or a scene", "Open", ""};
+    case FileTask::save_project:
+      return {"Save the project", "Save", ".taxelproj"};
+    case FileTask::export_layout:
+      return {"Export the layout", "Export", ".taxels.json"};
+  }
+  return {"", "", ""};
+}
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -42,6 +57,19 @@ void go_to(UiState& ui, const std::string& folder) {
   ui.ask(ListFolder{folder});
 }
 
+void ask_for(UiState& ui, const std::string& path) {
+  const FileDialog& dialog = ui.dialog;
+  if (dialog.task == FileTask::open) return ui.ask(OpenFile{path});
+  const std::string extension = words_of(dialog.task).extension;
+  const std::string whole = path.ends_with(extension) ? path : path + extension;
+  const bool replace = whole == dialog.exists;
+  if (dialog.task == FileTask::save_project) {
+    ui.ask(SaveProject{whole, replace});
+  } else {
+    ui.ask(ExportLayout{whole, replace});
+  }
+}
+
 void close(UiState& ui) {
   ui.dialog.open = false;
   ImGui::CloseCurrentPopup();
@@ -57,7 +85,7 @@ void accept(UiState& ui) {
   if (folder) {
     go_to(ui, path);
   } else {
-    ui.ask(OpenFile{path});
+    ask_for(ui, path);
     close(ui);
   }
 }
@@ -122,9 +150,10 @@ void draw_path_and_buttons(UiState& ui) {
                   ImGui::GetStyle().ItemSpacing.x);
   const bool cancelled = button(ui, "Cancel", ImVec2(width, 0)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   ImGui::SameLine();
-  const bool opened = button(ui, "Open", ImVec2(width, 0));
+  const bool opened = button(ui, words_of(dialog.task).button, ImVec2(width, 0));
   if (cancelled) {
     close(ui);
+    ui.ask(DialogClosed{});
   } else if (entered || opened) {
     accept(ui);
   }
@@ -134,13 +163,14 @@ void draw_path_and_buttons(UiState& ui) {
 
 void draw_file_dialog(UiState& ui) {
   FileDialog& dialog = ui.dialog;
-  if (dialog.open && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const char* const title = words_of(dialog.task).title;
+  if (dialog.open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImVec2 size(std::min(46 * ImGui::GetFontSize(), 0.9f * viewport->Size.x),
                     std::min(30 * ImGui::GetFontSize(), 0.9f * viewport->Size.y));
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
   ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
-  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
+  if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
   ImGui::TextDisabled("%s", dialog.folder.c_str());
   ui.widgets.note_item("Folder");
   walk(dialog);

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/taxel_editor.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
@@ -52,22 +53,18 @@ std::string direction(const dvec3& v) {
 /// Distances and angles beyond these stand out.
 constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
 
-void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
-  const int index = active_index(ui.selection, model.layout);
-  if (!header(ui, "Selected taxel")) return;
-  if (index < 0 || index >= model.taxel_count()) {
-    ImGui::TextDisabled("None. Click one in the view.");
-    return;
-  }
+/// What is known of a taxel; as fields where it is edited.
+void draw_found(const UiState& ui, const UiInput& input, const SensorModel& model, int index, bool edited) {
   const auto i = static_cast<std::size_t>(index);
   const Taxel& taxel = model.layout.taxels[i];
   const Palette& colors = palette(ui.saved.dark);
-  if (!begin_properties("taxel")) return;
-  property("Id, name", taxel.name.empty() ? std::to_string(taxel.id) : fmt::format("{}, {}", taxel.id, taxel.name));
-  property("Centre (mm)",
-           fmt::format("{:.2f}, {:.2f}, {:.2f}", 1e3 * taxel.center.x, 1e3 * taxel.center.y, 1e3 * taxel.center.z));
-  property("Normal", direction(taxel.normal));
-  property("Radius", in_mm(taxel.radius));
+  if (!edited) {
+    property("Id, name", taxel.name.empty() ? std::to_string(taxel.id) : fmt::format("{}, {}", taxel.id, taxel.name));
+    property("Centre (mm)",
+             fmt::format("{:.2f}, {:.2f}, {:.2f}", 1e3 * taxel.center.x, 1e3 * taxel.center.y, 1e3 * taxel.center.z));
+    property("Normal", direction(taxel.normal));
+    property("Radius", in_mm(taxel.radius));
+  }
   if (i < ui.summary.samples_of_taxel.size()) {
     const double distance = ui.summary.distance_to_skin[i], angle = ui.summary.angle_to_skin_deg[i];
     property("Samples", grouped(ui.summary.samples_of_taxel[i]),
@@ -82,9 +79,21 @@ void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
     property("Reading", in_unit(sensor->readings[i], unit));
     if (i < input.peaks.size()) property("Peak", in_unit(input.peaks[i], unit));
   }
-  end_properties();
 }
 
+void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
+  if (!header(ui, "Selected taxel")) return;
+  const int index = active_index(ui.selection, model.layout);
+  const bool edited = ui.mode == Mode::layout && input.editing.project;
+  if (edited ? ui.selection.empty() : index < 0) {
+    ImGui::TextDisabled("None. Click one in the view.");
+    return;
+  }
+  if (!begin_properties("taxel")) return;
+  if (edited) draw_taxel_fields(ui, *input.editing.project);
+  if (index >= 0) draw_found(ui, input, model, index, edited);
+  end_properties();
+}
 void draw_sampling(UiState& ui, const SensorModel& model) {
   if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
   const ModelSummary& s = ui.summary;

@@ -54,6 +54,8 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_loading(ui, input);
   draw_toasts(ui);
   draw_file_dialog(ui);
+  draw_unsaved_question(ui, input);
+  draw_recovery_card(ui);
 }
 
 }  // namespace taxel::ui

@@ -21,13 +21,20 @@ void draw_recent_files(UiState& ui) {
   ImGui::EndMenu();
 }
 
+std::string menu_label(const Binding& binding, const UiInput& input) {
+  if (binding.action == Action::undo && !input.editing.undo.empty()) return input.editing.undo;
+  if (binding.action == Action::redo && !input.editing.redo.empty()) return input.editing.redo;
+  return binding.label;
+}
+
 void draw_menu(UiState& ui, const UiInput& input, const char* menu) {
   if (!begin_menu(ui, menu)) return;
   for (const Binding& b : bindings()) {
     if (b.menu == nullptr || std::string_view(b.menu) != menu) continue;
     if (b.separated) ImGui::Separator();
-    const bool chosen =
-        menu_item(ui, b.label, chord_name(b.chord), is_checked(b.action, ui), is_enabled(b.action, ui, input));
+    const bool chosen = menu_item(ui, menu_label(b, input).c_str(), chord_name(b.chord), is_checked(b.action, ui),
+                                  is_enabled(b.action, ui, input));
+    ui.widgets.note_item(b.label);  // also where it says what would be undone
     if (chosen) perform(b.action, ui, input);
     if (b.action == Action::open_file) draw_recent_files(ui);
   }

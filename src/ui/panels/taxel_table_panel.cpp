@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/panels/dock_layout.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
@@ -32,9 +34,12 @@ void draw_swatch(int index) {
   ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
 }
 
-void draw_row(UiState& ui, const SensorModel& model, const SensorFrameState* sensor, int index) {
-  const auto i = static_cast<std::size_t>(index);
-  const Taxel& taxel = model.layout.taxels[i];
+/// The row of a taxel; `shown`: its index in the model that is shown, which may be older than the layout, or -1.
+void draw_row(UiState& ui, const UiInput& input, const Layout& layout, const SensorModel& model,
+              const SensorFrameState* sensor, int index) {
+  const Taxel& taxel = layout.taxels[static_cast<std::size_t>(index)];
+  const bool same = index < model.taxel_count() && model.layout.taxels[static_cast<std::size_t>(index)].id == taxel.id;
+  const int shown = same ? index : index_of(model.layout, taxel.id);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   draw_swatch(index);
@@ -45,25 +50,33 @@ void draw_row(UiState& ui, const SensorModel& model, const SensorFrameState* sen
   }
   ui.widgets.note_item(fmt::format("Taxel {}", taxel.id));
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(taxel.name.c_str());
+  const Project* project = input.editing.project.get();
+  const bool hidden = ui.mode == Mode::layout && project != nullptr &&
+                      std::binary_search(project->hidden.begin(), project->hidden.end(), taxel.id);
+  const std::string name = hidden ? taxel.name + " (hidden)" : taxel.name;
+  hidden ? ImGui::TextDisabled("%s", name.c_str()) : ImGui::TextUnformatted(name.c_str());
   if (!taxel.name.empty()) tooltip(taxel.name);
   ImGui::TableNextColumn();
-  text_right(std::to_string(model.fields.first[i + 1] - model.fields.first[i]), true);
+  const auto i = static_cast<std::size_t>(std::max(0, shown));
+  if (shown >= 0) text_right(std::to_string(model.fields.first[i + 1] - model.fields.first[i]), true);
   ImGui::TableNextColumn();
-  if (sensor != nullptr && i < sensor->readings.size()) {
+  if (ui.mode == Mode::layout) {
+    text_right(fmt::format("{:.2f}", 1e3 * taxel.radius), false);
+  } else if (sensor != nullptr && i < sensor->readings.size()) {
     const double reading = sensor->readings[i];
     text_right(fmt::format("{:.2f}", shown_unit(model.layout.readout.aggregate).scale * reading), reading <= 0);
   }
 }
 
-void draw_table(UiState& ui, const UiInput& input, const SensorModel& model) {
+void draw_table(UiState& ui, const UiInput& input, const Layout& layout, const SensorModel& model) {
   constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("taxels", 4, kFlags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Id", ImGuiTableColumnFlags_WidthStretch, 0.20f);
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch, 0.42f);
   ImGui::TableSetupColumn("Samples", ImGuiTableColumnFlags_WidthStretch, 0.21f);
-  ImGui::TableSetupColumn(shown_unit(model.layout.readout.aggregate).text, ImGuiTableColumnFlags_WidthStretch, 0.17f);
+  const char* last = ui.mode == Mode::layout ? "r mm" : shown_unit(layout.readout.aggregate).text;
+  ImGui::TableSetupColumn(last, ImGuiTableColumnFlags_WidthStretch, 0.17f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (int column = 0; column < 4; ++column) {
     ImGui::TableSetColumnIndex(column);
@@ -76,9 +89,9 @@ void draw_table(UiState& ui, const UiInput& input, const SensorModel& model) {
   }
   const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
   ImGuiListClipper clipper;
-  clipper.Begin(model.taxel_count());
+  clipper.Begin(static_cast<int>(layout.taxels.size()));
   while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(ui, model, sensor, i);
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(ui, input, layout, model, sensor, i);
   }
   ImGui::EndTable();
 }
@@ -88,10 +101,11 @@ void draw_table(UiState& ui, const UiInput& input, const SensorModel& model) {
 void draw_taxel_table(UiState& ui, const UiInput& input) {
   if (begin_panel(ui, kTaxelsTitle, &ui.saved.panels.taxels)) {
     const SensorModelPtr model = input.shown_model(ui);
-    if (model && model->taxel_count() > 0) {
+    const Layout* layout = input.shown_layout(ui);
+    if (model && layout != nullptr && !layout->taxels.empty()) {
       ImGui::PushFont(nullptr, kTextHeight * kSmallText);
       ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
-      draw_table(ui, input, *model);
+      draw_table(ui, input, *layout, *model);
       ImGui::PopStyleVar();
       ImGui::PopFont();
     } else {

@@ -10,6 +10,7 @@
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/field_legend.h"
 #include "ui/panels/filtered_legend.h"
+#include "ui/panels/tool_overlay.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/widgets/controls.h"
@@ -137,6 +138,7 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   if (const SensorModelPtr model = input.shown_model(ui)) draw_field_legends(ui, ui.view.numbers, *model, bottom);
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
+  draw_tool_overlay(ui, input);
 }
 
 }  // namespace

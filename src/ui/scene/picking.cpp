@@ -23,6 +23,7 @@ struct Pointer {
 /// The nearest taxel centre that faces the eye and is not behind a solid body.
 void pick_taxel(const Pointer& p, const SensorView& view, double& nearest, Pick& out) {
   for (int k = 0; k < view.model->taxel_count(); ++k) {
+    if (view.hidden(k)) continue;
     const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(k)];
     const dvec3 center = view.X_WM * taxel.center;
     if (glm::dot(view.X_WM.rotate(taxel.normal), p.ray_W.origin - center) <= 0) continue;

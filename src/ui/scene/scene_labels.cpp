@@ -91,6 +91,7 @@ std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Ca
     const double arrow = taxel_arrow_length(*view.model);
     const bool many = view.model->taxel_count() > kManyTaxels;
     for (int k = 0; k < view.model->taxel_count(); ++k) {
+      if (view.hidden(k)) continue;
       const auto c = candidate(view, k, arrow, camera, size);
       if (c && (c->facing || c->selected || !many)) found.push_back(*c);
     }

@@ -51,6 +51,7 @@ struct SceneInput {
   int selected_sensor = 0;
   int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
+  std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending
   bool dark = true;
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };

@@ -22,10 +22,10 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
     for (std::size_t i = 0; i < models.size() && i < input.frame->sensors.size(); ++i) {
       const SensorFrameState& state = input.frame->sensors[i];
       const int index = static_cast<int>(i);
-      if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1, {}});
+      if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1, {}, {}});
     }
   } else if (input.document_model) {
-    out.push_back({0, input.document_model, nullptr, Pose{}, -1, {}});
+    out.push_back({0, input.document_model, nullptr, Pose{}, -1, {}, input.hidden_taxels});
   }
   for (SensorView& view : out) {
     if (view.index != input.selected_sensor) continue;

@@ -15,7 +15,11 @@ struct SensorView {
   Pose X_WM;
   int selected_taxel = -1;           ///< the active one; -1: none, or in another sensor
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
+  std::vector<int> hidden_taxels;    ///< ascending
 
+  [[nodiscard]] bool hidden(int taxel) const {
+    return std::binary_search(hidden_taxels.begin(), hidden_taxels.end(), taxel);
+  }
   [[nodiscard]] bool selected(int taxel) const {
     return std::binary_search(selected_taxels.begin(), selected_taxels.end(), taxel);
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/edit_actions.h"
+#include "ui/tools/gesture.h"
 
 namespace taxel::ui {
 
@@ -72,11 +74,29 @@ bool* switch_of(Action action, SavedState& saved) {
 }
 
 void escape(UiState& ui) {
-  if (ui.saved.panels.help) {
+  if (ui.tool.tool != Tool::none) {
+    cancel_tool(ui);
+  } else if (ui.saved.panels.help) {
     ui.saved.panels.help = false;
   } else {
     ui.selection.clear();
   }
+}
+
+bool counts(Context context, const UiState& ui, bool gesture) {
+  switch (context) {
+    case Context::gesture:
+      return gesture;
+    case Context::widget:
+      return false;  // the widget's own business
+    case Context::layout:
+      return !gesture && ui.mode == Mode::layout;
+    case Context::simulate:
+      return !gesture && ui.mode == Mode::simulate;
+    case Context::everywhere:
+      return !gesture;
+  }
+  return false;
 }
 
 constexpr float kScaleStep = 1.1f, kLeastScale = 0.6f, kLargestScale = 2.5f;
@@ -133,15 +153,21 @@ void add_message(UiState& ui, Severity severity, std::string text, double now) {
   ui.messages.push_back(std::move(message));
 }
 
-void open_dialog(UiState& ui) {
+void begin_dialog(UiState& ui, FileTask task) {
+  ui.dialog.task = task;
   ui.dialog.open = ui.dialog.wants_focus = true;
   ui.dialog.path.clear();
   ui.dialog.filter.clear();
+  ui.dialog.exists.clear();
+}
+
+void open_dialog(UiState& ui) {
+  begin_dialog(ui, FileTask::open);
   ui.ask(ListFolder{ui.dialog.folder});
 }
 
 void perform(Action action, UiState& ui, const UiInput& input) {
-  if (!is_enabled(action, ui, input) || perform_on_interface(action, ui)) return;
+  if (!is_enabled(action, ui, input) || perform_on_interface(action, ui) || perform_edit(action, ui, input)) return;
   switch (action) {
     case Action::open_file:
       open_dialog(ui);
@@ -182,15 +208,6 @@ void perform(Action action, UiState& ui, const UiInput& input) {
     case Action::mode_simulate:
       ui.ask(SetMode{Mode::simulate});
       break;
-    case Action::select_all:
-      ui.selection.set_all(input.shown_model(ui)->layout);
-      break;
-    case Action::select_none:
-      ui.selection.clear();
-      break;
-    case Action::invert_selection:
-      ui.selection.invert(input.shown_model(ui)->layout);
-      break;
     case Action::frame_all:
       ui.camera().frame(scene_box(ui, input));
       break;
@@ -225,19 +242,12 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
       return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
     case Action::reload_file:
       return !input.file.empty();
-    case Action::select_all:
-    case Action::invert_selection: {
-      const SensorModelPtr model = input.shown_model(ui);
-      return model && model->taxel_count() > 0;
-    }
-    case Action::select_none:
-      return !ui.selection.empty();
     case Action::frame_all:
       return !scene_box(ui, input).empty();
     case Action::frame_selection:
       return !selection_box(ui, input).empty();
     default:
-      return true;
+      return is_edit_enabled(action, ui, input);
   }
 }
 
@@ -245,13 +255,18 @@ void handle_keys(UiState& ui, const UiInput& input) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     return;
+  // What a gesture has begun with takes all keys until it ends, which may be within this loop.
+  const bool gesture = ui.tool.follows();
+  if (gesture) type_number(ui);
   for (const Binding& b : bindings()) {
-    if (b.chord == 0) continue;
-    if (b.context == Context::layout && ui.mode != Mode::layout) continue;
-    if (b.context == Context::simulate && ui.mode != Mode::simulate) continue;
-    const auto key = static_cast<ImGuiKey>(b.chord & ~ImGuiMod_Mask_);
-    const int mods = b.chord & ImGuiMod_Mask_;
-    if (io.KeyMods == mods && ImGui::IsKeyPressed(key, b.repeats)) perform(b.action, ui, input);
+    if (!counts(b.context, ui, gesture)) continue;
+    for (const int chord : {b.chord, b.also}) {
+      // While a gesture runs, Shift and Ctrl are its own: they make it finer, and snap.
+      if (chord != 0 && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
+          ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), b.repeats)) {
+        perform(b.action, ui, input);
+      }
+    }
   }
 }
 

@@ -18,7 +18,8 @@ void handle_keys(UiState& ui, const UiInput& input);
 /// What a click on a taxel does, wherever it is shown: it selects it alone, or with Shift also, or not any more.
 void click_taxel(UiState& ui, int id, bool shift);
 
-/// The file dialog, with empty fields.
+/// The file dialog, with empty fields; and its folder listed.
+void begin_dialog(UiState& ui, FileTask task);
 void open_dialog(UiState& ui);
 
 void add_message(UiState& ui, Severity severity, std::string text, double now);

@@ -2,10 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/scene/gizmo.h"
 #include "ui/tools/actions.h"
+#include "ui/tools/gesture.h"
 
 namespace taxel::ui {
 
@@ -39,6 +41,14 @@ void count_clicks(UiState& ui) {
   ui.clicks.right_double += ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right) ? 1 : 0;
 }
 
+void turn_wheel(UiState& ui, const UiInput& input, double notches) {
+  if (ImGui::GetIO().KeyCtrl && can_edit(ui, input)) {
+    resize_by_wheel(ui, input, notches);
+  } else {
+    ui.camera().zoom(notches);
+  }
+}
+
 /// A press and release at the same place, as ImGui tells clicks from drags.
 bool clicked_in_place(ImGuiMouseButton button) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -69,6 +79,12 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   if (const SensorModelPtr model = input.shown_model(ui)) {
     scene.selected_taxel = active_index(ui.selection, model->layout);
     scene.selected_taxels = selected_indices(ui.selection, model->layout);
+  }
+  if (ui.mode == Mode::layout && input.editing.project && input.model) {
+    for (const int id : input.editing.project->hidden) {
+      if (const int index = index_of(input.model->layout, id); index >= 0) scene.hidden_taxels.push_back(index);
+    }
+    std::sort(scene.hidden_taxels.begin(), scene.hidden_taxels.end());
   }
   scene.dark = ui.saved.dark;
   return scene;
@@ -116,17 +132,21 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   const double x = static_cast<double>(io.MousePos.x - ui.view.rect.x0);
   const double y = static_cast<double>(io.MousePos.y - ui.view.rect.y0);
   const bool hovered = ImGui::IsItemHovered();
-  if (ImGui::IsItemActive()) drag_camera(ui);
   ui.hovered.reset();
+  if (hovered) count_clicks(ui);
+  if (hovered && io.MouseWheel != 0) turn_wheel(ui, input, static_cast<double>(io.MouseWheel));
+  if (handle_tool_mouse(ui, input, x, y, hovered)) return;
+  if (ImGui::IsItemActive()) drag_camera(ui);
   if (!hovered) return;
-  count_clicks(ui);
-  if (io.MouseWheel != 0) ui.camera().zoom(static_cast<double>(io.MouseWheel));
   const int axis = gizmo_hit(ui.camera(), x, y, ui.view.width, ui.view.height);
   const bool left = clicked_in_place(ImGuiMouseButton_Left);
   const bool centre = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right);
   if (axis >= 0) {
     if (left) look_from_axis(ui.camera(), axis);
     return;
+  }
+  if (left && (io.KeyCtrl || ui.tool.tool == Tool::place) && can_edit(ui, input)) {
+    return place_taxel(ui, input, x, y);
   }
   const bool resting = !ImGui::IsAnyMouseDown() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip);
   if (!left && !centre && !resting) return;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace taxel::ui {
 
@@ -52,6 +54,19 @@ std::string grouped(long long count) {
     digits.insert(static_cast<std::size_t>(i), 1, ' ');
   }
   return digits;
+}
+
+double shifted_decimal(double value, int exponent) {
+  std::array<char, 64> text;
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
+  const std::string_view digits(text.data(), static_cast<std::size_t>(written.ptr - text.data()));
+  const std::size_t e = digits.find('e');
+  if (e == std::string_view::npos) return value;  // no finite number
+  const std::string shifted =
+      fmt::format("{}e{}", digits.substr(0, e), std::stoi(std::string(digits.substr(e + 1))) + exponent);
+  double result = 0;
+  std::from_chars(shifted.data(), shifted.data() + shifted.size(), result);
+  return result;
 }
 
 double nice_ceiling(double value) {

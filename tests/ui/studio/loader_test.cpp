@@ -52,7 +52,8 @@ LoadResult watched(Loader& loader, std::set<double>& seen) {
 
 TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
   const std::string file = layout_of_density(2e7);
-  Loader loader;
+  SensorCache cache;
+  Loader loader(cache);
   EXPECT_FALSE(loader.busy());
   loader.start(file);
   EXPECT_TRUE(loader.busy() && loader.loading());
@@ -82,7 +83,8 @@ TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
 
 TEST(Loader, AReloadAfterAnEditOfTaxelsKeepsThePolishedSamples) {
   const std::string file = layout_of_density(1e6);
-  Loader loader;
+  SensorCache cache;
+  Loader loader(cache);
   loader.start(file);
   next(loader);
   const SensorModelPtr before = std::get<Polished>(next(loader)).model;
@@ -101,7 +103,8 @@ TEST(Loader, AReloadAfterAnEditOfTaxelsKeepsThePolishedSamples) {
 TEST(Loader, CancelEndsALoadThatHasBegun) {
   std::chrono::steady_clock::time_point cancelled;
   {
-    Loader loader;
+    SensorCache cache;
+    Loader loader(cache);
     loader.start(layout_of_density(1e8));
     while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
     loader.cancel();
@@ -115,7 +118,8 @@ TEST(Loader, CancelEndsALoadThatHasBegun) {
 }
 
 TEST(Loader, CancelOfPolishingKeepsTheDocument) {
-  Loader loader;
+  SensorCache cache;
+  Loader loader(cache);
   loader.start(layout_of_density(1e7));
   const Document document = std::get<Document>(next(loader));
   while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
@@ -128,7 +132,8 @@ TEST(Loader, CancelOfPolishingKeepsTheDocument) {
 }
 
 TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
-  Loader loader;
+  SensorCache cache;
+  Loader loader(cache);
   loader.start(layout_of_density(1e5));
   loader.wait();
   loader.cancel();
@@ -141,7 +146,8 @@ TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
 }
 
 TEST(Loader, AFailureOfPolishingIsTold) {
-  Loader loader;
+  SensorCache cache;
+  Loader loader(cache);
   loader.start(layout_of_density(1e5));
   Document document = std::get<Document>(next(loader));
   document.compile = [](const SensorBuild&) -> SensorModelPtr { throw std::runtime_error("no memory"); };
@@ -153,7 +159,8 @@ TEST(Loader, AFailureOfPolishingIsTold) {
 }
 
 TEST(Loader, AnotherLoadTakesTheFirstOnesPlace) {
-  Loader loader;
+  SensorCache cache;
+  Loader loader(cache);
   loader.start(layout_of_density(1e8));
   loader.start("nothing.obj");
   const LoadResult result = next(loader);

@@ -118,8 +118,9 @@ TEST(RealWindow, DrawsTheSweepByTheClock) {
   const StudioProgram studio;
   const Outcome outcome =
       run_program("/usr/bin/env",
-                  {"XDG_CONFIG_HOME=" + studio.folder().string(), "xvfb-run", "-a", "-s", "-screen 0 1400x900x24",
-                   STUDIO_PROGRAM, "--frames", "60", "--screenshot", "window.png", "--dump-state", "window.json"},
+                  {"XDG_CONFIG_HOME=" + studio.folder().string(), "XDG_STATE_HOME=" + studio.folder().string(),
+                   "xvfb-run", "-a", "-s", "-screen 0 1400x900x24", STUDIO_PROGRAM, "--frames", "60", "--screenshot",
+                   "window.png", "--dump-state", "window.json"},
                   studio.folder());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(studio.picture("window.png").width, 1280);

@@ -82,6 +82,16 @@ TEST(Format, NumbersAsPeopleReadThem) {
   EXPECT_EQ(duration_text(0.01234), "12.34 ms");
 }
 
+TEST(Format, ShiftedDecimalsAreWhatOneWouldWrite) {
+  EXPECT_EQ(shifted_decimal(4.2, -3), 0.0042);
+  EXPECT_EQ(shifted_decimal(-6.5, -3), -0.0065);
+  EXPECT_EQ(shifted_decimal(0.0042, 3), 4.2);
+  EXPECT_EQ(shifted_decimal(1e-5, -3), 1e-8);
+  EXPECT_EQ(shifted_decimal(1e22, 3), 1e25);
+  EXPECT_EQ(shifted_decimal(0, -3), 0);
+  EXPECT_EQ(shifted_decimal(7, 0), 7);
+}
+
 TEST(Status, PaceIsShownOnlyWhileTheSimulationMoves) {
   UiInput input;
   input.playing = true;

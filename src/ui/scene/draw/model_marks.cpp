@@ -56,7 +56,8 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
   return out;
 }
 
-ModelMarks::ModelMarks(SensorModelPtr model, const Look& look) : model_(std::move(model)), look_(&look) {
+ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look)
+    : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look) {
   const TriMesh& skin = model_->skin->mesh();
   if (!model_->samples.empty()) spacing_ = std::sqrt(skin.area() / static_cast<double>(model_->samples.size()));
   find_rings();
@@ -64,6 +65,7 @@ ModelMarks::ModelMarks(SensorModelPtr model, const Look& look) : model_(std::mov
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (int k = 0; k < model_->taxel_count(); ++k) {
+    if (hides(k)) continue;
     append_ring(k, width, rings);
     arrows.push_back(arrow_segment(k, kArrowWidth));
     centers.push_back(center_mark(k));
@@ -97,6 +99,7 @@ void ModelMarks::select(const std::vector<int>& taxels) {
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (const int k : taxels) {
+    if (hides(k)) continue;
     append_ring(k, kSelectedRingWidth, rings);
     arrows.push_back(arrow_segment(k, kSelectedArrowWidth));
     centers.push_back(center_mark(k));

@@ -1,6 +1,7 @@
 // What is drawn of one sensor model and does not change with the simulation: samples, taxels, receptive fields.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "ui/scene/draw/look.h"
@@ -18,9 +19,10 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
 /// Lies on the card; built once for a model, and for selected taxels what shows the selection.
 class ModelMarks {
  public:
-  ModelMarks(SensorModelPtr model, const Look& look);
-  [[nodiscard]] bool is_for(const SensorModelPtr& model, const Look& look) const {
-    return model == model_ && &look == look_;
+  /// `hidden`: taxels that are left out, ascending.
+  ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look);
+  [[nodiscard]] bool is_for(const SensorModelPtr& model, const std::vector<int>& hidden, const Look& look) const {
+    return model == model_ && hidden == hidden_ && &look == look_;
   }
   /// Ascending.
   void select(const std::vector<int>& taxels);
@@ -42,12 +44,14 @@ class ModelMarks {
   [[nodiscard]] const Selected& selected() const { return selected_marks_; }
 
  private:
+  [[nodiscard]] bool hides(int taxel) const { return std::binary_search(hidden_.begin(), hidden_.end(), taxel); }
   void find_rings();
   void append_ring(int taxel, float width, Segments& out) const;
   [[nodiscard]] Segment arrow_segment(int taxel, float width) const;
   [[nodiscard]] PointMark center_mark(int taxel) const;
 
   SensorModelPtr model_;
+  std::vector<int> hidden_;
   const Look* look_;
   std::vector<std::vector<RingPiece>> rings_of_;  // by taxel
   PointBuffer samples_, centers_;

@@ -30,7 +30,9 @@ bool far_side_seen(const SceneInput& input, const SensorView& view) {
 
 ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look) {
   std::unique_ptr<ModelMarks>& marks = marks_[view.index];
-  if (!marks || !marks->is_for(view.model, look)) marks = std::make_unique<ModelMarks>(view.model, look);
+  if (!marks || !marks->is_for(view.model, view.hidden_taxels, look)) {
+    marks = std::make_unique<ModelMarks>(view.model, view.hidden_taxels, look);
+  }
   marks->select(view.selected_taxels);
   return *marks;
 }

@@ -1,0 +1,81 @@
+// Unsaved edits on disk, so that a crash loses little: written by a thread of its own, atomically, and offered again at
+// the next start.
+//
+// Each running program keeps its document in a file of its own in the folder, NAME.taxelproj, beside NAME.lock that it
+// holds while it lives: what nobody holds was left behind. NAME.origin says what the document was.
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/project/project.h"
+
+namespace taxel::studio {
+
+/// A document that a program left behind.
+struct LostDocument {
+  std::filesystem::path file;  ///< of the kept project
+  std::string name;            ///< of the document
+  std::string origin;          ///< file that it was opened from; empty: none
+  std::string when;            ///< "2026-11-22 13:05:09", local time
+};
+
+class Autosave {
+ public:
+  /// Keeps nothing before start().
+  explicit Autosave(double every_seconds) : every_(every_seconds) {}
+  ~Autosave();  ///< leaves what is kept, for the next start
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
+
+  /// Throws Error where the folder cannot be written.
+  void start(const std::filesystem::path& folder);
+  [[nodiscard]] bool started() const { return lock_ >= 0; }
+
+  /// To be called often. Unsaved: keeps the project soon, at the latest when so many seconds of edits are not kept.
+  /// Saved, or none: what was kept is thrown away. Never waits. Returns why the last writing failed, once.
+  std::string update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
+                     const std::string& origin, double now);
+
+  /// The program ends as it should: what is kept is thrown away.
+  void end();
+
+  /// What was left behind is edited here now: it is kept with the next update, and only then forgotten.
+  void take_over(const LostDocument& lost) { taken_over_ = lost; }
+
+  /// What was left behind, newest first; what nobody holds and holds nothing is cleared away.
+  [[nodiscard]] std::vector<LostDocument> lost() const;
+  static void forget(const LostDocument& lost);
+
+ private:
+  struct Job {
+    ProjectPtr project;  ///< null: throw away what is kept
+    std::string name, origin;
+    std::optional<LostDocument> forget;
+  };
+  void stop();
+  void run();
+  void write(const Job& job) const;
+  void send(Job job);
+
+  double every_;
+  std::filesystem::path folder_, file_;
+  int lock_ = -1;
+  std::optional<double> unkept_since_;
+  std::uint64_t kept_ = 0;  ///< revision
+  std::optional<LostDocument> taken_over_;
+
+  std::mutex mutex_;  // guards the rest
+  std::condition_variable asked_;
+  std::optional<Job> next_;
+  std::string failure_;
+  bool ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace taxel::studio

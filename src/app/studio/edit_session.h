@@ -1,0 +1,53 @@
+// The document that is edited: its history, and the models that are compiled of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/studio/model_worker.h"
+#include "core/project/history.h"
+#include "ui/ui_state.h"
+
+namespace taxel::studio {
+
+class EditSession {
+ public:
+  EditSession(SensorCache& cache, std::function<void()> wake) : worker_(cache, std::move(wake)) {}
+
+  /// Another document, which `model` was compiled of: saved, with no step to undo.
+  void open(ProjectPtr project, TriMeshPtr mesh, std::string mesh_sha256, std::string file);
+  void close();
+  [[nodiscard]] bool is_open() const { return history_.has_value(); }
+
+  /// Edits throw Error as History::apply does, and then nothing has changed.
+  void edit(const Edit& edit, taxel::Gesture gesture = {});
+  void cancel(std::uint64_t gesture);
+  void end_gesture();
+  void undo();
+  void redo();
+
+  [[nodiscard]] const ProjectPtr& project() const { return history_->project(); }
+  [[nodiscard]] std::uint64_t revision() const { return history_->revision(); }
+  [[nodiscard]] bool dirty() const { return history_ && history_->dirty(); }
+  void mark_saved() { history_->mark_saved(); }
+  void mark_unsaved() { history_->mark_unsaved(); }
+
+  /// The newest model of what is edited, once; the one before stays good until then.
+  SensorModelPtr take_model();
+  void wait() { worker_.wait(); }
+  [[nodiscard]] bool building() const { return worker_.busy(); }
+
+  void fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const;
+
+ private:
+  void rebuild();
+
+  std::optional<History> history_;
+  TriMeshPtr mesh_;
+  std::string mesh_sha256_, file_;
+  std::uint64_t compiled_ = 0;  ///< revision of the model that was taken last
+  std::string problem_;         ///< why the present project cannot be compiled
+  ModelWorker worker_;          // last: it ends first
+};
+
+}  // namespace taxel::studio

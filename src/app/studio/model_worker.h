@@ -1,0 +1,71 @@
+// The worker thread that compiles what is edited: the newest layout wins, so that a drag is followed as fast as models
+// can be built, and nobody waits for those in between.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/project/project.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel::studio {
+
+/// What is to be compiled.
+struct ModelJob {
+  std::uint64_t revision = 0;  ///< of the project, as History numbers them
+  ProjectPtr project;
+  TriMeshPtr mesh;
+  std::string mesh_sha256;
+  std::string file;  ///< names the layout in messages
+};
+
+/// What came of it.
+struct BuiltModel {
+  std::uint64_t revision = 0;
+  SensorModelPtr model;  ///< null: see `problem`
+  std::string problem;   ///< why the layout cannot be compiled
+};
+
+class ModelWorker {
+ public:
+  /// `wake` is called from the worker when there is something to take.
+  ModelWorker(SensorCache& cache, std::function<void()> wake);
+  ~ModelWorker();  ///< cancels and waits
+  ModelWorker(const ModelWorker&) = delete;
+  ModelWorker& operator=(const ModelWorker&) = delete;
+
+  /// A preview of it comes first where polished samples are not at hand, and then the same polished. A job that has not
+  /// begun is dropped for this one, a preview under way is finished and told, polishing is cancelled.
+  void build(ModelJob job);
+  void clear();  ///< no job any more: nothing that was asked for is told
+  /// The newest result, once.
+  std::optional<BuiltModel> take();
+  void wait();                      ///< until take() has something, or nothing is to be done
+  [[nodiscard]] bool busy() const;        ///< something is built, or lies ready
+  [[nodiscard]] bool polishing() const;   ///< the samples of what was told last
+  [[nodiscard]] double fraction() const;  ///< of polishing
+
+ private:
+  void run();
+  void compile(const ModelJob& job, std::unique_lock<std::mutex>& lock);
+  /// Without the lock; null: cancelled.
+  std::optional<BuiltModel> attempt(const ModelJob& job, SampleQuality quality, Progress& progress);
+
+  SensorCache& cache_;
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;  // guards the rest
+  std::condition_variable asked_, told_;
+  std::optional<ModelJob> next_;
+  std::optional<BuiltModel> ready_;
+  std::shared_ptr<Progress> polish_;  ///< of the polishing under way
+  std::uint64_t dropped_ = 0;         ///< counts clear(): what began before is not told
+  bool working_ = false, ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace taxel::studio

@@ -1,0 +1,67 @@
+// Edits, undo and the clipboard, as panels, tools and keys ask for them.
+#include "app/studio/studio.h"
+#include "core/layout/taxel_clipboard.h"
+#include "ui/tools/actions.h"
+
+namespace taxel::studio {
+
+/// What an edit refuses is told, and nothing has changed then: where the gesture that makes it shows it, or as a
+/// message.
+template <class Body>
+void Studio::edit_document(const Body& body, bool in_gesture) {
+  if (!session_.edits().is_open()) return;
+  try {
+    body(session_.edits());
+    ui_.tool.problem.clear();
+  } catch (const Error& error) {
+    if (in_gesture) {
+      ui_.tool.problem = error.what();
+    } else {
+      ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    }
+    return;
+  }
+  session_.after_edit(ui_.mode == ui::Mode::simulate);
+  ui_.selection.keep_only(session_.edits().project()->layout);
+}
+
+bool Studio::carry_out_edit(const ui::Request& request) {
+  if (const auto* edit = std::get_if<ui::EditProject>(&request)) {
+    edit_document([&](EditSession& edits) { edits.edit(edit->edit, edit->gesture); }, edit->gesture.number != 0);
+  } else if (const auto* cancelled = std::get_if<ui::CancelGesture>(&request)) {
+    edit_document([&](EditSession& edits) { edits.cancel(cancelled->number); });
+  } else if (std::holds_alternative<ui::EndGesture>(request)) {
+    session_.edits().end_gesture();
+  } else if (std::holds_alternative<ui::UndoStep>(request)) {
+    edit_document([](EditSession& edits) { edits.undo(); });
+  } else if (std::holds_alternative<ui::RedoStep>(request)) {
+    edit_document([](EditSession& edits) { edits.redo(); });
+  } else if (std::holds_alternative<ui::CopyTaxels>(request)) {
+    copy_taxels();
+  } else if (std::holds_alternative<ui::PasteTaxels>(request)) {
+    paste_taxels();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Studio::copy_taxels() {
+  if (!session_.edits().is_open()) return;
+  const Layout& layout = session_.edits().project()->layout;
+  std::vector<Taxel> taxels;
+  for (const int index : ui::selected_indices(ui_.selection, layout))
+    taxels.push_back(layout.taxels[static_cast<std::size_t>(index)]);
+  if (!taxels.empty()) window_->set_clipboard(taxels_to_json(taxels));
+}
+
+void Studio::paste_taxels() {
+  edit_document([&](EditSession& edits) {
+    const std::vector<Taxel> taxels = with_unused_ids(parse_taxels(window_->clipboard()), edits.project()->layout);
+    edits.edit(AddTaxels{taxels, std::nullopt});
+    ui_.selection.clear();
+    for (const Taxel& taxel : taxels) ui_.selection.add(taxel.id);
+  });
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,166 @@
+// Saving, exporting, and what happens to unsaved edits when the document is left.
+#include <fmt/format.h>
+
+#include "app/studio/file_listing.h"
+#include "app/studio/project_files.h"
+#include "app/studio/settings.h"
+#include "app/studio/studio.h"
+#include "ui/tools/actions.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// What leaves the document that is open.
+bool leaves_document(const ui::Request& request) {
+  return std::holds_alternative<ui::OpenFile>(request) || std::holds_alternative<ui::OpenFingertipSweep>(request) ||
+         std::holds_alternative<ui::CloseDocument>(request) || std::holds_alternative<ui::ReloadFile>(request) ||
+         std::holds_alternative<ui::Quit>(request);
+}
+
+}  // namespace
+
+bool Studio::hold_if_unsaved(const ui::Request& request) {
+  if (!leaves_document(request) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;
+  held_ = request;
+  ui_.asks_unsaved = true;
+  return true;
+}
+
+void Studio::answer_unsaved(ui::UnsavedAnswer answer) {
+  ui_.asks_unsaved = false;
+  if (!held_) return;
+  if (answer == ui::UnsavedAnswer::save) {
+    save_project("", false);
+  } else if (answer == ui::UnsavedAnswer::discard) {
+    leave_unsaved_ = true;
+    ui_.ask(*std::exchange(held_, std::nullopt));
+  } else {
+    held_.reset();
+  }
+}
+
+bool Studio::carry_out_save(const ui::Request& request) {
+  if (const auto* save = std::get_if<ui::SaveProject>(&request)) {
+    save_project(save->path, save->replace);
+  } else if (std::holds_alternative<ui::SaveProjectAs>(request)) {
+    ask_for_file(ui::FileTask::save_project, "");
+  } else if (const auto* layout = std::get_if<ui::ExportLayout>(&request)) {
+    export_layout(layout->path, layout->replace);
+  } else if (std::holds_alternative<ui::DialogClosed>(request)) {
+    held_.reset();
+  } else if (const auto* answer = std::get_if<ui::AnswerUnsaved>(&request)) {
+    answer_unsaved(answer->answer);
+  } else if (const auto* found = std::get_if<ui::AnswerRecovery>(&request)) {
+    answer_recovery(found->recover);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// The document with the camera as it stands.
+Project Studio::project_to_save() const {
+  Project project = *session_.edits().project();
+  const ui::Camera& camera = ui_.cameras[0];
+  project.view = View{camera.target, camera.azimuth_deg, camera.elevation_deg, camera.distance, camera.fov_deg};
+  return project;
+}
+
+void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
+  if (!session_.edits().is_open()) return;
+  const bool again = ui_.dialog.task == task && !problem.empty();
+  const std::string typed = ui_.dialog.path;
+  ui::begin_dialog(ui_, task);
+  const SuggestedFile suggested = suggested_file(session_.file(), input_.name, task == ui::FileTask::save_project);
+  list_folder(ui_.dialog, suggested.folder.empty() || again ? ui_.dialog.folder : suggested.folder);
+  ui_.dialog.path = again ? typed : suggested.name;
+  ui_.dialog.error = problem;
+}
+
+/// Asks once more before another file is lost.
+bool Studio::may_write(const std::string& path, ui::FileTask task, bool replace) {
+  std::error_code ignored;
+  const bool own = !session_.file().empty() && std::filesystem::equivalent(path, session_.file(), ignored);
+  if (replace || own || !std::filesystem::exists(path, ignored)) return true;
+  const std::string name = std::filesystem::path(path).filename().string();
+  ask_for_file(task, name + " exists. The same again replaces it.");
+  ui_.dialog.path = path;
+  ui_.dialog.exists = path;
+  return false;
+}
+
+void Studio::save_project(const std::string& path, bool replace) {
+  if (!session_.edits().is_open()) return;
+  const bool known = session_.kind() == DocumentKind::project;
+  if (path.empty() && !known) return ask_for_file(ui::FileTask::save_project, "");
+  const std::string file = path.empty() ? session_.file() : path;
+  if (!may_write(file, ui::FileTask::save_project, replace)) return;
+  try {
+    write_project(file, with_mesh_on_disk(project_to_save(), file));
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    return ask_for_file(ui::FileTask::save_project, error.what());
+  }
+  session_.saved_as(file);
+  remember_recent(ui_.saved, file);
+  ui::add_message(ui_, Severity::note, "Saved " + file, ImGui::GetTime());
+  if (held_) ui_.ask(*std::exchange(held_, std::nullopt));
+}
+
+void Studio::export_layout(const std::string& path, bool replace) {
+  if (!session_.edits().is_open()) return;
+  if (path.empty()) return ask_for_file(ui::FileTask::export_layout, "");
+  if (!may_write(path, ui::FileTask::export_layout, replace)) return;
+  try {
+    taxel::export_layout(path, with_mesh_on_disk(*session_.edits().project(), path));
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    return ask_for_file(ui::FileTask::export_layout, error.what());
+  }
+  ui::add_message(ui_, Severity::note, "Exported " + path, ImGui::GetTime());
+}
+
+void Studio::start_autosave() {
+  const std::filesystem::path folder =
+      options_.state_dir.empty() ? state_folder() : std::filesystem::path(options_.state_dir);
+  try {
+    autosave_.start(folder / "autosave");
+    lost_ = autosave_.lost();
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::warning, error.what(), 0);
+  }
+  offer_recovery();
+}
+
+void Studio::keep_unsaved() {
+  if (!autosave_.started()) return;
+  const bool dirty = session_.edits().dirty();
+  const std::string failure =
+      autosave_.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
+                       input_.name, session_.file(), ImGui::GetTime());
+  if (!failure.empty()) ui::add_message(ui_, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
+}
+
+void Studio::offer_recovery() {
+  ui_.recovery.clear();
+  if (lost_.empty()) return;
+  const LostDocument& lost = lost_.front();
+  ui_.recovery = lost.name;
+  ui_.recovery_detail = fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
+}
+
+void Studio::answer_recovery(bool recover) {
+  if (lost_.empty()) return;
+  const LostDocument lost = lost_.front();
+  lost_.erase(lost_.begin());
+  if (recover) {
+    autosave_.take_over(lost);
+    session_.recover(lost);
+  } else {
+    Autosave::forget(lost);
+  }
+  offer_recovery();
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,112 @@
+#include "ui/panels/tool_overlay.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "ui/theme.h"
+#include "ui/tools/camera_tool.h"
+#include "ui/tools/gesture.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr int kRingPieces = 64;
+
+ImVec2 on_screen(const UiState& ui, const dvec3& p_W) {
+  const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
+  return {ui.view.rect.x0 + static_cast<float>(pixel.x), ui.view.rect.y0 + static_cast<float>(pixel.y)};
+}
+
+/// The ghost of a taxel: its centre, its normal, and its field as a circle in the tangent plane.
+void draw_ghost(const UiState& ui, const UiInput& input, ImDrawList& list) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool placing = ui.tool.tool == Tool::place || (ui.tool.tool == Tool::none && io.KeyCtrl);
+  const bool over = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
+  if (!placing || !over) return;
+  const double x = static_cast<double>(io.MousePos.x - ui.view.rect.x0);
+  const double y = static_cast<double>(io.MousePos.y - ui.view.rect.y0);
+  const auto ghost = placement_ghost(ui, input, x, y);
+  if (!ghost) return;
+  const Pose X_WM = shown_pose(ui, input);
+  const Taxel& taxel = ghost->taxel;
+  const dvec3 n = taxel.normal, helper = std::abs(n.x) < 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+  const dvec3 u = glm::normalize(glm::cross(n, helper)), v = glm::cross(n, u);
+  const ImU32 color = to_u32(palette(ui.saved.dark).accent);
+  std::array<ImVec2, kRingPieces> ring;
+  for (int i = 0; i < kRingPieces; ++i) {
+    const double angle = 2 * glm::pi<double>() * i / kRingPieces;
+    const dvec3 p = taxel.center + taxel.radius * (std::cos(angle) * u + std::sin(angle) * v);
+    ring[static_cast<std::size_t>(i)] = on_screen(ui, X_WM * p);
+  }
+  list.AddPolyline(ring.data(), kRingPieces, color, 1.6f, ImDrawFlags_Closed);
+  const ImVec2 center = on_screen(ui, X_WM * taxel.center);
+  list.AddLine(center, on_screen(ui, X_WM * (taxel.center + 0.7 * taxel.radius * n)), color, 2.0f);
+  list.AddCircleFilled(center, 4, color);
+  ImGui::SetTooltip("%s\n%s samples", in_mm(taxel.radius).c_str(), grouped(ghost->samples).c_str());
+}
+
+void draw_box(const UiState& ui, ImDrawList& list) {
+  if (ui.tool.tool != Tool::box || !ui.tool.corner) return;
+  const Palette& colors = palette(ui.saved.dark);
+  const ImVec2 a(ui.view.rect.x0 + static_cast<float>(ui.tool.corner->x),
+                 ui.view.rect.y0 + static_cast<float>(ui.tool.corner->y));
+  const ImVec2 b = ImGui::GetIO().MousePos;
+  const ImVec2 lo(std::min(a.x, b.x), std::min(a.y, b.y)), hi(std::max(a.x, b.x), std::max(a.y, b.y));
+  list.AddRectFilled(lo, hi, to_u32(colors.accent, 0.12f));
+  list.AddRect(lo, hi, to_u32(colors.accent), 0, 1.4f);
+}
+
+/// What the tool does now and which keys it knows; empty: no tool.
+std::string hint_of(const ToolState& tool) {
+  const std::string typed = tool.input.typed.empty() ? "" : "   [" + tool.input.typed + "]";
+  constexpr const char* kEnd = "   Enter accepts, Esc cancels";
+  switch (tool.tool) {
+    case Tool::none:
+      return {};
+    case Tool::place:
+      return "Place: click on the surface   Esc ends";
+    case Tool::slide:
+      return "Slide: " + tool.value + "   Ctrl corners, Shift finer, Esc cancels";
+    case Tool::move:
+      return "Move: " + tool.value + typed + "   X Y Z, digits (mm), Ctrl snaps, Shift finer" + kEnd;
+    case Tool::turn:
+      return "Turn: " + tool.value + typed + "   X Y Z, digits (\u00b0), Ctrl snaps, Shift finer" + kEnd;
+    case Tool::resize:
+      return "Radius: " + tool.value + typed + "   digits (mm), Ctrl snaps, Shift finer" + kEnd;
+    case Tool::box:
+      return "Box: drag around taxels   Shift adds, Ctrl takes out, Esc cancels";
+  }
+  return {};
+}
+
+/// A line of text below the heading of the view; lines go down.
+void draw_line(const UiState& ui, ImDrawList& list, int row, const std::string& text, const ImVec4& color) {
+  const float line = ImGui::GetFontSize();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at(ui.view.rect.x0 + 0.8f * line,
+                  std::round(ui.view.rect.y0 + 2.9f * line + 1.7f * line * static_cast<float>(row)));
+  list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
+                     to_u32(palette(ui.saved.dark).panel, 0.85f), 3);
+  list.AddText(at, to_u32(color), text.c_str());
+}
+
+}  // namespace
+
+void draw_tool_overlay(const UiState& ui, const UiInput& input) {
+  if (ui.mode != Mode::layout) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Palette& colors = palette(ui.saved.dark);
+  draw_ghost(ui, input, list);
+  draw_box(ui, list);
+  int row = 0;
+  if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_line(ui, list, row++, hint, colors.text);
+  const std::string& problem = ui.tool.problem.empty() ? input.editing.problem : ui.tool.problem;
+  if (!problem.empty()) draw_line(ui, list, row++, problem, colors.error);
+}
+
+}  // namespace taxel::ui

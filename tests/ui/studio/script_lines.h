@@ -1,0 +1,56 @@
+// Lines of scripts, as tests of editing write them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/math.h"
+#include "studio_program.h"
+
+namespace taxel::test {
+
+using Lines = std::vector<std::string>;
+
+inline const std::string kMeshFile = TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj";
+inline const std::string kLayoutFile = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json";
+inline const std::string kIdle = R"({"do": "wait_idle"})";
+inline const std::string kLayoutMode = R"({"event": "key", "key": "1", "mods": ["ctrl"]})";
+inline const std::string kCtrl = R"("ctrl")", kShift = R"("shift")", kCtrlShift = R"("ctrl", "shift")";
+
+inline std::string dump(const std::string& name) {
+  return R"({"do": "dump_state", "file": ")" + name + R"("})";
+}
+inline std::string key(const std::string& name, const std::string& mods = "") {
+  return R"({"event": "key", "key": ")" + name + R"(", "mods": [)" + mods + "]}";
+}
+inline std::string type(const std::string& text) {
+  return R"({"event": "text", "text": ")" + text + R"("})";
+}
+inline std::string click(const std::string& at, const std::string& mods = "") {
+  return R"({"event": "click", "at": )" + at + R"(, "mods": [)" + mods + "]}";
+}
+inline std::string press(const std::string& label) {
+  return click(R"({"widget": ")" + label + R"("})");
+}
+inline std::string taxel(int id) {
+  return R"({"taxel": )" + std::to_string(id) + "}";
+}
+
+inline Lines joined(const std::vector<Lines>& parts) {
+  Lines all;
+  for (const Lines& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+inline dvec3 vector_of(const Json& json) {
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+/// The taxel of an id in a layout's JSON.
+inline Json taxel_of(const Json& layout, int id) {
+  for (const Json& taxel : layout["taxels"])
+    if (taxel["id"] == id) return taxel;
+  throw std::runtime_error("no taxel " + std::to_string(id));
+}
+
+}  // namespace taxel::test
