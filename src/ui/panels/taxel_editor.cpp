@@ -44,12 +44,16 @@ auto values_of(const std::vector<const Taxel*>& taxels, const Value& value) {
   return values;
 }
 
-void draw_id(UiState& ui, const Taxel& taxel) {
+void draw_id(UiState& ui, const Project& project, const Taxel& taxel) {
   begin_row("Id");
   const auto id = number_field(ui, "Id", {static_cast<double>(taxel.id)}, kWhole);
   if (!id) return;
   constexpr double kLargest = 1e9;
-  if (*id != std::floor(*id) || *id < 0 || *id > kLargest) return;
+  const bool whole = *id == std::floor(*id) && *id >= 0 && *id <= kLargest;
+  if (!whole || find_taxel(project.layout, static_cast<int>(*id)) != nullptr) {
+    ui.tool.problem = whole ? fmt::format("Id: {} is that of another taxel", *id) : "Id: must be a whole number from 0";
+    return;
+  }
   ui.ask(EditProject{RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}}, {}});
   // What is selected is the taxel, not its number.
   ui.selection.remove(taxel.id);
@@ -84,7 +88,7 @@ void draw_taxel_fields(UiState& ui, const Project& project) {
   }
   if (taxels.empty()) return;
   if (taxels.size() == 1) {
-    draw_id(ui, *taxels.front());
+    draw_id(ui, project, *taxels.front());
   } else {
     property("Taxels", std::to_string(taxels.size()));
   }

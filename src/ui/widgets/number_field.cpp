@@ -20,7 +20,8 @@ std::optional<std::string> edited_text(UiState& ui, const std::string& name, con
   const std::string id = "##" + name;
   ImGui::SetNextItemWidth(width);
   std::string text = shown;
-  ImGui::InputTextWithHint(id.c_str(), mixed ? "mixed" : "", &text, ImGuiInputTextFlags_AutoSelectAll);
+  const char* hint = !mixed ? "" : width < 0 ? "mixed" : "...";  // where there is no room for more
+  ImGui::InputTextWithHint(id.c_str(), hint, &text, ImGuiInputTextFlags_AutoSelectAll);
   const bool typed = ImGui::IsItemDeactivatedAfterEdit();
   ui.widgets.note_item(name);
   return typed ? std::optional(text) : std::nullopt;

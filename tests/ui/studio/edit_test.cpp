@@ -292,6 +292,8 @@ TEST(Inspector, EditsOneTaxelAndSeveralAtOnce) {
   then(fill("Radius (mm)", "2*1.5 mm + 0.025 cm"));
   then(fill("Name", "thumb"));
   then(fill("Centre (mm) Y", "-6.5"));
+  then(fill("Id", "5"));
+  then({dump("taken.json")});
   then(fill("Id", "40"));
   then({dump("one.json"), R"({"event": "click", "at": {"widget": "Taxel 5"}, "mods": ["shift"]})", kIdle,
         dump("two.json"), R"({"do": "screenshot", "file": "mixed.png"})"});
@@ -303,6 +305,8 @@ TEST(Inspector, EditsOneTaxelAndSeveralAtOnce) {
   then({dump("same.json")});
   studio.play(script, {kLayoutFile});
   const Json before = edited(studio.state("before.json"), 3), one = edited(studio.state("one.json"), 40);
+  EXPECT_EQ(studio.state("taken.json")["selection"]["taxels"], Json({3}));
+  EXPECT_EQ(studio.state("taken.json")["tool"]["problem"], "Id: 5 is that of another taxel");
   EXPECT_EQ(one["radius"], 3.25e-3);
   EXPECT_EQ(one["name"], "thumb");
   EXPECT_EQ(one["center"][1], -6.5e-3);

@@ -1,0 +1,86 @@
+// Edits and the worker that compiles them, by the clock and without a window: nobody waits, the newest wins.
+#include "app/studio/edit_session.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+
+#include "app/studio/documents.h"
+
+namespace taxel::studio {
+namespace {
+
+Edit resized(int id, double radius) {
+  TaxelChange change;
+  change.id = id;
+  change.radius = radius;
+  return SetTaxels{{change}};
+}
+
+class EditSessionTest : public testing::Test {
+ protected:
+  EditSessionTest() {
+    SensorBuild how;
+    how.cache = &cache;
+    const Document document = built_in_fingertip(how);
+    edits.open(document.project, document.mesh.mesh, document.mesh.sha256, "fingertip.taxels.json");
+  }
+  /// The newest model when nothing is left to build.
+  SensorModelPtr settled() {
+    SensorModelPtr newest;
+    while (edits.building()) {
+      edits.wait();
+      if (SensorModelPtr model = edits.take_model()) newest = model;
+    }
+    return newest;
+  }
+
+  SensorCache cache;
+  std::atomic<int> woken = 0;
+  EditSession edits{cache, [this] { ++woken; }};
+};
+
+TEST_F(EditSessionTest, TheNewestOfManyEditsIsCompiledAndNobodyWaitsForThem) {
+  const auto began = std::chrono::steady_clock::now();
+  constexpr int kEdits = 200;
+  for (int i = 1; i <= kEdits; ++i) edits.edit(resized(3, 1e-3 + 1e-5 * i));
+  const double asked = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  const SensorModelPtr model = settled();
+  const double built = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  ASSERT_NE(model, nullptr);
+  EXPECT_EQ(model->layout, edits.project()->layout);
+  EXPECT_EQ(find_taxel(model->layout, 3)->radius, 1e-3 + 1e-5 * kEdits);
+  EXPECT_GT(woken, 0);
+  EXPECT_LT(woken, kEdits) << "those in between were dropped";
+  std::printf("%d edits asked in %.1f ms, the last one compiled after %.1f ms\n", kEdits, 1e3 * asked, 1e3 * built);
+}
+
+TEST_F(EditSessionTest, UndoIsCompiledToo) {
+  const Layout before = edits.project()->layout;
+  edits.edit(DeleteTaxels{{3, 5}});
+  EXPECT_EQ(settled()->taxel_count(), 10);
+  edits.undo();
+  EXPECT_EQ(settled()->layout, before);
+  EXPECT_FALSE(edits.dirty());
+}
+
+TEST_F(EditSessionTest, ARefusedEditChangesNothingAndBuildsNothing) {
+  const ProjectPtr before = edits.project();
+  EXPECT_THROW(edits.edit(resized(3, -1)), Error);
+  EXPECT_THROW(edits.edit(DeleteTaxels{{77}}), Error);
+  EXPECT_EQ(edits.project(), before);
+  EXPECT_FALSE(edits.building());
+}
+
+TEST_F(EditSessionTest, WhatWasClosedIsNotTold) {
+  edits.edit(resized(3, 2e-3));
+  edits.close();
+  EXPECT_EQ(settled(), nullptr);
+  EXPECT_FALSE(edits.is_open());
+  edits.edit(resized(3, 2e-3));
+  EXPECT_FALSE(edits.building()) << "there is nothing to edit";
+}
+
+}  // namespace
+}  // namespace taxel::studio
