@@ -77,6 +77,8 @@ SampleRays::Found SampleRays::find(std::span<const int> samples) {
     }
   });
   Found found;
+  found.rays.reserve(samples.size());
+  if (tets_) found.crossings.reserve(samples.size());
   for (const int s : samples) {
     found.rays.push_back(rays_[index(s)]);
     if (tets_) found.crossings.emplace_back(crossings_[index(s)]);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/hydro/field_report.h"
@@ -93,14 +96,21 @@ void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr&
 }
 
 void add_taxels_of_samples(SensorModel& model) {
-  std::vector<std::vector<std::pair<double, int>>> users(model.samples.size());
+  const std::vector<ReceptiveFields::Entry>& entries = model.fields.entries;
+  // Where the users of each sample end; once they are filled in from behind, where they begin.
+  std::vector<int> end(model.samples.size() + 1, 0);
+  for (const ReceptiveFields::Entry& entry : entries) ++end[index(entry.sample)];
+  for (std::size_t s = 1; s < end.size(); ++s) end[s] += end[s - 1];
+  std::vector<std::pair<double, int>> users(entries.size());
   for (int k = 0; k < model.taxel_count(); ++k)
     for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e)
-      users[index(model.fields.entries[index(e)].sample)].emplace_back(model.fields.entries[index(e)].distance, k);
-  model.taxels_of_sample.resize(users.size());
-  for (std::size_t s = 0; s < users.size(); ++s) {
-    std::sort(users[s].begin(), users[s].end());
-    for (const auto& [distance, taxel] : users[s]) model.taxels_of_sample[s].push_back(taxel);
+      users[index(--end[index(entries[index(e)].sample)])] = {entries[index(e)].distance, k};
+  model.taxels_of_sample.resize(model.samples.size());
+  for (std::size_t s = 0; s < model.samples.size(); ++s) {
+    const auto of_sample = std::span(users).subspan(index(end[s]), index(end[s + 1] - end[s]));
+    std::sort(of_sample.begin(), of_sample.end());
+    model.taxels_of_sample[s].reserve(of_sample.size());
+    for (const auto& [distance, taxel] : of_sample) model.taxels_of_sample[s].push_back(taxel);
   }
 }
 
