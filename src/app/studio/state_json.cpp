@@ -202,7 +202,7 @@ Json taxels_json(const Projector& project, const SensorModel& model) {
     Json mark = project(taxel.center, taxel.normal);
     mark["id"] = taxel.id;
     mark["name"] = taxel.name;
-    const glm::vec3 color = ui::taxel_color(static_cast<int>(i));
+    const glm::vec3 color = ui::taxel_color(model.color(static_cast<int>(i)));
     mark["color"] = {color.x, color.y, color.z};
     json.push_back(std::move(mark));
   }
@@ -222,7 +222,7 @@ Json samples_json(const Projector& project, const SensorModel& model) {
     const int nearest = model.taxels_of_sample[used[k]].front();
     mark["sample"] = used[k];
     mark["taxel"] = model.layout.taxels[static_cast<std::size_t>(nearest)].id;
-    const glm::vec3 color = ui::taxel_color(nearest);
+    const glm::vec3 color = ui::taxel_color(model.color(nearest));
     mark["color"] = {color.x, color.y, color.z};
     json.push_back(std::move(mark));
   }

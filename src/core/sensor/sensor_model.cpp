@@ -1,4 +1,5 @@
 #include "core/sensor/sensor_model.h"
+#include "core/layout/field_coloring.h"
 
 #include <fmt/format.h>
 
@@ -157,6 +158,7 @@ SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCa
   model.samples = *samples;
   model.fields = make_receptive_fields(model.layout, model.samples, *model.skin);
   add_taxels_of_samples(model);
+  model.color_of_taxel = color_fields(model.layout, kTaxelColors);
   return samples;
 }
 

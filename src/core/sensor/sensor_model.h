@@ -22,6 +22,9 @@
 
 namespace taxel {
 
+/// So many colours are told apart by everybody.
+inline constexpr int kTaxelColors = 24;
+
 struct SensorModel {
   Layout layout;
   TriMeshPtr mesh;                        ///< as read from the file, all shells
@@ -39,8 +42,13 @@ struct SensorModel {
   std::shared_ptr<const FieldWeights> weights;     ///< of Aggregate::force; null for others
   std::vector<int> ray_of_entry;                   ///< parallel to fields.entries
   std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused
-  Problems problems;                               ///< warnings and notes, with taxel pointers
+  std::vector<int> color_of_taxel;  ///< color_fields with kTaxelColors; those beyond have their own number
+  Problems problems;                ///< warnings and notes, with taxel pointers
   [[nodiscard]] int taxel_count() const { return static_cast<int>(layout.taxels.size()); }
+  [[nodiscard]] int color(int taxel) const {
+    const auto k = static_cast<std::size_t>(taxel);
+    return k < color_of_taxel.size() ? color_of_taxel[k] : taxel;
+  }
   /// What one sample counts in an unweighted mean: 1, or its Voronoi area over the mean area where weights are voronoi.
   [[nodiscard]] double sample_share(int sample) const;
 };

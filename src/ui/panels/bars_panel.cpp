@@ -16,10 +16,12 @@ void draw_bars_panel(UiState& ui, const UiInput& input) {
       ui.bars.clear();
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
-      const Layout& layout = input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+      const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+      const Layout& layout = model.layout;
       std::vector<BarValue> values;
       for (std::size_t i = 0; i < sensor->readings.size() && i < layout.taxels.size(); ++i) {
-        values.push_back({layout.taxels[i].id, sensor->readings[i], i < input.peaks.size() ? input.peaks[i] : 0.0});
+        values.push_back({layout.taxels[i].id, sensor->readings[i], i < input.peaks.size() ? input.peaks[i] : 0.0,
+                          model.color(static_cast<int>(i))});
       }
       const ReadingUnit unit = shown_unit(layout.readout.aggregate);
       caption((std::string(unit.text) + " by taxel, the line is the peak").c_str());

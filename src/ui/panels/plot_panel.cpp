@@ -89,15 +89,15 @@ void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit
   ImPlot::SetupFinish();
 }
 
-void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, int taxel, int id, bool selected) {
+void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, int color, int id, bool selected) {
   PlotCurves& curves = ui.curves;
   curves.drawn.clear();
   for (const double reading : readings) curves.drawn.push_back(scale * reading);
-  const glm::vec3 c = taxel_color(taxel);
+  const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
   spec.LineWeight = selected ? 3.2f : 1.8f;
-  const std::string label = fmt::format("{}##{}", id, taxel);
+  const std::string label = fmt::format("{}", id);
   ImPlot::PlotLine(label.c_str(), curves.travel_mm.data(), curves.drawn.data(), static_cast<int>(curves.drawn.size()),
                    spec);
   if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
@@ -128,7 +128,8 @@ void draw_polish_mark(const UiState& ui) {
 
 void draw_plot(UiState& ui, const UiInput& input) {
   PlotCurves& curves = ui.curves;
-  const Layout& layout = input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+  const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+  const Layout& layout = model.layout;
   const ReadingUnit unit = unit_of(ui, input);
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
@@ -140,7 +141,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
       const std::vector<double>& readings = curves.readings[first + k];
       const double peak = readings.empty() ? 0.0 : *std::max_element(readings.begin(), readings.end());
       if (ui.saved.plot.responding_only && !(peak > kResponding * curves.largest)) continue;
-      draw_curve(ui, readings, scale, static_cast<int>(k), layout.taxels[k].id,
+      draw_curve(ui, readings, scale, model.color(static_cast<int>(k)), layout.taxels[k].id,
                  ui.selection.contains(layout.taxels[k].id));
     }
     draw_polish_mark(ui);

@@ -84,8 +84,8 @@ void draw_rays(const Canvas& canvas, const Section& section, const Look& look) {
   }
   const float radius = std::clamp(static_cast<float>(0.4 * section.spacing * canvas.pixels), 0.8f, 2.2f);
   for (const Section::SamplePoint& sample : section.samples) {
-    const ImU32 c = sample.taxel < 0 ? color(look.unused_sample, 1) : color(taxel_color(sample.taxel), 1);
-    canvas.list.AddCircleFilled(canvas.at(sample.at), sample.taxel < 0 ? 0.6f * radius : radius, c);
+    const ImU32 c = sample.color < 0 ? color(look.unused_sample, 1) : color(taxel_color(sample.color), 1);
+    canvas.list.AddCircleFilled(canvas.at(sample.at), sample.color < 0 ? 0.6f * radius : radius, c);
   }
 }
 
@@ -100,7 +100,7 @@ void draw_dots(const Canvas& canvas, const Section& section, const Look& look) {
 
 void draw_taxel(const Canvas& canvas, const Section& section, const Look& look) {
   if (section.taxel < 0) return;
-  const glm::vec3 own = taxel_color(section.taxel);
+  const glm::vec3 own = taxel_color(section.color);
   const ImVec2 center = canvas.at(section.center);
   const auto radius = static_cast<float>(canvas.pixels * section.radius);
   canvas.list.AddCircleFilled(center, radius, color(own, 0.07f), 96);

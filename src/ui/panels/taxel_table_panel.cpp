@@ -26,11 +26,11 @@ void text_right(const std::string& text, bool dim) {
   }
 }
 
-void draw_swatch(int index) {
+void draw_swatch(int color) {
   const float size = ImGui::GetFontSize() * 0.72f;
   const ImVec2 p = ImGui::GetCursorScreenPos();
   const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
-  ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(index), 3);
+  ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(color), 3);
   ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
 }
 
@@ -42,7 +42,7 @@ void draw_row(UiState& ui, const UiInput& input, const Layout& layout, const Sen
   const int shown = same ? index : index_of(model.layout, taxel.id);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  draw_swatch(index);
+  draw_swatch(model.color(index));
   ImGui::SameLine(0, 6);
   const std::string label = fmt::format("{}##taxel{}", taxel.id, index);
   if (ImGui::Selectable(label.c_str(), ui.selection.contains(taxel.id), ImGuiSelectableFlags_SpanAllColumns)) {

@@ -11,6 +11,7 @@
 #include "ui/panels/field_legend.h"
 #include "ui/panels/filtered_legend.h"
 #include "ui/panels/tool_overlay.h"
+#include "ui/scene/sample_use.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/widgets/controls.h"
@@ -77,11 +78,14 @@ std::string taxel_text(const UiState& ui, const UiInput& input, const SensorMode
 }
 
 std::string sample_text(const SensorModel& model, int sample) {
-  const auto& taxels = model.taxels_of_sample[static_cast<std::size_t>(sample)];
+  const std::vector<SampleUse> uses = uses_of_sample(model, sample);
   std::string text = fmt::format("Sample {}", sample);
-  if (taxels.empty()) return text + ", used by no taxel";
-  text += taxels.size() > 1 ? ", shared by taxels" : ", of taxel";
-  for (const int k : taxels) text += fmt::format(" {}", model.layout.taxels[static_cast<std::size_t>(k)].id);
+  if (uses.empty()) return text + ", used by no taxel";
+  for (const SampleUse& use : uses) {
+    text += fmt::format("\nTaxel {}: distance {}, angle {:.1f}\u00b0, weight {:.3g} mm\u00b2",
+                        model.layout.taxels[static_cast<std::size_t>(use.taxel)].id, in_mm(use.distance), use.angle_deg,
+                        1e6 * use.weight);
+  }
   return text;
 }
 

@@ -76,8 +76,8 @@ glm::vec3 rejection_color(Rejection reason) {
   }
 }
 
-glm::vec3 taxel_color(int index) {
-  const unsigned rgb = kTaxelPalette[static_cast<unsigned>(index) % kTaxelPalette.size()];
+glm::vec3 taxel_color(int number) {
+  const unsigned rgb = kTaxelPalette[static_cast<unsigned>(number) % kTaxelPalette.size()];
   return glm::vec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0f;
 }
 

@@ -11,8 +11,8 @@ namespace taxel::ui {
 glm::vec3 viridis(double t);
 /// 256 RGB8 entries for a lookup texture.
 const unsigned char* viridis_table();
-/// Colour of the taxel at layout index i: Okabe-Ito, then the safe extension, repeating after 24.
-glm::vec3 taxel_color(int index);
+/// Colour of a taxel by its number, SensorModel::color: Okabe-Ito, then the safe extension, repeating after 24.
+glm::vec3 taxel_color(int number);
 /// Colour of what was left out of a contact surface for one reason: none that viridis has.
 glm::vec3 rejection_color(Rejection reason);
 

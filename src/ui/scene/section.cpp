@@ -119,7 +119,7 @@ void add_samples(const SensorView& view, double slab, Section& out) {
     const dvec3 p = X(view.model->samples[i].position);
     if (std::abs(out.plane.height(p)) > slab) continue;
     const std::vector<int>& taxels = view.model->taxels_of_sample[i];
-    out.samples.push_back({out.plane.flat(p), taxels.empty() ? -1 : taxels.front()});
+    out.samples.push_back({out.plane.flat(p), taxels.empty() ? -1 : view.model->color(taxels.front())});
   }
 }
 
@@ -201,6 +201,7 @@ Section make_section(const SceneInput& input, const SensorView& view, double sla
   if (view.selected_taxel >= 0) {
     const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(view.selected_taxel)];
     out.taxel = view.selected_taxel;
+    out.color = view.model->color(out.taxel);
     out.normal = {glm::dot(view.X_WM.rotate(glm::normalize(taxel.normal)), out.plane.x),
                   glm::dot(view.X_WM.rotate(glm::normalize(taxel.normal)), out.plane.y)};
     out.radius = taxel.radius;

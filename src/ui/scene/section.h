@@ -39,7 +39,7 @@ struct Section {
   };
   struct SamplePoint {
     dvec2 at{0};
-    int taxel = -1;  ///< nearest; -1: unused
+    int color = -1;  ///< of the nearest taxel; -1: unused
   };
 
   SectionPlane plane;
@@ -49,6 +49,7 @@ struct Section {
   std::vector<RayPiece> rays;  ///< of samples near the plane, projected into it
   std::vector<SamplePoint> samples;
   std::vector<dvec2> path;     ///< two points or none
+  int color = 0;               ///< of that taxel
   int taxel = -1;              ///< the plane goes through its centre; layout order
   dvec2 center{0}, normal{0};  ///< of that taxel
   double radius = 0;           ///< of its receptive field [m]

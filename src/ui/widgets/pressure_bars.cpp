@@ -104,7 +104,7 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const R
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
     draw_bar(ui, list, axis, x0, x1, values[i], ui.selection.contains(values[i].id));
-    list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(static_cast<int>(i)), 1);
+    list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(values[i].color), 1);
     draw_bar_texts(list, colors, axis, x0, x1, values[i]);
     if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
     ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_unit(values[i].value, unit).c_str(),

@@ -14,6 +14,7 @@ struct BarValue {
   int id = 0;        ///< of the taxel
   double value = 0;  ///< reading, in SI
   double peak = 0;   ///< largest since the start
+  int color = 0;     ///< of the taxel
 };
 
 /// Draws bars into `size` at the cursor; heights from 0 to a round number above the largest peak, colours from the

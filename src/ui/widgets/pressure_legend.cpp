@@ -56,8 +56,8 @@ ImU32 pressure_color(const PressureRange& range, double pressure, float alpha) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
 }
 
-ImU32 taxel_color_u32(int index, float alpha) {
-  const glm::vec3 c = taxel_color(index);
+ImU32 taxel_color_u32(int number, float alpha) {
+  const glm::vec3 c = taxel_color(number);
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
 }
 

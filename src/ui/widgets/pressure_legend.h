@@ -19,7 +19,7 @@ void draw_pressure_legend(const UiState& ui, const LegendPlace& place);
 
 /// Colour of a pressure in the shared range.
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha = 1.0f);
-/// A taxel's own colour.
-ImU32 taxel_color_u32(int index, float alpha = 1.0f);
+/// A taxel's own colour, by SensorModel::color.
+ImU32 taxel_color_u32(int number, float alpha = 1.0f);
 
 }  // namespace taxel::ui

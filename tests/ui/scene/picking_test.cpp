@@ -4,6 +4,7 @@
 
 #include "ui/scene/finger_scene.h"
 #include "ui/scene/gizmo.h"
+#include "ui/scene/sample_use.h"
 #include "ui/scene/scene_labels.h"
 
 namespace taxel::ui {
@@ -177,6 +178,27 @@ TEST_F(PickingTest, LabelsOfManyTaxelsHaveRoomBesideEachOther) {
     }
   }
   EXPECT_EQ(selected, 1);
+}
+
+TEST_F(PickingTest, ASampleTellsDistanceAngleAndWeightForEachOfItsTaxels) {
+  int shared = 0;
+  for (int s = 0; s < static_cast<int>(model_->samples.size()); ++s) {
+    const auto& taxels = model_->taxels_of_sample[static_cast<std::size_t>(s)];
+    const std::vector<SampleUse> uses = uses_of_sample(*model_, s);
+    ASSERT_EQ(uses.size(), taxels.size());
+    shared += uses.size() > 1 ? 1 : 0;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      EXPECT_EQ(uses[i].taxel, taxels[i]);
+      const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(taxels[i])];
+      const SurfaceSample& sample = model_->samples[static_cast<std::size_t>(s)];
+      EXPECT_NEAR(uses[i].distance, glm::distance(taxel.center, sample.position), 1e-15);
+      EXPECT_NEAR(uses[i].weight, std::pow(taxel.radius - uses[i].distance, 2), 1e-15);
+      EXPECT_NEAR(std::cos(glm::radians(uses[i].angle_deg)), glm::dot(sample.normal, glm::normalize(taxel.normal)),
+                  1e-9);
+      EXPECT_LT(uses[i].angle_deg, 45);
+    }
+  }
+  EXPECT_GT(shared, 10);
 }
 
 TEST(Gizmo, AClickOnABallLooksFromItsAxis) {

@@ -100,7 +100,7 @@ TEST_F(SectionTest, RaysEndOnTheContactOrAreStubs) {
     EXPECT_LT(std::min(std::abs(end.z), end.z < 0 ? std::abs(end.x + 0.025) : 1.0), 2e-5) << end.x << " " << end.z;
   }
   EXPECT_GT(hits, 3);
-  for (const auto& sample : s.samples) EXPECT_LT(sample.taxel, model_->taxel_count());
+  for (const auto& sample : s.samples) EXPECT_LT(sample.color, model_->taxel_count());
 }
 
 TEST_F(SectionTest, WithoutASimulationItCutsTheLayout) {

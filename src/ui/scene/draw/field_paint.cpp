@@ -11,9 +11,9 @@ constexpr double kDiffers = 0.01;  // of a field's area
 constexpr float kArrowWidth = 3.0f, kSkinWidth = 1.4f;
 constexpr double kSkinPart = 1.15;  // of the arrow's length
 
-void append_patches(const std::vector<FieldPatch>& patches, std::vector<PaintVertex>& out) {
+void append_patches(const SensorModel& model, const std::vector<FieldPatch>& patches, std::vector<PaintVertex>& out) {
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    const std::uint32_t color = pack(glm::vec4(taxel_color(static_cast<int>(k)), kFieldAlpha));
+    const std::uint32_t color = pack(glm::vec4(taxel_color(model.color(static_cast<int>(k))), kFieldAlpha));
     for (const SkinPiece& piece : patches[k].pieces) append_piece(piece, color, out);
   }
 }
@@ -24,7 +24,7 @@ const PaintBuffer& FieldPaint::filled() {
   if (filled_) return *filled_;
   const bool geodesic = model_->layout.receptive_field.metric == Metric::geodesic;
   std::vector<PaintVertex> triangles;
-  append_patches(taxel_patches(*model_, geodesic ? FieldPart::geodesic : FieldPart::euclidean), triangles);
+  append_patches(*model_, taxel_patches(*model_, geodesic ? FieldPart::geodesic : FieldPart::euclidean), triangles);
   filled_.emplace().upload(triangles);
   return *filled_;
 }
@@ -34,7 +34,7 @@ const PaintBuffer& FieldPaint::compared() {
   std::vector<PaintVertex> triangles;
   const std::vector<FieldPatch> geodesic = taxel_patches(*model_, FieldPart::geodesic);
   const std::vector<FieldPatch> only = taxel_patches(*model_, FieldPart::euclidean_only);
-  append_patches(geodesic, triangles);
+  append_patches(*model_, geodesic, triangles);
   comparison_.emplace();
   for (std::size_t k = 0; k < only.size(); ++k) {
     for (const SkinPiece& piece : only[k].pieces) {

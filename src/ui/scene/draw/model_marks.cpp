@@ -51,7 +51,8 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
       continue;
     }
     const bool large = selected.empty() || share(taxels, selected);
-    out.push_back(point_mark(sample.position, sample.normal, large ? 1.0 : kOtherSize, pack(taxel_color(taxels[0]))));
+    out.push_back(point_mark(sample.position, sample.normal, large ? 1.0 : kOtherSize,
+                             pack(taxel_color(model.color(taxels[0])))));
   }
   return out;
 }
@@ -111,7 +112,7 @@ void ModelMarks::select(const std::vector<int>& taxels) {
 
 void ModelMarks::append_ring(int taxel, float width, Segments& out) const {
   const std::vector<dvec3>& normals = model_->skin->mesh().face_normals();
-  const std::uint32_t color = pack(taxel_color(taxel));
+  const std::uint32_t color = pack(taxel_color(model_->color(taxel)));
   for (const RingPiece& piece : rings_of_[at(taxel)]) {
     out.push_back(segment(piece.a, piece.b, width, color, normals[at(piece.face)]));
   }
@@ -121,12 +122,12 @@ Segment ModelMarks::arrow_segment(int taxel, float width) const {
   const Taxel& t = model_->layout.taxels[at(taxel)];
   const dvec3 normal = glm::normalize(t.normal);
   const dvec3 tip = t.center + taxel_arrow_length(*model_) * normal;
-  return segment(t.center, tip, width, pack(taxel_color(taxel)), normal);
+  return segment(t.center, tip, width, pack(taxel_color(model_->color(taxel))), normal);
 }
 
 PointMark ModelMarks::center_mark(int taxel) const {
   const Taxel& t = model_->layout.taxels[at(taxel)];
-  return point_mark(t.center, glm::normalize(t.normal), 1.0, pack(taxel_color(taxel)));
+  return point_mark(t.center, glm::normalize(t.normal), 1.0, pack(taxel_color(model_->color(taxel))));
 }
 
 const gl::Buffer& ModelMarks::sample_normals() {

@@ -1,0 +1,35 @@
+#include "ui/scene/sample_use.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taxel::ui {
+namespace {
+
+/// The normal that a sample at `p` is compared with: straight distances decide between subtaxels.
+dvec3 normal_for(const Taxel& taxel, const dvec3& p) {
+  const auto nearer = [&](const Subtaxel& a, const Subtaxel& b) {
+    return glm::distance(a.center, p) < glm::distance(b.center, p);
+  };
+  const auto best = std::min_element(taxel.subtaxels.begin(), taxel.subtaxels.end(), nearer);
+  return glm::normalize(best == taxel.subtaxels.end() ? taxel.normal : best->normal);
+}
+
+}  // namespace
+
+std::vector<SampleUse> uses_of_sample(const SensorModel& model, int sample) {
+  std::vector<SampleUse> uses;
+  const SurfaceSample& at = model.samples[static_cast<std::size_t>(sample)];
+  for (const int k : model.taxels_of_sample[static_cast<std::size_t>(sample)]) {
+    const auto row = static_cast<std::size_t>(k);
+    const auto begin = model.fields.entries.begin() + model.fields.first[row];
+    const auto end = model.fields.entries.begin() + model.fields.first[row + 1];
+    const auto entry = std::lower_bound(begin, end, sample, [](const auto& e, int s) { return e.sample < s; });
+    if (entry == end || entry->sample != sample) continue;
+    const double cosine = glm::dot(at.normal, normal_for(model.layout.taxels[row], at.position));
+    uses.push_back({k, entry->distance, glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))), entry->weight});
+  }
+  return uses;
+}
+
+}  // namespace taxel::ui
