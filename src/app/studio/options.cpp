@@ -7,7 +7,7 @@ namespace taxel::studio {
 namespace {
 
 /// "1280x800" into two numbers; the reason why not otherwise.
-std::string parse_size(const std::string& text, Options& options) {
+std::string parse_size(const std::string& text, int& width_out, int& height_out) {
   const std::size_t x = text.find('x');
   const auto number = [](const std::string& digits) {
     const bool good =
@@ -19,8 +19,8 @@ std::string parse_size(const std::string& text, Options& options) {
   if (std::min(width, height) < kLeast || std::max(width, height) > kMost) {
     return "must be WIDTHxHEIGHT with 320 to 16384 pixels each, is " + text;
   }
-  options.width = width;
-  options.height = height;
+  width_out = width;
+  height_out = height;
   return {};
 }
 
@@ -29,7 +29,7 @@ std::string parse_size(const std::string& text, Options& options) {
 ParsedOptions parse_options(int argc, char** argv) {
   ParsedOptions parsed;
   Options& o = parsed.options;
-  std::string size;
+  std::string size, cut_out_size;
   CLI::App app(
       "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
       "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
@@ -41,6 +41,8 @@ ParsedOptions parse_options(int argc, char** argv) {
   app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
   app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
   app.add_option("--screenshot", o.screenshot, "Write the last picture as PNG");
+  app.add_option("--cut-out", o.cut_out, "Write the last 3-D view alone as PNG with a transparent background");
+  app.add_option("--cut-out-size", cut_out_size, "Its size in pixels")->default_str("2400x1800");
   app.add_option("--dump-state", o.dump_state, "Write the last state as JSON");
   app.add_option("--size", size, "Size of the window in pixels")->default_str("1280x800");
   app.add_option("--frames", o.frames, "Stop after so many frames (headless without a script: 60)")
@@ -64,10 +66,14 @@ ParsedOptions parse_options(int argc, char** argv) {
     parsed.exit_status = 2;
     return parsed;
   }
-  if (const std::string reason = size.empty() ? "" : parse_size(size, o); !reason.empty()) {
-    std::fprintf(stderr, "taxelstudio: --size: %s\n", reason.c_str());
+  const auto take_size = [&](const char* option, const std::string& text, int& width, int& height) {
+    const std::string reason = text.empty() ? "" : parse_size(text, width, height);
+    if (reason.empty()) return;
+    std::fprintf(stderr, "taxelstudio: %s: %s\n", option, reason.c_str());
     parsed.exit_status = 2;
-  }
+  };
+  take_size("--size", size, o.width, o.height);
+  take_size("--cut-out-size", cut_out_size, o.cut_out_width, o.cut_out_height);
   if (o.headless && o.script.empty() && o.frames == 0) o.frames = 60;
   return parsed;
 }

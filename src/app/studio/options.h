@@ -14,6 +14,8 @@ struct Options {
   double autosave_every = 30;  ///< [s]
   bool empty = false;          ///< opens nothing
   int width = 1280, height = 800;
+  std::string cut_out;  ///< the 3-D view alone, on a transparent background
+  int cut_out_width = 2400, cut_out_height = 1800;
   int frames = 0;  ///< 0: until the script ends or the window is closed
   bool list_bindings = false, version = false;
 

@@ -16,6 +16,26 @@ void check_complete(GLuint framebuffer, int width, int height) {
       fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
 }
 
+/// Rows of `format`, top row first.
+std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, GLenum format, std::size_t channels) {
+  const auto row = static_cast<std::size_t>(width) * channels;
+  std::vector<unsigned char> bytes(row * static_cast<std::size_t>(height));
+  GLint bound = 0, alignment = 4;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, bytes.data());
+  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+  for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {  // GL's first row is the lowest
+    const auto a = bytes.begin() + static_cast<std::ptrdiff_t>(row) * top;
+    std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(row) * bottom);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Framebuffer::Framebuffer(int width, int height, int samples)
@@ -52,24 +72,20 @@ RgbImage Framebuffer::read() const {
   return read_pixels(resolved_ ? resolved_->id() : target_.id(), width(), height());
 }
 
-RgbImage read_pixels(GLuint framebuffer, int width, int height) {
-  RgbImage image{width, height, {}};
-  const auto row = static_cast<std::size_t>(width) * 3;
-  image.rgb.resize(row * static_cast<std::size_t>(height));
-  GLint bound = 0, alignment = 4;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
-  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
-  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
-  for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {  // GL's first row is the lowest
-    const auto a = image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * top;
-    std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row),
-                     image.rgb.begin() + static_cast<std::ptrdiff_t>(row) * bottom);
+RgbaImage Framebuffer::read_with_alpha() const {
+  const GLuint from = resolved_ ? resolved_->id() : target_.id();
+  RgbaImage image{width(), height(), read_rows(from, width(), height(), GL_RGBA, 4)};
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    for (std::size_t k = i; k < i + 3 && alpha > 0; ++k) {
+      image.rgba[k] = static_cast<unsigned char>(std::min(255, (255 * image.rgba[k] + alpha / 2) / alpha));
+    }
   }
   return image;
+}
+
+RgbImage read_pixels(GLuint framebuffer, int width, int height) {
+  return {width, height, read_rows(framebuffer, width, height, GL_RGB, 3)};
 }
 
 }  // namespace taxel::gl

@@ -23,6 +23,8 @@ class Framebuffer {
   [[nodiscard]] int height() const { return color_.height(); }
   [[nodiscard]] int samples() const { return samples_; }
   [[nodiscard]] RgbImage read() const;  ///< of the resolved colour
+  /// The same with alpha, from premultiplied colours.
+  [[nodiscard]] RgbaImage read_with_alpha() const;
 
  private:
   int samples_;

@@ -12,4 +12,11 @@ struct RgbImage {
   bool operator==(const RgbImage&) const = default;
 };
 
+/// Top row first, 4 bytes a pixel (sRGB, straight alpha), no padding.
+struct RgbaImage {
+  int width = 0, height = 0;
+  std::vector<unsigned char> rgba;
+  bool operator==(const RgbaImage&) const = default;
+};
+
 }  // namespace taxel::gl

@@ -85,11 +85,12 @@ struct SceneRenderer::Impl {
   std::optional<RenderKey> last;
   std::optional<ShadowKey> shadows;
 
-  void draw_scene(const SceneInput& input, const Camera& camera, const Look& look);
+  void make_target(int width, int height);
+  void draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background = true);
   void draw_overlay(const Camera& camera, const Look& look);
 };
 
-void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look) {
+void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background) {
   const MeshList list = mesh_list(input, look, cache);
   const SceneGround plane = scene_ground(input);
   const Ground floor{plane.X_WP, plane.plane};
@@ -101,26 +102,37 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   }
 
   target->bind();
-  glClearColor(0, 0, 0, 1);
+  glClearColor(0, 0, 0, background ? 1.0f : 0.0f);
   glClearDepth(1);
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height()));
   glEnable(GL_PROGRAM_POINT_SIZE);
-  const bool keep_backdrop = software && !floor.filled;
+  const bool keep_backdrop = background && software && !floor.filled;
   if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, segments);
   meshes.draw_solids(list, look);
-  if (!keep_backdrop) {
+  if (background && !keep_backdrop) {
     ground.draw_background(look);
     ground.draw(floor, camera, look, input.overlays.grid, segments);
   }
-  ground.draw_shadow(floor, look);
+  if (background) ground.draw_shadow(floor, look);
   meshes.draw_outlines(list.solids, camera, segments);
   meshes.draw_skins(list, camera, look);
   meshes.draw_outlines(list.skins, camera, segments);
   if (input.overlays.wireframe) meshes.draw_wires(list, look, segments);
   sensors.draw(input, camera, look, target->height(), segments, points);
+}
+
+/// And what else pictures need of GL's state.
+void SceneRenderer::Impl::make_target(int width, int height) {
+  if (!target || target->width() != width || target->height() != height) {
+    target.reset();
+    target.emplace(width, height, software ? 0 : kHardwareSamples);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
 void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look) {
@@ -137,20 +149,24 @@ void SceneRenderer::render(const SceneInput& input, const Camera& camera, int wi
   if (impl_->last && *impl_->last == key) return;
   const KeepTarget keep;
   impl_->last.reset();  // a picture that is not finished is none
-  if (!impl_->target || impl_->target->width() != key.width || impl_->target->height() != key.height) {
-    impl_->target.reset();
-    impl_->target.emplace(key.width, key.height, impl_->software ? 0 : kHardwareSamples);
-  }
+  impl_->make_target(key.width, key.height);
   const Look& colors = look(input.dark);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   impl_->draw_scene(input, camera, colors);
   impl_->draw_overlay(camera, colors);
   impl_->target->resolve();
   glFlush();  // a software renderer fills the picture while the panels are laid out
   impl_->cache.end_frame();
   impl_->last = std::move(key);
+}
+
+gl::RgbaImage SceneRenderer::cut_out(const SceneInput& input, const Camera& camera, int width, int height) {
+  const KeepTarget keep;
+  impl_->last.reset();
+  impl_->make_target(std::max(width, 1), std::max(height, 1));
+  impl_->draw_scene(input, camera, look(input.dark), false);
+  impl_->target->resolve();
+  impl_->cache.end_frame();
+  return impl_->target->read_with_alpha();
 }
 
 unsigned SceneRenderer::texture() const {

@@ -69,6 +69,9 @@ class SceneRenderer {
   /// Multisampled only on hardware renderers. Does nothing when input, camera and size are those of the last call.
   /// Leaves the framebuffer that was bound, bound; other GL state as it happens to be.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
+  /// Bodies and marks alone, at any size, on a transparent background without grid, shadow on the ground and gizmo.
+  /// Throws Error where the driver cannot make a picture of that size. The next render() draws anew.
+  [[nodiscard]] gl::RgbaImage cut_out(const SceneInput& input, const Camera& camera, int width, int height);
   [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
   [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
   [[nodiscard]] FieldNumbers field_numbers() const;  ///< of the overlays in the last render

@@ -314,6 +314,38 @@ TEST_F(SceneRendererTest, TheSameInputGivesTheSameBytes) {
   EXPECT_EQ(fresh.picture(), first);
 }
 
+TEST_F(SceneRendererTest, ACutOutHasTheBodiesAloneAtAnySize) {
+  SceneInput input;
+  input.document_model = model_;
+  input.overlays = nothing();
+  input.overlays.grid = true;
+  input.overlays.sensor_transparent = false;
+  Camera camera;
+  camera.frame(model_->mesh->bounds());
+  const gl::RgbImage before = draw(input, camera);
+  constexpr int kFactor = 3;
+  const gl::RgbaImage solid = renderer_.cut_out(input, camera, kFactor * kWidth, kFactor * kHeight);
+  ASSERT_EQ(solid.width, kFactor * kWidth);
+  ASSERT_EQ(solid.rgba.size(), std::size_t{4} * kFactor * kWidth * kFactor * kHeight);
+  const auto pixel = [](const gl::RgbaImage& image, int x, int y) {
+    const auto at = static_cast<std::ptrdiff_t>(4) * (y * image.width + x);
+    return std::vector<int>(image.rgba.begin() + at, image.rgba.begin() + at + 4);
+  };
+  EXPECT_EQ(pixel(solid, 0, 0), std::vector<int>({0, 0, 0, 0}));
+  EXPECT_EQ(pixel(solid, solid.width - 1, solid.height - 1), std::vector<int>({0, 0, 0, 0}));
+  const std::vector<int> skin = pixel(solid, solid.width / 2, solid.height / 2);
+  EXPECT_EQ(skin[3], 255);
+  const auto opaque = test::pixel_at(before, dvec2(0.5 * kWidth, 0.5 * kHeight));
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(skin[k], opaque[k], 4);
+  input.overlays.sensor_transparent = true;
+  const std::vector<int> thin = pixel(renderer_.cut_out(input, camera, 400, 300), 200, 150);
+  EXPECT_GT(thin[3], 40);
+  EXPECT_LT(thin[3], 215);
+  EXPECT_GT(thin[0], thin[2] + 15) << "the skin's own colour, not darkened by what is not behind it";
+  input.overlays.sensor_transparent = false;
+  EXPECT_EQ(draw(input, camera), before);
+}
+
 TEST_F(SceneRendererTest, FollowsTheSizeOfItsView) {
   const SceneInput input = test::finger_input(frame_);
   const gl::RgbImage first = draw(input, test::finger_camera());
