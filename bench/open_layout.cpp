@@ -4,12 +4,10 @@
 //
 //   bench_open_layout [--threads N] [LAYOUT.taxels.json ...]
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <optional>
@@ -20,6 +18,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/reading.h"
 #include "core/sensor/sensor_model.h"
+#include "layout_arguments.h"
 
 namespace {
 using namespace taxel;
@@ -133,17 +132,9 @@ void print_result(const std::filesystem::path& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::optional<tbb::global_control> threads;
-  std::vector<std::filesystem::path> files{TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json"};
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--threads") == 0 && i + 1 < argc) {
-      threads.emplace(tbb::global_control::max_allowed_parallelism, std::strtoul(argv[++i], nullptr, 10));
-    } else {
-      files.emplace_back(argv[i]);
-    }
-  }
+  const bench::LayoutArguments arguments(argc, argv);
   try {
-    for (const std::filesystem::path& file : files) print_result(file);
+    for (const std::filesystem::path& file : arguments.files) print_result(file);
   } catch (const Error& error) {
     fmt::print(stderr, "bench_open_layout: {}\n", error.what());
     return 2;

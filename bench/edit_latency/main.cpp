@@ -5,17 +5,15 @@
 //
 //   bench_edit_latency [--threads N] [LAYOUT.taxels.json ...]
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <optional>
 
+#include "../layout_arguments.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/layout/layout_json.h"
@@ -168,18 +166,10 @@ void print_load(const char* when) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::optional<tbb::global_control> threads;
-  std::vector<std::filesystem::path> files{TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json"};
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--threads") == 0 && i + 1 < argc) {
-      threads.emplace(tbb::global_control::max_allowed_parallelism, std::strtoul(argv[++i], nullptr, 10));
-    } else {
-      files.emplace_back(argv[i]);
-    }
-  }
+  const bench::LayoutArguments arguments(argc, argv);
   try {
     print_load("before");
-    for (const std::filesystem::path& file : files)
+    for (const std::filesystem::path& file : arguments.files)
       for (const Metric metric : {Metric::euclidean, Metric::geodesic}) print_result(file, metric);
     print_load("after");
   } catch (const Error& error) {
