@@ -5,9 +5,14 @@
 
 namespace taxel {
 
-/// Between two directions of any length, 0 to 180 degrees; as exact near 0 as anywhere.
+/// Between two directions of any length, 0 to pi; as exact near 0 as anywhere.
+inline double angle_between(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// The same in degrees.
 inline double angle_deg(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / kPi;
+  return angle_between(a, b) * 180.0 / kPi;
 }
 
 }  // namespace taxel

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/hydro/prism.h"
 
 namespace taxel {
@@ -23,10 +24,6 @@ constexpr double kLeastCosine = 0.2;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-double angle_between(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 int corner_of(const ivec3& face, int v) {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/base/error.h"
 #include "core/mesh/disjoint_sets.h"
 
@@ -60,10 +61,6 @@ bool is_closed(const std::vector<ivec3>& faces) {
   return std::all_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& e) {
     return std::binary_search(edges.begin(), edges.end(), std::pair(e.second, e.first));
   });
-}
-
-double angle_between(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 /// Solid angle of the triangle (a, b, c) seen from the origin, signed (van Oosterom, Strackee 1983).

@@ -40,7 +40,7 @@ class SurfaceCast {
     const InView centroid(view, c), normal(view, surface_.polygons[p].normal);
     const auto h = hn::Set(f, centroid.at[0]), u_c = hn::Set(f, centroid.at[1]), v_c = hn::Set(f, centroid.at[2]);
     const auto n_h = hn::Set(f, normal.at[0]), n_u = hn::Set(f, normal.at[1]), n_v = hn::Set(f, normal.at[2]);
-    const float rounding = kSingleRounding * static_cast<float>(std::abs(c.x) + std::abs(c.y) + std::abs(c.z));
+    const auto rounding = static_cast<float>(kSingleRounding * (std::abs(c.x) + std::abs(c.y) + std::abs(c.z)));
     const float reach = view.stretch * radius(p) + view.spread + rounding;
     const auto limit = hn::Set(f, std::min(1.00001F * reach * reach, std::numeric_limits<float>::max()));
     const auto slack = hn::Set(f, 4.0F * (view.spread + rounding));
@@ -68,7 +68,8 @@ class SurfaceCast {
     const ContactPolygon& polygon = surface_.polygons[p];
     const dvec3 c = grid.to_grid(polygon.centroid);
     const auto x_c = hn::Set(f, static_cast<float>(c.x)), y_c = hn::Set(f, static_cast<float>(c.y));
-    const float reach = radius(p) + grid.slack() + kSingleRounding * static_cast<float>(std::abs(c.x) + std::abs(c.y));
+    const float reach =
+        radius(p) + grid.slack() + static_cast<float>(kSingleRounding * (std::abs(c.x) + std::abs(c.y)));
     const auto limit = hn::Set(f, std::min(1.00001F * reach * reach, std::numeric_limits<float>::max()));
     grid.visit(surface_, polygon, [&](std::size_t first, std::size_t last) {
       make_room(last - first);
@@ -103,7 +104,6 @@ class SurfaceCast {
       }
     }
   };
-  static constexpr float kSingleRounding = 4e-6F;
 
   HWY_INLINE void make_room(std::size_t more) {
     const std::size_t size = near_ + more + TetTable::Tile::kRays;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/sensor/ray_view.h"
+
 namespace taxel {
 namespace {
 
@@ -68,7 +70,7 @@ RayGrid::RayGrid(std::span<const SensorRay> rays, const dvec3& direction) {
     x_[place] = static_cast<float>(p.x);
     y_[place] = static_cast<float>(p.y);
   }
-  single_slack_ = static_cast<float>(slack_ + 4e-6 * (largest + deepest));
+  single_slack_ = static_cast<float>(slack_ + kSingleRounding * (largest + deepest));
 }
 
 RayGrid::Cells RayGrid::cells_under(const ContactSurface& surface, const ContactPolygon& polygon) const {

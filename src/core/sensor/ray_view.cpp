@@ -5,12 +5,6 @@
 #include <limits>
 
 namespace taxel {
-namespace {
-
-/// More than what rounding to single precision makes of a coordinate and of its product with a unit vector.
-constexpr double kSinglePrecision = 4e-6;
-
-}  // namespace
 
 RayViewer::RayViewer(std::span<const RayPiece> pieces) {
   dvec3 sum(0);
@@ -33,7 +27,7 @@ RayViewer::RayViewer(std::span<const RayPiece> pieces) {
     stretch_ = 1.0 + steepest;  // no point of the disc is farther than r from c's depth
   else
     spread_ = widest;
-  spread_ += kSinglePrecision * (coordinates + widest);
+  spread_ += kSingleRounding * (coordinates + widest);
 }
 
 RayView RayViewer::view() const {

@@ -10,6 +10,10 @@
 
 namespace taxel {
 
+/// More than what rounding to single precision makes of a coordinate and of its product with a unit vector, as a part
+/// of the coordinates: by so much what is sieved in single precision is widened.
+inline constexpr double kSingleRounding = 4e-6;
+
 /// A piece of a ray: from t_min to t_max [m].
 struct RayPiece {
   const SensorRay* ray;

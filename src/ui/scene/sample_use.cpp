@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angle.h"
+
 namespace taxel::ui {
 namespace {
 
@@ -26,8 +28,8 @@ std::vector<SampleUse> uses_of_sample(const SensorModel& model, int sample) {
     const auto end = model.fields.entries.begin() + model.fields.first[row + 1];
     const auto entry = std::lower_bound(begin, end, sample, [](const auto& e, int s) { return e.sample < s; });
     if (entry == end || entry->sample != sample) continue;
-    const double cosine = glm::dot(at.normal, normal_for(model.layout.taxels[row], at.position));
-    uses.push_back({k, entry->distance, glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))), entry->weight});
+    const double angle = angle_deg(at.normal, normal_for(model.layout.taxels[row], at.position));
+    uses.push_back({k, entry->distance, angle, entry->weight});
   }
   return uses;
 }

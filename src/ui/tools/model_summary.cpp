@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angle.h"
+
 namespace taxel::ui {
 
 ModelSummary summarize(const SensorModelPtr& model) {
@@ -23,10 +25,9 @@ ModelSummary summarize(const SensorModelPtr& model) {
     const Taxel& taxel = model->layout.taxels[row];
     const SurfacePoint nearest = model->skin->closest_point(taxel.center);
     const dvec3& skin_normal = model->skin->mesh().face_normals()[static_cast<std::size_t>(nearest.face)];
-    const double cosine = glm::dot(glm::normalize(taxel.normal), skin_normal);
     summary.samples_of_taxel.push_back(model->fields.first[row + 1] - model->fields.first[row]);
     summary.distance_to_skin.push_back(nearest.distance);
-    summary.angle_to_skin_deg.push_back(glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
+    summary.angle_to_skin_deg.push_back(angle_deg(taxel.normal, skin_normal));
   }
   return summary;
 }

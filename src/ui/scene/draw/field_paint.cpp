@@ -1,5 +1,6 @@
 #include "ui/scene/draw/field_paint.h"
 
+#include "core/base/angle.h"
 #include "ui/scene/color_map.h"
 #include "ui/scene/geometry/coverage.h"
 
@@ -72,7 +73,7 @@ const FieldPaint::Normals& FieldPaint::normals(double length, std::uint32_t skin
     const SurfacePoint nearest = model_->skin->closest_point(taxel.center);
     const dvec3& below = model_->skin->mesh().face_normals()[static_cast<std::size_t>(nearest.face)];
     const dvec3 normal = glm::normalize(taxel.normal);
-    const double angle = glm::degrees(std::acos(std::clamp(glm::dot(normal, below), -1.0, 1.0)));
+    const double angle = angle_deg(normal, below);
     numbers.mean_deg += angle / model_->taxel_count();
     if (numbers.largest_taxel < 0 || angle > numbers.largest_deg) {
       numbers.largest_deg = angle;
