@@ -1,6 +1,7 @@
 #include "ui/selection.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace taxel::ui {
 
@@ -33,15 +34,17 @@ void Selection::set_all(const Layout& layout) {
 }
 
 void Selection::invert(const Layout& layout) {
-  const std::vector<int> before = std::move(taxels);
+  const std::unordered_set<int> before(taxels.begin(), taxels.end());
   taxels.clear();
   for (const Taxel& taxel : layout.taxels) {
-    if (std::find(before.begin(), before.end(), taxel.id) == before.end()) taxels.push_back(taxel.id);
+    if (!before.contains(taxel.id)) taxels.push_back(taxel.id);
   }
 }
 
 void Selection::keep_only(const Layout& layout) {
-  std::erase_if(taxels, [&](int id) { return index_of(layout, id) < 0; });
+  std::unordered_set<int> there;
+  for (const Taxel& taxel : layout.taxels) there.insert(taxel.id);
+  std::erase_if(taxels, [&](int id) { return !there.contains(id); });
 }
 
 int index_of(const Layout& layout, int id) {
@@ -52,10 +55,11 @@ int index_of(const Layout& layout, int id) {
 
 std::vector<int> selected_indices(const Selection& selection, const Layout& layout) {
   std::vector<int> indices;
-  for (const int id : selection.taxels) {
-    if (const int index = index_of(layout, id); index >= 0) indices.push_back(index);
+  const std::unordered_set<int> selected(selection.taxels.begin(), selection.taxels.end());
+  if (selected.empty()) return indices;
+  for (std::size_t i = 0; i < layout.taxels.size(); ++i) {
+    if (selected.contains(layout.taxels[i].id)) indices.push_back(static_cast<int>(i));
   }
-  std::sort(indices.begin(), indices.end());
   return indices;
 }
 

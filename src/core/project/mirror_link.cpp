@@ -7,9 +7,11 @@
 #include <optional>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/layout/generators/place.h"
+#include "core/layout/point_grid.h"
 
 namespace taxel {
 namespace {
@@ -51,16 +53,51 @@ void check_plane(const MirrorPlane& plane) {
   require_direction("mirror", "normal", plane.normal);
 }
 
-/// The nearest taxel within `tolerance` of a place that has no twin across the plane yet, other than `self`.
-const Taxel* free_taxel_at(const Layout& layout, const Mirror& mirror, const dvec3& place, double tolerance, int self) {
-  const Taxel* nearest = nullptr;
-  for (const Taxel& taxel : layout.taxels) {
-    const double distance = glm::distance(taxel.center, place);
-    if (taxel.id == self || !(distance <= tolerance) || twin_across(mirror, taxel.id)) continue;
-    if (nearest == nullptr || distance < glm::distance(nearest->center, place)) nearest = &taxel;
+/// The taxels of a layout by place, those without a twin across a plane.
+class FreeTaxels {
+ public:
+  FreeTaxels(const Layout& layout, const Mirror& mirror, double tolerance)
+      : layout_(layout), tolerance_(tolerance), grid_(centers_of(layout), cell_of(layout, tolerance)) {
+    for (const MirrorLink& link : mirror.links) linked_.insert({link.taxel, link.image});
   }
-  return nearest;
-}
+  [[nodiscard]] bool linked(int id) const { return linked_.contains(id); }
+  void link(int id) { linked_.insert(id); }
+
+  /// The nearest within the tolerance, the first of those equally near; other than `self`. Null: none.
+  [[nodiscard]] const Taxel* at(const dvec3& place, int self) const {
+    const Taxel* nearest = nullptr;
+    double least = tolerance_;
+    if (!is_finite(place)) return nullptr;
+    grid_.visit_near(place, tolerance_, [&](int index) {
+      const Taxel& taxel = layout_.taxels[static_cast<std::size_t>(index)];
+      const double distance = glm::distance(taxel.center, place);
+      if (taxel.id == self || !(distance <= least) || linked(taxel.id)) return;
+      if (nearest != nullptr && distance == least && &taxel > nearest) return;
+      nearest = &taxel;
+      least = distance;
+    });
+    return nearest;
+  }
+
+ private:
+  static std::vector<dvec3> centers_of(const Layout& layout) {
+    std::vector<dvec3> centers;
+    for (const Taxel& taxel : layout.taxels) centers.push_back(taxel.center);
+    return centers;
+  }
+  static double cell_of(const Layout& layout, double tolerance) {
+    Aabb box;
+    for (const Taxel& taxel : layout.taxels) box.include(taxel.center);
+    constexpr double kLeastPart = 1e-6;  // of the whole: where the tolerance is 0
+    const double cell = std::max(tolerance, box.empty() ? 0.0 : kLeastPart * box.diagonal());
+    return cell > 0 && std::isfinite(cell) ? cell : 1.0;
+  }
+
+  const Layout& layout_;
+  double tolerance_;
+  PointGrid grid_;
+  std::unordered_set<int> linked_;
+};
 
 }  // namespace
 
@@ -91,19 +128,33 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit) {
     throw Error("mirror", "tolerance", fmt::format("must be finite and 0 or more, is {}", edit.tolerance));
   const dvec3 n = glm::normalize(edit.plane.normal);
   Mirror& mirror = mirror_of(project, edit.plane);
+  const auto indices = taxel_indices(project.layout);
+  FreeTaxels free(project.layout, mirror, edit.tolerance);
+  std::vector<Taxel> images;
+  std::vector<std::size_t> links_of_images;
   for (const int id : edit.ids) {
-    const Taxel taxel = project.layout.taxels[taxel_index(project.layout, id)];
+    const auto found = indices.find(id);
+    if (found == indices.end()) throw Error("", fmt::format("taxel {}", id), "is not in the layout");
+    const Taxel& taxel = project.layout.taxels[found->second];
     const bool in_plane = 2.0 * std::abs(glm::dot(taxel.center - edit.plane.point, n)) <= edit.tolerance;
-    if (in_plane || twin_across(mirror, id)) continue;
+    if (in_plane || free.linked(id)) continue;
     Taxel image = mirror_images({taxel}, edit.plane).front();
-    if (const Taxel* there = free_taxel_at(project.layout, mirror, image.center, edit.tolerance, id)) {
+    free.link(id);
+    if (const Taxel* there = free.at(image.center, id)) {
       mirror.links.push_back({id, there->id});
+      free.link(there->id);
       continue;
     }
-    image.id = unused_ids(project.layout, 1).front();
-    image.name = mirrored_name(image.name);
-    mirror.links.push_back({id, image.id});
-    project.layout.taxels.push_back(std::move(image));
+    images.push_back(std::move(image));
+    links_of_images.push_back(mirror.links.size());
+    mirror.links.push_back({id, -1});
+  }
+  const std::vector<int> ids = unused_ids(project.layout, images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    images[i].id = ids[i];
+    images[i].name = mirrored_name(images[i].name);
+    mirror.links[links_of_images[i]].image = ids[i];
+    project.layout.taxels.push_back(std::move(images[i]));
   }
   drop_links(project.mirrors, [](int) { return false; });
 }

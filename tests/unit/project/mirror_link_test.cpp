@@ -1,6 +1,9 @@
 // Mirror twins: made once, and following from then on.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/base/rng.h"
 #include "core/project/edit.h"
 #include "fixtures/complaint.h"
 
@@ -116,6 +119,60 @@ TEST(MirrorLink, UnlinkedTaxelsStay) {
   project = apply_edit(project, move(0, {1, 0, 0}));
   EXPECT_EQ(taxel_of(project, 6).center, flipped_x(six().layout.taxels[0].center));
   EXPECT_TRUE(apply_edit(project, UnlinkTaxels{{1}}).mirrors.empty());
+}
+
+/// The mirror edit by its words, every pair looked at: the images, and who is linked with whom.
+Project mirrored_by_hand(Project project, const MirrorTaxels& edit) {
+  Mirror mirror{edit.plane, {}};
+  const auto is_linked = [&](int id) {
+    return std::any_of(mirror.links.begin(), mirror.links.end(),
+                       [id](const MirrorLink& link) { return link.taxel == id || link.image == id; });
+  };
+  for (const int id : edit.ids) {
+    const Taxel taxel = taxel_of(project, id);
+    Taxel image = mirror_images({taxel}, edit.plane).front();
+    if (is_linked(id) || glm::distance(image.center, taxel.center) <= edit.tolerance) continue;
+    int nearest = -1;
+    double least = edit.tolerance;
+    for (const Taxel& other : project.layout.taxels) {
+      const double distance = glm::distance(other.center, image.center);
+      if (other.id == id || is_linked(other.id) || !(nearest < 0 ? distance <= least : distance < least)) continue;
+      nearest = other.id;
+      least = distance;
+    }
+    if (nearest < 0) {
+      image.id = nearest = unused_ids(project.layout, 1).front();
+      image.name = mirrored_name(image.name);
+      project.layout.taxels.push_back(image);
+    }
+    mirror.links.push_back({id, nearest});
+  }
+  project.mirrors.push_back(mirror);
+  return project;
+}
+
+TEST(MirrorLink, IsWhatLookingAtEveryPairGives) {
+  const CounterRng rng(11);
+  for (const double tolerance : {0.0, 1e-6, 2e-3}) {
+    Project project;
+    project.layout.mesh.file = "/m.obj";
+    std::vector<int> ids;
+    // On a coarse raster, so that taxels meet images, each other and the plane, also at equal distances.
+    for (int i = 0; i < 400; ++i) {
+      const auto raster = [&](int axis) {
+        const auto step = static_cast<int>(rng.bits(static_cast<std::uint64_t>(3 * i + axis)) % 13);
+        return 1e-3 * (step - 6);
+      };
+      project.layout.taxels.push_back({3 * i, "", dvec3(raster(0), raster(1), raster(2)), dvec3(1, 0, 0), 0.002, {}});
+      if (i % 4 != 0) ids.push_back(3 * i);
+    }
+    const MirrorTaxels edit{ids, kX, tolerance};
+    const Project expected = mirrored_by_hand(project, edit), made = apply_edit(project, edit);
+    EXPECT_EQ(made.layout, expected.layout) << tolerance;
+    EXPECT_EQ(made.mirrors, expected.mirrors) << tolerance;
+    EXPECT_GT(made.layout.taxels.size(), project.layout.taxels.size());
+    EXPECT_LT(made.layout.taxels.size(), project.layout.taxels.size() + ids.size()) << "some are linked, not added";
+  }
 }
 
 TEST(MirrorLink, NamesWhatCannotBeLinked) {
