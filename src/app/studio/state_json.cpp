@@ -306,7 +306,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["messages"] = messages_json(ui);
   json["widgets"] = widgets_json(ui);
   json["pace"] = pace_json(input, pace);
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote what is no text
 }
 
 void check_expectation(const ExpectCommand& expect, const std::string& state_json) {

@@ -48,6 +48,17 @@ inline std::pair<int, int> line_and_column(const std::string& text, std::size_t 
 }
 
 /// Parses a whole text, refusing what would be read ambiguously (a key twice) or could not be printed again (endless
+/// What a message quotes of a file: its begin and end where it is long, cut between the characters of UTF-8.
+inline std::string short_quote(const std::string& text) {
+  constexpr std::size_t kMost = 240, kHead = 150, kTail = 70;
+  if (text.size() <= kMost) return text;
+  const auto boundary = [&](std::size_t at) {
+    while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) --at;
+    return at;
+  };
+  return text.substr(0, boundary(kHead)) + " ... " + text.substr(boundary(text.size() - kTail));
+}
+
 /// nesting). Throws Error with line and column where it is not JSON.
 template <class Json>
 Json parse_json(const std::string& text, const std::string& file, int max_nesting = kMaxJsonNesting) {
@@ -57,7 +68,7 @@ Json parse_json(const std::string& text, const std::string& file, int max_nestin
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.template get<std::string>()).second)
-      throw Error(file, fmt::format("has the key {} twice in one object", parsed.dump()));
+      throw Error(file, fmt::format("has the key {} twice in one object", short_quote(parsed.dump())));
     return true;
   };
   try {
@@ -67,11 +78,11 @@ Json parse_json(const std::string& text, const std::string& file, int max_nestin
     std::string why = e.what();
     const std::size_t detail = why.find(": ");
     if (detail != std::string::npos) why = why.substr(detail + 2);
-    throw Error(file, fmt::format("line {}, column {}", line, column), "is not JSON: " + why);
+    throw Error(file, fmt::format("line {}, column {}", line, column), "is not JSON: " + short_quote(why));
   } catch (const typename Json::exception& e) {  // a number that no double holds
     std::string why = e.what();
     const std::size_t detail = why.find("] ");
-    throw Error(file, "is not JSON: " + (detail == std::string::npos ? why : why.substr(detail + 2)));
+    throw Error(file, "is not JSON: " + short_quote(detail == std::string::npos ? why : why.substr(detail + 2)));
   }
 }
 

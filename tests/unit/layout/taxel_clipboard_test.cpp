@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/base/rng.h"
@@ -54,6 +55,22 @@ TEST(TaxelClipboard, NamesNonsense) {
   EXPECT_EQ(complaint(R"({"center": [0, 0, 0], "radius": 1})"), "clipboard: /normal: is missing");
   EXPECT_EQ(complaint("{\"taxels\": [").substr(0, 44), "clipboard: line 1, column 13: is not JSON: s");
   EXPECT_EQ(complaint(std::string(100000, '[')), "clipboard: is nested deeper than 64 levels");
+}
+
+TEST(TaxelClipboard, SaysLittleOfMuchNonsense) {
+  const std::string huge(300'000, '7'), umlauts = [] {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) text += "\u00fc";
+    return text;
+  }();
+  for (const std::string& text : {"[" + huge + "]", "[\"" + umlauts + "\"]", "[\"" + umlauts, "{" + huge,
+                                  "{\"" + umlauts + "\": 1, \"" + umlauts + "\": 2}"}) {
+    const std::string said = complaint(text);
+    EXPECT_NE(said, "accepted");
+    EXPECT_LT(said.size(), 400U);
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\xc3'), std::count(said.begin(), said.end(), '\xbc'))
+        << "no half characters: " << said;
+  }
 }
 
 TEST(TaxelClipboard, NothingPastedBreaksIt) {
