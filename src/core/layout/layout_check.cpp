@@ -123,15 +123,19 @@ void check_places(const std::vector<Taxel>& taxels, Check& check) {
 
 }  // namespace
 
-void name_taxels(const Layout& layout, Problems& problems) {
+std::optional<std::size_t> taxel_of_pointer(std::string_view pointer) {
   const std::string_view start = "/taxels/";
+  std::size_t index = 0;
+  if (!pointer.starts_with(start)) return std::nullopt;
+  const auto read = std::from_chars(pointer.data() + start.size(), pointer.data() + pointer.size(), index);
+  return read.ec == std::errc() ? std::optional(index) : std::nullopt;
+}
+
+void name_taxels(const Layout& layout, Problems& problems) {
   for (Problem& p : problems) {
-    std::size_t index = 0;
-    const char* const end = p.pointer.data() + p.pointer.size();
-    if (!p.pointer.starts_with(start) || p.pointer.ends_with("/id")) continue;  // an id names itself
-    const auto read = std::from_chars(p.pointer.data() + start.size(), end, index);
-    if (read.ec == std::errc() && index < layout.taxels.size())
-      p.message += fmt::format(" (taxel {})", layout.taxels[index].id);
+    const std::optional<std::size_t> index = taxel_of_pointer(p.pointer);
+    if (!index || p.pointer.ends_with("/id")) continue;  // an id names itself
+    if (*index < layout.taxels.size()) p.message += fmt::format(" (taxel {})", layout.taxels[*index].id);
   }
 }
 

@@ -1,6 +1,9 @@
 // Every rule a layout can break, as a list of problems with JSON pointers; the mesh is optional.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "core/base/error.h"
 #include "core/layout/layout.h"
 #include "core/mesh/closest_point.h"
@@ -21,6 +24,9 @@ Problems check_layout_on_skin(const Layout& layout, const TriMesh& mesh, const M
 /// What a mesh itself tells against its use: a size that is hardly metres, faces that cut through each other. Not part
 /// of the above, because editing a layout changes nothing about it.
 Problems check_layout_mesh(const TriMesh& mesh, const std::string& file);
+
+/// Index of the taxel that a JSON pointer such as /taxels/3/radius leads into; nothing where it leads elsewhere.
+std::optional<std::size_t> taxel_of_pointer(std::string_view pointer);
 
 /// Adds the id of its taxel to the message of each problem that points into /taxels: an index is not what a user knows.
 void name_taxels(const Layout& layout, Problems& problems);

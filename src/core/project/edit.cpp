@@ -96,6 +96,9 @@ struct Apply {
     project.region = region_of(edit.region);
   }
   void operator()(const ReplaceLayout& edit) const { replace_layout(project, edit); }
+  void operator()(const ApplyAll& edit) const {
+    for (const Edit& each : edit.edits->edits) std::visit(*this, each);
+  }
 
  private:
   /// Refuses what is not usable; what was not before, and stays as it was, does not count.
@@ -167,6 +170,7 @@ struct Name {
   std::string operator()(const SetScenario&) const { return "Change the sweep"; }
   std::string operator()(const ReplaceMesh&) const { return "Replace the mesh"; }
   std::string operator()(const ReplaceLayout&) const { return "Replace the layout"; }
+  std::string operator()(const ApplyAll& edit) const { return edit.name; }
 
  private:
   template <class Item>

@@ -1,6 +1,7 @@
 // Edits are values: what a tool, a panel or a script wants done to a project.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -121,9 +122,19 @@ struct ReplaceLayout {
   Layout layout;
 };
 
+/// Several edits as one: all of them, or none where one is refused.
+struct EditList;
+struct ApplyAll {
+  std::string name;  ///< for the Edit menu
+  std::shared_ptr<const EditList> edits;
+};
+
 using Edit = std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
                           UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField,
-                          SetReadout, SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout>;
+                          SetReadout, SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout, ApplyAll>;
+struct EditList {
+  std::vector<Edit> edits;  ///< one after the other
+};
 
 /// The project after the edit. Pure. Throws Error that names the taxel ("taxel 3: radius: must be greater than 0, is
 /// -1") or the setting ("/material/modulus: ..."), by the rules of layout_check: an edit cannot bring in what could not

@@ -23,6 +23,16 @@ struct Fix {
 std::optional<Fix> fix_for(const Problem& problem, const Project& project, const MeshIndex* skin,
                            const std::string& mesh_sha256 = "");
 
+/// What mends all that can be, as one edit, and what it would leave.
+struct Mending {
+  std::optional<Edit> edit;  ///< nothing: there is nothing to mend, or nothing that can be
+  int mended = 0;            ///< problems that are gone then
+  Problems left;
+};
+/// Fixes of taxels and settings one after the other, each round checked anew, because one may bring up or settle
+/// another. What concerns the mesh is left: that is a decision. Errors and warnings count, notes do not.
+Mending mend_all(const Project& project, const TriMesh& mesh, const MeshIndex& skin);
+
 /// The taxel and its subtaxels at the nearest points of the skin, with the smooth normals there. Where a centre is not
 /// finite, what it belongs to stays.
 TaxelChange projected(const Taxel& taxel, const MeshIndex& skin);

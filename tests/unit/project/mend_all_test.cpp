@@ -1,0 +1,102 @@
+// All repairs at once: what can be mended is, in one edit; the rest is told.
+#include <gtest/gtest.h>
+
+#include "core/layout/layout_check.h"
+#include "core/mesh/primitives.h"
+#include "core/project/fixes.h"
+#include "core/project/history.h"
+
+namespace taxel {
+namespace {
+
+const MeshIndex& box() {
+  static const MeshIndex index(std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.008, 0.005))));
+  return index;
+}
+
+/// Taxels on the upper face of a box of 20 x 16 x 10 mm, in rows.
+Project with_taxels(int count) {
+  Project project;
+  project.layout.mesh = {"/box.obj", dvec3(1), ""};
+  for (int i = 0; i < count; ++i)
+    project.layout.taxels.push_back(
+        {i, "", dvec3(-0.009 + 0.0006 * (i % 30), -0.007 + 0.0003 * (i / 30), 0.005), dvec3(0, 0, 1), 0.003, {}});
+  return project;
+}
+
+Mending mend(const Project& project) {
+  return mend_all(project, box().mesh(), box());
+}
+
+TEST(MendAll, NothingIsMendedWhereNothingIsWrong) {
+  const Mending mending = mend(with_taxels(3));
+  EXPECT_FALSE(mending.edit);
+  EXPECT_EQ(mending.mended, 0);
+  EXPECT_TRUE(mending.left.empty());
+}
+
+TEST(MendAll, ATaxelWithSeveralProblemsIsMendedOfAll) {
+  Project project = with_taxels(3);
+  Taxel& taxel = project.layout.taxels[1];
+  taxel.center.z += 0.002;
+  taxel.normal = dvec3(0, 0, -1);
+  taxel.subtaxels = {{taxel.center, dvec3(0, 0, -1), 0.001}, {taxel.center, dvec3(0, 0, -1), 0.004}};
+  project.layout.taxels[2].radius = -0.002;
+  project.layout.material.friction = -0.5;
+  const Mending mending = mend(project);
+  ASSERT_TRUE(mending.edit);
+  const Project mended = apply_edit(project, *mending.edit);
+  EXPECT_TRUE(mend(mended).left.empty());
+  EXPECT_FALSE(mend(mended).edit);
+  EXPECT_TRUE(mending.left.empty());
+  EXPECT_EQ(mended.layout.taxels[2].radius, 0.002);
+  EXPECT_EQ(mended.layout.material.friction, 0.5);
+  EXPECT_EQ(mended.layout.taxels[0], project.layout.taxels[0]) << "what was right stays";
+}
+
+TEST(MendAll, IsOneStepOfTheHistory) {
+  Project project = with_taxels(4);
+  for (Taxel& taxel : project.layout.taxels) taxel.normal = dvec3(0, 0, -1);
+  History history(project);
+  history.apply(*mend(project).edit);
+  EXPECT_EQ(history.undo_depth(), 1U);
+  EXPECT_EQ(history.undo_name(), "Undo Fix all problems");
+  history.undo();
+  EXPECT_EQ(*history.project(), project);
+}
+
+TEST(MendAll, WhatTakesADecisionIsLeft) {
+  Project project = with_taxels(2);
+  Taxel& taxel = project.layout.taxels[0];
+  taxel.subtaxels = {{taxel.center + dvec3(0.005, 0, 0), dvec3(0, 0, 1), 0.001}};
+  project.layout.taxels[1].normal = dvec3(0, 0, -1);
+  const Mending mending = mend(project);
+  ASSERT_TRUE(mending.edit);
+  EXPECT_EQ(mending.mended, 1);
+  ASSERT_EQ(mending.left.size(), 1U);
+  EXPECT_EQ(mending.left[0].code, "subtaxel_outside");
+}
+
+TEST(MendAll, ThousandsOfTaxelsAreAFewEdits) {
+  Project project = with_taxels(1500);
+  for (Taxel& taxel : project.layout.taxels) {
+    taxel.normal = dvec3(0, 0, -1);
+    taxel.center.z += 0.001;
+  }
+  const Mending mending = mend(project);
+  ASSERT_TRUE(mending.edit);
+  EXPECT_LE(std::get<ApplyAll>(*mending.edit).edits->edits.size(), 8U);
+  EXPECT_TRUE(mending.left.empty());
+  EXPECT_EQ(mending.mended, 3000);
+}
+
+TEST(ApplyAll, IsAllOrNothing) {
+  const Project project = with_taxels(2);
+  const ApplyAll edit{"Both", std::make_shared<const EditList>(EditList{{DeleteTaxels{{0}}, DeleteTaxels{{7}}}})};
+  History history(project);
+  EXPECT_THROW(history.apply(edit), Error);
+  EXPECT_EQ(*history.project(), project);
+}
+
+}  // namespace
+}  // namespace taxel
