@@ -13,15 +13,12 @@ namespace {
 
 /// Widgets settle a picture or two after the last input: a menu opens, a table lays itself out.
 constexpr int kIdleFrames = 3;
-/// After so many pictures ImGui has taken a move and a turn of the wheel that came together.
-constexpr int kWheelPictures = 2;
 
 /// Turns one event line into what the window's callbacks would have told.
 class Hand {
  public:
   explicit Hand(const ScriptStage& stage) : stage_(stage) {}
   std::vector<InputEvent> events;
-  std::vector<InputEvent> later;  ///< when these were taken
 
   bool operator()(const MouseMoveEvent& e) { return move(e.at), true; }
   bool operator()(const MouseButtonEvent& e) {
@@ -45,8 +42,7 @@ class Hand {
     if (e.at) move(*e.at);
     press_modifiers(e.mods, true);
     events.emplace_back(MouseWheel{static_cast<float>(e.x), static_cast<float>(e.y)});
-    // ImGui takes keys and wheel together: let go at once, a modifier would never have been held.
-    for (const ImGuiKey mod : e.mods) later.emplace_back(KeyPress{mod, false});
+    press_modifiers(e.mods, false);
     return true;
   }
   bool operator()(const KeyEvent& e) {
@@ -101,15 +97,10 @@ bool ScriptPlayer::due() const {
 
 std::vector<InputEvent> ScriptPlayer::before_frame(const ScriptStage& stage) {
   Hand hand(stage);
-  if (!later_.empty() && --pictures_until_later_ <= 0) hand.events = std::exchange(later_, {});
   bool is_event = true;
   while (due() && is_event) {
     at_line([&] { is_event = std::visit(hand, script_.lines[next_].step); });
     if (is_event) ++next_;
-  }
-  if (!hand.later.empty()) {
-    later_ = std::move(hand.later);
-    pictures_until_later_ = kWheelPictures;
   }
   return std::move(hand.events);
 }

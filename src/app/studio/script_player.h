@@ -40,8 +40,6 @@ class ScriptPlayer {
   bool run_command(const ScriptStage& stage);
 
   Script script_;
-  std::vector<InputEvent> later_;  ///< of a picture to come
-  int pictures_until_later_ = 0;
   std::size_t next_ = 0;
   int frame_ = 0;
   int idle_frames_ = 0;  ///< pictures in a row after which the window was idle

@@ -96,6 +96,7 @@ void Studio::run_by_clock() {
     const std::vector<InputEvent> events = window_->take_events(newer ? 0 : waiting_time());
     if (!events.empty()) pictures_due_ = kSettlingPictures;
     take(events);
+    if (!input_taken()) pictures_due_ = kSettlingPictures;
     const SessionNews news = session_.update();
     act_on(news);
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
@@ -138,7 +139,9 @@ void Studio::run_by_frames() {
 
 void Studio::take(const std::vector<InputEvent>& events) {
   ImGuiIO& io = ImGui::GetIO();
-  for (const InputEvent& event : events) {
+  input_queue_.add(events);
+  if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;  // it is still at what came before
+  for (const InputEvent& event : input_queue_.take()) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
       ui_.ask(ui::OpenFile{drop->paths.back()});
@@ -163,6 +166,7 @@ void Studio::act_on(const SessionNews& news) {
   if (news.another_document) {
     ui_.selection = {};
     ui_.tool = {};
+    ui_.fields.refused.reset();
   }
   if (news.opened) {
     ui_.mode = *news.opened;
@@ -251,7 +255,7 @@ void Studio::fill_window() {
 }
 
 bool Studio::input_taken() const {
-  return ImGui::GetCurrentContext()->InputEventsQueue.empty();
+  return input_queue_.empty() && ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 
 std::filesystem::path Studio::kept_file(const char* name) const {

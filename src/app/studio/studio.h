@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/studio/autosave.h"
+#include "app/studio/input_queue.h"
 #include "app/studio/options.h"
 #include "app/studio/script_player.h"
 #include "app/studio/session.h"
@@ -53,7 +54,8 @@ class Studio {
   bool carry_out_save(const ui::Request& request);
   bool hold_if_unsaved(const ui::Request& request);
   template <class Body>
-  void edit_document(const Body& body, bool in_gesture = false);
+  void edit_document(const Body& body, bool in_gesture = false,
+                     const std::optional<ui::FieldInput>& from = std::nullopt);
   void save_project(const std::string& path, bool replace);
   void export_layout(const std::string& path, bool replace);
   [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
@@ -86,6 +88,7 @@ class Studio {
   ui::UiInput input_;
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;
+  InputQueue input_queue_;
   bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
   bool anything_opened_ = false, argument_refused_ = false;
   bool themed_dark_ = true;
