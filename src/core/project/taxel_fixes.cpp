@@ -52,12 +52,14 @@ Disc disc_of(const T& t) {
 struct OnSkin {
   dvec3 position, normal;
 };
-/// The normal is the smooth one, or the face's where the two are so far apart that layout_check would complain again.
-OnSkin nearest_on(const MeshIndex& skin, const dvec3& center) {
+/// The normal is the smooth one, or the face's where the two are so far apart that layout_check would complain again:
+/// of the angle, or because no sample around has a normal within the receptive field's.
+OnSkin nearest_on(const MeshIndex& skin, const dvec3& center, double max_angle_deg = 180.0) {
   const SurfacePoint at = skin.closest_point(center);
   const dvec3 smooth = smooth_normal(skin.mesh(), at),
               face = skin.mesh().face_normals()[static_cast<std::size_t>(at.face)];
-  const double least_cosine = 0.6;  // 53 degrees; the check's limit is 60
+  const double steep = 53.0, part = 0.9;  // degrees, where the check's limit is 60
+  const double least_cosine = std::cos(std::min(steep, part * max_angle_deg) * kPi / 180.0);
   return {at.position, glm::dot(smooth, face) < least_cosine ? face : smooth};
 }
 
@@ -113,11 +115,14 @@ class TaxelFix {
     if (only_radius) change.radius = disc.radius;
     return SetTaxels{{change}, only_radius};
   }
+  [[nodiscard]] OnSkin nearest() const {
+    return nearest_on(*skin_, disc_.center, project_.layout.receptive_field.max_angle_deg);
+  }
   [[nodiscard]] bool on_skin() const { return skin_ != nullptr && is_finite(disc_.center); }
 
   std::optional<Fix> move_to_surface() const {
     if (!on_skin()) return std::nullopt;
-    const dvec3 to = nearest_on(*skin_, disc_.center).position;
+    const dvec3 to = nearest().position;
     return Fix{
         fmt::format("Move {} to the surface, by {:.3g} mm", name(), glm::distance(to, disc_.center) * kMillimetres),
         set({to, disc_.normal, disc_.radius})};
@@ -125,11 +130,11 @@ class TaxelFix {
   std::optional<Fix> take_normal() const {
     if (!on_skin()) return std::nullopt;
     return Fix{fmt::format("Give {} the normal of the surface", name()),
-               set({disc_.center, nearest_on(*skin_, disc_.center).normal, disc_.radius})};
+               set({disc_.center, nearest().normal, disc_.radius})};
   }
   std::optional<Fix> put_on_surface() const {
     if (!on_skin()) return std::nullopt;
-    const OnSkin to = nearest_on(*skin_, disc_.center);
+    const OnSkin to = nearest();
     return Fix{fmt::format("Put {} on the surface, with its normal", name()),
                set({to.position, to.normal, disc_.radius})};
   }
