@@ -39,6 +39,10 @@ constexpr std::array kBindings = {
     Binding{Action::resize, kLayout, ImGuiKey_F, false, "Change radius", "Edit", false},
     Binding{Action::project_back, kLayout, kShift | ImGuiKey_N, false, "Project back to the mesh", "Edit", false},
     Binding{Action::mirror, kLayout, kCtrl | ImGuiKey_M, false, "Mirror, linked", "Edit", false},
+    Binding{Action::rename_taxel, kLayout, ImGuiKey_Enter, false, "Rename in the table", "Edit", true,
+            ImGuiKey_KeypadEnter},
+    Binding{Action::move_up, kLayout, kAlt | ImGuiKey_UpArrow, true, "Earlier in the order", "Edit", false},
+    Binding{Action::move_down, kLayout, kAlt | ImGuiKey_DownArrow, true, "Later in the order", "Edit", false},
     Binding{Action::hide, kLayout, ImGuiKey_H, false, "Hide", "Edit", true},
     Binding{Action::show_all, kLayout, kAlt | ImGuiKey_H, false, "Show all", "Edit", false},
     Binding{Action::isolate, kLayout, ImGuiKey_Slash, false, "Show only these", "Edit", false},
@@ -97,6 +101,7 @@ constexpr std::array kBindings = {
     Binding{Action::gesture_z, kGesture, ImGuiKey_Z, false, "Along or about Z", nullptr, false},
     Binding{Action::gesture_accept, kGesture, ImGuiKey_Enter, false, "Accept", nullptr, false, ImGuiKey_KeypadEnter},
     Binding{Action::gesture_cancel, kGesture, ImGuiKey_Escape, false, "Cancel: all as it was", nullptr, false},
+    Binding{Action::walk_panels, kEverywhere, ImGuiKey_Tab, false, "Into the inspector, by keyboard", nullptr, false},
     Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false, "Cancel, then clear the selection", nullptr, false},
 };
 
@@ -110,12 +115,16 @@ constexpr std::array kGestures = {
     Gesture{kLayout, "Ctrl+click", "Add a taxel on the surface"},
     Gesture{kLayout, "Drag a selected taxel", "Slide it along the surface"},
     Gesture{kLayout, "Ctrl+wheel", "Change the radius by 2 %"},
+    Gesture{kLayout, "Double-click a cell", "Type in the table of taxels (Tab: next cell)"},
+    Gesture{kLayout, "Drag a row", "Put taxels elsewhere in the order"},
     Gesture{kGesture, "0-9 . -", "Exact value, in mm or degrees (Backspace)"},
     Gesture{kGesture, "Shift", "A tenth of the pace"},
     Gesture{kGesture, "Ctrl", "Snap"},
     Gesture{kGesture, "Click, right click", "Accept, cancel"},
     Gesture{kWidget, "Enter", "Take over what a field says, also by leaving it"},
-    Gesture{kWidget, "Esc", "Leave a field as it was"},
+    Gesture{kWidget, "Esc", "Leave a field as it was, close a menu, leave a panel"},
+    Gesture{kWidget, "Tab, Shift+Tab", "Next and previous field of the panel"},
+    Gesture{kWidget, "Space, arrows, Ctrl+Tab", "Press, choose; next panel, once the keyboard is in one"},
     Gesture{kEverywhere, "Drop a file", "Open a layout, a mesh or a MuJoCo scene"},
 };
 
@@ -133,6 +142,10 @@ const char* key_name(int key) {
       return "Right";
     case ImGuiKey_LeftArrow:
       return "Left";
+    case ImGuiKey_UpArrow:
+      return "Up";
+    case ImGuiKey_DownArrow:
+      return "Down";
     case ImGuiKey_Escape:
       return "Esc";
     default:

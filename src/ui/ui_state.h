@@ -19,8 +19,11 @@
 #include "ui/scene/scene_labels.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
+#include "ui/tools/layout_problems.h"
 #include "ui/tools/model_summary.h"
+#include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
+#include "ui/widgets/field_state.h"
 #include "ui/widgets/widget_registry.h"
 
 namespace taxel::ui {
@@ -85,7 +88,8 @@ struct Editing {
   std::string problem;     ///< why it cannot be compiled; empty: it can, or is not yet
   std::string undo, redo;  ///< names of the next steps: "Undo Move taxel 3"
   std::size_t undo_depth = 0, redo_depth = 0;
-  bool dirty = false;  ///< not saved as it is
+  bool dirty = false;       ///< not saved as it is
+  std::string mesh_sha256;  ///< of the mesh file as it was read; empty: unknown
 };
 
 /// A load that runs in the worker, or a scene that the simulation builds.
@@ -172,6 +176,7 @@ struct ReloadFile {};
 struct EditProject {
   Edit edit;
   taxel::Gesture gesture;
+  std::optional<FieldInput> from = {};  ///< which says why, where the edit is refused
 };
 struct CancelGesture {
   std::uint64_t number = 0;
@@ -215,6 +220,9 @@ struct UiState {
   PressureRange range;
   Selection selection;
   ToolState tool;
+  FieldState fields;
+  TableState table;
+  LayoutProblems problems;      ///< of the layout that is edited
   bool asks_unsaved = false;    ///< whether to save, before what is open is left
   std::string recovery;         ///< name of a document that was lost unsaved and can be had back; empty: none
   std::string recovery_detail;  ///< when and where
@@ -232,6 +240,7 @@ struct UiState {
   WidgetRegistry widgets;
   std::vector<Request> requests;
   bool reset_arrangement = false;
+  int toolbar_rows = 1, status_rows = 1;  ///< that they needed in the picture before
 
   [[nodiscard]] Camera& camera() { return cameras[mode == Mode::layout ? 0 : 1]; }
   [[nodiscard]] const Camera& camera() const { return cameras[mode == Mode::layout ? 0 : 1]; }

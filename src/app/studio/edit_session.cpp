@@ -72,6 +72,7 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_c
   editing.undo_depth = history_->undo_depth();
   editing.redo_depth = history_->redo_depth();
   editing.dirty = history_->dirty();
+  editing.mesh_sha256 = mesh_sha256_;
   if (worker_.polishing()) polishing = {true, by_clock ? worker_.fraction() : 0};
 }
 

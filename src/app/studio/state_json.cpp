@@ -146,6 +146,32 @@ Json tool_json(const ui::ToolState& tool) {
   return {{"name", to_string(tool.tool)}, {"value", tool.value}, {"problem", tool.problem}};
 }
 
+/// What a field keeps that was refused.
+Json refused_json(const ui::FieldState& fields) {
+  if (!fields.refused) return nullptr;
+  return {
+      {"field", fields.refused->input.field}, {"typed", fields.refused->input.typed}, {"words", fields.refused->words}};
+}
+
+/// Rows of the table as they are shown, and the cell that is typed in.
+Json table_json(const ui::UiState& ui, const ui::UiInput& input) {
+  Json rows = Json::array();
+  if (const Layout* layout = input.shown_layout(ui))
+    for (const int row : ui.table.rows)
+      if (const auto i = static_cast<std::size_t>(row); i < layout->taxels.size()) rows.push_back(layout->taxels[i].id);
+  return {{"rows", rows}, {"filter", ui.table.filter}, {"typing", ui.table.cell.has_value()}};
+}
+
+Json problems_json(const ui::LayoutProblems& problems) {
+  Json json = Json::array();
+  for (const Problem& problem : problems.list)
+    json.push_back({{"severity", to_string(problem.severity)},
+                    {"pointer", problem.pointer},
+                    {"code", problem.code},
+                    {"message", problem.message}});
+  return json;
+}
+
 Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
   if (!input.frame) return nullptr;
   const SimFrame& frame = *input.frame;
@@ -258,7 +284,8 @@ Json messages_json(const ui::UiState& ui) {
 Json widgets_json(const ui::UiState& ui) {
   Json json = Json::array();
   for (const ui::WidgetRegistry::Entry& entry : ui.widgets.entries()) {
-    json.push_back({{"panel", entry.panel}, {"label", entry.label}, {"rect", to_json(entry.rect)}});
+    json.push_back(
+        {{"panel", entry.panel}, {"label", entry.label}, {"rect", to_json(entry.rect)}, {"field", entry.field}});
   }
   return json;
 }
@@ -288,6 +315,10 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["history"] = history_json(input.editing);
   json["recovery"] = ui.recovery;
   json["tool"] = tool_json(ui.tool);
+  json["refused"] = refused_json(ui.fields);
+  json["keyboard"] = ui.fields.keyboard_panel;
+  json["table"] = table_json(ui, input);
+  json["problems"] = problems_json(ui.problems);
   json["simulation"] = simulation_json(ui, input);
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

@@ -5,16 +5,18 @@
 
 namespace taxel::studio {
 
-/// What an edit refuses is told, and nothing has changed then: where the gesture that makes it shows it, or as a
-/// message.
+/// What an edit refuses is told, and nothing has changed then: by the field or the gesture that asked, or as a message.
 template <class Body>
-void Studio::edit_document(const Body& body, bool in_gesture) {
+void Studio::edit_document(const Body& body, bool in_gesture, const std::optional<ui::FieldInput>& from) {
   if (!session_.edits().is_open()) return;
   try {
     body(session_.edits());
     ui_.tool.problem.clear();
+    ui_.fields.refused.reset();
   } catch (const Error& error) {
-    if (in_gesture) {
+    if (from) {
+      ui_.fields.refused = {*from, error.what(), ui_.selection.taxels};
+    } else if (in_gesture) {
       ui_.tool.problem = error.what();
     } else {
       ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
@@ -27,7 +29,8 @@ void Studio::edit_document(const Body& body, bool in_gesture) {
 
 bool Studio::carry_out_edit(const ui::Request& request) {
   if (const auto* edit = std::get_if<ui::EditProject>(&request)) {
-    edit_document([&](EditSession& edits) { edits.edit(edit->edit, edit->gesture); }, edit->gesture.number != 0);
+    edit_document([&](EditSession& edits) { edits.edit(edit->edit, edit->gesture); }, edit->gesture.number != 0,
+                  edit->from);
   } else if (const auto* cancelled = std::get_if<ui::CancelGesture>(&request)) {
     edit_document([&](EditSession& edits) { edits.cancel(cancelled->number); });
   } else if (std::holds_alternative<ui::EndGesture>(request)) {

@@ -10,10 +10,24 @@ namespace {
 /// Parts of the width and height at 1280 x 800 and at larger sizes alike.
 constexpr float kBottom = 0.33f, kLeft = 0.20f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f, kPlot = 0.56f;
 
-void arrange(ImGuiID space, ImVec2 size) {
-  ImGui::DockBuilderRemoveNode(space);
-  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
-  ImGui::DockBuilderSetNodeSize(space, size);
+/// Where text is large for the window, panels that stand side by side become tabs: heights and widths of text.
+constexpr float kCompactWidth = 60, kCompactHeight = 36;
+constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.25f, kCompactRight = 0.30f;
+
+void arrange_compactly(ImGuiID space) {
+  ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kCompactBottom, &bottom, &rest);
+  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kCompactLeft, &left, &center);
+  ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, &center);
+  ImGui::DockBuilderDockWindow(kViewTitle, center);
+  for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
+  ImGui::DockBuilderDockWindow(kInspectorTitle, right);
+  for (const char* title : {kBarsTitle, kPlotTitle, kSectionTitle, kMessagesTitle})
+    ImGui::DockBuilderDockWindow(title, bottom);
+  ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+}
+
+void arrange_side_by_side(ImGuiID space) {
   ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0, outliner = 0, taxels = 0, bars = 0, plot = 0,
           section = 0;
   ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kBottom, &bottom, &rest);
@@ -31,6 +45,15 @@ void arrange(ImGuiID space, ImVec2 size) {
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);
   ImGui::DockBuilderDockWindow(kSectionTitle, section);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+}
+
+void arrange(ImGuiID space, ImVec2 size) {
+  ImGui::DockBuilderRemoveNode(space);
+  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
+  ImGui::DockBuilderSetNodeSize(space, size);
+  const float line = ImGui::GetFontSize();
+  const bool compact = size.x < kCompactWidth * line || size.y < kCompactHeight * line;
+  compact ? arrange_compactly(space) : arrange_side_by_side(space);
   ImGui::DockBuilderFinish(space);
 }
 

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "core/layout/words.h"
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/layout_settings.h"
+#include "ui/panels/problem_list.h"
+#include "ui/panels/subtaxel_editor.h"
 #include "ui/panels/taxel_editor.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
@@ -13,38 +17,6 @@
 namespace taxel::ui {
 
 namespace {
-
-const char* name_of(FieldKind kind) {
-  switch (kind) {
-    case FieldKind::pad:
-      return "pad over a rigid core";
-    case FieldKind::medial_axis:
-      return "medial axis";
-    case FieldKind::star:
-      return "star from the centroid";
-    case FieldKind::tets:
-      return "tetrahedra from a file";
-  }
-  return "";
-}
-
-const char* name_of(Aggregate aggregate) {
-  switch (aggregate) {
-    case Aggregate::weighted_mean:
-      return "weighted mean";
-    case Aggregate::weighted_sum:
-      return "weighted sum";
-    case Aggregate::mean:
-      return "mean";
-    case Aggregate::nearest:
-      return "nearest";
-    case Aggregate::max:
-      return "largest";
-    case Aggregate::force:
-      return "force";
-  }
-  return "";
-}
 
 std::string direction(const dvec3& v) {
   return fmt::format("{:.2f}, {:.2f}, {:.2f}", v.x, v.y, v.z);
@@ -94,6 +66,13 @@ void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
   if (index >= 0) draw_found(ui, input, model, index, edited);
   end_properties();
 }
+
+/// Of the one that is selected.
+void draw_subtaxels_of_selected(UiState& ui, const Project& project) {
+  if (ui.selection.taxels.size() != 1) return;
+  if (const Taxel* taxel = find_taxel(project.layout, ui.selection.taxels.front())) draw_subtaxels(ui, *taxel);
+}
+
 void draw_sampling(UiState& ui, const SensorModel& model) {
   if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
   const ModelSummary& s = ui.summary;
@@ -106,14 +85,14 @@ void draw_sampling(UiState& ui, const SensorModel& model) {
   property("Shared", fmt::format("{} ({:.1f} %)", grouped(s.shared_samples), 100.0 * s.shared_samples / total));
   property("Uncovered skin", in_mm2(s.skin_area - s.used_area));
   property("Largest angle", fmt::format("{:g}\u00b0", layout.receptive_field.max_angle_deg));
-  property("Reading is", name_of(layout.readout.aggregate));
+  property("Reading is", std::string(to_word(layout.readout.aggregate)));
   end_properties();
 }
 
 void draw_material(UiState& ui, const Layout& layout) {
   if (!header(ui, "Material") || !begin_properties("material")) return;
   const Material& m = layout.material;
-  property("Field", name_of(m.field));
+  property("Field", std::string(to_word(m.field)));
   property("Modulus", fmt::format("{:.4g} kPa", 1e-3 * m.modulus));
   property("Thickness", m.thickness > 0 ? in_mm(m.thickness) : "from the size");
   property("Dissipation", fmt::format("{:g} s/m", m.dissipation));
@@ -164,9 +143,16 @@ void draw_inspector(UiState& ui, const UiInput& input) {
   if (begin_panel(ui, kInspectorTitle, &ui.saved.panels.inspector)) {
     const SensorModelPtr model = input.shown_model(ui);
     if (model) {
+      const bool edited = ui.mode == Mode::layout && input.editing.project;
       draw_taxel(ui, input, *model);
-      draw_sampling(ui, *model);
-      draw_material(ui, model->layout);
+      if (edited) {
+        draw_subtaxels_of_selected(ui, *input.editing.project);
+        draw_problem_list(ui, input);
+        draw_layout_settings(ui, input);
+      } else {
+        draw_sampling(ui, *model);
+        draw_material(ui, model->layout);
+      }
     }
     if (ui.mode == Mode::simulate) {
       draw_scene(ui, input);

@@ -16,6 +16,7 @@
 #include "ui/tools/actions.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
 
@@ -24,6 +25,16 @@ namespace {
 void draw_section(UiState& ui, const UiInput& input) {
   if (begin_panel(ui, kSectionTitle, &ui.saved.panels.section)) section_panel(scene_input(ui, input), ui.section);
   ImGui::End();
+}
+
+/// What is wrong is told of the layout as it is, also where it cannot be compiled.
+void update_problems(UiState& ui, const UiInput& input) {
+  if (!input.editing.project || !input.model) {
+    ui.problems = {};
+  } else if (ui.problems.project != input.editing.project || ui.problems.skin != input.model->skin) {
+    ui.problems =
+        layout_problems(input.editing.project, *input.model->mesh, input.model->skin, input.editing.mesh_sha256);
+  }
 }
 
 void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
@@ -44,6 +55,7 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   ui.widgets.begin_frame();
   if (!ui.saved.panels.bars) ui.bars.clear();
   if (ui.summary.model != input.shown_model(ui)) ui.summary = summarize(input.shown_model(ui));
+  update_problems(ui, input);
   handle_keys(ui, input);
   draw_menu_bar(ui, input);
   draw_toolbar(ui, input);
@@ -56,6 +68,7 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_file_dialog(ui);
   draw_unsaved_question(ui, input);
   draw_recovery_card(ui);
+  note_keyboard(ui);
 }
 
 }  // namespace taxel::ui

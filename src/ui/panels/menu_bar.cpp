@@ -50,8 +50,12 @@ void draw_menu_bar(UiState& ui, const UiInput& input) {
     draw_menu(ui, input, menu);
   const std::string version = "Taxel Studio " + input.version;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
-  ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(version.c_str()).x, ImGui::GetCursorScreenPos().y});
-  ImGui::TextDisabled("%s", version.c_str());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float start = right - ImGui::CalcTextSize(version.c_str()).x;
+  if (start > at.x) {  // where the menus leave room
+    ImGui::SetCursorScreenPos({start, at.y});
+    ImGui::TextDisabled("%s", version.c_str());
+  }
   ImGui::EndMainMenuBar();
 }
 

@@ -23,13 +23,42 @@ void leaf(const std::string& text, const std::string& detail) {
   ImGui::TextDisabled("%s", detail.c_str());
 }
 
-void draw_sensor(UiState& ui, const SensorModel& model, const std::string& name) {
+/// With its subtaxels below it.
+void draw_taxel(UiState& ui, const Taxel& taxel) {
+  const bool bare = taxel.subtaxels.empty();
+  auto flags =
+      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_OpenOnDoubleClick;
+  if (bare) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  if (ui.selection.contains(taxel.id)) flags |= ImGuiTreeNodeFlags_Selected;
+  const std::string name = fmt::format("{}{}{}", taxel.id, taxel.name.empty() ? "" : "  ", taxel.name);
+  const bool open = ImGui::TreeNodeEx(fmt::format("{}##taxel{}", name, taxel.id).c_str(), flags);
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) click_taxel(ui, taxel.id, ImGui::GetIO().KeyShift);
+  ui.widgets.note_item(fmt::format("Node of taxel {}", taxel.id));
+  if (!open || bare) return;
+  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
+    ImGui::TreeNodeEx(fmt::format("Subtaxel {}   {}", i, in_mm(taxel.subtaxels[i].radius)).c_str(), kLeafNode);
+    ui.widgets.note_item(fmt::format("Subtaxel {} of taxel {}", i, taxel.id));
+    if (ImGui::IsItemClicked()) click_taxel(ui, taxel.id, false);
+  }
+  ImGui::TreePop();
+}
+
+void draw_taxels(UiState& ui, const Layout& layout) {
+  const std::string title = fmt::format("Taxels  {}##taxels", layout.taxels.size());
+  const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
+  ui.widgets.note_item("Taxels of the layout");
+  if (!open) return;
+  for (const Taxel& taxel : layout.taxels) draw_taxel(ui, taxel);
+  ImGui::TreePop();
+}
+
+void draw_sensor(UiState& ui, const SensorModel& model, const Layout& layout, const std::string& name) {
   const bool open = ImGui::TreeNodeEx(name.c_str(), kOpenNode);
   ui.widgets.note_item(name);
   if (!open) return;
   leaf("Mesh", fmt::format("{} triangles", grouped(model.mesh->face_count())));
   if (model.mesh->shell_count() > 1) leaf("Shells", std::to_string(model.mesh->shell_count()));
-  leaf("Taxels", std::to_string(model.taxel_count()));
+  draw_taxels(ui, layout);
   leaf("Samples", grouped(static_cast<long long>(model.samples.size())));
   leaf("Rays", grouped(static_cast<long long>(model.rays.size())));
   ImGui::TreePop();
@@ -58,7 +87,10 @@ void draw_scene(UiState& ui, const UiInput& input) {
 
 void draw_outliner(UiState& ui, const UiInput& input) {
   if (begin_panel(ui, kOutlinerTitle, &ui.saved.panels.outliner)) {
-    if (input.model) draw_sensor(ui, *input.model, input.name.empty() ? "layout" : input.name);
+    if (input.model) {
+      const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
+      draw_sensor(ui, *input.model, layout, input.name.empty() ? "layout" : input.name);
+    }
     if (input.frame && input.frame->scene) draw_scene(ui, input);
     if (!input.model && !input.frame) ImGui::TextDisabled("Nothing is open.");
   }

@@ -9,54 +9,56 @@
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/flow.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
 namespace {
 
-void item(UiState& ui, const char* name, const std::string& value) {
+void item(UiState& ui, Flow& flow, const char* name, const std::string& value) {
+  flow.next(ImGui::CalcTextSize(name).x + 5 + ImGui::CalcTextSize(value.c_str()).x);
   ImGui::BeginGroup();
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(0, 5);
   ImGui::TextUnformatted(value.c_str());
   ImGui::EndGroup();
   ui.widgets.note_item(fmt::format("{} {}", name, value));
-  ImGui::SameLine(0, 1.3f * ImGui::GetFontSize());
 }
 
 /// Rates of the clock stay out of pictures that follow a script: those are the same every time.
-void draw_rates(UiState& ui, const UiInput& input) {
+void draw_rates(UiState& ui, const UiInput& input, Flow& flow) {
   const Performance& p = input.performance;
   if (p.by_clock) {
-    item(ui, "fps", fmt::format("{:.0f}", p.fps));
+    item(ui, flow, "fps", fmt::format("{:.0f}", p.fps));
   } else {
-    item(ui, "offscreen", "frame by frame");
+    item(ui, flow, "offscreen", "frame by frame");
   }
-  if (const std::string pace = pace_text(input); !pace.empty()) item(ui, "simulation", pace);
-  if (p.by_clock && p.step_seconds > 0) item(ui, "step", duration_text(p.step_seconds));
+  if (const std::string pace = pace_text(input); !pace.empty()) item(ui, flow, "simulation", pace);
+  if (p.by_clock && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));
 }
 
-void draw_contact(UiState& ui, const UiInput& input) {
+void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
   if (!input.frame) return;
-  item(ui, "time", fmt::format("{:.3f} s", input.frame->time));
-  if (input.sweep) item(ui, "travel", in_mm(input.frame->travel, 1));
+  item(ui, flow, "time", fmt::format("{:.3f} s", input.frame->time));
+  if (input.sweep) item(ui, flow, "travel", in_mm(input.frame->travel, 1));
   const SensorFrameState* sensor = input.sensor(ui);
   if (sensor == nullptr) return;
   std::size_t polygons = 0;
   for (const ContactSurface& surface : sensor->surfaces) polygons += surface.polygons.size();
-  item(ui, "force", fmt::format("{:.3f} N", glm::length(sensor->force_W)));
-  item(ui, "polygons", grouped(static_cast<long long>(polygons)));
+  item(ui, flow, "force", fmt::format("{:.3f} N", glm::length(sensor->force_W)));
+  item(ui, flow, "polygons", grouped(static_cast<long long>(polygons)));
 }
 
 /// Tells while a preview's samples are shown, and what happens to them.
-void draw_samples(UiState& ui, const UiInput& input) {
+void draw_samples(UiState& ui, const UiInput& input, Flow& flow) {
   const bool preview = input.model && input.model->quality == SampleQuality::preview;
   if (!preview && !input.polishing.active) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).warning);
   std::string text = "Preview samples";
   if (input.polishing.active) text = "Polishing samples";
   if (input.polishing.fraction > 0) text += fmt::format(" {:.0f} %", 100 * input.polishing.fraction);
+  flow.next(ImGui::CalcTextSize((text + "Cancel").c_str()).x + 5 + 2 * ImGui::GetStyle().FramePadding.x);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).warning);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   ui.widgets.note_item(text);
@@ -71,11 +73,10 @@ void draw_samples(UiState& ui, const UiInput& input) {
     ui.widgets.note_item("Polish");
     tooltip("Spread the samples as evenly as possible");
   }
-  ImGui::SameLine(0, 1.3f * ImGui::GetFontSize());
 }
 
 /// Counters at the right end; a click opens the list.
-void draw_message_counter(UiState& ui, const UiInput& input) {
+void draw_message_counter(UiState& ui, const UiInput& input, Flow& flow) {
   const auto count = [&](Severity severity) {
     return std::count_if(ui.messages.begin(), ui.messages.end(),
                          [&](const Message& m) { return m.severity == severity; });
@@ -86,8 +87,7 @@ void draw_message_counter(UiState& ui, const UiInput& input) {
   const ImVec4& color = count(Severity::error) > 0     ? colors.error
                         : count(Severity::warning) > 0 ? colors.warning
                                                        : colors.dim;
-  const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
+  flow.last(ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
   if (ImGui::SmallButton(text.c_str())) perform(Action::toggle_messages, ui, input);
@@ -108,14 +108,17 @@ std::string pace_text(const UiInput& input) {
 void draw_status_line(UiState& ui, const UiInput& input) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 3));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).background);
-  const float height = ImGui::GetTextLineHeight() + 9;
+  const auto rows = static_cast<float>(ui.status_rows);
+  const float height = rows * ImGui::GetTextLineHeight() + (rows - 1) * ImGui::GetStyle().ItemSpacing.y + 9;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
   if (ImGui::BeginViewportSideBar("Status", ImGui::GetMainViewport(), ImGuiDir_Down, height, kFlags)) {
-    draw_rates(ui, input);
-    draw_samples(ui, input);
-    draw_contact(ui, input);
-    draw_message_counter(ui, input);
+    Flow flow(1.3f * ImGui::GetFontSize());
+    draw_rates(ui, input, flow);
+    draw_samples(ui, input, flow);
+    draw_contact(ui, input, flow);
+    draw_message_counter(ui, input, flow);
+    ui.status_rows = flow.rows();
   }
   ImGui::End();
   ImGui::PopStyleColor();

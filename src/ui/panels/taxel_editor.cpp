@@ -1,10 +1,9 @@
 #include "ui/panels/taxel_editor.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <limits>
 
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
@@ -13,16 +12,12 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2}, kWhole{"", 0, 0};
-constexpr std::array kAxes = {"X", "Y", "Z"};
-
-void begin_row(const char* name) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", name);
-  ImGui::TableNextColumn();
-}
+constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2};
+constexpr std::uint64_t kLargestId = std::numeric_limits<int>::max();
+constexpr const char* kCenterTip =
+    "Of the receptive field, in the frame of the mesh file. Shown in mm, stored in metres";
+constexpr const char* kNormalTip = "Outward direction; its length does not count";
+constexpr const char* kRadiusTip = "Of the receptive field: samples farther from the centre are not read";
 
 /// `change(TaxelChange&, const Taxel&)` for each, as one edit.
 template <class Change>
@@ -34,7 +29,7 @@ void ask_for(UiState& ui, const std::vector<const Taxel*>& taxels, const Change&
     change(one, *taxel);
     set.changes.push_back(one);
   }
-  ui.ask(EditProject{set, {}});
+  ask_edit(ui, set);
 }
 
 template <class Value>
@@ -45,38 +40,30 @@ auto values_of(const std::vector<const Taxel*>& taxels, const Value& value) {
 }
 
 void draw_id(UiState& ui, const Project& project, const Taxel& taxel) {
-  begin_row("Id");
-  const auto id = number_field(ui, "Id", {static_cast<double>(taxel.id)}, kWhole);
-  if (!id) return;
-  constexpr double kLargest = 1e9;
-  const bool whole = *id == std::floor(*id) && *id >= 0 && *id <= kLargest;
-  if (!whole || find_taxel(project.layout, static_cast<int>(*id)) != nullptr) {
-    ui.tool.problem = whole ? fmt::format("Id: {} is that of another taxel", *id) : "Id: must be a whole number from 0";
-    return;
+  begin_property("Id", "Names the taxel in files and readings: a whole number that no other taxel has");
+  const auto id = whole_field(ui, "Id", static_cast<std::uint64_t>(std::max(0, taxel.id)), kLargestId);
+  if (id && find_taxel(project.layout, static_cast<int>(*id)) != nullptr) {
+    refuse(ui, fmt::format("{} is that of another taxel", *id));
+  } else if (id) {
+    ask_edit(ui, RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}});
+    // What is selected is the taxel, not its number.
+    ui.selection.remove(taxel.id);
+    ui.selection.add(static_cast<int>(*id));
   }
-  ui.ask(EditProject{RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}}, {}});
-  // What is selected is the taxel, not its number.
-  ui.selection.remove(taxel.id);
-  ui.selection.add(static_cast<int>(*id));
+  show_refusal(ui, "Id");
 }
 
-/// Three fields in a row; `member`: centre or normal.
-void draw_vector(UiState& ui, const std::vector<const Taxel*>& taxels, const char* name, dvec3 Taxel::*member,
-                 std::optional<dvec3> TaxelChange::*changed, const FieldUnit& unit) {
-  begin_row(name);
-  const float gap = 3, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (axis > 0) ImGui::SameLine(0, gap);
-    const auto values = values_of(taxels, [&](const Taxel& taxel) { return (taxel.*member)[axis]; });
-    const std::string label = fmt::format("{} {}", name, kAxes[static_cast<std::size_t>(axis)]);
-    const auto value = number_field(ui, label, values, unit, width);
-    if (!value) continue;
-    ask_for(ui, taxels, [&](TaxelChange& change, const Taxel& taxel) {
-      dvec3 vector = taxel.*member;
-      vector[axis] = *value;
-      change.*changed = vector;
-    });
-  }
+/// `member`: centre or normal.
+void draw_vector(UiState& ui, const std::vector<const Taxel*>& taxels, const char* name, const char* tip,
+                 dvec3 Taxel::*member, std::optional<dvec3> TaxelChange::*changed, const FieldUnit& unit) {
+  begin_property(name, tip);
+  const auto typed = vector_field(ui, name, values_of(taxels, [&](const Taxel& taxel) { return taxel.*member; }), unit);
+  if (!typed) return;
+  ask_for(ui, taxels, [&](TaxelChange& change, const Taxel& taxel) {
+    dvec3 vector = taxel.*member;
+    vector[typed->axis] = typed->value;
+    change.*changed = vector;
+  });
 }
 
 }  // namespace
@@ -92,18 +79,19 @@ void draw_taxel_fields(UiState& ui, const Project& project) {
   } else {
     property("Taxels", std::to_string(taxels.size()));
   }
-  begin_row("Name");
+  begin_property("Name");
   const auto names = values_of(taxels, [](const Taxel& taxel) { return taxel.name; });
   if (const auto name = text_field(ui, "Name", names)) {
     ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.name = *name; });
   }
-  draw_vector(ui, taxels, "Centre (mm)", &Taxel::center, &TaxelChange::center, kMillimetres);
-  draw_vector(ui, taxels, "Normal", &Taxel::normal, &TaxelChange::normal, kPlain);
-  begin_row("Radius (mm)");
+  draw_vector(ui, taxels, "Centre (mm)", kCenterTip, &Taxel::center, &TaxelChange::center, kMillimetres);
+  draw_vector(ui, taxels, "Normal", kNormalTip, &Taxel::normal, &TaxelChange::normal, kPlain);
+  begin_property("Radius (mm)", kRadiusTip);
   const auto radii = values_of(taxels, [](const Taxel& taxel) { return taxel.radius; });
   if (const auto radius = number_field(ui, "Radius (mm)", radii, kMillimetres)) {
     ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.radius = *radius; });
   }
+  show_refusal(ui, "Radius (mm)");
 }
 
 }  // namespace taxel::ui

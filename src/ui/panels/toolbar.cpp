@@ -9,40 +9,43 @@
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/flow.h"
 
 namespace taxel::ui {
 
 namespace {
 
-void gap() {
-  ImGui::SameLine(0, 1.2f * ImGui::GetFontSize());
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-void draw_modes(UiState& ui, const UiInput& input) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 0));
+void draw_modes(UiState& ui, const UiInput& input, Flow& flow) {
+  constexpr float kGap = 2;
+  flow.next(button_width("LAYOUT") + kGap + button_width("SIMULATE"));
   if (small_choice(ui, "LAYOUT", ui.mode == Mode::layout)) perform(Action::mode_layout, ui, input);
   tooltip("Look at the layout alone (Ctrl+1)");
-  ImGui::SameLine();
+  ImGui::SameLine(0, kGap);
   if (small_choice(ui, "SIMULATE", ui.mode == Mode::simulate)) perform(Action::mode_simulate, ui, input);
   tooltip("Look at the running simulation (Ctrl+2)");
-  ImGui::PopStyleVar();
 }
 
-void draw_transport(UiState& ui, const UiInput& input) {
+void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {
   const Palette& colors = palette(ui.saved.dark);
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  const float small = 2.2f * line, large = 6.4f * line, gap = 4;
+  flow.next(small + gap + large + gap + small);
   ImGui::BeginDisabled(!is_enabled(Action::play_pause, ui, input));
-  if (icon_button(ui, "Reset", Icon::reset, ImVec2(2.2f * line, height), nullptr, "Back to the start (Backspace)")) {
+  if (icon_button(ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
     perform(Action::reset_simulation, ui, input);
   }
-  ImGui::SameLine(0, 4);
+  ImGui::SameLine(0, gap);
   const bool playing = input.playing;
-  if (icon_button(ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(6.4f * line, height),
+  if (icon_button(ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(large, height),
                   playing ? &colors.pause : &colors.run, playing ? "Pause (Space)" : "Run (Space)")) {
     perform(Action::play_pause, ui, input);
   }
-  ImGui::SameLine(0, 4);
-  if (icon_button(ui, "Step", Icon::step, ImVec2(2.2f * line, height), nullptr, "One step forward (Right)")) {
+  ImGui::SameLine(0, gap);
+  if (icon_button(ui, "Step", Icon::step, ImVec2(small, height), nullptr, "One step forward (Right)")) {
     perform(Action::step_forward, ui, input);
   }
   ImGui::EndDisabled();
@@ -52,11 +55,13 @@ std::string speed_name(double speed) {
   return speed >= 1 ? fmt::format("{:g} x", speed) : fmt::format("1/{:g} x", 1 / speed);
 }
 
-void draw_speed(UiState& ui, const UiInput& input) {
+void draw_speed(UiState& ui, const UiInput& input, Flow& flow) {
+  const float width = 5.2f * ImGui::GetFontSize(), gap = 6;
+  flow.next(ImGui::CalcTextSize("Speed").x + gap + width);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Speed");
-  ImGui::SameLine(0, 6);
-  ImGui::SetNextItemWidth(5.2f * ImGui::GetFontSize());
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo("##speed", speed_name(input.speed).c_str());
   if (!open) {
     ui.widgets.note_item("Speed");
@@ -74,7 +79,7 @@ struct OverlayButton {
   Action action;
 };
 
-void draw_overlays(UiState& ui, const UiInput& input) {
+void draw_overlays(UiState& ui, const UiInput& input, Flow& flow) {
   constexpr std::array kButtons = {
       OverlayButton{"Skin", Action::toggle_transparent}, OverlayButton{"Wire", Action::toggle_wireframe},
       OverlayButton{"Contact", Action::toggle_contact},  OverlayButton{"Rays", Action::toggle_rays},
@@ -82,35 +87,37 @@ void draw_overlays(UiState& ui, const UiInput& input) {
       OverlayButton{"Taxels", Action::toggle_taxels},    OverlayButton{"Fields", Action::toggle_fields},
       OverlayButton{"Path", Action::toggle_path},
   };
+  constexpr float kGap = 2;
+  flow.next(ImGui::CalcTextSize("Show").x + 6 + button_width(kButtons.front().label));
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Show");
-  ImGui::SameLine(0, 6);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 0));
+  float gap = 6;
   for (const OverlayButton& b : kButtons) {
     const Binding& binding = binding_of(b.action);
     const std::string key = chord_name(binding.chord);
     const std::string tip = key.empty() ? binding.label : fmt::format("{} ({})", binding.label, key);
+    flow.next(button_width(b.label), gap);
+    gap = kGap;
     if (toggle(ui, b.label, is_checked(b.action, ui), tip.c_str())) perform(b.action, ui, input);
-    ImGui::SameLine();
   }
-  ImGui::PopStyleVar();
 }
 
 }  // namespace
 
 void draw_toolbar(UiState& ui, const UiInput& input) {
-  const float height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const auto rows = static_cast<float>(ui.toolbar_rows);
+  const float height = rows * ImGui::GetFrameHeight() + (rows - 1) * style.ItemSpacing.y + 2 * style.WindowPadding.y;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   if (ImGui::BeginViewportSideBar("Toolbar", ImGui::GetMainViewport(), ImGuiDir_Up, height, kFlags)) {
-    draw_modes(ui, input);
-    gap();
-    draw_transport(ui, input);
-    gap();
-    draw_speed(ui, input);
-    gap();
-    draw_overlays(ui, input);
+    Flow flow(1.2f * ImGui::GetFontSize());
+    draw_modes(ui, input, flow);
+    draw_transport(ui, input, flow);
+    draw_speed(ui, input, flow);
+    draw_overlays(ui, input, flow);
+    ui.toolbar_rows = flow.rows();
   }
   ImGui::End();
 }

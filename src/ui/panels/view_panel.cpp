@@ -41,6 +41,10 @@ void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& rendere
   ++view.draws;
 }
 
+bool shows_pressure(const UiState& ui, const UiInput& input) {
+  return ui.mode == Mode::simulate && input.sensor(ui) != nullptr;
+}
+
 /// Mode and name in the upper left corner.
 void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
   const Palette& colors = palette(ui.saved.dark);
@@ -56,7 +60,10 @@ void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
   if (!layout && input.frame && input.frame->scene && !input.frame->scene->title.empty())
     text = input.frame->scene->title;
   if (!layout && input.frame && input.frame->finished) text += "   (finished)";
-  list.AddText({at.x + width + 0.6f * line, std::round(at.y + 0.22f * line)}, to_u32(colors.text), text.c_str());
+  const float end = ui.view.rect.x1 - (shows_pressure(ui, input) ? pressure_legend_width() + line : 0.5f * line);
+  const ImVec4 room(at.x, at.y, end, at.y + 2 * line);  // the legend begins there
+  list.AddText(nullptr, 0, {at.x + width + 0.6f * line, std::round(at.y + 0.22f * line)}, to_u32(colors.text),
+               text.c_str(), nullptr, 0, &room);
 }
 
 void draw_border(const UiState& ui, ImDrawList& list) {
@@ -118,10 +125,6 @@ void draw_labels(const UiState& ui, ImDrawList& list) {
     list.AddText(ImGui::GetFont(), size, at, label.selected ? IM_COL32_WHITE : to_u32(colors.text, alpha),
                  label.text.c_str());
   }
-}
-
-bool shows_pressure(const UiState& ui, const UiInput& input) {
-  return ui.mode == Mode::simulate && input.sensor(ui) != nullptr;
 }
 
 LegendPlace legend_place(const UiState& ui) {

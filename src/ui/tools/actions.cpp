@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/dock_layout.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/edit_actions.h"
 #include "ui/tools/gesture.h"
+#include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
 
@@ -105,6 +107,9 @@ bool perform_on_interface(Action action, UiState& ui) {
   switch (action) {
     case Action::escape:
       escape(ui);
+      return true;
+    case Action::walk_panels:
+      enter_panel(ui, kInspectorTitle);
       return true;
     case Action::lock_range:
       ui.range.automatic = !ui.range.automatic;
@@ -253,8 +258,8 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
 
 void handle_keys(UiState& ui, const UiInput& input) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-    return;
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  if (ui.fields.had_keys || io.WantTextInput) return;
   // What a gesture has begun with takes all keys until it ends, which may be within this loop.
   const bool gesture = ui.tool.follows();
   if (gesture) type_number(ui);
@@ -262,7 +267,7 @@ void handle_keys(UiState& ui, const UiInput& input) {
     if (!counts(b.context, ui, gesture)) continue;
     for (const int chord : {b.chord, b.also}) {
       // While a gesture runs, Shift and Ctrl are its own: they make it finer, and snap.
-      if (chord != 0 && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
+      if (chord != 0 && !widgets_take(ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), b.repeats)) {
         perform(b.action, ui, input);
       }

@@ -5,6 +5,7 @@
 
 #include "ui/tools/gesture.h"
 #include "ui/tools/surface_place.h"
+#include "ui/tools/taxel_order.h"
 
 namespace taxel::ui {
 
@@ -158,6 +159,15 @@ bool perform_edit(Action action, UiState& ui, const UiInput& input) {
     case Action::project_back:
       project_back(ui, input);
       return true;
+    case Action::rename_taxel:
+      ui.saved.panels.taxels = true;
+      ui.table.cell = {ids.back(), TableColumn::name, true, {}};
+      return true;
+    case Action::move_up:
+    case Action::move_down:
+      ui.ask(
+          EditProject{ReorderTaxels{moved_by_one(input.editing.project->layout, ids, action == Action::move_up)}, {}});
+      return true;
     case Action::mirror:
       ui.ask(EditProject{MirrorTaxels{ids, mirror_plane_of(input.editing.project->layout, input.model->mesh->bounds())},
                          {}});
@@ -211,6 +221,9 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::turn:
     case Action::resize:
     case Action::project_back:
+    case Action::rename_taxel:
+    case Action::move_up:
+    case Action::move_down:
     case Action::mirror:
     case Action::hide:
     case Action::isolate:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/theme.h"
+#include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
 
@@ -56,10 +57,12 @@ bool lies_on_its_color(const char* title) {
 
 bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
   if (lies_on_its_color(title)) ImGui::SetNextWindowBgAlpha(0);
-  // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was.
-  const bool visible =
-      ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+  // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was. Not while a field of
+  // the panel is typed in, or the keyboard walks through it: then Tab goes to the next one.
+  if (ui.fields.keyboard_panel != title) flags |= ImGuiWindowFlags_NoNavInputs;
+  const bool visible = ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
   ui.widgets.note_item(title);
+  if (visible) focus_if_entered(ui, title);
   return visible;
 }
 
@@ -180,20 +183,27 @@ void property(const char* name, const std::string& value, const ImVec4& color) {
   ImGui::PopStyleColor();
 }
 
-bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
-                    double hi) {
+void begin_property(const char* name, const std::string& tip) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
+  ImGui::PushTextWrapPos(0);
   ImGui::TextDisabled("%s", name);
+  ImGui::PopTextWrapPos();
+  tooltip(tip);
   ImGui::TableNextColumn();
+}
+
+bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
+                    double hi) {
+  begin_property(name);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
   auto shown = static_cast<float>(*value * shown_per_si);
   const auto shown_lo = static_cast<float>(lo * shown_per_si), shown_hi = static_cast<float>(hi * shown_per_si);
   const bool changed = ImGui::DragFloat(id.c_str(), &shown, 0.005f * (shown_hi - shown_lo), shown_lo, shown_hi, format,
                                         ImGuiSliderFlags_AlwaysClamp);
-  ui.widgets.note_item(name);
+  ui.widgets.note_item(name, true);
   if (changed) *value = static_cast<double>(shown) / shown_per_si;
   return changed;
 }

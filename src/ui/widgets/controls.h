@@ -32,6 +32,8 @@ bool begin_properties(const char* id);
 void end_properties();
 void property(const char* name, const std::string& value);
 void property(const char* name, const std::string& value, const ImVec4& color);
+/// A row whose value is drawn by the caller; `tip`: what it is, in which unit, from where.
+void begin_property(const char* name, const std::string& tip = "");
 /// A row whose value is a field; true when it was changed. Shown as value * shown_per_si, stored in SI.
 bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
                     double hi);

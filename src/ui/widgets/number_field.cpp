@@ -5,26 +5,50 @@
 #include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/base/expression.h"
+#include "ui/theme.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
 namespace {
 
-/// The text of the field that is typed in now belongs to ImGui; others show what there is.
+/// The text of the field that is typed in now belongs to ImGui; others show what there is, or what was refused.
 std::optional<std::string> edited_text(UiState& ui, const std::string& name, const std::string& shown, bool mixed,
                                        float width) {
-  const std::string id = "##" + name;
+  std::optional<Refusal>& refused = ui.fields.refused;
+  const bool kept = refused && refused->input.field == name && !refused->input.typed.empty();
+  const std::string before = kept ? refused->input.typed : shown;
+  std::string text = before;
   ImGui::SetNextItemWidth(width);
-  std::string text = shown;
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, kept ? 1.5f : 0.0f);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.saved.dark).error);
   const char* hint = !mixed ? "" : width < 0 ? "mixed" : "...";  // where there is no room for more
-  ImGui::InputTextWithHint(id.c_str(), hint, &text, ImGuiInputTextFlags_AutoSelectAll);
-  const bool typed = ImGui::IsItemDeactivatedAfterEdit();
-  ui.widgets.note_item(name);
-  return typed ? std::optional(text) : std::nullopt;
+  ImGui::InputTextWithHint(("##" + name).c_str(), hint, &text, ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ui.widgets.note_item(name, true);
+  if (!ImGui::IsItemDeactivated()) return std::nullopt;
+  const bool left = ImGui::IsKeyPressed(ImGuiKey_Escape, false) || text == shown;
+  if (kept && left) refused.reset();
+  if (left || text == before || !ImGui::IsItemDeactivatedAfterEdit()) return std::nullopt;
+  ui.fields.last = {name, text};
+  return text;
+}
+
+/// In SI; what is no number is refused.
+std::optional<double> number_of(UiState& ui, const std::string& typed, const FieldUnit& unit) {
+  try {
+    return shifted_decimal(evaluate(typed, unit.name), unit.decimal);
+  } catch (const Error& error) {
+    refuse(ui, error.what());
+    return std::nullopt;
+  }
 }
 
 template <class T>
@@ -34,28 +58,85 @@ bool differ(const std::vector<T>& values) {
 
 }  // namespace
 
+std::string shown_number(double value, const FieldUnit& unit) {
+  const double shown = shifted_decimal(value, -unit.decimal);
+  return unit.digits < 0 ? fmt::format("{}", shown) : fmt::format("{:.{}f}", shown, unit.digits);
+}
+
 std::optional<double> number_field(UiState& ui, const std::string& name, const std::vector<double>& values,
                                    const FieldUnit& unit, float width) {
   const bool mixed = differ(values);
-  const std::string shown = mixed || values.empty()
-                                ? ""
-                                : fmt::format("{:.{}f}", shifted_decimal(values.front(), -unit.decimal), unit.digits);
+  const std::string shown = mixed || values.empty() ? "" : shown_number(values.front(), unit);
   const std::optional<std::string> typed = edited_text(ui, name, shown, mixed, width);
-  if (!typed || *typed == shown) return std::nullopt;
-  try {
-    return shifted_decimal(evaluate(*typed, unit.name), unit.decimal);
-  } catch (const Error& error) {
-    ui.tool.problem = fmt::format("{}: {}", name, error.what());
-    return std::nullopt;
+  return typed ? number_of(ui, *typed, unit) : std::nullopt;
+}
+
+std::optional<std::uint64_t> whole_field(UiState& ui, const std::string& name, std::uint64_t value,
+                                         std::uint64_t most) {
+  const std::optional<std::string> typed = edited_text(ui, name, std::to_string(value), false, -1);
+  const std::optional<double> number = typed ? number_of(ui, *typed, {}) : std::nullopt;
+  if (!number) return std::nullopt;
+  if (*number == std::floor(*number) && *number >= 0 && *number <= static_cast<double>(most))
+    return static_cast<std::uint64_t>(*number);
+  refuse(ui, fmt::format("must be a whole number from 0 to {}, is {}", most, *typed));
+  return std::nullopt;
+}
+
+std::optional<std::optional<double>> optional_field(UiState& ui, const std::string& name,
+                                                    const std::optional<double>& value, const FieldUnit& unit) {
+  const std::optional<std::string> typed = edited_text(ui, name, value ? shown_number(*value, unit) : "", false, -1);
+  if (!typed) return std::nullopt;
+  if (typed->empty()) return std::optional<double>();
+  const std::optional<double> number = number_of(ui, *typed, unit);
+  return number ? std::optional(number) : std::nullopt;
+}
+
+std::optional<AxisValue> vector_field(UiState& ui, const std::string& name, const std::vector<dvec3>& values,
+                                      const FieldUnit& unit) {
+  constexpr std::array kAxes = {"X", "Y", "Z"};
+  constexpr float kLeastWidth = 2.8f;  // of a field, in heights of text: in less room they stand below each other
+  const float gap = 3, room = ImGui::GetContentRegionAvail().x, third = (room - 2 * gap) / 3;
+  const bool in_row = third >= kLeastWidth * ImGui::GetFontSize();
+  const float width = in_row ? third : room;
+  std::optional<AxisValue> changed;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0 && in_row) ImGui::SameLine(0, gap);
+    std::vector<double> along;
+    for (const dvec3& value : values) along.push_back(value[axis]);
+    const std::string label = fmt::format("{} {}", name, kAxes[static_cast<std::size_t>(axis)]);
+    if (const auto value = number_field(ui, label, along, unit, width)) changed = {axis, *value};
   }
+  show_refusal(ui, name);
+  return changed;
 }
 
 std::optional<std::string> text_field(UiState& ui, const std::string& name, const std::vector<std::string>& values,
                                       float width) {
   const bool mixed = differ(values);
   const std::string shown = mixed || values.empty() ? "" : values.front();
-  std::optional<std::string> typed = edited_text(ui, name, shown, mixed, width);
-  return typed && *typed != shown ? typed : std::nullopt;
+  return edited_text(ui, name, shown, mixed, width);
+}
+
+void ask_edit(UiState& ui, Edit edit) {
+  ui.ask(EditProject{std::move(edit), {}, ui.fields.last});
+}
+
+void refuse(UiState& ui, const std::string& words) {
+  ui.fields.refused = {ui.fields.last, ui.fields.last.field + ": " + words, ui.selection.taxels};
+}
+
+void show_refusal(UiState& ui, const std::string& name) {
+  const std::optional<Refusal>& refused = ui.fields.refused;
+  if (!refused) return;
+  const std::string& field = refused->input.field;
+  const bool axis = field.size() == name.size() + 2 && field.starts_with(name + " ");
+  if (field != name && !axis) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).error);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(refused->words.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ui.widgets.note_item("Refused");
 }
 
 }  // namespace taxel::ui

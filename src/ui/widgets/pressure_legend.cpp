@@ -27,13 +27,9 @@ void draw_color_bar(ImDrawList& list, ImVec2 lo, ImVec2 hi) {
   }
 }
 
-float legend_width() {
-  return 5.6f * ImGui::GetFontSize();
-}
-
 Rect range_button(const LegendPlace& place) {
   const float line = ImGui::GetFontSize(), bottom = place.corner.y + place.height;
-  return {place.corner.x - legend_width() + 0.3f * line, bottom - 1.7f * line, place.corner.x - 0.3f * line,
+  return {place.corner.x - pressure_legend_width() + 0.3f * line, bottom - 1.7f * line, place.corner.x - 0.3f * line,
           bottom - 0.3f * line};
 }
 
@@ -49,6 +45,10 @@ void draw_range_state(const UiState& ui, ImDrawList& list, const Rect& button) {
 }
 
 }  // namespace
+
+float pressure_legend_width() {
+  return 5.6f * ImGui::GetFontSize();
+}
 
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha) {
   const double span = range.hi - range.lo;
@@ -74,7 +74,8 @@ void draw_pressure_legend(const UiState& ui, const LegendPlace& place) {
   const Palette& colors = palette(ui.saved.dark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetFontSize(), pad = 0.5f * line;
-  const ImVec2 lo(place.corner.x - legend_width(), place.corner.y), hi(place.corner.x, place.corner.y + place.height);
+  const ImVec2 lo(place.corner.x - pressure_legend_width(), place.corner.y),
+      hi(place.corner.x, place.corner.y + place.height);
   list.AddRectFilled(lo, hi, to_u32(colors.panel, 0.82f), ImGui::GetStyle().FrameRounding);
   list.AddText({lo.x + pad, lo.y + 0.35f * line}, to_u32(colors.text), "Pressure");
   list.AddText({lo.x + pad, lo.y + 1.4f * line}, to_u32(colors.dim), "kPa");

@@ -13,6 +13,8 @@ struct LegendPlace {
   float height = 0;
 };
 
+float pressure_legend_width();
+
 /// The button that switches AUTO and LOCKED; to be placed before what the legend covers, so that it gets the click.
 void place_range_button(UiState& ui, const LegendPlace& place);
 void draw_pressure_legend(const UiState& ui, const LegendPlace& place);

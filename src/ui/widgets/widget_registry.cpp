@@ -7,9 +7,6 @@
 
 namespace taxel::ui {
 
-namespace {
-
-/// The window's title without ImGui's id part, and without the path of child windows.
 std::string panel_name(const ImGuiWindow* window) {
   while (window->ParentWindow != nullptr && (window->Flags & ImGuiWindowFlags_ChildWindow) != 0 &&
          window->DockNode == nullptr) {
@@ -19,19 +16,17 @@ std::string panel_name(const ImGuiWindow* window) {
   return name.substr(0, name.find("##"));
 }
 
-}  // namespace
-
-void WidgetRegistry::note(std::string_view panel, std::string_view label, const Rect& rect) {
-  entries_.push_back({std::string(panel), std::string(label), rect});
+void WidgetRegistry::note(std::string_view panel, std::string_view label, const Rect& rect, bool field) {
+  entries_.push_back({std::string(panel), std::string(label), rect, field});
 }
 
-void WidgetRegistry::note_item(std::string_view label) {
+void WidgetRegistry::note_item(std::string_view label, bool field) {
   if (!ImGui::IsItemVisible()) return;
   ImRect rect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
   rect.ClipWithFull(window->ClipRect);
   if (rect.GetWidth() < 1 || rect.GetHeight() < 1) return;
-  note(panel_name(window), label.substr(0, label.find("##")), {rect.Min.x, rect.Min.y, rect.Max.x, rect.Max.y});
+  note(panel_name(window), label.substr(0, label.find("##")), {rect.Min.x, rect.Min.y, rect.Max.x, rect.Max.y}, field);
 }
 
 const WidgetRegistry::Entry* WidgetRegistry::find(std::string_view name) const {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+struct ImGuiWindow;
+
 namespace taxel::ui {
 
 /// Pixels of the window, from its top left corner.
@@ -22,12 +24,13 @@ class WidgetRegistry {
   struct Entry {
     std::string panel, label;
     Rect rect;
+    bool field = false;  ///< something is typed or chosen in it
   };
 
   void begin_frame() { entries_.clear(); }
-  void note(std::string_view panel, std::string_view label, const Rect& rect);
+  void note(std::string_view panel, std::string_view label, const Rect& rect, bool field = false);
   /// Notes ImGui's last item under `label` where any of it is visible.
-  void note_item(std::string_view label);
+  void note_item(std::string_view label, bool field = false);
 
   /// "Run", or "Toolbar/Run" where a label stands in several panels. The one drawn last, hence on top; null: not
   /// visible.
@@ -37,5 +40,8 @@ class WidgetRegistry {
  private:
   std::vector<Entry> entries_;
 };
+
+/// Title of the panel that a window, or the child window of one, belongs to: without ImGui's id part.
+std::string panel_name(const ImGuiWindow* window);
 
 }  // namespace taxel::ui

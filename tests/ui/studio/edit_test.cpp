@@ -306,7 +306,7 @@ TEST(Inspector, EditsOneTaxelAndSeveralAtOnce) {
   studio.play(script, {kLayoutFile});
   const Json before = edited(studio.state("before.json"), 3), one = edited(studio.state("one.json"), 40);
   EXPECT_EQ(studio.state("taken.json")["selection"]["taxels"], Json({3}));
-  EXPECT_EQ(studio.state("taken.json")["tool"]["problem"], "Id: 5 is that of another taxel");
+  EXPECT_EQ(studio.state("taken.json")["refused"]["words"], "Id: 5 is that of another taxel");
   EXPECT_EQ(one["radius"], 3.25e-3);
   EXPECT_EQ(one["name"], "thumb");
   EXPECT_EQ(one["center"][1], -6.5e-3);
@@ -319,7 +319,8 @@ TEST(Inspector, EditsOneTaxelAndSeveralAtOnce) {
   EXPECT_EQ(edited(both, 5)["radius"], 5e-3);
   EXPECT_EQ(edited(both, 5)["name"], edited(studio.state("before.json"), 5)["name"]);
   EXPECT_EQ(studio.state("same.json")["document"], both["document"]);
-  EXPECT_NE(studio.state("same.json")["tool"]["problem"].get<std::string>().find("Radius (mm): "), std::string::npos);
+  EXPECT_EQ(studio.state("same.json")["refused"]["typed"], "1/0");
+  EXPECT_NE(studio.state("same.json")["refused"]["words"].get<std::string>().find("Radius (mm): "), std::string::npos);
 }
 
 TEST(Edit, HiddenTaxelsAreNeitherSeenNorPickedUntilShown) {

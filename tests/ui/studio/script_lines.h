@@ -36,6 +36,14 @@ inline std::string taxel(int id) {
   return R"({"taxel": )" + std::to_string(id) + "}";
 }
 
+/// Arguments for a large window without bars and plots, where all fields of the inspector are in sight.
+inline std::vector<std::string> tall_window(const StudioProgram& studio, const std::string& file = kLayoutFile) {
+  std::filesystem::create_directories(studio.folder() / "state");
+  write_text(studio.folder() / "state/settings.json",
+             R"({"panel_bars": false, "panel_plot": false, "panel_section": false})");
+  return {"--state-dir", "state", "--size", "1500x2150", file};
+}
+
 inline Lines joined(const std::vector<Lines>& parts) {
   Lines all;
   for (const Lines& part : parts) all.insert(all.end(), part.begin(), part.end());

@@ -1,0 +1,30 @@
+// What is wrong with the layout that is edited, by taxel, and what would mend it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "core/project/fixes.h"
+#include "core/project/project.h"
+
+namespace taxel::ui {
+
+struct LayoutProblems {
+  ProjectPtr project;  ///< that they are of; null: nothing is edited
+  std::shared_ptr<const MeshIndex> skin;
+  Problems list;
+  std::unordered_map<int, std::vector<std::size_t>> of_taxel;  ///< id -> indices in `list`
+  std::vector<std::size_t> of_settings;                        ///< all others
+
+  /// Of a taxel; empty: none.
+  [[nodiscard]] std::vector<std::size_t> of(int id) const;
+  [[nodiscard]] Severity worst(int id) const;  ///< note where there are none
+};
+
+/// Every rule that the project breaks. Costs microseconds per taxel.
+LayoutProblems layout_problems(const ProjectPtr& project, const TriMesh& mesh,
+                               const std::shared_ptr<const MeshIndex>& skin, const std::string& mesh_sha256);
+
+}  // namespace taxel::ui
