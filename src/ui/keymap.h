@@ -37,6 +37,9 @@ enum class Action {
   project_back,
   mirror,
   box_select,
+  lasso_select,
+  brush,
+  generate,
   hide,
   show_all,
   isolate,
@@ -85,6 +88,8 @@ enum class Action {
   scale_down,
   scale_reset,
   help,
+  palette,
+  tour,
 };
 
 struct Binding {

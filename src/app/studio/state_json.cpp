@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/studio/script_player.h"
@@ -138,12 +139,38 @@ const char* to_string(ui::Tool tool) {
       return "resize";
     case ui::Tool::box:
       return "box";
+    case ui::Tool::lasso:
+      return "lasso";
+    case ui::Tool::brush:
+      return "brush";
   }
   return "none";
 }
 
 Json tool_json(const ui::ToolState& tool) {
   return {{"name", to_string(tool.tool)}, {"value", tool.value}, {"problem", tool.problem}};
+}
+
+/// The Generate panel; null while it is closed.
+Json generate_json(const ui::GenerateState& g) {
+  if (!g.open) return nullptr;
+  Json json = {{"center", to_json(g.frame.center)},
+               {"normal", to_json(g.frame.normal)},
+               {"turn_deg", g.pattern.turn_deg},
+               {"waiting", g.waiting()},
+               {"left_out", g.left_out},
+               {"least_distance", nullptr},
+               {"problem", g.problem},
+               {"file_problem", g.file_problem},
+               {"taxels", Json::array()}};
+  if (std::isfinite(g.least_distance)) json["least_distance"] = g.least_distance;
+  if (!g.ghosts) return json;
+  for (const Taxel& taxel : *g.ghosts)
+    json["taxels"].push_back({{"id", taxel.id},
+                              {"center", to_json(taxel.center)},
+                              {"normal", to_json(taxel.normal)},
+                              {"radius", taxel.radius}});
+  return json;
 }
 
 Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
@@ -288,6 +315,9 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["history"] = history_json(input.editing);
   json["recovery"] = ui.recovery;
   json["tool"] = tool_json(ui.tool);
+  json["generate"] = generate_json(ui.generate);
+  json["tour_step"] = ui.tour_step;
+  json["region"] = input.editing.project ? Json(*input.editing.project->region) : Json(nullptr);
   json["simulation"] = simulation_json(ui, input);
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

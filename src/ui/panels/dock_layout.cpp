@@ -26,6 +26,7 @@ void arrange(ImGuiID space, ImVec2 size) {
   ImGui::DockBuilderDockWindow(kOutlinerTitle, outliner);
   ImGui::DockBuilderDockWindow(kTaxelsTitle, taxels);
   ImGui::DockBuilderDockWindow(kInspectorTitle, right);
+  ImGui::DockBuilderDockWindow(kGenerateTitle, right);
   ImGui::DockBuilderDockWindow(kBarsTitle, bars);
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);

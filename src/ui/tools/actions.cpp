@@ -7,6 +7,7 @@
 
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/edit_actions.h"
+#include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 
 namespace taxel::ui {
@@ -76,6 +77,10 @@ bool* switch_of(Action action, SavedState& saved) {
 void escape(UiState& ui) {
   if (ui.tool.tool != Tool::none) {
     cancel_tool(ui);
+  } else if (ui.tour_step >= 0) {
+    ui.tour_step = -1;
+  } else if (ui.generate.open) {
+    close_generate(ui);
   } else if (ui.saved.panels.help) {
     ui.saved.panels.help = false;
   } else {
@@ -105,6 +110,13 @@ bool perform_on_interface(Action action, UiState& ui) {
   switch (action) {
     case Action::escape:
       escape(ui);
+      return true;
+    case Action::palette:
+      ui.palette = {};
+      ui.palette.open = ui.palette.wants_focus = true;
+      return true;
+    case Action::tour:
+      ui.tour_step = 0;
       return true;
     case Action::lock_range:
       ui.range.automatic = !ui.range.automatic;
