@@ -40,6 +40,9 @@ enum class Action {
   move_down,
   mirror,
   box_select,
+  lasso_select,
+  brush,
+  generate,
   hide,
   show_all,
   isolate,
@@ -89,6 +92,8 @@ enum class Action {
   scale_down,
   scale_reset,
   help,
+  palette,
+  tour,
 };
 
 struct Binding {

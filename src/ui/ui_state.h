@@ -19,8 +19,10 @@
 #include "ui/scene/scene_labels.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
+#include "ui/tools/generate_state.h"
 #include "ui/tools/layout_problems.h"
 #include "ui/tools/model_summary.h"
+#include "ui/tools/palette_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
@@ -48,6 +50,7 @@ struct SavedState {
   Overlays overlays;
   PanelsShown panels;
   PlotOptions plot;
+  bool tour_seen = false;
   std::vector<std::string> recent;  ///< newest first
 };
 
@@ -66,7 +69,7 @@ struct FolderEntry {
   bool folder = false;
 };
 
-enum class FileTask { open, save_project, export_layout };
+enum class FileTask { open, save_project, export_layout, read_points };
 
 struct FileDialog {
   FileTask task = FileTask::open;
@@ -204,13 +207,18 @@ struct AnswerUnsaved {
 struct AnswerRecovery {
   bool recover = false;  ///< else it is thrown away
 };
+struct PreviewPattern {};  ///< of what ui.generate asks for
+struct DropPreview {};     ///< the one that is being made
+struct ReadPoints {        ///< a table or a picture for ui.generate
+  std::string path;
+};
 struct TakeScreenshot {};
 struct Quit {};
-using Request =
-    std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
-                 RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, EditProject,
-                 CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
-                 ExportLayout, DialogClosed, AnswerUnsaved, AnswerRecovery, TakeScreenshot, Quit>;
+using Request = std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples,
+                             SendCommand, RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode,
+                             ReloadFile, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels,
+                             PasteTaxels, SaveProject, SaveProjectAs, ExportLayout, DialogClosed, AnswerUnsaved,
+                             AnswerRecovery, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit>;
 
 struct UiState {
   SavedState saved;
@@ -223,6 +231,9 @@ struct UiState {
   FieldState fields;
   TableState table;
   LayoutProblems problems;      ///< of the layout that is edited
+  GenerateState generate;
+  PaletteState palette;
+  int tour_step = -1;           ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;    ///< whether to save, before what is open is left
   std::string recovery;         ///< name of a document that was lost unsaved and can be had back; empty: none
   std::string recovery_detail;  ///< when and where

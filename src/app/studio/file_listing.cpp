@@ -23,6 +23,16 @@ bool can_be_opened(const fs::path& file) {
 
 }  // namespace
 
+bool is_picture(const fs::path& file) {
+  const std::string name = file.extension().string();
+  return name == ".png" || name == ".PNG" || name == ".jpg" || name == ".JPG" || name == ".jpeg";
+}
+
+bool holds_points(const fs::path& file) {
+  const std::string name = file.extension().string();
+  return name == ".csv" || name == ".CSV" || name == ".txt" || name == ".tsv" || is_picture(file);
+}
+
 void list_folder(ui::FileDialog& dialog, const std::string& folder) {
   std::error_code error;
   const fs::path path = fs::weakly_canonical(folder.empty() ? fs::current_path() : fs::path(folder), error);
@@ -35,11 +45,12 @@ void list_folder(ui::FileDialog& dialog, const std::string& folder) {
   dialog.folder = path.string();
   dialog.entries.clear();
   dialog.selected = -1;
+  const auto wanted = dialog.task == ui::FileTask::read_points ? holds_points : can_be_opened;
   for (const fs::directory_entry& entry : it) {
     const std::string name = entry.path().filename().string();
     std::error_code unreadable;
     const bool is_folder = entry.is_directory(unreadable);
-    if (name.starts_with('.') || (!is_folder && !can_be_opened(entry.path()))) continue;
+    if (name.starts_with('.') || (!is_folder && !wanted(entry.path()))) continue;
     dialog.entries.push_back({name, is_folder});
   }
   std::sort(dialog.entries.begin(), dialog.entries.end(), [](const ui::FolderEntry& a, const ui::FolderEntry& b) {

@@ -50,6 +50,7 @@ ParsedOptions parse_options(int argc, char** argv) {
   app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
+  app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
   app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least every so many seconds")
       ->default_str("30")

@@ -13,6 +13,7 @@ struct Options {
   std::string state_dir;  ///< of settings and autosave; empty: the user's own, or none where frames follow a script
   double autosave_every = 30;  ///< [s]
   bool empty = false;          ///< opens nothing
+  bool tour = false;           ///< begins with the tour, seen or not
   int width = 1280, height = 800;
   std::string cut_out;  ///< the 3-D view alone, on a transparent background
   int cut_out_width = 2400, cut_out_height = 1800;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/studio/script_player.h"
@@ -138,6 +139,10 @@ const char* to_string(ui::Tool tool) {
       return "resize";
     case ui::Tool::box:
       return "box";
+    case ui::Tool::lasso:
+      return "lasso";
+    case ui::Tool::brush:
+      return "brush";
   }
   return "none";
 }
@@ -169,6 +174,28 @@ Json problems_json(const ui::LayoutProblems& problems) {
                     {"pointer", problem.pointer},
                     {"code", problem.code},
                     {"message", problem.message}});
+  return json;
+}
+
+/// The Generate panel; null while it is closed.
+Json generate_json(const ui::GenerateState& g) {
+  if (!g.open) return nullptr;
+  Json json = {{"center", to_json(g.frame.center)},
+               {"normal", to_json(g.frame.normal)},
+               {"turn_deg", g.pattern.turn_deg},
+               {"waiting", g.waiting()},
+               {"left_out", g.left_out},
+               {"least_distance", nullptr},
+               {"problem", g.problem},
+               {"file_problem", g.file_problem},
+               {"taxels", Json::array()}};
+  if (std::isfinite(g.least_distance)) json["least_distance"] = g.least_distance;
+  if (!g.ghosts) return json;
+  for (const Taxel& taxel : *g.ghosts)
+    json["taxels"].push_back({{"id", taxel.id},
+                              {"center", to_json(taxel.center)},
+                              {"normal", to_json(taxel.normal)},
+                              {"radius", taxel.radius}});
   return json;
 }
 
@@ -319,6 +346,9 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["keyboard"] = ui.fields.keyboard_panel;
   json["table"] = table_json(ui, input);
   json["problems"] = problems_json(ui.problems);
+  json["generate"] = generate_json(ui.generate);
+  json["tour_step"] = ui.tour_step;
+  json["region"] = input.editing.project ? Json(*input.editing.project->region) : Json(nullptr);
   json["simulation"] = simulation_json(ui, input);
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

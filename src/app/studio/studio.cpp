@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/file_listing.h"
 #include "app/studio/settings.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
@@ -50,7 +51,10 @@ gl::ShaderReader shader_reader(const std::string& folder) {
 }  // namespace
 
 Studio::Studio(const Options& options)
-    : options_(options), session_(options.by_clock(), [this] { window_->wake(); }), autosave_(options.autosave_every) {
+    : options_(options),
+      session_(options.by_clock(), [this] { window_->wake(); }),
+      autosave_(options.autosave_every),
+      patterns_([this] { window_->wake(); }) {
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
@@ -69,6 +73,8 @@ Studio::Studio(const Options& options)
   ui_.cameras[1].azimuth_deg = kAzimuthDeg;
   ui_.range.hi = kLeastRange;
   input_.version = versions().taxel;
+  // Scripts and pictures begin without it, unless it is asked for.
+  if (options.tour || (options.by_clock() && !ui_.saved.tour_seen)) ui_.tour_step = 0;
   if (!options.empty) session_.open(options.file);
   last_picture_at_ = pace_window_at_ = Clock::now();
 }
@@ -99,6 +105,7 @@ void Studio::run_by_clock() {
     if (!input_taken()) pictures_due_ = kSettlingPictures;
     const SessionNews news = session_.update();
     act_on(news);
+    if (take_preview()) pictures_due_ = kSettlingPictures;
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
     if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
     const bool counted = options_.frames > 0;  // a number of pictures was asked for, whether anything moves or not
@@ -127,6 +134,7 @@ void Studio::run_by_frames() {
   for (int frame = 0; !quit_; ++frame) {
     window_->take_events(0);  // keeps a real window alive; its own input does not count here
     act_on(session_.update());
+    take_preview();
     take(script_ ? script_->before_frame(stage) : std::vector<InputEvent>{});
     draw_picture(kScriptFrame);
     if (script_) script_->after_frame(stage);
@@ -144,7 +152,9 @@ void Studio::take(const std::vector<InputEvent>& events) {
   for (const InputEvent& event : input_queue_.take()) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
-      ui_.ask(ui::OpenFile{drop->paths.back()});
+      const std::string& path = drop->paths.back();
+      const bool points = ui_.generate.open && holds_points(path);
+      points ? ui_.ask(ui::ReadPoints{path}) : ui_.ask(ui::OpenFile{path});
     }
     if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
       window_->resize(std::max(1, size->width), std::max(1, size->height));
@@ -167,6 +177,7 @@ void Studio::act_on(const SessionNews& news) {
     ui_.selection = {};
     ui_.tool = {};
     ui_.fields.refused.reset();
+    ui_.generate = {};
   }
   if (news.opened) {
     ui_.mode = *news.opened;

@@ -9,6 +9,7 @@
 #include "app/studio/autosave.h"
 #include "app/studio/input_queue.h"
 #include "app/studio/options.h"
+#include "app/studio/pattern_worker.h"
 #include "app/studio/script_player.h"
 #include "app/studio/session.h"
 #include "app/studio/state_json.h"
@@ -52,6 +53,10 @@ class Studio {
   void set_mode(ui::Mode mode);
   bool carry_out_edit(const ui::Request& request);
   bool carry_out_save(const ui::Request& request);
+  bool carry_out_generate(const ui::Request& request);
+  void preview_pattern();
+  bool take_preview();
+  void read_points(const std::string& path);
   bool hold_if_unsaved(const ui::Request& request);
   template <class Body>
   void edit_document(const Body& body, bool in_gesture = false,
@@ -102,6 +107,7 @@ class Studio {
   int draws_at_dump_ = 0;
   std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;
   int pace_window_pictures_ = 0;
+  PatternWorker patterns_;  // last: it ends first
 };
 
 }  // namespace taxel::studio

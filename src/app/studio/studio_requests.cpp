@@ -33,7 +33,8 @@ void Studio::carry_out_requests() {
 }
 
 void Studio::carry_out(const ui::Request& request) {
-  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request)) return;
+  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request) || carry_out_generate(request))
+    return;
   if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
     session_.open(r->path);
   } else if (std::holds_alternative<ui::OpenFingertipSweep>(request)) {
@@ -136,7 +137,7 @@ ImVec2 Studio::locate(const Target& target) const {
 ScriptStage Studio::script_stage() {
   ScriptStage stage;
   stage.locate = [this](const Target& target) { return locate(target); };
-  stage.idle = [this] { return session_.idle() && input_taken() && ui_.requests.empty(); };
+  stage.idle = [this] { return session_.idle() && !patterns_.busy() && input_taken() && ui_.requests.empty(); };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
     return runs ? std::optional<double>(session_.frame()->time) : std::nullopt;

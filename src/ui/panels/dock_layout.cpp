@@ -40,6 +40,7 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kOutlinerTitle, outliner);
   ImGui::DockBuilderDockWindow(kTaxelsTitle, taxels);
   ImGui::DockBuilderDockWindow(kInspectorTitle, right);
+  ImGui::DockBuilderDockWindow(kGenerateTitle, right);
   ImGui::DockBuilderDockWindow(kBarsTitle, bars);
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);

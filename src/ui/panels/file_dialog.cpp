@@ -26,6 +26,8 @@ Words words_of(FileTask task) {
       return {"Save the project", "Save", ".taxelproj"};
     case FileTask::export_layout:
       return {"Export the layout", "Export", ".taxels.json"};
+    case FileTask::read_points:
+      return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
   }
   return {"", "", ""};
 }
@@ -60,6 +62,7 @@ void go_to(UiState& ui, const std::string& folder) {
 void ask_for(UiState& ui, const std::string& path) {
   const FileDialog& dialog = ui.dialog;
   if (dialog.task == FileTask::open) return ui.ask(OpenFile{path});
+  if (dialog.task == FileTask::read_points) return ui.ask(ReadPoints{path});
   const std::string extension = words_of(dialog.task).extension;
   const std::string whole = path.ends_with(extension) ? path : path + extension;
   const bool replace = whole == dialog.exists;

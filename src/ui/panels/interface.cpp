@@ -1,17 +1,21 @@
 #include "ui/panels/interface.h"
 
 #include "ui/panels/bars_panel.h"
+#include "ui/panels/brush_card.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/file_dialog.h"
+#include "ui/panels/generate_panel.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/messages.h"
 #include "ui/panels/outliner_panel.h"
+#include "ui/panels/palette_card.h"
 #include "ui/panels/plot_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/taxel_table_panel.h"
 #include "ui/panels/toolbar.h"
+#include "ui/panels/tour.h"
 #include "ui/panels/view_panel.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/camera_tool.h"
@@ -62,6 +66,10 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_status_line(ui, input);
   draw_dock_space(ui);
   draw_panels(ui, input, renderer);
+  draw_brush_card(ui, input);
+  draw_generate_panel(ui, input);
+  draw_palette(ui, input);
+  draw_tour(ui);
   draw_help(ui);
   draw_loading(ui, input);
   draw_toasts(ui);

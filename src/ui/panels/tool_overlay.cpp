@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/brush_card.h"
+#include "ui/panels/generate_panel.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/gesture.h"
@@ -50,15 +52,25 @@ void draw_ghost(const UiState& ui, const UiInput& input, ImDrawList& list) {
   ImGui::SetTooltip("%s\n%s samples", in_mm(taxel.radius).c_str(), grouped(ghost->samples).c_str());
 }
 
-void draw_box(const UiState& ui, ImDrawList& list) {
-  if (ui.tool.tool != Tool::box || !ui.tool.corner) return;
-  const Palette& colors = palette(ui.saved.dark);
-  const ImVec2 a(ui.view.rect.x0 + static_cast<float>(ui.tool.corner->x),
-                 ui.view.rect.y0 + static_cast<float>(ui.tool.corner->y));
-  const ImVec2 b = ImGui::GetIO().MousePos;
+void draw_area(const UiState& ui, ImDrawList& list) {
+  const std::vector<dvec2>& area = ui.tool.area;
+  if (area.empty()) return;
+  const ImU32 color = to_u32(palette(ui.saved.dark).accent), fill = to_u32(palette(ui.saved.dark).accent, 0.12f);
+  const auto on_view = [&](const dvec2& p) {
+    return ImVec2(ui.view.rect.x0 + static_cast<float>(p.x), ui.view.rect.y0 + static_cast<float>(p.y));
+  };
+  const ImVec2 a = on_view(area.front()), b = ImGui::GetIO().MousePos;
+  if (ui.tool.tool == Tool::lasso) {
+    std::vector<ImVec2> path;
+    for (const dvec2& p : area) path.push_back(on_view(p));
+    path.push_back(b);
+    list.AddConcavePolyFilled(path.data(), static_cast<int>(path.size()), fill);
+    list.AddPolyline(path.data(), static_cast<int>(path.size()), color, 1.4f, ImDrawFlags_Closed);
+    return;
+  }
   const ImVec2 lo(std::min(a.x, b.x), std::min(a.y, b.y)), hi(std::max(a.x, b.x), std::max(a.y, b.y));
-  list.AddRectFilled(lo, hi, to_u32(colors.accent, 0.12f));
-  list.AddRect(lo, hi, to_u32(colors.accent), 0, 1.4f);
+  list.AddRectFilled(lo, hi, fill);
+  list.AddRect(lo, hi, color, 0, 1.4f);
 }
 
 /// What the tool does now and which keys it knows; empty: no tool.
@@ -80,6 +92,10 @@ std::string hint_of(const ToolState& tool) {
       return "Radius: " + tool.value + typed + "   digits (mm), Ctrl snaps, Shift finer" + kEnd;
     case Tool::box:
       return "Box: drag around taxels   Shift adds, Ctrl takes out, Esc cancels";
+    case Tool::lasso:
+      return "Lasso: draw around taxels   Shift adds, Ctrl takes out, Esc cancels";
+    case Tool::brush:
+      return "Brush: drag paints   Shift or Ctrl erases, wheel: radius, Esc ends";
   }
   return {};
 }
@@ -102,7 +118,9 @@ void draw_tool_overlay(const UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.saved.dark);
   draw_ghost(ui, input, list);
-  draw_box(ui, list);
+  draw_area(ui, list);
+  draw_brush_ring(ui, input);
+  draw_pattern_frame(ui, input);
   int row = 0;
   if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_line(ui, list, row++, hint, colors.text);
   const std::string& problem = ui.tool.problem.empty() ? input.editing.problem : ui.tool.problem;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/shared_value.h"
 #include "core/sim/sim_frame.h"
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
@@ -49,9 +50,11 @@ struct SceneInput {
   Overlays overlays;
   PressureRange range;
   int selected_sensor = 0;
-  int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
-  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
-  std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending
+  int selected_taxel = -1;               ///< the active one: index in layout order, -1: none
+  std::vector<int> selected_taxels;      ///< all of them, the active one among them; ascending
+  std::vector<int> hidden_taxels;        ///< of the document's layout: neither drawn nor picked; indices, ascending
+  SharedValue<std::vector<int>> region;  ///< painted faces of the document's mesh, ascending
+  std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
   bool dark = true;
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };

@@ -8,6 +8,7 @@
 #include "ui/panels/dock_layout.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/edit_actions.h"
+#include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/widgets/keyboard_focus.h"
 
@@ -78,6 +79,10 @@ bool* switch_of(Action action, SavedState& saved) {
 void escape(UiState& ui) {
   if (ui.tool.tool != Tool::none) {
     cancel_tool(ui);
+  } else if (ui.tour_step >= 0) {
+    ui.tour_step = -1;
+  } else if (ui.generate.open) {
+    close_generate(ui);
   } else if (ui.saved.panels.help) {
     ui.saved.panels.help = false;
   } else {
@@ -110,6 +115,13 @@ bool perform_on_interface(Action action, UiState& ui) {
       return true;
     case Action::walk_panels:
       enter_panel(ui, kInspectorTitle);
+      return true;
+    case Action::palette:
+      ui.palette = {};
+      ui.palette.open = ui.palette.wants_focus = true;
+      return true;
+    case Action::tour:
+      ui.tour_step = 0;
       return true;
     case Action::lock_range:
       ui.range.automatic = !ui.range.automatic;

@@ -7,6 +7,8 @@
 
 #include "ui/scene/gizmo.h"
 #include "ui/tools/actions.h"
+#include "ui/tools/brush.h"
+#include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 
 namespace taxel::ui {
@@ -42,7 +44,11 @@ void count_clicks(UiState& ui) {
 }
 
 void turn_wheel(UiState& ui, const UiInput& input, double notches) {
-  if (ImGui::GetIO().KeyCtrl && can_edit(ui, input)) {
+  if (ui.tool.tool == Tool::brush && can_edit(ui, input)) {
+    resize_brush(ui, *input.model, notches);
+  } else if (ImGui::GetIO().KeyCtrl && ui.generate.open) {
+    turn_pattern(ui, notches);
+  } else if (ImGui::GetIO().KeyCtrl && can_edit(ui, input)) {
     resize_by_wheel(ui, input, notches);
   } else {
     ui.camera().zoom(notches);
@@ -86,6 +92,8 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
     }
     std::sort(scene.hidden_taxels.begin(), scene.hidden_taxels.end());
   }
+  if (ui.mode == Mode::layout && input.editing.project) scene.region = input.editing.project->region;
+  if (ui.mode == Mode::layout && ui.generate.open) scene.ghosts = ui.generate.ghosts;
   scene.dark = ui.saved.dark;
   return scene;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/surface_place.h"
 #include "ui/tools/taxel_order.h"
@@ -44,6 +45,17 @@ void hide(UiState& ui, const UiInput& input, bool others) {
   }
   ui.ask(EditProject{SetHidden{hidden}, {}});
   if (!others) ui.selection.clear();
+}
+
+/// Once more ends it.
+void take_tool(Action action, UiState& ui) {
+  const Tool tool = action == Action::place        ? Tool::place
+                    : action == Action::box_select ? Tool::box
+                    : action == Action::brush      ? Tool::brush
+                                                   : Tool::lasso;
+  const bool again = ui.tool.tool == tool;
+  cancel_tool(ui);
+  if (!again) ui.tool.tool = tool;
 }
 
 /// What is hidden is not selected unseen.
@@ -179,10 +191,14 @@ bool perform_edit(Action action, UiState& ui, const UiInput& input) {
     case Action::show_all:
       ui.ask(EditProject{SetHidden{}, {}});
       return true;
+    case Action::generate:
+      toggle_generate(ui, input);
+      return true;
     case Action::place:
     case Action::box_select:
-      cancel_tool(ui);
-      ui.tool.tool = action == Action::place ? Tool::place : Tool::box;
+    case Action::lasso_select:
+    case Action::brush:
+      take_tool(action, ui);
       return true;
     default:
       return false;
@@ -209,7 +225,10 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
       return input.editing.redo_depth > 0;
     case Action::paste:
     case Action::place:
+    case Action::brush:
+    case Action::generate:
       return editable;
+    case Action::lasso_select:
     case Action::box_select:
       return editable && !input.editing.project->layout.taxels.empty();
     case Action::show_all:

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "ui/scene/scene_cast.h"
+#include "ui/tools/area_select.h"
+#include "ui/tools/brush.h"
 #include "ui/tools/camera_tool.h"
-#include "ui/tools/gesture_edit.h"
+#include "ui/tools/generate.h"
 
 namespace taxel::ui {
 
 namespace {
-
-GestureView gesture_view(const UiState& ui, const UiInput& input) {
-  return {ui.camera(), ui.view.width, ui.view.height, shown_pose(ui, input),
-          input.model ? input.model->skin.get() : nullptr};
-}
 
 /// Whether a linked twin of the taxel stands in the list: it would follow, and must not be changed on its own.
 bool twin_listed(const Project& project, int id, const std::vector<Taxel>& taxels) {
@@ -48,7 +45,7 @@ void end_tool(UiState& ui) {
   tool.tool = Tool::none;
   tool.start.clear();
   tool.done.reset();
-  tool.corner.reset();
+  tool.area.clear();
   tool.value.clear();
   tool.problem.clear();
   tool.pressed_taxel = -1;
@@ -73,32 +70,6 @@ void move_pointer(ToolState& tool) {
   tool.input.precise = io.KeyShift;
   tool.input.pointer += (io.KeyShift ? kPrecise : 1.0) *
                         dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
-}
-
-void select_in_box(UiState& ui, const UiInput& input, const dvec2& a, const dvec2& b) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const Layout* layout = input.shown_layout(ui);
-  if (layout == nullptr) return;
-  if (!io.KeyShift && !io.KeyCtrl) ui.selection.clear();
-  const dvec2 lo = glm::min(a, b), hi = glm::max(a, b);
-  const GestureView view = gesture_view(ui, input);
-  for (const Taxel& taxel : layout->taxels) {
-    const dvec2 pixel = view.pixel_of(taxel.center);
-    const bool inside = pixel.x >= lo.x && pixel.y >= lo.y && pixel.x <= hi.x && pixel.y <= hi.y;
-    const bool seen = ui.saved.overlays.sensor_transparent || view.faces_eye(taxel);
-    const std::vector<int>& hidden = input.editing.project->hidden;
-    if (!inside || !seen || std::binary_search(hidden.begin(), hidden.end(), taxel.id)) continue;
-    io.KeyCtrl ? ui.selection.remove(taxel.id) : ui.selection.add(taxel.id);
-  }
-}
-
-void drag_box(UiState& ui, const UiInput& input, const dvec2& at, bool hovered) {
-  ToolState& tool = ui.tool;
-  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) tool.corner = at;
-  if (tool.corner && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
-    select_in_box(ui, input, *tool.corner, at);
-    end_tool(ui);
-  }
 }
 
 /// A press on a selected taxel may become a slide.
@@ -138,6 +109,11 @@ double radius_for_new(const UiState& ui, const UiInput& input) {
 }
 
 }  // namespace
+
+GestureView gesture_view(const UiState& ui, const UiInput& input) {
+  return {ui.camera(), ui.view.width, ui.view.height, shown_pose(ui, input),
+          input.model ? input.model->skin.get() : nullptr};
+}
 
 bool can_edit(const UiState& ui, const UiInput& input) {
   return ui.mode == Mode::layout && input.editing.project && input.model;
@@ -181,6 +157,7 @@ void cancel_tool(UiState& ui) {
     ui.ask(CancelGesture{ui.tool.gesture});
     ui.selection = ui.tool.selection;
   }
+  if (std::exchange(ui.tool.brush.painting, false)) ui.ask(CancelGesture{ui.tool.gesture});
   end_tool(ui);
 }
 
@@ -209,10 +186,11 @@ bool handle_tool_mouse(UiState& ui, const UiInput& input, double x, double y, bo
     tool.released = !ImGui::IsAnyMouseDown() && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (!tool.released && tool.tool == Tool::none) return true;
   }
-  if (tool.tool == Tool::box) {
-    drag_box(ui, input, {x, y}, hovered);
+  if (tool.tool == Tool::box || tool.tool == Tool::lasso) {
+    if (draw_area(ui, input, {x, y}, hovered)) end_tool(ui);
     return true;
   }
+  if (tool.tool == Tool::brush) return brush_mouse(ui, input, x, y, hovered);
   if (tool.follows()) {
     if (tool.done) move_pointer(tool);
     follow(ui, input);
@@ -230,7 +208,8 @@ bool handle_tool_mouse(UiState& ui, const UiInput& input, double x, double y, bo
     end_tool(ui);
     return true;
   }
-  if (tool.tool == Tool::none && hovered) watch_press(ui, input, x, y);
+  if (tool.tool == Tool::none && frame_mouse(ui, input, x, y, hovered)) return true;
+  if (tool.tool == Tool::none && hovered && !ui.generate.open) watch_press(ui, input, x, y);
   if (tool.pressed_taxel < 0) return false;
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     tool.pressed_taxel = -1;

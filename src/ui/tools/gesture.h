@@ -1,12 +1,16 @@
 // Gestures on taxels: how they begin, follow pointer and keys, and end. Each is one step of the history.
 #pragma once
 
+#include "ui/tools/gesture_edit.h"
 #include "ui/ui_state.h"
 
 namespace taxel::ui {
 
 /// Whether there is something to edit, and it is looked at.
 [[nodiscard]] bool can_edit(const UiState& ui, const UiInput& input);
+
+/// How the layout is seen.
+[[nodiscard]] GestureView gesture_view(const UiState& ui, const UiInput& input);
 
 /// With the selected taxels; `copies`: with copies of them, which the gesture adds. Nothing where none is selected.
 void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies = false);

@@ -18,7 +18,17 @@ enum class Tool {
   move,    ///< follows the pointer along the surface, or along an axis
   turn,    ///< normals, about the line of sight or an axis
   resize,  ///< radii
-  box      ///< selects what lies in a rectangle
+  box,     ///< selects what lies in a rectangle
+  lasso,   ///< selects what lies in a closed path
+  brush    ///< paints the region
+};
+
+struct BrushState {
+  double radius = 0;          ///< [m]; 0: not chosen yet
+  bool painting = false;      ///< a stroke is being drawn
+  bool erases = false;        ///< what it does
+  std::vector<int> region;    ///< as the stroke has left it so far
+  std::optional<dvec2> last;  ///< where it was in the picture before [pixels of the view]
 };
 
 /// All that decides what a gesture does; an edit is made when it changes.
@@ -42,11 +52,12 @@ struct ToolState {
   std::string value;         ///< what it does now, for the eye: "1.50 mm along X"
   std::string problem;       ///< why that cannot be
 
-  int pressed_taxel = -1;       ///< id of a selected taxel on which the left button went down; -1: none
-  bool released = true;         ///< the button of a gesture that has ended is up again
-  std::optional<dvec2> corner;  ///< where the box begins [pixels of the view]
-  double wheel_at = -1;         ///< when the radius was last changed by the wheel: interface time [s]
-  double radius = 0;            ///< of the taxel that was placed last [m]; 0: none yet
+  int pressed_taxel = -1;   ///< id of a selected taxel on which the left button went down; -1: none
+  bool released = true;     ///< the button of a gesture that has ended is up again
+  std::vector<dvec2> area;  ///< corner of the box that stays, or the lasso's path [pixels of the view]
+  BrushState brush;
+  double wheel_at = -1;  ///< when the radius was last changed by the wheel: interface time [s]
+  double radius = 0;     ///< of the taxel that was placed last [m]; 0: none yet
 
   /// A gesture that follows pointer and keys until it is accepted or cancelled.
   [[nodiscard]] bool follows() const {

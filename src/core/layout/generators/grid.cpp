@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/layout/generators/place.h"
-
 namespace taxel {
 namespace {
 
@@ -46,9 +44,13 @@ std::vector<Taxel> planar_grid(const Grid& grid) {
   return taxels;
 }
 
-std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const MeshIndex& skin) {
+std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const MeshIndex& skin, Beyond beyond) {
   const dvec3 along = require_direction("curved grid", "direction", direction);
   std::vector<Taxel> taxels = planar_grid(grid);
+  if (beyond == Beyond::leave_out) {
+    std::erase_if(taxels, [&](const Taxel& taxel) { return !first_outside(skin, taxel.center, along); });
+    require_some("curved grid", taxels);
+  }
   for (Taxel& taxel : taxels) {
     const SurfacePoint at = outside_hit(skin, taxel.center, along, "curved grid", taxel.name);
     const std::string name = taxel.name;

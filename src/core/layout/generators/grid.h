@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/layout/generators/place.h"
 #include "core/layout/layout.h"
 #include "core/mesh/closest_point.h"
 
@@ -26,6 +27,7 @@ std::vector<Taxel> planar_grid(const Grid& grid);
 /// The grid's points projected along `direction` (any length) onto the skin: where the ray first meets it, with the
 /// smooth normals there. Straight projection keeps the pitch seen along `direction`; on a slope taxels lie further
 /// apart. Throws Error naming the parameter, or the row and column whose ray misses the skin or begins inside it.
-std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const MeshIndex& skin);
+std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const MeshIndex& skin,
+                               Beyond beyond = Beyond::refuse);
 
 }  // namespace taxel

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/layout/generators/place.h"
 #include "core/layout/layout.h"
 #include "core/mesh/closest_point.h"
 
@@ -39,6 +40,7 @@ std::vector<dvec2> dots_of(const GreyImage& image, const ImageDots& dots);
 /// A taxel for each dot, where the ray from it against the picture's normal first meets the skin, with the smooth
 /// normal there; ids in the order of dots_of. Throws Error naming the parameter, or the dot whose ray misses the skin;
 /// also for a picture without dots.
-std::vector<Taxel> image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin);
+std::vector<Taxel> image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin,
+                              Beyond beyond = Beyond::refuse);
 
 }  // namespace taxel

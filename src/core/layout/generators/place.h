@@ -1,7 +1,9 @@
 // What all generators share: a taxel on a skin, and the error that names what is wrong.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/layout/layout.h"
@@ -23,6 +25,17 @@ Taxel rounded(Taxel taxel);
 /// column) head the Error that is thrown where the ray misses the mesh or begins inside it.
 SurfacePoint outside_hit(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
                          const std::string& generator, const std::string& where);
+
+/// The same, or none where the ray misses the mesh or begins inside it.
+std::optional<SurfacePoint> first_outside(const MeshIndex& skin, const dvec3& origin, const dvec3& direction);
+
+/// What becomes of the points of a pattern that are not over the skin.
+enum class Beyond {
+  refuse,    ///< an Error names the first
+  leave_out  ///< there are fewer taxels; an Error where none is left
+};
+/// Throws for Beyond::leave_out where nothing is left.
+void require_some(const std::string& generator, const std::vector<Taxel>& taxels);
 
 /// Rules of parameters; each throws Error(generator, parameter, what it must be and is).
 void require_count(const std::string& generator, const std::string& parameter, int value);

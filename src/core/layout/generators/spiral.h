@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/layout/generators/place.h"
 #include "core/layout/layout.h"
 #include "core/mesh/closest_point.h"
 
@@ -20,6 +21,6 @@ struct Spiral {
 /// Taxel k lies at r = R sqrt((k + 1/2) / N), theta = k pi (3 - sqrt 5): equal area each (Vogel 1979, "A better way to
 /// construct the sunflower head"), then where the ray along `direction` first meets the skin. The angle is counted
 /// about -direction. Throws Error naming the parameter, or the taxel whose ray misses the skin.
-std::vector<Taxel> sunflower(const Spiral& spiral, const MeshIndex& skin);
+std::vector<Taxel> sunflower(const Spiral& spiral, const MeshIndex& skin, Beyond beyond = Beyond::refuse);
 
 }  // namespace taxel

@@ -56,6 +56,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     if (input.overlays.rays && selected) draw_rays(scene, view);
   }
   draw_path(scene);
+  draw_plans(scene);
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, true);
     if (input.overlays.normal_angles) draw_normals(scene, view);
@@ -74,6 +75,8 @@ FieldPaint& SensorMarks::paint_of(const SensorView& view) {
 void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
   const Overlays& show = scene.input.overlays;
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  if (!scene.input.region->empty() && view.state == nullptr)
+    paint_.draw(region_.take(view.model->mesh, scene.input.region), state);
   if (show.coverage) {
     state.depth_write = true;
     paint_.draw(paint_of(view).coverage(), state);
@@ -204,6 +207,23 @@ void SensorMarks::draw_force(const Scene& scene, const SensorView& view) {
       segment(base_W, base_W + length / force * view.state->force_W, kForceWidth, pack(scene.look.force))};
   MarkState state{.toward_eye = kBeforeContact};
   scene.segments.draw_arrows(arrow, state, scene.look.mark_outline);
+}
+
+/// What is planned: the painted region below all marks of taxels, those not in the layout yet above.
+void SensorMarks::draw_plans(const Scene& scene) {
+  if (!scene.input.ghosts) return;
+  const double arrow = ghosts_.take(scene.input.ghosts, scene.look) * scene.pixels_per_metre;
+  const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
+  MarkState state{.toward_eye = kOnSkin, .dim = kHiddenDim, .facing = Facing::away};
+  if (scene.input.overlays.sensor_transparent) scene.segments.draw_lines(ghosts_.rings(), state);
+  state.dim = 1;
+  state.facing = Facing::eye;
+  scene.segments.draw_lines(ghosts_.rings(), state);
+  scene.segments.draw_arrows(ghosts_.arrows(), state, scene.look.mark_outline, size);
+  state.toward_eye = kBeforeSkin;
+  const PointStyle style{
+      .diameter = size * kTaxelDiameter, .outline = scene.look.selection, .outline_width = 1.8f * size};
+  scene.points.draw(ghosts_.centers(), style, state);
 }
 
 void SensorMarks::draw_path(const Scene& scene) {

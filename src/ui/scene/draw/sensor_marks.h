@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "ui/scene/draw/field_paint.h"
+#include "ui/scene/draw/ghost_marks.h"
 #include "ui/scene/draw/model_marks.h"
+#include "ui/scene/draw/region_paint.h"
 #include "ui/scene/draw/surfaces.h"
 
 namespace taxel::ui {
@@ -42,10 +44,13 @@ class SensorMarks {
   void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
   void draw_force(const Scene& scene, const SensorView& view);
   void draw_path(const Scene& scene);
+  void draw_plans(const Scene& scene);
 
   SurfacePass surfaces_;
   PaintPass paint_;
   std::map<int, std::unique_ptr<FieldPaint>> field_paint_;  // by sensor
+  RegionPaint region_;
+  GhostMarks ghosts_;
   FieldNumbers numbers_;
   std::map<int, std::unique_ptr<ModelMarks>> marks_;  // by sensor
 };
