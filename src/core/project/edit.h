@@ -121,9 +121,16 @@ struct ReplaceLayout {
   Layout layout;
 };
 
-using Edit = std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
-                          UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField,
-                          SetReadout, SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout>;
+/// Another project in place of this one (a file read again). Throws what check_project throws. The view is not edited:
+/// it stays.
+struct ReplaceProject {
+  Project project;
+};
+
+using Edit =
+    std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
+                 UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField, SetReadout,
+                 SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout, ReplaceProject>;
 
 /// The project after the edit. Pure. Throws Error that names the taxel ("taxel 3: radius: must be greater than 0, is
 /// -1") or the setting ("/material/modulus: ..."), by the rules of layout_check: an edit cannot bring in what could not
