@@ -7,8 +7,7 @@ namespace taxel::studio {
 
 /// What an edit refuses is told, and nothing has changed then: where the gesture that makes it shows it, or as a
 /// message.
-template <class Body>
-void Studio::edit_document(const Body& body, bool in_gesture) {
+void Studio::edit_document(const std::function<void(EditSession&)>& body, bool in_gesture) {
   if (!session_.edits().is_open()) return;
   try {
     body(session_.edits());
@@ -28,6 +27,8 @@ void Studio::edit_document(const Body& body, bool in_gesture) {
 bool Studio::carry_out_edit(const ui::Request& request) {
   if (const auto* edit = std::get_if<ui::EditProject>(&request)) {
     edit_document([&](EditSession& edits) { edits.edit(edit->edit, edit->gesture); }, edit->gesture.number != 0);
+  } else if (const auto* unit = std::get_if<ui::SetMeshUnit>(&request)) {
+    set_mesh_unit(unit->metres);
   } else if (const auto* cancelled = std::get_if<ui::CancelGesture>(&request)) {
     edit_document([&](EditSession& edits) { edits.cancel(cancelled->number); });
   } else if (std::holds_alternative<ui::EndGesture>(request)) {

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/mesh_section.h"
 #include "ui/panels/taxel_editor.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
@@ -165,6 +166,7 @@ void draw_inspector(UiState& ui, const UiInput& input) {
     const SensorModelPtr model = input.shown_model(ui);
     if (model) {
       draw_taxel(ui, input, *model);
+      if (ui.mode == Mode::layout) draw_mesh_section(ui, input, *model);
       draw_sampling(ui, *model);
       draw_material(ui, model->layout);
     }

@@ -4,8 +4,10 @@
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/file_dialog.h"
+#include "ui/panels/file_notices.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/menu_bar.h"
+#include "ui/panels/mesh_section.h"
 #include "ui/panels/messages.h"
 #include "ui/panels/outliner_panel.h"
 #include "ui/panels/plot_panel.h"
@@ -51,7 +53,9 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_dock_space(ui);
   draw_panels(ui, input, renderer);
   draw_help(ui);
+  draw_mesh_report(ui, input);
   draw_loading(ui, input);
+  draw_file_notices(ui);
   draw_toasts(ui);
   draw_file_dialog(ui);
   draw_unsaved_question(ui, input);
