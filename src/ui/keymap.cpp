@@ -24,6 +24,10 @@ constexpr std::array kBindings = {
     Binding{Action::save, kEverywhere, kCtrl | ImGuiKey_S, false, "Save", "File", true},
     Binding{Action::save_as, kEverywhere, kCtrl | kShift | ImGuiKey_S, false, "Save as...", "File", false},
     Binding{Action::export_layout, kEverywhere, kCtrl | ImGuiKey_E, false, "Export layout...", "File", false},
+    Binding{Action::export_taxels, kEverywhere, 0, false, "Export taxels (CSV)...", "File", false},
+    Binding{Action::export_samples, kEverywhere, 0, false, "Export samples (CSV)...", "File", false},
+    Binding{Action::export_sheet, kEverywhere, 0, false, "Export sheet to print (HTML)...", "File", false},
+    Binding{Action::export_picture, kEverywhere, 0, false, "Export picture (PNG)...", "File", false},
     Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
     Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
 
@@ -92,6 +96,7 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_plots, kEverywhere, ImGuiKey_F4, false, "Plot panel", "Panels", false},
     Binding{Action::toggle_section, kEverywhere, 0, false, "Section panel", "Panels", false},
     Binding{Action::toggle_messages, kEverywhere, 0, false, "Messages panel", "Panels", false},
+    Binding{Action::toggle_mesh_report, kEverywhere, 0, false, "Mesh report...", "Panels", false},
     Binding{Action::reset_arrangement, kEverywhere, 0, false, "Reset arrangement", "Panels", true},
     Binding{Action::toggle_theme, kEverywhere, 0, false, "Light theme", "Panels", true},
     Binding{Action::scale_up, kEverywhere, kCtrl | ImGuiKey_Equal, false, "Larger interface", "Panels", false},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/mesh/mesh_report.h"
 #include "core/project/history.h"
 #include "core/sim/sim_command.h"
 #include "core/sim/sim_frame.h"
@@ -36,6 +37,7 @@ enum class Mode { layout, simulate };
 struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true;
   bool messages = false, help = false;
+  bool mesh_report = false;
 };
 
 struct PlotOptions {
@@ -69,7 +71,16 @@ struct FolderEntry {
   bool folder = false;
 };
 
-enum class FileTask { open, save_project, export_layout, read_points };
+enum class FileTask {
+  open,
+  save_project,
+  export_layout,
+  export_taxels,
+  export_samples,
+  export_sheet,
+  export_picture,
+  read_points
+};
 
 struct FileDialog {
   FileTask task = FileTask::open;
@@ -82,17 +93,35 @@ struct FileDialog {
   int selected = -1;   ///< index in entries
   std::string error;   ///< why the folder could not be listed, or the file not be written
   std::string exists;  ///< file that is there already: asked for once more, it is replaced
+
+  int width = 2400, height = 1800;  ///< of an exported picture [pixels]
+};
+
+/// What can be done about an open file that somebody else has changed.
+enum class FileOffer {
+  reload,       ///< read the document again, as an edit
+  use_mesh,     ///< as it is now
+  project_back  ///< use the mesh, and bring the taxels back to its surface
+};
+
+/// An open file is not any more what was read. Stays until it is answered.
+struct FileNotice {
+  std::string file;
+  std::string text;
+  std::vector<FileOffer> offers;  ///< beside leaving all as it is
 };
 
 /// The document as it is edited.
 struct Editing {
   ProjectPtr project;      ///< null: there is nothing to edit
   bool compiled = true;    ///< UiInput::model was compiled of it, not of one before
-  std::string problem;     ///< why it cannot be compiled; empty: it can, or is not yet
+  std::string problem;     ///< why it cannot be compiled, or simulated; empty: it can, or is not yet
   std::string undo, redo;  ///< names of the next steps: "Undo Move taxel 3"
   std::size_t undo_depth = 0, redo_depth = 0;
   bool dirty = false;       ///< not saved as it is
   std::string mesh_sha256;  ///< of the mesh file as it was read; empty: unknown
+
+  std::shared_ptr<const MeshFindings> mesh_findings;  ///< about its mesh; null: not known yet
 };
 
 /// A load that runs in the worker, or a scene that the simulation builds.
@@ -176,6 +205,9 @@ struct SetMode {
   Mode mode = Mode::simulate;
 };
 struct ReloadFile {};
+struct SetMeshUnit {
+  double metres = 1;  ///< that one unit of the mesh file is
+};
 struct EditProject {
   Edit edit;
   taxel::Gesture gesture;
@@ -195,9 +227,11 @@ struct SaveProject {
   bool replace = false;
 };
 struct SaveProjectAs {};  ///< asks
-struct ExportLayout {
+struct ExportFile {
+  FileTask task = FileTask::export_layout;
   std::string path;  ///< empty: asks
   bool replace = false;
+  int width = 0, height = 0;  ///< of a picture [pixels]
 };
 struct DialogClosed {};  ///< without a file
 enum class UnsavedAnswer { save, discard, cancel };
@@ -207,6 +241,10 @@ struct AnswerUnsaved {
 struct AnswerRecovery {
   bool recover = false;  ///< else it is thrown away
 };
+struct AnswerNotice {
+  std::string file;
+  std::optional<FileOffer> taken;  ///< none: all stays as it is
+};
 struct PreviewPattern {};  ///< of what ui.generate asks for
 struct DropPreview {};     ///< the one that is being made
 struct ReadPoints {        ///< a table or a picture for ui.generate
@@ -214,11 +252,12 @@ struct ReadPoints {        ///< a table or a picture for ui.generate
 };
 struct TakeScreenshot {};
 struct Quit {};
-using Request = std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples,
-                             SendCommand, RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode,
-                             ReloadFile, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels,
-                             PasteTaxels, SaveProject, SaveProjectAs, ExportLayout, DialogClosed, AnswerUnsaved,
-                             AnswerRecovery, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit>;
+using Request =
+    std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
+                 RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
+                 EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject,
+                 SaveProjectAs, ExportFile, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern,
+                 DropPreview, ReadPoints, TakeScreenshot, Quit>;
 
 struct UiState {
   SavedState saved;
@@ -230,7 +269,7 @@ struct UiState {
   ToolState tool;
   FieldState fields;
   TableState table;
-  LayoutProblems problems;      ///< of the layout that is edited
+  LayoutProblems problems;  ///< of the layout that is edited
   GenerateState generate;
   PaletteState palette;
   int tour_step = -1;           ///< of the tour that is shown; -1: none is
@@ -252,6 +291,8 @@ struct UiState {
   std::vector<Request> requests;
   bool reset_arrangement = false;
   int toolbar_rows = 1, status_rows = 1;  ///< that they needed in the picture before
+
+  std::vector<FileNotice> notices;  ///< oldest first
 
   [[nodiscard]] Camera& camera() { return cameras[mode == Mode::layout ? 0 : 1]; }
   [[nodiscard]] const Camera& camera() const { return cameras[mode == Mode::layout ? 0 : 1]; }

@@ -126,10 +126,11 @@ TEST(BadMesh, Sound) {
 
 TEST(BadMesh, Open) {
   const std::string open = Obj().box(0.02).without(2).text();
-  expect_contact_refused(open,
-                         "case.json: /a: a pad needs a closed mesh; this one is open: 3 open edges, the first at "
-                         "(0, -0.02, 0.02)");
-  expect_contact_warns(open, "3 open edges, the first at (0, -0.02, 0.02)", Json::object());
+  expect_contact_refused(
+      open,
+      "case.json: /a: a pad needs a closed mesh; this one is open: 3 open edges around 1 hole, the first at "
+      "(0, -0.02, 0.02)");
+  expect_contact_warns(open, "3 open edges around 1 hole, the first at (0, -0.02, 0.02)", Json::object());
   expect_mesh_told(open, "mesh_open", "3 open edges");
 }
 

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 
+#include "app/studio/shown_model.h"
 #include "core/base/hash.h"
+#include "core/base/parallel.h"
 #include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
 #include "core/project/project_json.h"
 
@@ -19,8 +23,6 @@ std::string_view embedded_file(std::string_view name);
 
 namespace {
 
-/// Meshes with a larger diagonal, in their own units, are taken for millimetres [m].
-constexpr double kLargestSensor = 5.0;
 /// Samples of a bare mesh: enough to see, quick to make.
 constexpr double kSamplesOfMesh = 20000;
 
@@ -40,21 +42,42 @@ std::string short_name(const std::filesystem::path& file) {
 std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) {
   std::vector<std::string> notes;
   for (const Problem& p : model.problems) {
+    if (p.code == "mesh_changed") continue;  // said with what can be done about it
     if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
       notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
   }
   return notes;
 }
 
+using Compile = std::function<ShownModel(const SensorBuild&)>;
+
+/// A document on a mesh, compiled; meanwhile the mesh is looked over.
+Document document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                     const Compile& compile, const SensorBuild& how) {
+  Document document{kind, file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {}, nullptr};
+  if (document.name.empty()) document.name = short_name(file);
+  ShownModel shown;
+  MeshFindings findings;
+  parallel_all([&] { shown = compile(how); }, [&] { findings = mesh_report(*mesh.mesh, mesh.notes); });
+  if (how.progress != nullptr) how.progress->stop_if_cancelled();
+  document.model = std::move(shown.model);
+  document.problem = std::move(shown.problem);
+  document.mesh = std::make_shared<const OpenMesh>(OpenMesh{std::move(mesh), std::move(findings)});
+  document.project = std::make_shared<const Project>(std::move(project));
+  document.compile = [compile](const SensorBuild& build) { return compile(build).model; };
+  return document;
+}
+
 /// The project's layout on its mesh, as read from files.
 Document compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
                   const SensorBuild& how) {
-  const auto source =
-      std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, std::move(mesh)});
-  const auto compile = [source](const SensorBuild& build) { return build_sensor_model(*source, build); };
-  Document document{kind, file.string(), short_name(file), compile(how), nullptr, source->mesh, {}, compile};
-  document.project = std::make_shared<const Project>(std::move(project));
-  if (!source->layout.name.empty()) document.name = source->layout.name;
+  const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
+  const Compile compile = [source](const SensorBuild& build) {
+    return shown_model(source->layout, *source->mesh.mesh, [&](const Layout& layout) {
+      return build_sensor_model(SensorSource{source->file, layout, source->mesh}, build);
+    });
+  };
+  Document document = document_of(kind, file, std::move(project), std::move(mesh), compile, how);
   document.notes = warnings_of(*document.model, false);
   return document;
 }
@@ -70,49 +93,57 @@ Document load_layout(const std::filesystem::path& file, const SensorBuild& how) 
 Document load_project(const std::filesystem::path& file, const SensorBuild& how) {
   Project project = read_project(file);
   throw_first_error(check_layout_values(project.layout, file.string()));
-  LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale);
+  LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
   return compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
 }
 
-/// A density of one significant digit that gives a picture's worth of samples, at most the default.
-double density_for(double area) {
-  const double wanted = kSamplesOfMesh / area;
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
+/// The same mesh as load_mesh gives with this scale.
+LoadedMesh scaled(LoadedMesh mesh, double scale) {
+  std::vector<dvec3> vertices = mesh.mesh->vertices();
+  for (dvec3& vertex : vertices) vertex = vertex * scale;
+  mesh.mesh = std::make_shared<const TriMesh>(std::move(vertices), mesh.mesh->faces());
+  return mesh;
 }
 
-ProjectPtr project_of(const Layout& layout) {
-  Project project;
-  project.layout = layout;
-  return std::make_shared<const Project>(std::move(project));
+/// What the reading of a mesh did and what is wrong with it, as one line.
+std::string findings_text(const MeshFindings& findings) {
+  std::string text;
+  for (const MeshFinding& finding : findings) text += (text.empty() ? "" : "; ") + finding.what;
+  return text;
 }
 
 Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
-  LoadedMesh loaded = load_mesh(file);
-  const double unit = guessed_unit(loaded.mesh->bounds());
-  if (unit != 1.0) loaded = load_mesh(file, dvec3(unit));
+  LoadedMesh mesh = load_mesh(file, dvec3(1.0), how.progress);
+  const UnitGuess unit = guess_unit(*mesh.mesh);
+  if (unit.scale != 1.0) mesh = scaled(std::move(mesh), unit.scale);
   if (how.progress != nullptr) how.progress->check(0.1);
-  Layout layout;
+  Project project;
+  Layout& layout = project.layout;
   layout.name = short_name(file);
-  layout.mesh = {std::filesystem::absolute(file).string(), dvec3(unit), loaded.sha256};
-  layout.sampling.density = density_for(loaded.mesh->area());
+  layout.mesh = {std::filesystem::absolute(file).lexically_normal().string(), dvec3(unit.scale), mesh.sha256};
+  layout.sampling.density = density_for(mesh.mesh->area());
   layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
-  const auto compile = [layout, mesh = loaded.mesh, file = file.string()](const SensorBuild& build) {
-    return build_sensor_model(layout, mesh, layout.mesh.sha256, file, build);
+  const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {
+    return shown_model(whole, *ptr, [&](const Layout& shown) {
+      return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build);
+    });
   };
-  Document document{DocumentKind::mesh, file.string(), layout.name, compile(how), nullptr, loaded, {}, compile};
-  document.project = project_of(layout);
-  const dvec3 size = 1e3 * loaded.mesh->bounds().extent();
-  document.notes.push_back(fmt::format("{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm", file.string(),
-                                       unit == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z));
-  for (const std::string& note : loaded.notes) document.notes.push_back(file.string() + ": " + note);
+  const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
+  Document document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
+  // What a mesh that cannot be simulated has wrong is shown by its report.
+  const std::string found = document.problem.empty() ? findings_text(document.mesh->findings) : "";
+  document.notes.push_back(fmt::format(
+      "{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
+      unit.scale == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z, found.empty() ? "" : "; ", found));
   return document;
 }
 
 }  // namespace
 
-double guessed_unit(const Aabb& bounds) {
-  return bounds.diagonal() > kLargestSensor ? 0.001 : 1.0;
+double density_for(double area) {
+  const double wanted = kSamplesOfMesh / area;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
 }
 
 DocumentKind document_kind(const std::filesystem::path& file) {
@@ -138,7 +169,7 @@ Document load_document(const std::filesystem::path& file, const SensorBuild& how
     case DocumentKind::scene:
       break;
   }
-  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, LoadedMesh(), {}, nullptr};
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr};
 }
 
 Document built_in_fingertip(const SensorBuild& how) {
@@ -148,12 +179,17 @@ Document built_in_fingertip(const SensorBuild& how) {
   LoadedMesh mesh;
   mesh.mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
   mesh.sha256 = sha256_hex(obj.bytes);
-  Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
-  layout.mesh.file = obj.name;
-  const auto compile = [layout, mesh, layout_name](const SensorBuild& build) {
-    return build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build);
+  mesh.file_face_of.resize(static_cast<std::size_t>(mesh.mesh->face_count()));
+  std::iota(mesh.file_face_of.begin(), mesh.file_face_of.end(), 0);
+  Project project;
+  project.layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
+  project.layout.mesh.file = obj.name;
+  const Compile compile = [layout = project.layout, mesh, layout_name](const SensorBuild& build) {
+    return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build), ""};
   };
-  return {DocumentKind::layout, "", "Fingertip sweep", compile(how), project_of(layout), mesh, {}, compile};
+  Document document = document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
+  document.name = "Fingertip sweep";
+  return document;
 }
 
 BuiltInMesh built_in_mesh() {

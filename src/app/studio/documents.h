@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/studio/open_meshes.h"
 #include "core/project/project.h"
 #include "core/sensor/sensor_model.h"
 
@@ -24,8 +25,9 @@ struct Document {
   std::string name;                ///< for titles
   SensorModelPtr model;            ///< null for a scene: the simulation compiles its sensors
   ProjectPtr project;              ///< what is edited; null for a scene
-  LoadedMesh mesh;                 ///< under its layout
-  std::vector<std::string> notes;  ///< what the user should know: repairs, guessed units, warnings
+  OpenMeshPtr mesh;                ///< under its layout; null for a scene
+  std::string problem;             ///< why it can be looked at and edited, but not simulated
+  std::vector<std::string> notes;  ///< what the user should know: guessed units, warnings
   /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
 
@@ -47,7 +49,7 @@ BuiltInMesh built_in_mesh();
 /// What the samples of a layout have to say: known for good only when they are polished, so not in Document::notes.
 std::vector<std::string> notes_of_samples(const SensorModel& model);
 
-/// Metres per unit of a mesh whose file does not say: 1 for sizes that a sensor can have in metres, else 0.001.
-double guessed_unit(const Aabb& bounds);
+/// Samples per square metre, one significant digit, that give a bare mesh of this area a picture's worth of them.
+double density_for(double area);
 
 }  // namespace taxel::studio

@@ -4,29 +4,60 @@
 
 namespace taxel::studio {
 
-void EditSession::open(ProjectPtr project, TriMeshPtr mesh, std::string mesh_sha256, std::string file) {
+namespace {
+
+/// Gestures of the hand count from 1; those of edit_together() from here.
+constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
+
+}  // namespace
+
+void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem) {
   worker_.clear();
   history_.emplace(*project);
-  mesh_ = std::move(mesh);
-  mesh_sha256_ = std::move(mesh_sha256);
+  meshes_ = std::make_shared<OpenMeshes>();  // a model of the document before may still be built on its own
+  meshes_->add(project->layout.mesh, std::move(mesh));
   file_ = std::move(file);
   compiled_ = history_->revision();
-  problem_.clear();
+  problem_ = std::move(problem);
 }
 
 void EditSession::close() {
   worker_.clear();
   history_.reset();
-  mesh_.reset();
+  meshes_ = std::make_shared<OpenMeshes>();
   problem_.clear();
 }
 
 void EditSession::rebuild() {
-  worker_.build({history_->revision(), history_->project(), mesh_, mesh_sha256_, file_});
+  worker_.build({history_->revision(), history_->project(), meshes_, file_});
 }
 
 void EditSession::edit(const Edit& edit, taxel::Gesture gesture) {
   if (history_ && history_->apply(edit, gesture)) rebuild();
+}
+
+void EditSession::edit_together(const std::vector<Edit>& edits) {
+  if (!history_) return;
+  const std::uint64_t gesture = kTogether + ++together_, before = history_->revision();
+  try {
+    for (const Edit& edit : edits) history_->apply(edit, {gesture});
+  } catch (const Error&) {
+    history_->cancel(gesture);
+    throw;
+  }
+  history_->end_gesture();
+  if (history_->revision() != before) rebuild();
+}
+
+void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
+  const OpenMeshPtr known = meshes_->known(ref);
+  if (known && known->loaded.sha256 == mesh->loaded.sha256) return;
+  meshes_->add(ref, std::move(mesh));
+  if (known && history_ && history_->project()->layout.mesh == ref) rebuild();
+}
+
+OpenMeshPtr EditSession::mesh() const {
+  return history_ ? meshes_->known(history_->project()->layout.mesh) : nullptr;
 }
 
 void EditSession::cancel(std::uint64_t gesture) {
@@ -67,12 +98,15 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_c
   editing.project = history_->project();
   editing.compiled = compiled_ == history_->revision();
   editing.problem = problem_;
+  if (const OpenMeshPtr known = mesh()) {
+    editing.mesh_findings = std::shared_ptr<const MeshFindings>(known, &known->findings);
+    editing.mesh_sha256 = known->loaded.sha256;
+  }
   editing.undo = history_->undo_name();
   editing.redo = history_->redo_name();
   editing.undo_depth = history_->undo_depth();
   editing.redo_depth = history_->redo_depth();
   editing.dirty = history_->dirty();
-  editing.mesh_sha256 = mesh_sha256_;
   if (worker_.polishing()) polishing = {true, by_clock ? worker_.fraction() : 0};
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/studio/model_worker.h"
 #include "core/project/history.h"
@@ -14,17 +15,27 @@ class EditSession {
  public:
   EditSession(SensorCache& cache, std::function<void()> wake) : worker_(cache, std::move(wake)) {}
 
-  /// Another document, which `model` was compiled of: saved, with no step to undo.
-  void open(ProjectPtr project, TriMeshPtr mesh, std::string mesh_sha256, std::string file);
+  /// Another document, on this mesh, whose model is there already: saved, with no step to undo. `problem`: why it
+  /// cannot be simulated.
+  void open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem = "");
   void close();
   [[nodiscard]] bool is_open() const { return history_.has_value(); }
 
   /// Edits throw Error as History::apply does, and then nothing has changed.
   void edit(const Edit& edit, taxel::Gesture gesture = {});
+  /// Several as one step, which has the name of the last.
+  void edit_together(const std::vector<Edit>& edits);
   void cancel(std::uint64_t gesture);
   void end_gesture();
   void undo();
   void redo();
+
+  /// The mesh of a reference, for edits that bring it in: one that is not told is read from its file.
+  void add_mesh(const MeshRef& ref, OpenMeshPtr mesh);
+  /// That of the present project; null: not read yet, or it cannot be read.
+  [[nodiscard]] OpenMeshPtr mesh() const;
+  /// Why the present project cannot be compiled, or simulated; empty: it can, or that is not known yet.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
 
   [[nodiscard]] const ProjectPtr& project() const { return history_->project(); }
   [[nodiscard]] std::uint64_t revision() const { return history_->revision(); }
@@ -43,11 +54,12 @@ class EditSession {
   void rebuild();
 
   std::optional<History> history_;
-  TriMeshPtr mesh_;
-  std::string mesh_sha256_, file_;
+  std::shared_ptr<OpenMeshes> meshes_ = std::make_shared<OpenMeshes>();
+  std::string file_;
   std::uint64_t compiled_ = 0;  ///< revision of the model that was taken last
-  std::string problem_;         ///< why the present project cannot be compiled
-  ModelWorker worker_;          // last: it ends first
+  std::uint64_t together_ = 0;  ///< counts edit_together()
+  std::string problem_;
+  ModelWorker worker_;  // last: it ends first
 };
 
 }  // namespace taxel::studio

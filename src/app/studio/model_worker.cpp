@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/studio/shown_model.h"
 #include "core/base/error.h"
 
 namespace taxel::studio {
@@ -101,8 +102,12 @@ std::optional<BuiltModel> ModelWorker::attempt(const ModelJob& job, SampleQualit
   how.cache = &cache_;
   how.quality = quality;
   try {
-    return BuiltModel{job.revision, build_sensor_model(job.project->layout, job.mesh, job.mesh_sha256, job.file, how),
-                      ""};
+    const Layout& layout = job.project->layout;
+    const OpenMeshPtr mesh = job.meshes->get(layout.mesh);
+    ShownModel shown = shown_model(layout, *mesh->loaded.mesh, [&](const Layout& compiled) {
+      return build_sensor_model(compiled, mesh->loaded.mesh, mesh->loaded.sha256, job.file, how);
+    });
+    return BuiltModel{job.revision, std::move(shown.model), std::move(shown.problem)};
   } catch (const Cancelled&) {
     return std::nullopt;
   } catch (const Error& error) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "app/studio/open_meshes.h"
 #include "core/project/project.h"
 #include "core/sensor/sensor_model.h"
 
@@ -19,16 +20,15 @@ namespace taxel::studio {
 struct ModelJob {
   std::uint64_t revision = 0;  ///< of the project, as History numbers them
   ProjectPtr project;
-  TriMeshPtr mesh;
-  std::string mesh_sha256;
-  std::string file;  ///< names the layout in messages
+  std::shared_ptr<OpenMeshes> meshes;  ///< where that of the project is found, or else kept
+  std::string file;                    ///< names the layout in messages
 };
 
 /// What came of it.
 struct BuiltModel {
   std::uint64_t revision = 0;
   SensorModelPtr model;  ///< null: see `problem`
-  std::string problem;   ///< why the layout cannot be compiled
+  std::string problem;   ///< why the layout cannot be compiled, or simulated
 };
 
 class ModelWorker {
@@ -45,7 +45,7 @@ class ModelWorker {
   void clear();  ///< no job any more: nothing that was asked for is told
   /// The newest result, once.
   std::optional<BuiltModel> take();
-  void wait();                      ///< until take() has something, or nothing is to be done
+  void wait();                            ///< until take() has something, or nothing is to be done
   [[nodiscard]] bool busy() const;        ///< something is built, or lies ready
   [[nodiscard]] bool polishing() const;   ///< the samples of what was told last
   [[nodiscard]] double fraction() const;  ///< of polishing

@@ -18,26 +18,29 @@ namespace taxel::studio {
 
 namespace {
 
-void write(const std::filesystem::path& file, int width, int height, int channels,
-           const std::vector<unsigned char>& pixels) {
+std::string bytes_of(int width, int height, int channels, const std::vector<unsigned char>& pixels) {
   std::string bytes;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
   };
   if (stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), channels * width) == 0) {
-    throw Error(file.string(), "cannot make a PNG of the picture");
+    throw Error("cannot make a PNG of the picture");
   }
-  write_file_atomically(file, bytes);
+  return bytes;
 }
 
 }  // namespace
 
+std::string png_bytes(const gl::RgbaImage& image) {
+  return bytes_of(image.width, image.height, 4, image.rgba);
+}
+
 void write_png(const std::filesystem::path& file, const gl::RgbImage& image) {
-  write(file, image.width, image.height, 3, image.rgb);
+  write_file_atomically(file, bytes_of(image.width, image.height, 3, image.rgb));
 }
 
 void write_png(const std::filesystem::path& file, const gl::RgbaImage& image) {
-  write(file, image.width, image.height, 4, image.rgba);
+  write_file_atomically(file, png_bytes(image));
 }
 
 }  // namespace taxel::studio

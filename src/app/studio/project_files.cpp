@@ -6,6 +6,7 @@
 
 #include "app/studio/documents.h"
 #include "core/base/files.h"
+#include "core/base/hash.h"
 
 namespace taxel::studio {
 
@@ -18,14 +19,14 @@ bool holds(const fs::path& file, std::string_view bytes) {
   return fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) == bytes.size() && read_file(file) == bytes;
 }
 
-/// The first of "fingertip.obj", "fingertip-1.obj", ... that is free, or is the mesh already.
-fs::path place_for(const BuiltInMesh& mesh, const fs::path& folder) {
-  const fs::path name(mesh.name);
+/// Writes a mesh into a folder: as the first of "fingertip.obj", "fingertip-1.obj", ... that is free, or is it already.
+std::string written_to(const fs::path& folder, const fs::path& name, std::string_view bytes) {
   fs::path file = folder / name;
   std::error_code ignored;
-  for (int number = 1; fs::exists(file, ignored) && !holds(file, mesh.bytes); ++number)
+  for (int number = 1; fs::exists(file, ignored) && !holds(file, bytes); ++number)
     file = folder / fmt::format("{}-{}{}", name.stem().string(), number, name.extension().string());
-  return file;
+  if (!holds(file, bytes)) write_file_atomically(file, bytes);
+  return file.string();
 }
 
 /// Letters and digits of a name, what is between them as one dash.
@@ -44,16 +45,21 @@ std::string file_name_of(const std::string& name) {
 
 }  // namespace
 
-Project with_mesh_on_disk(Project project, const fs::path& file) {
-  const BuiltInMesh mesh = built_in_mesh();
-  if (project.layout.mesh.file != mesh.name) return project;
-  const fs::path place = place_for(mesh, fs::absolute(file).parent_path());
-  if (!holds(place, mesh.bytes)) write_file_atomically(place, mesh.bytes);
-  project.layout.mesh.file = place.string();
+Project with_mesh_on_disk(Project project, const fs::path& file, const OpenMeshPtr& mesh) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  const BuiltInMesh built_in = built_in_mesh();
+  MeshRef& ref = project.layout.mesh;
+  std::error_code ignored;
+  if (ref.file == built_in.name) {
+    ref.file = written_to(folder, built_in.name, built_in.bytes);
+  } else if (mesh && !fs::exists(ref.file, ignored)) {
+    const std::string bytes = obj_text(*mesh->loaded.mesh);
+    ref = {written_to(folder, fs::path(ref.file).stem().string() + ".obj", bytes), dvec3(1.0), sha256_hex(bytes)};
+  }
   return project;
 }
 
-SuggestedFile suggested_file(const std::string& file, const std::string& name, bool project) {
+SuggestedFile suggested_file(const std::string& file, const std::string& name, const std::string& extension) {
   SuggestedFile suggested;
   std::string stem = file_name_of(name);
   if (!file.empty()) {
@@ -62,7 +68,7 @@ SuggestedFile suggested_file(const std::string& file, const std::string& name, b
     const std::string whole = path.filename().string();
     stem = whole.substr(0, whole.find('.', 1));
   }
-  suggested.name = stem + (project ? ".taxelproj" : ".taxels.json");
+  suggested.name = stem + extension;
   return suggested;
 }
 

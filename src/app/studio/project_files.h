@@ -4,13 +4,15 @@
 #include <filesystem>
 #include <string>
 
+#include "app/studio/open_meshes.h"
 #include "core/project/project_json.h"
 
 namespace taxel::studio {
 
-/// The project as it can be written to `file`: where its mesh is the one that travels inside the program, it is written
-/// beside the file first. Throws Error where that fails.
-Project with_mesh_on_disk(Project project, const std::filesystem::path& file);
+/// The project as it can be written to `file`: where its mesh is the one that travels inside the program, or its file
+/// is gone and `mesh` is what was read from it, the mesh is written beside the file first. Throws Error where that
+/// fails.
+Project with_mesh_on_disk(Project project, const std::filesystem::path& file, const OpenMeshPtr& mesh = nullptr);
 
 /// What the dialog offers.
 struct SuggestedFile {
@@ -18,6 +20,6 @@ struct SuggestedFile {
   std::string name;
 };
 /// `file`: where the document came from, empty: built in; `name`: its own.
-SuggestedFile suggested_file(const std::string& file, const std::string& name, bool project);
+SuggestedFile suggested_file(const std::string& file, const std::string& name, const std::string& extension);
 
 }  // namespace taxel::studio

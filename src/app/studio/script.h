@@ -89,11 +89,14 @@ struct ExpectCommand {
   std::string pointer, equals, contains;
   std::optional<double> least, most;
 };
+struct WaitForCommand {
+  ExpectCommand expect;
+};  ///< until the state is so, at most a minute: for what happens outside of the program
 struct QuitCommandLine {};
 
 using ScriptStep = std::variant<MouseMoveEvent, MouseButtonEvent, ClickEvent, WheelEvent, KeyEvent, TextEvent,
                                 DropEvent, ResizeEvent, CloseEvent, ScreenshotCommand, DumpStateCommand,
-                                WaitIdleCommand, WaitTimeCommand, ExpectCommand, QuitCommandLine>;
+                                WaitIdleCommand, WaitTimeCommand, ExpectCommand, WaitForCommand, QuitCommandLine>;
 
 struct ScriptLine {
   int number = 0;  ///< in the file, from 1

@@ -13,6 +13,7 @@ namespace {
 
 /// Widgets settle a picture or two after the last input: a menu opens, a table lays itself out.
 constexpr int kIdleFrames = 3;
+constexpr std::chrono::seconds kPatience{60};
 
 /// Turns one event line into what the window's callbacks would have told.
 class Hand {
@@ -105,11 +106,26 @@ std::vector<InputEvent> ScriptPlayer::before_frame(const ScriptStage& stage) {
   return std::move(hand.events);
 }
 
+/// Throws what check_expectation does when it has waited for too long.
+bool ScriptPlayer::is_so(const ExpectCommand& expect, const ScriptStage& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!waits_since_) waits_since_ = now;
+  try {
+    check_expectation(expect, stage.state());
+  } catch (const Error&) {
+    if (now - *waits_since_ > kPatience) throw;
+    return false;
+  }
+  waits_since_.reset();
+  return true;
+}
+
 bool ScriptPlayer::run_command(const ScriptStage& stage) {
   const ScriptStep& step = script_.lines[next_].step;
   if (const auto* shot = std::get_if<ScreenshotCommand>(&step)) stage.save_screenshot(shot->file);
   if (const auto* dump = std::get_if<DumpStateCommand>(&step)) stage.save_state(dump->file);
   if (const auto* expect = std::get_if<ExpectCommand>(&step)) check_expectation(*expect, stage.state());
+  if (const auto* wait = std::get_if<WaitForCommand>(&step)) return is_so(wait->expect, stage);
   if (std::holds_alternative<QuitCommandLine>(step)) stage.quit();
   if (std::holds_alternative<WaitIdleCommand>(step)) return idle_frames_ >= kIdleFrames;
   if (const auto* wait = std::get_if<WaitTimeCommand>(&step)) {

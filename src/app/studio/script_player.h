@@ -1,6 +1,7 @@
 // Plays a script: its events go through the same door as a hand's, its commands run after the picture of their frame.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,10 +39,12 @@ class ScriptPlayer {
   [[nodiscard]] bool due() const;
   /// Runs the command of the line at hand; false: it waits and is asked again after the next picture.
   bool run_command(const ScriptStage& stage);
+  bool is_so(const ExpectCommand& expect, const ScriptStage& stage);
 
   Script script_;
   std::size_t next_ = 0;
   int frame_ = 0;
+  std::optional<std::chrono::steady_clock::time_point> waits_since_;  ///< for the state to be as is wanted
   int idle_frames_ = 0;  ///< pictures in a row after which the window was idle
 };
 

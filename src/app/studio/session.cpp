@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <thread>
 
 namespace taxel::studio {
@@ -13,6 +14,10 @@ namespace {
 constexpr std::chrono::seconds kPatience{120};
 /// Pictures of a preview in a script, so that it may see it, aim at what it shows, and press and release a button.
 constexpr int kPreviewPictures = 4;
+
+/// The same of a load that takes seconds.
+constexpr int kLoadPictures = 8;
+constexpr std::uintmax_t kLargeFile = 32'000'000;  // bytes
 
 /// Readings of a frame, all sensors one after the other, as trace rows have them.
 std::vector<double> all_readings(const SimFrame& frame) {
@@ -55,6 +60,10 @@ void Session::settle(const Done& done) {
 void Session::open(const std::string& file) {
   reloading_ = false;
   recovered_.reset();
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(file, missing);
+  load_pictures_ = 0;
+  load_pictures_due_ = !missing && size > kLargeFile ? kLoadPictures : 0;
   loader_.start(file);
 }
 
@@ -81,10 +90,15 @@ void Session::drop_scene() {
   playing_ = sweep_ = simulates_document_ = false;
 }
 
-void Session::run_sweep(const SweepScenario& scenario) {
-  if (!document_ || !document_->model || document_->model->taxel_count() == 0) return;
+bool Session::run_sweep(const SweepScenario& scenario) {
+  if (!document_ || !document_->model || document_->model->taxel_count() == 0) return false;
+  if (!edits_.problem().empty()) {
+    refusal_ = document_->name + ": " + edits_.problem();
+    return false;
+  }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
   build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = false});
+  return true;
 }
 
 void Session::build_scene(Pending pending) {
@@ -154,8 +168,11 @@ bool Session::preview_is_due() const {
 
 SessionNews Session::update(bool hurry) {
   SessionNews news;
-  const bool keep = !by_clock_ && !hurry && preview_is_due();
-  if (keep) ++preview_pictures_;
+  if (!refusal_.empty()) news.messages.emplace_back(Severity::error, std::exchange(refusal_, ""));
+  const bool loads = !by_clock_ && !hurry && load_is_shown();
+  if (loads) ++load_pictures_;
+  const bool keep = loads || (!by_clock_ && !hurry && preview_is_due());
+  if (keep && !loads) ++preview_pictures_;
   if (!by_clock_ && !keep) loader_.wait();
   if (!keep || loader_.cancelled()) {
     if (std::optional<LoadResult> result = loader_.take()) accept_result(std::move(*result), news);
@@ -229,9 +246,12 @@ void Session::finish_polished(SessionNews& news) {
 }
 
 void Session::accept_document(Document document, SessionNews& news) {
+  if (reloading_ && edits_.is_open() && document.project && document_ && document.file == document_->file)
+    return accept_reload(document, news);
   for (const std::string& note : document.notes) {
     news.messages.emplace_back(document.kind == DocumentKind::mesh ? Severity::note : Severity::warning, note);
   }
+  if (!document.problem.empty()) news.messages.emplace_back(Severity::warning, document.file + ": " + document.problem);
   if (document.model && !document.previewed()) {
     for (const std::string& note : notes_of_samples(*document.model))
       news.messages.emplace_back(Severity::warning, note);
@@ -239,7 +259,8 @@ void Session::accept_document(Document document, SessionNews& news) {
   const bool play = !reloading_ || playing();
   const bool framed = !reloading_;
   const bool layout_with_taxels = document.model && document.model->taxel_count() > 0;
-  const bool to_edit = document.kind == DocumentKind::project;  // what one saves, one goes on with
+  // What one saves, one goes on with; what cannot be simulated can be looked at.
+  const bool to_edit = document.kind == DocumentKind::project || !document.problem.empty();
   if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
     const bool sweep = layout_with_taxels;
     const SweepScenario scenario = sweep ? scenario_ : SweepScenario{};
@@ -247,6 +268,7 @@ void Session::accept_document(Document document, SessionNews& news) {
     return;
   }
   drop_scene();
+  news.doubtful_mesh = document.kind == DocumentKind::mesh || !document.problem.empty();
   show_document(std::move(document));
   news.another_document = true;
   news.opened = ui::Mode::layout;
@@ -358,7 +380,8 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   edits_.fill(input.editing, input.polishing, by_clock_);
   if (loader_.loading()) {
     const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
-    input.loading = {true, what, loader_.fraction(), loader_.seconds(), true};
+    const bool timed = by_clock_;  // pictures that follow a script are the same every time
+    input.loading = {true, what, timed ? loader_.fraction() : 0, timed ? loader_.seconds() : 1, true};
   } else if (pending_) {
     const auto since = std::chrono::steady_clock::now() - pending_->asked;
     input.loading = {true, pending_->document.name, 0, std::chrono::duration<double>(since).count(), false};

@@ -24,7 +24,10 @@ struct SessionNews {
   std::string opened_file;         ///< where it came from; empty: built in
   bool framed = false;             ///< the cameras should turn to it (not after a reload)
   bool new_frame = false;
-  bool new_model = false;  ///< of what is edited
+  bool new_model = false;      ///< of what is edited
+  bool resized = false;        ///< its mesh has another size: the cameras should turn to it
+  bool doubtful_mesh = false;  ///< it was opened alone, or cannot be simulated, and its report is worth a look
+  bool reloaded = false;       ///< the document was read again, as an edit
 };
 
 class Session {
@@ -36,7 +39,7 @@ class Session {
 
   void open(const std::string& file);      ///< empty: the built-in fingertip
   void recover(const LostDocument& lost);  ///< unsaved, as it was when it was kept
-  void reload();                           ///< keeps pause and cameras
+  void reload();                           ///< keeps pause, cameras and what undo knows
   void close();
   void cancel_loading() { loader_.cancel(); }  ///< or polishing, whichever runs
   void polish();                               ///< the samples shown, where they are a preview's
@@ -53,7 +56,8 @@ class Session {
   [[nodiscard]] std::string file() const { return document_ ? document_->file : ""; }
   [[nodiscard]] DocumentKind kind() const { return document_ ? document_->kind : DocumentKind::layout; }
 
-  void run_sweep(const SweepScenario& scenario);
+  /// False: there is nothing to simulate, or it cannot be, which is told.
+  bool run_sweep(const SweepScenario& scenario);
   void set_playing(bool playing);
   void step_once();
   void reset();
@@ -96,6 +100,7 @@ class Session {
   void show_document(Document document);
   void restore_origin();
   void take_edited(SessionNews& news);
+  void accept_reload(const Document& document, SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -115,6 +120,9 @@ class Session {
   template <class Done>
   void settle(const Done& done);
 
+  /// Not by clock: whether the picture to come still shows that a large file is being loaded.
+  [[nodiscard]] bool load_is_shown() const { return loader_.loading() && load_pictures_ < load_pictures_due_; }
+
   bool by_clock_;
   SensorCache cache_;
   Loader loader_{cache_};
@@ -124,13 +132,15 @@ class Session {
   SimFramePtr settled_;  ///< what settle() waited for; update() tells of it
   std::optional<Pending> pending_;
   std::optional<Replacement> polished_;
-  SensorModelPtr left_preview_;  ///< polishing it was cancelled or failed: not begun again unasked
-  int preview_pictures_ = 0;     ///< shown of the present preview; not by clock only
-  std::uint64_t loads_ = 0;      ///< scenes asked for
+  SensorModelPtr left_preview_;                    ///< polishing it was cancelled or failed: not begun again unasked
+  int load_pictures_ = 0, load_pictures_due_ = 0;  ///< shown of the present load, and to be; not by clock only
+  int preview_pictures_ = 0;                       ///< shown of the present preview; not by clock only
+  std::uint64_t loads_ = 0;                        ///< scenes asked for
   std::uint64_t replacements_ = 0;
   std::uint64_t least_load_ = 1;  ///< frames of earlier scenes are not shown any more
   std::optional<Document> document_;
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
+  std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
   bool sweep_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;

@@ -13,6 +13,17 @@ bool same_taxels(const Layout& a, const Layout& b) {
                     [](const Taxel& x, const Taxel& y) { return x.id == y.id; });
 }
 
+bool same_mesh(const TriMeshPtr& a, const TriMeshPtr& b) {
+  return a == b || (a->faces() == b->faces() && a->vertices() == b->vertices());
+}
+
+/// By so much that the cameras should turn to it: another unit.
+bool differ_in_size(const TriMesh& a, const TriMesh& b) {
+  constexpr double kMuch = 1.5;
+  const double ratio = a.bounds().diagonal() / b.bounds().diagonal();
+  return ratio > kMuch || ratio < 1 / kMuch;
+}
+
 }  // namespace
 
 void Session::recover(const LostDocument& lost) {
@@ -39,7 +50,7 @@ void Session::show_document(Document document) {
   restore_origin();
   hand_over_wanted_ = false;
   if (document_->project) {
-    edits_.open(document_->project, document_->mesh.mesh, document_->mesh.sha256, document_->file);
+    edits_.open(document_->project, document_->mesh, document_->file, document_->problem);
     if (was_project) scenario_ = document_->project->scenario;
     if (std::exchange(recovered_, std::nullopt)) edits_.mark_unsaved();
   } else {
@@ -64,8 +75,39 @@ void Session::take_edited(SessionNews& news) {
   if (!by_clock_) edits_.wait();
   SensorModelPtr model = edits_.take_model();
   if (!model || !document_) return;
+  news.resized = document_->model && differ_in_size(*document_->model->mesh, *model->mesh);
   document_->model = std::move(model);
   news.new_model = true;
+}
+
+/// What was read again is one step of the history: undo brings back what was there, with its mesh.
+void Session::accept_reload(const Document& document, SessionNews& news) {
+  loader_.close();  // what is edited is polished where it is built
+  const MeshRef& before = edits_.project()->layout.mesh;
+  MeshRef mesh = document.project->layout.mesh;
+  Edit edit = ReplaceLayout{document.project->layout};
+  if (document.kind == DocumentKind::project) edit = ReplaceProject{*document.project};
+  if (document.kind == DocumentKind::mesh) {  // the file knows no unit and no taxels
+    const bool same_unit = before.scale == mesh.scale, same = before.sha256 == mesh.sha256;
+    mesh.scale = before.scale;
+    if (same_unit) edits_.add_mesh(mesh, document.mesh);
+    edit = ReplaceMesh{mesh, same ? *edits_.project()->region : std::vector<int>{}};
+  } else {
+    edits_.add_mesh(mesh, document.mesh);
+  }
+  const std::uint64_t revision = edits_.revision();
+  try {
+    edits_.edit(edit);
+  } catch (const Error& error) {
+    news.messages.emplace_back(Severity::error, document.file + ": " + error.what());
+    return;
+  }
+  if (document.kind != DocumentKind::mesh) edits_.mark_saved();
+  news.reloaded = true;
+  const std::string name = std::filesystem::path(document.file).filename().string();
+  news.messages.emplace_back(Severity::note, edits_.revision() == revision
+                                                 ? name + " was read again: nothing has changed."
+                                                 : name + " was read again. Undo takes it back.");
 }
 
 /// Where the taxels are the same ones, the run goes on with new readings; else its rows would not fit, and it begins
@@ -76,9 +118,9 @@ void Session::hand_over_newest() {
   if (!simulates_document_ || !frame_ || frame_->scene->sensors.empty()) return;
   const SensorModelPtr& simulated = frame_->scene->sensors.front();
   if (simulated == document_->model) return;
-  if (same_taxels(simulated->layout, document_->model->layout)) {
+  if (same_taxels(simulated->layout, document_->model->layout) && same_mesh(simulated->mesh, document_->model->mesh)) {
     polished_ = Replacement{Polished{simulated, document_->model}};
-  } else if (document_->model->taxel_count() > 0) {
+  } else if (document_->model->taxel_count() > 0 && edits_.problem().empty()) {
     build_scene({.document = *document_,
                  .sweep = true,
                  .scenario = scenario_,

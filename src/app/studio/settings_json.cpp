@@ -44,6 +44,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_plot", s.panels.plot);
   visit("panel_section", s.panels.section);
   visit("panel_messages", s.panels.messages);
+  visit("panel_mesh_report", s.panels.mesh_report);
   visit("tour_seen", s.tour_seen);
   visit("recent", s.recent);
 }

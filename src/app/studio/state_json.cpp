@@ -112,7 +112,11 @@ Json document_json(const ui::UiInput& input) {
   json["file"] = input.file;
   const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
   json["layout"] = Json::parse(layout_to_json(layout));
-  json["mesh"] = {{"triangles", input.model->mesh->face_count()}, {"shells", input.model->mesh->shell_count()}};
+  const TriMesh& mesh = *input.model->mesh;
+  json["mesh"] = {{"triangles", mesh.face_count()},
+                  {"shells", mesh.shell_count()},
+                  {"closed", mesh.closed()},
+                  {"size", to_json(mesh.bounds().extent())}};
   json["samples"] = input.model->samples.size();
   return json;
 }
@@ -365,6 +369,9 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   const SensorFrameState* sensor = ui.mode == ui::Mode::simulate ? input.sensor(ui) : nullptr;
   json["polygons"] = sensor != nullptr ? polygons_json(ui, project, *sensor) : Json::array();
   json["messages"] = messages_json(ui);
+  json["notices"] = Json::array();
+  for (const ui::FileNotice& notice : ui.notices)
+    json["notices"].push_back({{"file", notice.file}, {"text", notice.text}, {"offers", notice.offers.size()}});
   json["widgets"] = widgets_json(ui);
   json["pace"] = pace_json(input, pace);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote what is no text

@@ -42,6 +42,11 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
+bool is_doubtful(const OpenMeshPtr& mesh) {
+  return mesh && std::any_of(mesh->findings.begin(), mesh->findings.end(),
+                             [](const MeshFinding& finding) { return finding.severity != Severity::note; });
+}
+
 /// The shaders of a folder, or those built in.
 gl::ShaderReader shader_reader(const std::string& folder) {
   if (folder.empty()) return gl::read_embedded_shader;
@@ -179,6 +184,13 @@ void Studio::act_on(const SessionNews& news) {
     ui_.fields.refused.reset();
     ui_.generate = {};
   }
+  if (news.resized) turn_cameras_ = true;
+  if (news.reloaded) {
+    session_.after_edit(ui_.mode == ui::Mode::simulate);
+    ui_.notices.clear();  // what they were about was read again
+    ui_.selection.keep_only(session_.edits().project()->layout);
+  }
+  if (news.doubtful_mesh) ui_.saved.panels.mesh_report = is_doubtful(session_.edits().mesh());
   if (news.opened) {
     ui_.mode = *news.opened;
     ui_.edited_sweep = session_.scenario();
@@ -190,6 +202,12 @@ void Studio::act_on(const SessionNews& news) {
   update_range();
   update_title();
   keep_unsaved();
+  export_when_ready();
+  if (news.opened || news.reloaded) {
+    document_hash_ = hash_of(session_.file());
+    tell_other_mesh();
+  }
+  watch_files();
 }
 
 /// Turns each mode's camera to what it will show.

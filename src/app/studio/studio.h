@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/studio/autosave.h"
+#include "app/studio/file_watch.h"
 #include "app/studio/input_queue.h"
+#include "app/studio/mesh_comparison.h"
 #include "app/studio/options.h"
 #include "app/studio/pattern_worker.h"
 #include "app/studio/script_player.h"
@@ -58,11 +61,22 @@ class Studio {
   bool take_preview();
   void read_points(const std::string& path);
   bool hold_if_unsaved(const ui::Request& request);
-  template <class Body>
-  void edit_document(const Body& body, bool in_gesture = false,
+  void edit_document(const std::function<void(EditSession&)>& body, bool in_gesture = false,
                      const std::optional<ui::FieldInput>& from = std::nullopt);
+  void set_mesh_unit(double metres);
+  void watch_files();
+  void tell_change(const std::string& file, FileChange change);
+  void tell_mesh(ComparedMesh compared);
+  void tell_other_mesh();
+  void add_notice(ui::FileNotice notice);
+  [[nodiscard]] bool has_notice(const std::string& file) const;
+  void answer_notice(const ui::AnswerNotice& answer);
+  void wrote(const std::string& file, const Project& written);
   void save_project(const std::string& path, bool replace);
-  void export_layout(const std::string& path, bool replace);
+  void export_file(const ui::ExportFile& wanted);
+  void export_when_ready();
+  [[nodiscard]] bool samples_are_final() const;
+  std::vector<std::string> write_export(const ui::ExportFile& wanted);
   [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
   void ask_for_file(ui::FileTask task, const std::string& problem);
   void copy_taxels();
@@ -99,10 +113,15 @@ class Studio {
   bool themed_dark_ = true;
   float themed_scale_ = 0;
   int pictures_due_ = 3;
-  std::optional<ui::Request> held_;  ///< what is to be done when unsaved edits are saved or given up
-  bool leave_unsaved_ = false;       ///< the user said so
+  std::optional<ui::Request> held_;       ///< what is to be done when unsaved edits are saved or given up
+  bool leave_unsaved_ = false;            ///< the user said so
+  std::optional<ui::ExportFile> export_;  ///< what waits for polished samples
   Autosave autosave_;
-  std::vector<LostDocument> lost_;  ///< to be offered, the first one now
+  FileWatch watch_;
+  std::string document_hash_;  ///< of the file of the document, as it was read or written
+  MeshComparison comparison_;
+  std::optional<ComparedMesh> compared_;  ///< that a notice offers
+  std::vector<LostDocument> lost_;        ///< to be offered, the first one now
   Pace pace_;
   int draws_at_dump_ = 0;
   std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;

@@ -6,8 +6,8 @@
 namespace taxel::studio {
 
 /// What an edit refuses is told, and nothing has changed then: by the field or the gesture that asked, or as a message.
-template <class Body>
-void Studio::edit_document(const Body& body, bool in_gesture, const std::optional<ui::FieldInput>& from) {
+void Studio::edit_document(const std::function<void(EditSession&)>& body, bool in_gesture,
+                           const std::optional<ui::FieldInput>& from) {
   if (!session_.edits().is_open()) return;
   try {
     body(session_.edits());
@@ -31,6 +31,8 @@ bool Studio::carry_out_edit(const ui::Request& request) {
   if (const auto* edit = std::get_if<ui::EditProject>(&request)) {
     edit_document([&](EditSession& edits) { edits.edit(edit->edit, edit->gesture); }, edit->gesture.number != 0,
                   edit->from);
+  } else if (const auto* unit = std::get_if<ui::SetMeshUnit>(&request)) {
+    set_mesh_unit(unit->metres);
   } else if (const auto* cancelled = std::get_if<ui::CancelGesture>(&request)) {
     edit_document([&](EditSession& edits) { edits.cancel(cancelled->number); });
   } else if (std::holds_alternative<ui::EndGesture>(request)) {

@@ -5,6 +5,7 @@
 #include "app/studio/project_files.h"
 #include "app/studio/settings.h"
 #include "app/studio/studio.h"
+#include "ui/panels/file_dialog.h"
 #include "ui/tools/actions.h"
 
 namespace taxel::studio {
@@ -14,8 +15,7 @@ namespace {
 /// What leaves the document that is open.
 bool leaves_document(const ui::Request& request) {
   return std::holds_alternative<ui::OpenFile>(request) || std::holds_alternative<ui::OpenFingertipSweep>(request) ||
-         std::holds_alternative<ui::CloseDocument>(request) || std::holds_alternative<ui::ReloadFile>(request) ||
-         std::holds_alternative<ui::Quit>(request);
+         std::holds_alternative<ui::CloseDocument>(request) || std::holds_alternative<ui::Quit>(request);
 }
 
 }  // namespace
@@ -45,12 +45,14 @@ bool Studio::carry_out_save(const ui::Request& request) {
     save_project(save->path, save->replace);
   } else if (std::holds_alternative<ui::SaveProjectAs>(request)) {
     ask_for_file(ui::FileTask::save_project, "");
-  } else if (const auto* layout = std::get_if<ui::ExportLayout>(&request)) {
-    export_layout(layout->path, layout->replace);
+  } else if (const auto* wanted = std::get_if<ui::ExportFile>(&request)) {
+    export_file(*wanted);
   } else if (std::holds_alternative<ui::DialogClosed>(request)) {
     held_.reset();
   } else if (const auto* answer = std::get_if<ui::AnswerUnsaved>(&request)) {
     answer_unsaved(answer->answer);
+  } else if (const auto* notice = std::get_if<ui::AnswerNotice>(&request)) {
+    answer_notice(*notice);
   } else if (const auto* found = std::get_if<ui::AnswerRecovery>(&request)) {
     answer_recovery(found->recover);
   } else {
@@ -68,11 +70,10 @@ Project Studio::project_to_save() const {
 }
 
 void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
-  if (!session_.edits().is_open()) return;
   const bool again = ui_.dialog.task == task && !problem.empty();
   const std::string typed = ui_.dialog.path;
   ui::begin_dialog(ui_, task);
-  const SuggestedFile suggested = suggested_file(session_.file(), input_.name, task == ui::FileTask::save_project);
+  const SuggestedFile suggested = suggested_file(session_.file(), input_.name, ui::extension_of(task));
   list_folder(ui_.dialog, suggested.folder.empty() || again ? ui_.dialog.folder : suggested.folder);
   ui_.dialog.path = again ? typed : suggested.name;
   ui_.dialog.error = problem;
@@ -82,9 +83,11 @@ void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
 bool Studio::may_write(const std::string& path, ui::FileTask task, bool replace) {
   std::error_code ignored;
   const bool own = !session_.file().empty() && std::filesystem::equivalent(path, session_.file(), ignored);
-  if (replace || own || !std::filesystem::exists(path, ignored)) return true;
+  const bool changed = own && has_notice(session_.file());  // what is there now is not what was opened
+  if (replace || (own && !changed) || !std::filesystem::exists(path, ignored)) return true;
   const std::string name = std::filesystem::path(path).filename().string();
-  ask_for_file(task, name + " exists. The same again replaces it.");
+  ask_for_file(task,
+               name + (changed ? " was changed by another program." : " exists.") + " The same again replaces it.");
   ui_.dialog.path = path;
   ui_.dialog.exists = path;
   return false;
@@ -97,28 +100,18 @@ void Studio::save_project(const std::string& path, bool replace) {
   const std::string file = path.empty() ? session_.file() : path;
   if (!may_write(file, ui::FileTask::save_project, replace)) return;
   try {
-    write_project(file, with_mesh_on_disk(project_to_save(), file));
+    const Project written = with_mesh_on_disk(project_to_save(), file, session_.edits().mesh());
+    write_project(file, written);
+    wrote(file, written);
   } catch (const Error& error) {
     ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
     return ask_for_file(ui::FileTask::save_project, error.what());
   }
   session_.saved_as(file);
+  document_hash_ = hash_of(file);
   remember_recent(ui_.saved, file);
   ui::add_message(ui_, Severity::note, "Saved " + file, ImGui::GetTime());
   if (held_) ui_.ask(*std::exchange(held_, std::nullopt));
-}
-
-void Studio::export_layout(const std::string& path, bool replace) {
-  if (!session_.edits().is_open()) return;
-  if (path.empty()) return ask_for_file(ui::FileTask::export_layout, "");
-  if (!may_write(path, ui::FileTask::export_layout, replace)) return;
-  try {
-    taxel::export_layout(path, with_mesh_on_disk(*session_.edits().project(), path));
-  } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
-    return ask_for_file(ui::FileTask::export_layout, error.what());
-  }
-  ui::add_message(ui_, Severity::note, "Exported " + path, ImGui::GetTime());
 }
 
 void Studio::start_autosave() {

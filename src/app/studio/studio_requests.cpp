@@ -51,7 +51,7 @@ void Studio::carry_out(const ui::Request& request) {
   } else if (const auto* sweep = std::get_if<ui::RunSweep>(&request)) {
     session_.run_sweep(sweep->scenario);
   } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {
-    if (!session_.simulates_document()) session_.run_sweep(session_.scenario());
+    if (!session_.simulates_document() && !session_.run_sweep(session_.scenario())) return;
     session_.hand_over();
     session_.set_playing(play->playing);
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
@@ -72,7 +72,9 @@ void Studio::carry_out(const ui::Request& request) {
 }
 
 void Studio::set_mode(ui::Mode mode) {
-  if (mode == ui::Mode::simulate && !session_.simulates_document()) session_.run_sweep(session_.scenario());
+  const bool runs = session_.simulates_document() || session_.frame() != nullptr;
+  if (mode == ui::Mode::simulate && !session_.simulates_document() && !session_.run_sweep(session_.scenario()) && !runs)
+    return;
   if (mode == ui::Mode::simulate) session_.hand_over();
   ui_.mode = mode;
 }
@@ -137,7 +139,9 @@ ImVec2 Studio::locate(const Target& target) const {
 ScriptStage Studio::script_stage() {
   ScriptStage stage;
   stage.locate = [this](const Target& target) { return locate(target); };
-  stage.idle = [this] { return session_.idle() && !patterns_.busy() && input_taken() && ui_.requests.empty(); };
+  stage.idle = [this] {
+    return session_.idle() && !patterns_.busy() && !comparison_.busy() && input_taken() && ui_.requests.empty();
+  };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
     return runs ? std::optional<double>(session_.frame()->time) : std::nullopt;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <utility>
 
+#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/halfedge.h"
 #include "core/mesh/self_intersection.h"
 
@@ -23,13 +25,22 @@ const char* plural(std::size_t count) {
   return count == 1 ? "" : "s";
 }
 
+/// Open edges that hang together count as one hole.
+std::string holes_text(const TriMesh& mesh, const std::vector<std::pair<int, int>>& open) {
+  DisjointSets rims(at(mesh.vertex_count()));
+  for (const auto& [a, b] : open) rims.unite(a, b);
+  std::set<int> holes;
+  for (const auto& [a, b] : open) holes.insert(rims.find(a));
+  return fmt::format("{} hole{}", holes.size(), plural(holes.size()));
+}
+
 void check_edges(const TriMesh& mesh, const std::string& file, Problems& problems) {
   const HalfEdges half_edges(mesh);
   const auto& open = half_edges.boundary_edges();
   if (!open.empty()) {
     problems.push_back({file, "", Severity::warning, "mesh_open",
-                        fmt::format("{} open edge{}, the first at {}", open.size(), plural(open.size()),
-                                    place(mesh, open[0].first, open[0].second)),
+                        fmt::format("{} open edge{} around {}, the first at {}", open.size(), plural(open.size()),
+                                    holes_text(mesh, open), place(mesh, open[0].first, open[0].second)),
                         "close the mesh: without an inside it has no pressure field"});
   }
   const auto& bad = half_edges.nonmanifold_edges();

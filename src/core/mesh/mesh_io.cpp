@@ -69,20 +69,26 @@ std::string stl_bytes(const TriMesh& mesh) {
 
 }  // namespace
 
-LoadedMesh load_mesh(const fs::path& path, const dvec3& scale) {
+LoadedMesh load_mesh(const fs::path& path, const dvec3& scale, const Progress* progress) {
   const std::string file = path.string();
   const Reader reader = reader_for(path);
   if (reader == nullptr) throw Error(file, "unknown mesh format; known are .obj .stl .ply .off .gltf .glb");
+  const auto stop_if_cancelled = [&] {
+    if (progress != nullptr) progress->stop_if_cancelled();
+  };
   const std::string bytes = read_file(path);
+  stop_if_cancelled();
   if (bytes.empty()) throw Error(file, "is empty");
   LoadedMesh loaded;
   loaded.sha256 = sha256_hex(bytes);
   const PolygonSoup soup = reader(bytes, file);
+  stop_if_cancelled();
   try {
     loaded.mesh = std::make_shared<const TriMesh>(weld(soup, scale, loaded.notes, &loaded.file_face_of));
   } catch (const Error& error) {
     throw Error(file, error.where(), error.message());
   }
+  stop_if_cancelled();
   return loaded;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -22,8 +23,10 @@ struct LoadedMesh {
 /// Reads a mesh by its extension (.obj .stl .ply .off .gltf .glb, any case) and multiplies by `scale`; a negative
 /// product of the scale flips the winding. Vertices at the same place are welded (STL, texture seams), faces without
 /// area and repeated faces dropped, polygons fanned; each is noted. Safe to call from several threads.
-/// Throws Error naming the file: missing, unknown extension, broken, NaN vertex, no triangles.
-LoadedMesh load_mesh(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0));
+/// Throws Error naming the file: missing, unknown extension, broken, NaN vertex, no triangles; Cancelled through
+/// `progress`, which is asked between the parts of the work and told nothing.
+LoadedMesh load_mesh(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0),
+                     const Progress* progress = nullptr);
 
 /// True for the extensions that load_mesh reads.
 bool is_mesh_file(const std::filesystem::path& path);

@@ -52,6 +52,13 @@ void replace_layout(Project& project, const ReplaceLayout& edit) {
   check_project(project);
 }
 
+void replace_project(Project& project, const ReplaceProject& edit) {
+  check_project(edit.project);
+  const std::optional<View> view = project.view;
+  project = edit.project;
+  project.view = view;
+}
+
 void set_hidden(Project& project, const SetHidden& edit) {
   const auto there = taxel_indices(project.layout);
   for (const int id : edit.ids)
@@ -96,6 +103,7 @@ struct Apply {
     project.region = region_of(edit.region);
   }
   void operator()(const ReplaceLayout& edit) const { replace_layout(project, edit); }
+  void operator()(const ReplaceProject& edit) const { replace_project(project, edit); }
   void operator()(const ApplyAll& edit) const {
     for (const Edit& each : edit.edits->edits) std::visit(*this, each);
   }
@@ -170,6 +178,7 @@ struct Name {
   std::string operator()(const SetScenario&) const { return "Change the sweep"; }
   std::string operator()(const ReplaceMesh&) const { return "Replace the mesh"; }
   std::string operator()(const ReplaceLayout&) const { return "Replace the layout"; }
+  std::string operator()(const ReplaceProject&) const { return "Replace the project"; }
   std::string operator()(const ApplyAll& edit) const { return edit.name; }
 
  private:

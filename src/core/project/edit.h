@@ -122,6 +122,12 @@ struct ReplaceLayout {
   Layout layout;
 };
 
+/// Another project in place of this one (a file read again). Throws what check_project throws. The view is not edited:
+/// it stays.
+struct ReplaceProject {
+  Project project;
+};
+
 /// Several edits as one: all of them, or none where one is refused.
 struct EditList;
 struct ApplyAll {
@@ -129,9 +135,10 @@ struct ApplyAll {
   std::shared_ptr<const EditList> edits;
 };
 
-using Edit = std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
-                          UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField,
-                          SetReadout, SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout, ApplyAll>;
+using Edit =
+    std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
+                 UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField, SetReadout,
+                 SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout, ReplaceProject, ApplyAll>;
 struct EditList {
   std::vector<Edit> edits;  ///< one after the other
 };

@@ -21,7 +21,10 @@ h1 { font-size: 16pt; margin: 0 0 1mm } h2 { font-size: 12pt; margin: 6mm 0 2mm 
 p { margin: 0 0 2mm } .small { font-size: 8pt; color: #444 }
 .pictures { display: flex; flex-wrap: wrap; gap: 4mm }
 figure { margin: 0; width: 86mm; break-inside: avoid } figure.single { width: 100% }
-img { width: 100%; border: 0.2mm solid #aaa } figcaption { font-size: 8pt }
+.view { position: relative; border: 0.2mm solid #aaa } img { width: 100%; display: block }
+.view span { position: absolute; transform: translate(-50%, -50%); font: bold 7pt sans-serif; padding: 0 0.5mm;
+  background: rgba(255, 255, 255, 0.75) } .view span.faint { color: #888; font-weight: normal }
+figcaption { font-size: 8pt }
 table { border-collapse: collapse; width: 100%; font-size: 8pt; font-variant-numeric: tabular-nums }
 thead { display: table-header-group } tr { break-inside: avoid }
 th, td { border-bottom: 0.2mm solid #bbb; padding: 0.4mm 1.5mm; text-align: right; white-space: nowrap }
@@ -68,14 +71,23 @@ void append_heading(std::string& html, const SensorModel& model, const SheetCont
   if (!small.empty()) html += fmt::format("<p class=\"small\">{}</p>\n", small);
 }
 
+std::string label_text(const SheetLabel& label) {
+  return fmt::format("<span{} style=\"left:{:.2f}%;top:{:.2f}%\">{}</span>", label.faint ? " class=\"faint\"" : "",
+                     100 * label.x, 100 * label.y, escaped(label.text));
+}
+
 void append_pictures(std::string& html, const std::vector<SheetPicture>& pictures) {
   if (pictures.empty()) return;
   const char* const single = pictures.size() == 1 ? " class=\"single\"" : "";
   html += "<div class=\"pictures\">\n";
-  for (const SheetPicture& picture : pictures)
-    html +=
-        fmt::format("<figure{}><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-                    single, escaped(picture.caption), base64(picture.png), escaped(picture.caption));
+  for (const SheetPicture& picture : pictures) {
+    std::string labels;
+    for (const SheetLabel& label : picture.labels) labels += label_text(label);
+    html += fmt::format(
+        "<figure{}><div class=\"view\"><img alt=\"{}\" src=\"data:image/png;base64,{}\">{}</div>"
+        "<figcaption>{}</figcaption></figure>\n",
+        single, escaped(picture.caption), base64(picture.png), labels, escaped(picture.caption));
+  }
   html += "</div>\n";
 }
 

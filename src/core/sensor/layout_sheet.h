@@ -8,9 +8,17 @@
 
 namespace taxel {
 
+/// Text over a picture, its middle at these parts of the width and the height from the upper left corner.
+struct SheetLabel {
+  double x = 0, y = 0;
+  std::string text;
+  bool faint = false;  ///< what it names is hidden in the picture
+};
+
 struct SheetPicture {
   std::string caption;
   std::string png;  ///< bytes of the file
+  std::vector<SheetLabel> labels;
 };
 
 struct SheetContent {

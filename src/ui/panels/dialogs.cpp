@@ -62,6 +62,7 @@ void draw_loading(UiState& ui, const UiInput& input) {
   if (!loading.active || loading.seconds < kShowAfterSeconds) return;
   ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.saved.dark).panel);
   ImGui::Begin("Loading", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::Text("Loading %s", loading.what.c_str());
   const float width = 20 * ImGui::GetFontSize();
@@ -76,7 +77,7 @@ void draw_loading(UiState& ui, const UiInput& input) {
     ImGui::TextDisabled("Building the scene");
   }
   ImGui::End();
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(2);
 }
 
 void draw_unsaved_question(UiState& ui, const UiInput& input) {
@@ -130,6 +131,7 @@ void draw_recovery_card(UiState& ui) {
 void draw_start_card(UiState& ui) {
   ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.saved.dark).panel);  // their own colour is the card's
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
   ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
@@ -149,7 +151,7 @@ void draw_start_card(UiState& ui) {
   }
   ImGui::End();
   ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(2);
 }
 
 }  // namespace taxel::ui

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/layout/formats/layout_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -26,6 +27,14 @@ Words words_of(FileTask task) {
       return {"Save the project", "Save", ".taxelproj"};
     case FileTask::export_layout:
       return {"Export the layout", "Export", ".taxels.json"};
+    case FileTask::export_taxels:
+      return {"Export the taxels as a table", "Export", ".csv"};
+    case FileTask::export_samples:
+      return {"Export the samples as a table", "Export", ".csv"};
+    case FileTask::export_sheet:
+      return {"Export a sheet to print", "Export", ".html"};
+    case FileTask::export_picture:
+      return {"Export a picture on a transparent background", "Export", ".png"};
     case FileTask::read_points:
       return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
   }
@@ -59,17 +68,24 @@ void go_to(UiState& ui, const std::string& folder) {
   ui.ask(ListFolder{folder});
 }
 
+bool names_format(const std::string& path) {
+  const LayoutFormat* format = layout_format_of(path);
+  return format != nullptr && format->write != nullptr;
+}
+
 void ask_for(UiState& ui, const std::string& path) {
   const FileDialog& dialog = ui.dialog;
   if (dialog.task == FileTask::open) return ui.ask(OpenFile{path});
   if (dialog.task == FileTask::read_points) return ui.ask(ReadPoints{path});
   const std::string extension = words_of(dialog.task).extension;
-  const std::string whole = path.ends_with(extension) ? path : path + extension;
+  // A layout goes out in any format that its name asks for.
+  const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path));
+  const std::string whole = complete ? path : path + extension;
   const bool replace = whole == dialog.exists;
   if (dialog.task == FileTask::save_project) {
     ui.ask(SaveProject{whole, replace});
   } else {
-    ui.ask(ExportLayout{whole, replace});
+    ui.ask(ExportFile{dialog.task, whole, replace, dialog.width, dialog.height});
   }
 }
 
@@ -109,7 +125,8 @@ void walk(FileDialog& dialog) {
 
 void draw_entries(UiState& ui) {
   FileDialog& dialog = ui.dialog;
-  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+  const float rows = dialog.task == FileTask::export_picture ? 3 : 2;
+  const float below = rows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("entries", ImVec2(0, -below), ImGuiChildFlags_FrameStyle)) {
     if (selectable(ui, "..", false)) go_to(ui, parent(dialog.folder));
     for (int i = 0; i < static_cast<int>(dialog.entries.size()); ++i) {
@@ -137,6 +154,23 @@ void draw_entries(UiState& ui) {
   ImGui::EndChild();
 }
 
+/// Of a picture, in pixels.
+void draw_size(UiState& ui) {
+  const auto field = [&](const char* label, int* value) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", label);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
+    ImGui::InputInt((std::string("##") + label).c_str(), value, 0);
+    ui.widgets.note_item(label);
+  };
+  field("Width", &ui.dialog.width);
+  ImGui::SameLine();
+  field("Height", &ui.dialog.height);
+  ImGui::SameLine();
+  ImGui::TextDisabled("pixels");
+}
+
 void draw_path_and_buttons(UiState& ui) {
   FileDialog& dialog = ui.dialog;
   ImGui::SetNextItemWidth(-1);
@@ -145,6 +179,7 @@ void draw_path_and_buttons(UiState& ui) {
   const bool entered =
       ImGui::InputTextWithHint("##path", "Path or name", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note_item("Path");
+  if (dialog.task == FileTask::export_picture) draw_size(ui);
   ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
   ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
   ui.widgets.note_item("Filter");
@@ -163,6 +198,10 @@ void draw_path_and_buttons(UiState& ui) {
 }
 
 }  // namespace
+
+const char* extension_of(FileTask task) {
+  return words_of(task).extension;
+}
 
 void draw_file_dialog(UiState& ui) {
   FileDialog& dialog = ui.dialog;

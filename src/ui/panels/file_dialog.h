@@ -5,4 +5,6 @@
 
 namespace taxel::ui {
 void draw_file_dialog(UiState& ui);
+/// What names of files for this task end with; empty: anything.
+const char* extension_of(FileTask task);
 }  // namespace taxel::ui

@@ -6,6 +6,7 @@
 #include "core/layout/words.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/layout_settings.h"
+#include "ui/panels/mesh_section.h"
 #include "ui/panels/problem_list.h"
 #include "ui/panels/subtaxel_editor.h"
 #include "ui/panels/taxel_editor.h"
@@ -145,6 +146,7 @@ void draw_inspector(UiState& ui, const UiInput& input) {
     if (model) {
       const bool edited = ui.mode == Mode::layout && input.editing.project;
       draw_taxel(ui, input, *model);
+      if (ui.mode == Mode::layout) draw_mesh_section(ui, input, *model);
       if (edited) {
         draw_subtaxels_of_selected(ui, *input.editing.project);
         draw_problem_list(ui, input);

@@ -5,9 +5,11 @@
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/file_dialog.h"
+#include "ui/panels/file_notices.h"
 #include "ui/panels/generate_panel.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/menu_bar.h"
+#include "ui/panels/mesh_section.h"
 #include "ui/panels/messages.h"
 #include "ui/panels/outliner_panel.h"
 #include "ui/panels/palette_card.h"
@@ -71,7 +73,9 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_palette(ui, input);
   draw_tour(ui);
   draw_help(ui);
+  draw_mesh_report(ui, input);
   draw_loading(ui, input);
+  draw_file_notices(ui);
   draw_toasts(ui);
   draw_file_dialog(ui);
   draw_unsaved_question(ui, input);

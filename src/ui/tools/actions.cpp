@@ -69,6 +69,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.section;
     case Action::toggle_messages:
       return &saved.panels.messages;
+    case Action::toggle_mesh_report:
+      return &saved.panels.mesh_report;
     case Action::help:
       return &saved.panels.help;
     default:

@@ -91,7 +91,19 @@ bool perform_document(Action action, UiState& ui) {
       ui.ask(SaveProjectAs{});
       return true;
     case Action::export_layout:
-      ui.ask(ExportLayout{});
+      ui.ask(ExportFile{FileTask::export_layout, "", false, 0, 0});
+      return true;
+    case Action::export_taxels:
+      ui.ask(ExportFile{FileTask::export_taxels, "", false, 0, 0});
+      return true;
+    case Action::export_samples:
+      ui.ask(ExportFile{FileTask::export_samples, "", false, 0, 0});
+      return true;
+    case Action::export_sheet:
+      ui.ask(ExportFile{FileTask::export_sheet, "", false, 0, 0});
+      return true;
+    case Action::export_picture:
+      ui.ask(ExportFile{FileTask::export_picture, "", false, 0, 0});
       return true;
     case Action::undo:
       ui.ask(UndoStep{});
@@ -218,7 +230,12 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::save:
     case Action::save_as:
     case Action::export_layout:
+    case Action::export_taxels:
+    case Action::export_samples:
+    case Action::export_sheet:
       return input.editing.project != nullptr;
+    case Action::export_picture:
+      return input.model != nullptr || input.frame != nullptr;
     case Action::undo:
       return input.editing.undo_depth > 0;
     case Action::redo:

@@ -24,7 +24,7 @@ class EditSessionTest : public testing::Test {
     SensorBuild how;
     how.cache = &cache;
     const Document document = built_in_fingertip(how);
-    edits.open(document.project, document.mesh.mesh, document.mesh.sha256, "fingertip.taxels.json");
+    edits.open(document.project, document.mesh, "fingertip.taxels.json");
   }
   /// The newest model when nothing is left to build.
   SensorModelPtr settled() {

@@ -225,6 +225,18 @@ TEST(Edit, ANewMeshForgetsTheRegionOfTheOld) {
   EXPECT_EQ(complaint(ReplaceLayout{other}), "/layout/taxels/1/id: 4 is also the id of another taxel");
 }
 
+TEST(Edit, AnotherProjectTakesItsPlaceButNotItsView) {
+  Project project = three(), other = three();
+  project.view = View{};
+  other.layout.taxels.pop_back();
+  other.view = View{dvec3(1), 0, 0, 1, 40};
+  const Project edited = apply_edit(project, ReplaceProject{other});
+  EXPECT_EQ(edited.layout, other.layout);
+  EXPECT_EQ(edited.view, project.view);
+  other.hidden = {99};
+  EXPECT_EQ(complaint(ReplaceProject{other}), "/hidden/0: there is no taxel 99");
+}
+
 TEST(Edit, NamesItself) {
   TaxelChange moved = move_of(3, {}), turned = change_of(3), resized = change_of(5), renamed = change_of(3);
   turned.normal = dvec3(1);

@@ -40,6 +40,14 @@ bool balanced(const std::string& html) {
   return open.empty();
 }
 
+TEST(LayoutSheet, PicturesHaveTheirLabelsWhereTheyBelong) {
+  const SheetPicture picture{"Pad side", "png", {{0.25, 0.5, "7", false}, {1, 0, "<2>", true}}};
+  const std::string html = layout_sheet(*model_of("tip"), {"", "", {picture}});
+  EXPECT_NE(html.find("<span style=\"left:25.00%;top:50.00%\">7</span>"), std::string::npos);
+  EXPECT_NE(html.find("<span class=\"faint\" style=\"left:100.00%;top:0.00%\">&lt;2&gt;</span>"), std::string::npos);
+  EXPECT_TRUE(balanced(html));
+}
+
 TEST(LayoutSheet, HoldsEveryTaxelWithItsNumbers) {
   const SensorModelPtr model = model_of("tip");
   const std::string html = layout_sheet(*model, {"tip.taxels.json", "22 November 2026", {}});
@@ -61,8 +69,8 @@ TEST(LayoutSheet, HoldsEveryTaxelWithItsNumbers) {
 }
 
 TEST(LayoutSheet, NamesAreText) {
-  const std::string html =
-      layout_sheet(*model_of("<script>\"&"), {"<b>", "", {{"\"view\" <1>", "png"}, {"2", std::string("\0\xff", 2)}}});
+  const std::string html = layout_sheet(
+      *model_of("<script>\"&"), {"<b>", "", {{"\"view\" <1>", "png", {}}, {"2", std::string("\0\xff", 2), {}}}});
   EXPECT_EQ(html.find("<script>"), std::string::npos);
   EXPECT_EQ(html.find("<b>"), std::string::npos);
   EXPECT_NE(html.find("&lt;script&gt;&quot;&amp;"), std::string::npos);

@@ -1,0 +1,111 @@
+// What the document goes out as: layout, tables, a sheet to print, pictures.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/studio/png.h"
+#include "app/studio/project_files.h"
+#include "app/studio/sheet_pictures.h"
+#include "app/studio/studio.h"
+#include "core/base/files.h"
+#include "core/layout/formats/layout_format.h"
+#include "core/layout/taxels_csv.h"
+#include "core/sensor/layout_sheet.h"
+#include "core/sensor/samples_csv.h"
+#include "ui/tools/actions.h"
+#include "ui/tools/camera_tool.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// Whether it tells of samples, which are to be those that everybody gets of this layout: polished.
+bool tells_of_samples(ui::FileTask task) {
+  return task == ui::FileTask::export_samples || task == ui::FileTask::export_sheet;
+}
+
+std::string today() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
+}
+
+}  // namespace
+
+void Studio::export_file(const ui::ExportFile& wanted) {
+  const bool picture = wanted.task == ui::FileTask::export_picture;
+  if (picture ? !input_.model && !input_.frame : !session_.edits().is_open()) return;
+  if (wanted.path.empty()) return ask_for_file(wanted.task, "");
+  if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
+  if (tells_of_samples(wanted.task) && !samples_are_final()) {
+    export_ = wanted;
+    session_.polish();
+    ui::add_message(ui_, Severity::note, wanted.path + " will be written as soon as the samples are polished.",
+                    ImGui::GetTime());
+    return;
+  }
+  try {
+    const std::vector<std::string> lost = write_export(wanted);
+    std::string text = "Exported " + wanted.path;
+    for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
+    ui::add_message(ui_, Severity::note, text, ImGui::GetTime());
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ask_for_file(wanted.task, error.what());
+  }
+}
+
+bool Studio::samples_are_final() const {
+  return input_.model && input_.editing.compiled && input_.model->quality == SampleQuality::polished;
+}
+
+/// What was asked for while samples were polished; a layout that cannot be compiled will never have any.
+void Studio::export_when_ready() {
+  if (!export_) return;
+  if (!session_.edits().is_open()) {
+    export_.reset();
+  } else if (samples_are_final()) {
+    export_->replace = true;  // that was asked
+    export_file(*std::exchange(export_, std::nullopt));
+  } else if (session_.idle() && !input_.polishing.active && !input_.editing.compiled) {
+    ui::add_message(ui_, Severity::error, export_->path + ": not written: " + input_.editing.problem, ImGui::GetTime());
+    export_.reset();
+  }
+}
+
+/// Returns what the format could not hold.
+std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
+  const EditSession& edits = session_.edits();
+  ui_.view.drawn = false;  // pictures are drawn where the view's was
+  switch (wanted.task) {
+    case ui::FileTask::export_taxels:
+      write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));
+      break;
+    case ui::FileTask::export_samples:
+      write_file_atomically(wanted.path, samples_to_csv(*input_.model, edits.mesh()->loaded.file_face_of));
+      break;
+    case ui::FileTask::export_sheet: {
+      const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, input_.model)};
+      write_file_atomically(wanted.path, layout_sheet(*input_.model, content));
+      break;
+    }
+    case ui::FileTask::export_picture:
+      if (wanted.width < 1 || wanted.height < 1)
+        throw Error(wanted.path,
+                    fmt::format("a picture of {} x {} pixels cannot be made", wanted.width, wanted.height));
+      write_png(wanted.path,
+                renderer_->cut_out(ui::scene_input(ui_, input_), ui_.camera(), wanted.width, wanted.height));
+      break;
+    default: {
+      const LayoutFormat* format = layout_format_of(wanted.path);
+      if (format != nullptr && format != &layout_formats().front())
+        return format->write(wanted.path, edits.project()->layout);
+      const Project written = with_mesh_on_disk(*edits.project(), wanted.path, edits.mesh());
+      taxel::export_layout(wanted.path, written);
+      wrote(wanted.path, written);
+    }
+  }
+  return {};
+}
+
+}  // namespace taxel::studio

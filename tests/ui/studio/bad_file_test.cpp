@@ -1,0 +1,192 @@
+// Disks that are full, folders that cannot be written, and documents of a size that nobody meant: nothing is lost, no
+// file is left half written, each is said once.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+
+#include "core/layout/layout_json.h"
+#include "core/mesh/mesh_io.h"
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+/// Files of a folder that a failed write left over.
+std::vector<std::string> left_over(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".part") names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
+int count_errors(const Json& state) {
+  int errors = 0;
+  for (const Json& message : state["messages"]) errors += message["severity"] == "error" ? 1 : 0;
+  return errors;
+}
+
+/// So many taxels on the faces of our fingertip, in the test's folder.
+std::string large_layout(const StudioProgram& studio, int taxels) {
+  const TriMesh mesh = *load_mesh(kMeshFile).mesh;
+  Layout layout;
+  layout.name = "large";
+  layout.mesh.file = kMeshFile;
+  layout.sampling.density = 1e7;
+  for (int f = 0; f < taxels; ++f) {
+    const int face = f % mesh.face_count();
+    const dvec3 center = (mesh.vertex(face, 0) + mesh.vertex(face, 1) + mesh.vertex(face, 2)) / 3.0;
+    layout.taxels.push_back({f, "", center, mesh.face_normals()[static_cast<std::size_t>(face)], 0.0006, {}});
+  }
+  const std::string file = (studio.folder() / "large.taxels.json").string();
+  write_layout(file, layout);
+  return file;
+}
+
+/// A folder that nobody can write to, root neither: the kernel's own. And one that is a file.
+TEST(BadTarget, EveryExportSaysOnceWhyItCannotBeWritten) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "file.txt", "mine");
+  const std::vector<std::string> exports{"Export layout...", "Export taxels (CSV)...", "Export samples (CSV)...",
+                                         "Export sheet to print (HTML)...", "Export picture (PNG)..."};
+  Lines script{kLayoutMode, kIdle};
+  for (const std::filesystem::path& folder : {std::filesystem::path("/proc"), studio.folder() / "file.txt"}) {
+    for (const std::string& label : exports) {
+      const Lines one{press("File"), kIdle, press(label),  kIdle, type((folder / "out").string()), kIdle, key("Enter"),
+                      kIdle,         kIdle, key("Escape"), kIdle};
+      script.insert(script.end(), one.begin(), one.end());
+    }
+  }
+  script.push_back(dump("state.json"));
+  studio.play(script, {kLayoutFile});
+  const Json state = studio.state("state.json");
+  EXPECT_EQ(count_errors(state), static_cast<int>(2 * exports.size())) << state["messages"].dump(1);
+  for (const Json& message : state["messages"]) {
+    if (message["severity"] == "error") {
+      EXPECT_NE(message["text"].get<std::string>().find("/out"), std::string::npos) << "names the file";
+    }
+  }
+  EXPECT_EQ(state["document"]["layout"]["taxels"].size(), 12U);
+  EXPECT_EQ(file_text(studio.folder() / "file.txt"), "mine");
+  EXPECT_TRUE(left_over(studio.folder()).empty());
+}
+
+/// Stands for a full disk: the system refuses to let any file of the program grow beyond some kilobytes, half way
+/// through the write.
+TEST(FullDisk, TheOldFileStaysAndTheEditsStayUnsaved) {
+  const StudioProgram studio;
+  const std::string layout = large_layout(studio, 600), target = (studio.folder() / "kept.taxelproj").string();
+  write_text(target, "what was there");
+  Lines script{kLayoutMode,
+               kIdle,
+               key("a"),
+               kIdle,
+               key("f"),
+               type("1"),
+               kIdle,
+               key("Enter"),
+               kIdle,
+               key("s", kCtrl),
+               kIdle,
+               type(target),
+               kIdle,
+               key("Enter"),
+               kIdle,
+               key("Enter"),
+               kIdle,
+               R"({"do": "expect", "pointer": "/messages", "contains": "kept.taxelproj: writing failed"})",
+               R"({"do": "expect", "pointer": "/history/dirty", "equals": true})",
+               R"({"do": "expect", "pointer": "/history/depth", "equals": 1})"};
+  std::string text;
+  for (const std::string& line : script) text += line + "\n";
+  write_text(studio.folder() / "script.jsonl", text);
+  const std::string limited = "trap '' XFSZ; ulimit -f 64; exec \"$0\" \"$@\"";  // blocks of 512 bytes or 1 KiB
+  const Outcome outcome = run_program(
+      "/bin/sh", {"-c", limited, STUDIO_PROGRAM, "--headless", "--script", "script.jsonl", layout}, studio.folder());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(file_text(target), "what was there");
+  EXPECT_TRUE(left_over(studio.folder()).empty());
+  EXPECT_GT(std::filesystem::file_size(layout), 64U * 1024U) << "larger than what fits";
+}
+
+TEST(LargeLayout, OfFiveThousandTaxelsOpensIsEditedAndExported) {
+  const StudioProgram studio;
+  const std::string out = (studio.folder() / "out.taxels.json").string();
+  studio.play({kLayoutMode,
+               kIdle,
+               key("a"),
+               kIdle,
+               key("f"),
+               type("0.7"),
+               kIdle,
+               key("Enter"),
+               kIdle,
+               dump("edited.json"),
+               R"({"do": "screenshot", "file": "large.png"})",
+               key("z", kCtrl),
+               kIdle,
+               dump("undone.json"),
+               key("e", kCtrl),
+               kIdle,
+               type(out),
+               kIdle,
+               key("Enter"),
+               kIdle},
+              {large_layout(studio, 5000)});
+  const Json edited = studio.state("edited.json");
+  ASSERT_EQ(edited["document"]["layout"]["taxels"].size(), 5000U);
+  EXPECT_EQ(edited["document"]["layout"]["taxels"][4999]["radius"], 0.0007);
+  EXPECT_EQ(edited["history"]["depth"], 1);
+  const Json exported = Json::parse(file_text(out));
+  EXPECT_EQ(exported["taxels"].size(), 5000U);
+  EXPECT_EQ(exported["taxels"], studio.state("undone.json")["document"]["layout"]["taxels"]);
+  EXPECT_EQ(exported["taxels"][0]["radius"], 0.0006);
+}
+
+/// A ball of `rings` x `rings` quads as a binary STL.
+void write_large_ball(const std::filesystem::path& file, int rings) {
+  const auto point = [rings](int i, int j) {
+    const double t = glm::pi<double>() * i / rings, p = 2 * glm::pi<double>() * j / rings;
+    return glm::vec3(0.01 * std::sin(t) * std::cos(p), 0.01 * std::sin(t) * std::sin(p), 0.01 * std::cos(t));
+  };
+  std::string bytes(84, '\0');
+  std::uint32_t count = 0;
+  const auto add = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const std::array<glm::vec3, 4> numbers{glm::vec3(0), a, b, c};
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+    bytes.append(2, '\0');
+    ++count;
+  };
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < rings; ++j) {
+      const glm::vec3 a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1), d = point(i, j + 1);
+      add(a, b, c);
+      add(a, c, d);
+    }
+  }
+  std::memcpy(bytes.data() + 80, &count, sizeof count);
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST(LargeMesh, OfTwoMillionTrianglesIsCancelledWhileItLoads) {
+  const StudioProgram studio;
+  const std::filesystem::path file = studio.folder() / "ball.stl";
+  write_large_ball(file, 1000);
+  ASSERT_EQ(std::filesystem::file_size(file), 84U + 50U * 2'000'000U);
+  studio.play({R"({"frame": 1, "event": "drop", "files": ["ball.stl"]})",
+               R"({"frame": 5, "do": "screenshot", "file": "loading.png"})",
+               R"({"frame": 6, "event": "click", "at": {"widget": "Cancel loading"}})", kIdle, dump("cancelled.json"),
+               R"({"event": "drop", "files": [")" + kLayoutFile + R"("]})", kIdle, dump("after.json")},
+              {"--empty"});
+  std::filesystem::remove(file);
+  const Json cancelled = studio.state("cancelled.json");
+  EXPECT_TRUE(cancelled["document"].is_null());
+  ASSERT_EQ(cancelled["messages"].size(), 1U) << cancelled["messages"].dump();
+  EXPECT_EQ(cancelled["messages"][0]["text"], "Loading was cancelled.");
+  EXPECT_EQ(studio.state("after.json")["document"]["layout"]["taxels"].size(), 12U) << "and it goes on";
+}
+
+}  // namespace
+}  // namespace taxel::test

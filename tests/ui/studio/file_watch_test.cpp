@@ -1,0 +1,266 @@
+// Files that somebody else changes, replaces or deletes while they are open.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <thread>
+
+#include "core/mesh/closest_point.h"
+#include "core/mesh/mesh_io.h"
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string kSelect3 = click(taxel(3));
+const Lines kRadius3{kSelect3, kIdle, key("f"), type("3"), kIdle, key("Enter"), kIdle};
+/// Turns the camera, so that one sees whether it stays.
+const Lines kTurn{R"({"event": "wheel", "at": [560, 330], "y": 2})", kIdle};
+
+std::string told(const std::string& text) {
+  return R"({"do": "wait_for", "pointer": "/notices", "contains": ")" + text + R"("})";
+}
+
+/// Plays a script; as soon as it has dumped "opened.json", the files are changed.
+void play_while(const StudioProgram& studio, const Lines& lines, const std::string& file,
+                const std::function<void()>& change) {
+  Lines settled;  // what was told is drawn in the next picture
+  for (const std::string& line : lines) {
+    settled.push_back(line);
+    if (line.find("wait_for") != std::string::npos) settled.push_back(kIdle);
+  }
+  auto played = std::async(std::launch::async, [&] { return studio.run(settled, {file}); });
+  const auto opened = studio.folder() / "opened.json";
+  while (!std::filesystem::exists(opened) && played.wait_for(20ms) != std::future_status::ready) continue;
+  change();
+  const Outcome outcome = played.get();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+/// A layout with its mesh beside it, in the test's folder.
+struct OwnFiles {
+  explicit OwnFiles(const StudioProgram& studio) : folder(studio.folder()) {
+    std::filesystem::copy_file(kMeshFile, folder / "finger.obj");
+    document = Json::parse(file_text(kLayoutFile));
+    document["mesh"] = {{"file", "finger.obj"}, {"scale", {1, 1, 1}}};
+    document["sampling"]["density"] = 1e6;
+    write();
+  }
+  void write() const {
+    write_text(folder / "part", document.dump());
+    std::filesystem::rename(folder / "part", layout());
+  }
+  /// The finger, that much larger.
+  void write_mesh(double factor) const {
+    const TriMesh finger = *load_mesh(kMeshFile).mesh;
+    std::vector<dvec3> vertices = finger.vertices();
+    for (dvec3& v : vertices) v *= factor;
+    save_mesh(folder / "finger.obj", TriMesh(vertices, finger.faces()));
+  }
+  [[nodiscard]] std::string layout() const { return (folder / "finger.taxels.json").string(); }
+  std::filesystem::path folder;
+  Json document;
+};
+
+double radius(const Json& state, int id) {
+  return taxel_of(state["document"]["layout"], id)["radius"];
+}
+
+double farthest(const Json& state, const std::filesystem::path& mesh) {
+  const MeshIndex skin(load_mesh(mesh).mesh);
+  double largest = 0;
+  for (const Json& taxel : state["document"]["layout"]["taxels"])
+    largest = std::max(largest, skin.closest_point(vector_of(taxel["center"])).distance);
+  return largest;
+}
+
+TEST(FileWatch, ALayoutChangedOnDiskIsReadAgainAsAStepOfTheHistory) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  const Lines reload{told("changed by another"),
+                     dump("told.json"),
+                     R"({"do": "screenshot", "file": "told.png"})",
+                     press("Read it again"),
+                     kIdle,
+                     dump("reloaded.json"),
+                     key("z", kCtrl),
+                     kIdle,
+                     dump("undone.json"),
+                     key("y", kCtrl),
+                     kIdle,
+                     dump("redone.json")};
+  play_while(studio, joined({{kLayoutMode, kIdle}, kRadius3, kTurn, {dump("opened.json")}, reload}), files.layout(),
+             [&] {
+               files.document["taxels"][5]["radius"] = 0.004;
+               files.write();
+             });
+  const Json opened = studio.state("opened.json"), told = studio.state("told.json"),
+             reloaded = studio.state("reloaded.json"), undone = studio.state("undone.json");
+  const int id = files.document["taxels"][5]["id"];
+  ASSERT_EQ(told["notices"].size(), 1U);
+  EXPECT_EQ(told["document"]["layout"], opened["document"]["layout"]) << "nothing happens unasked";
+  EXPECT_EQ(radius(reloaded, id), 0.004);
+  EXPECT_EQ(radius(reloaded, 3), 0.006) << "as the file has it";
+  EXPECT_EQ(reloaded["history"]["depth"], 2);
+  EXPECT_FALSE(reloaded["history"]["dirty"]);
+  EXPECT_TRUE(reloaded["notices"].empty());
+  EXPECT_EQ(reloaded["camera"], opened["camera"]);
+  EXPECT_EQ(reloaded["selection"], opened["selection"]);
+  EXPECT_EQ(reloaded["mode"], "layout");
+  EXPECT_EQ(undone["document"]["layout"], opened["document"]["layout"]) << "the edit is there again";
+  EXPECT_EQ(studio.state("redone.json")["document"]["layout"], reloaded["document"]["layout"]);
+}
+
+TEST(FileWatch, WhatWasOnlyTouchedIsNotTold) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  play_while(studio, {kIdle, dump("opened.json"), told("deleted"), dump("state.json")}, files.layout(), [&] {
+    files.write();  // the same bytes
+    std::this_thread::sleep_for(300ms);
+    std::filesystem::remove(files.folder / "finger.obj");
+  });
+  const Json notices = studio.state("state.json")["notices"];
+  ASSERT_EQ(notices.size(), 1U) << notices.dump();
+  EXPECT_NE(notices[0]["text"].get<std::string>().find("finger.obj"), std::string::npos);
+}
+
+TEST(FileWatch, AReloadKeepsAPausedSimulation) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  play_while(studio,
+             {kIdle, R"({"do": "wait_time", "time": 1.0})", key("Space"), kIdle, dump("opened.json"),
+              told("changed by another"), press("Read it again"), kIdle, dump("reloaded.json")},
+             files.layout(), [&] {
+               files.document["taxels"][4]["radius"] = 0.003;  // the tip, which touches
+               files.write();
+             });
+  const Json opened = studio.state("opened.json"), reloaded = studio.state("reloaded.json");
+  EXPECT_EQ(reloaded["mode"], "simulate");
+  EXPECT_FALSE(reloaded["simulation"]["playing"]);
+  EXPECT_EQ(reloaded["simulation"]["step"], opened["simulation"]["step"]);
+  EXPECT_EQ(reloaded["camera"], opened["camera"]);
+  EXPECT_NE(reloaded["simulation"]["readings"], opened["simulation"]["readings"]) << "by the new layout";
+}
+
+TEST(FileWatch, ADeletedProjectIsSavedAgain) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  const std::string project = (studio.folder() / "mine.taxelproj").string();
+  studio.play(joined({{kLayoutMode, kIdle}, {key("s", kCtrl), kIdle, type(project), kIdle, key("Enter"), kIdle}}),
+              {files.layout()});
+  const std::string before = file_text(project);
+  play_while(
+      studio,
+      {kIdle, dump("opened.json"), told("deleted"), dump("told.json"), key("s", kCtrl), kIdle, dump("saved.json")},
+      project, [&] { std::filesystem::remove(project); });
+  const Json told = studio.state("told.json"), saved = studio.state("saved.json");
+  EXPECT_FALSE(studio.state("opened.json")["history"]["dirty"]);
+  EXPECT_TRUE(told["history"]["dirty"]) << "it is on no disk any more";
+  EXPECT_EQ(told["document"], studio.state("opened.json")["document"]);
+  EXPECT_FALSE(saved["history"]["dirty"]);
+  EXPECT_TRUE(saved["notices"].empty());
+  EXPECT_EQ(Json::parse(file_text(project))["layout"], Json::parse(before)["layout"]);
+}
+
+TEST(FileWatch, SavingOverWhatAnotherProgramWroteAsksFirst) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  const std::string project = (studio.folder() / "mine.taxelproj").string();
+  studio.play(joined({{kLayoutMode, kIdle}, {key("s", kCtrl), kIdle, type(project), kIdle, key("Enter"), kIdle}}),
+              {files.layout()});
+  Json theirs = Json::parse(file_text(project));
+  theirs["layout"]["name"] = "theirs";
+  play_while(studio,
+             joined({{kIdle},
+                     kRadius3,
+                     {dump("opened.json"), told("changed by another"), key("s", kCtrl), kIdle, dump("asked.json"),
+                      key("Esc"), kIdle}}),
+             project, [&] { write_text(project, theirs.dump()); });
+  EXPECT_NE(studio.state("asked.json")["widgets"].dump().find("\"Path\""), std::string::npos) << "the dialog is open";
+  EXPECT_EQ(Json::parse(file_text(project))["layout"]["name"], "theirs");
+}
+
+TEST(FileWatch, AMeshReplacedUnderTheLayoutIsMeasuredAndTheTaxelsBroughtBack) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  play_while(studio,
+             {kLayoutMode, kIdle, dump("opened.json"), told("replaced by another mesh"), dump("told.json"),
+              R"({"do": "screenshot", "file": "replaced.png"})", press("Use it, taxels onto its surface"), kIdle,
+              dump("moved.json"), key("z", kCtrl), kIdle, dump("undone.json")},
+             files.layout(), [&] { files.write_mesh(1.1); });
+  const Json opened = studio.state("opened.json"), told = studio.state("told.json"), moved = studio.state("moved.json"),
+             undone = studio.state("undone.json");
+  ASSERT_EQ(told["notices"].size(), 1U);
+  const auto text = told["notices"][0]["text"].get<std::string>();
+  char far[32];
+  std::snprintf(far, sizeof far, "%.3g mm", 1e3 * farthest(opened, files.folder / "finger.obj"));
+  EXPECT_NE(text.find(std::string("the farthest with ") + far), std::string::npos) << text;
+  EXPECT_EQ(told["document"], opened["document"]) << "nothing happens unasked";
+  EXPECT_LT(farthest(moved, files.folder / "finger.obj"), 1e-9);
+  EXPECT_EQ(moved["history"]["depth"], opened["history"]["depth"].get<int>() + 1) << "mesh and taxels are one step";
+  EXPECT_NEAR(moved["document"]["mesh"]["size"][0].get<double>(),
+              1.1 * opened["document"]["mesh"]["size"][0].get<double>(), 1e-9);
+  EXPECT_EQ(undone["document"]["layout"], opened["document"]["layout"]);
+  EXPECT_EQ(undone["document"]["mesh"], opened["document"]["mesh"]) << "the mesh that there was, not that of the file";
+}
+
+TEST(FileWatch, WithItsMeshDeletedADocumentIsSavedWithTheMesh) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  std::filesystem::create_directories(studio.folder() / "kept");
+  const std::string project = (studio.folder() / "kept" / "mine.taxelproj").string();
+  play_while(studio,
+             {kLayoutMode, kIdle, dump("opened.json"), told("deleted"), key("s", kCtrl), kIdle, type(project), kIdle,
+              key("Enter"), kIdle, dump("saved.json")},
+             files.layout(), [&] { std::filesystem::remove(files.folder / "finger.obj"); });
+  EXPECT_FALSE(studio.state("saved.json")["history"]["dirty"]);
+  studio.play({kIdle, dump("again.json")}, {project});
+  const Json opened = studio.state("opened.json"), again = studio.state("again.json");
+  EXPECT_EQ(again["document"]["layout"]["taxels"], opened["document"]["layout"]["taxels"]);
+  EXPECT_EQ(again["document"]["mesh"]["triangles"], opened["document"]["mesh"]["triangles"]);
+  EXPECT_TRUE(again["notices"].empty());
+}
+
+TEST(FileWatch, AMeshThatIsNotTheLayoutsOwnIsToldOnOpening) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  files.document["mesh"]["sha256"] = std::string(64, '0');
+  files.write();
+  studio.play({kLayoutMode, kIdle, dump("told.json"), press("Use this mesh"), kIdle, dump("taken.json")},
+              {files.layout()});
+  const Json told = studio.state("told.json"), taken = studio.state("taken.json");
+  ASSERT_EQ(told["notices"].size(), 1U);
+  EXPECT_NE(told["notices"][0]["text"].get<std::string>().find("12 taxels lie"), std::string::npos);
+  EXPECT_TRUE(taken["notices"].empty());
+  EXPECT_NE(taken["document"]["layout"]["mesh"]["sha256"], std::string(64, '0'));
+  EXPECT_EQ(taken["document"]["layout"]["taxels"], told["document"]["layout"]["taxels"]);
+}
+
+TEST(FileWatch, AMeshThatBreaksIsSaidAndStaysOpen) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  play_while(studio, {kLayoutMode, kIdle, dump("opened.json"), told("cannot be read now"), dump("told.json")},
+             files.layout(), [&] { write_text(files.folder / "finger.obj", "v 0 0 0\n"); });
+  EXPECT_EQ(studio.state("told.json")["document"], studio.state("opened.json")["document"]);
+}
+
+TEST(FileWatch, AMeshOpenedAloneKeepsItsTaxelsWhenItIsReadAgain) {
+  const StudioProgram studio;
+  OwnFiles files(studio);
+  const std::string place = click(R"({"world": [0.0083, 0.0007, 0.0194]})", kCtrl);
+  play_while(studio,
+             {kIdle, place, kIdle, dump("opened.json"), told("replaced by another mesh"), key("l", kCtrl), kIdle,
+              dump("reloaded.json")},
+             (files.folder / "finger.obj").string(), [&] { files.write_mesh(1.05); });
+  const Json opened = studio.state("opened.json"), reloaded = studio.state("reloaded.json");
+  EXPECT_EQ(reloaded["document"]["layout"]["taxels"], opened["document"]["layout"]["taxels"]);
+  EXPECT_NEAR(reloaded["document"]["mesh"]["size"][0].get<double>(),
+              1.05 * opened["document"]["mesh"]["size"][0].get<double>(), 1e-9);
+  EXPECT_TRUE(reloaded["notices"].empty()) << "it was answered";
+}
+
+}  // namespace
+}  // namespace taxel::test
