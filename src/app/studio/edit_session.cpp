@@ -65,7 +65,7 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_c
   editing = {};
   if (!history_) return;
   editing.project = history_->project();
-  editing.compiled = compiled_ == history_->revision();
+  editing.compiled = compiled();
   editing.problem = problem_;
   editing.undo = history_->undo_name();
   editing.redo = history_->redo_name();

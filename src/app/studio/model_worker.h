@@ -33,8 +33,9 @@ struct BuiltModel {
 
 class ModelWorker {
  public:
-  /// `wake` is called from the worker when there is something to take.
-  ModelWorker(SensorCache& cache, std::function<void()> wake);
+  using Built = std::function<void(const SensorModelPtr&)>;
+  /// `wake` is called from the worker when there is something to take, and before it `built` with each model.
+  ModelWorker(SensorCache& cache, std::function<void()> wake, Built built = {});
   ~ModelWorker();  ///< cancels and waits
   ModelWorker(const ModelWorker&) = delete;
   ModelWorker& operator=(const ModelWorker&) = delete;
@@ -45,7 +46,7 @@ class ModelWorker {
   void clear();  ///< no job any more: nothing that was asked for is told
   /// The newest result, once.
   std::optional<BuiltModel> take();
-  void wait();                      ///< until take() has something, or nothing is to be done
+  void wait();                            ///< until take() has something, or nothing is to be done
   [[nodiscard]] bool busy() const;        ///< something is built, or lies ready
   [[nodiscard]] bool polishing() const;   ///< the samples of what was told last
   [[nodiscard]] double fraction() const;  ///< of polishing
@@ -58,6 +59,7 @@ class ModelWorker {
 
   SensorCache& cache_;
   std::function<void()> wake_;
+  Built built_;
   mutable std::mutex mutex_;  // guards the rest
   std::condition_variable asked_, told_;
   std::optional<ModelJob> next_;

@@ -8,6 +8,8 @@
 #include "ui/scene/gizmo.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/gesture.h"
+#include "ui/tools/measure_tool.h"
+#include "ui/tools/probe_tool.h"
 
 namespace taxel::ui {
 
@@ -41,9 +43,20 @@ void count_clicks(UiState& ui) {
   ui.clicks.right_double += ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right) ? 1 : 0;
 }
 
+/// The first notch turns the plane on, facing the eye through the middle; then it goes in and out.
+void move_clip(UiState& ui, const UiInput& input, double notches) {
+  constexpr double kPerNotch = 0.02;  // of the size of what is shown
+  const Aabb box = scene_box(ui, input);
+  if (box.empty()) return;
+  if (!ui.clip) return toggle_clip(ui, input);
+  ui.clip->offset -= kPerNotch * box.diagonal() * notches;
+}
+
 void turn_wheel(UiState& ui, const UiInput& input, double notches) {
   if (ImGui::GetIO().KeyCtrl && can_edit(ui, input)) {
     resize_by_wheel(ui, input, notches);
+  } else if (ImGui::GetIO().KeyShift) {
+    move_clip(ui, input, notches);
   } else {
     ui.camera().zoom(notches);
   }
@@ -73,6 +86,13 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   SceneInput scene;
   if (ui.mode == Mode::simulate) scene.frame = input.frame;
   scene.document_model = input.model;
+  if (ui.mode == Mode::layout) scene.probe = input.probe;
+  scene.clip = ui.clip;
+  if (ui.mode == Mode::layout && ui.measure.on) {
+    scene.measured = input.measured;
+    for (const MeasurePoint& point : ui.measure.points) scene.measure_points.push_back(point.at);
+    if (ui.measure.hover) scene.measure_points.push_back(ui.measure.hover->at);
+  }
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;
   scene.selected_sensor = ui.selection.sensor;
@@ -88,6 +108,14 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   }
   scene.dark = ui.saved.dark;
   return scene;
+}
+
+void toggle_clip(UiState& ui, const UiInput& input) {
+  const Aabb box = scene_box(ui, input);
+  if (ui.clip || box.empty()) return ui.clip.reset();
+  const Camera& camera = ui.camera();
+  const dvec3 towards_eye = glm::normalize(camera.eye() - camera.target);
+  ui.clip = ClipPlane{towards_eye, glm::dot(towards_eye, box.center())};
 }
 
 Pose shown_pose(const UiState& ui, const UiInput& input) {
@@ -134,6 +162,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   const bool hovered = ImGui::IsItemHovered();
   ui.hovered.reset();
   if (hovered) count_clicks(ui);
+  if (handle_probe_mouse(ui, input, x, y, hovered) || handle_measure_mouse(ui, input, x, y, hovered)) return;
   if (hovered && io.MouseWheel != 0) turn_wheel(ui, input, static_cast<double>(io.MouseWheel));
   if (handle_tool_mouse(ui, input, x, y, hovered)) return;
   if (ImGui::IsItemActive()) drag_camera(ui);
