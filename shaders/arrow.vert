@@ -16,8 +16,9 @@ void main() {
   tint = unpackUnorm4x8(s.rgba);
   size = vec2(0.0);
   along = vec2(0.0);
-  if (!segment_ends(s, a, b)) return;
   vec2 corner = quad_corner(gl_VertexID);
+  gl_ClipDistance[0] = clip_distance(corner.x > 0.5 ? s.b : s.a);
+  if (!segment_ends(s, a, b)) return;
   vec2 pa = 0.5 * viewport.xy * a.xy / a.w, pb = 0.5 * viewport.xy * b.xy / b.w;
   vec2 d = pb - pa;
   float len = length(d);

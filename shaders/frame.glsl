@@ -7,4 +7,9 @@ layout(std140, binding = 0) uniform Frame {
   vec4 key_light;        // towards the light, world; w: irradiance
   vec4 sky_light;        // hemisphere from above, linear; w: headlight
   vec4 ground_light;     // hemisphere from below, linear; w: near plane [m]
+  vec4 clip_plane;       // dot(clip_plane, (p_W, 1)) < 0: cut away, where that is asked for
 };
+
+// Some drivers clip by gl_ClipDistance whether that is switched on or not: so each draw says it as well.
+uniform float clipped;   // 1: cut by the plane, 0: whole
+float clip_distance_of(vec4 p_W) { return clipped > 0.5 ? dot(clip_plane, p_W) : 1.0; }

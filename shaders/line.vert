@@ -14,13 +14,14 @@ void main() {
   tint = unpackUnorm4x8(s.rgba);
   size = vec2(0.0);
   along = vec2(0.0);
-  if (!segment_ends(s, a, b)) return;
   vec2 corner = quad_corner(gl_VertexID);
+  gl_ClipDistance[0] = clip_distance(corner.x > 0.5 ? s.b : s.a);
+  if (!segment_ends(s, a, b)) return;
   vec2 pa = 0.5 * viewport.xy * a.xy / a.w, pb = 0.5 * viewport.xy * b.xy / b.w;
   vec2 d = pb - pa;
   float len = length(d);
   d = len > 1e-4 ? d / len : vec2(1.0, 0.0);
-  float reach = 0.5 * width + 1.0;
+  float reach = 0.5 * width + 0.5;  // where line.frag ends
   vec2 offset = reach * ((2.0 * corner.x - 1.0) * d + corner.y * vec2(-d.y, d.x));
   vec4 end = corner.x > 0.5 ? b : a;
   gl_Position = vec4(end.xy + offset * 2.0 * viewport.zw * end.w, end.zw);

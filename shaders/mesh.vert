@@ -30,4 +30,5 @@ void main() {
   p_W = p.xyz;
   upward = n.z;
   gl_Position = clip_from_view * (view_from_world * p);
+  gl_ClipDistance[0] = clip_distance_of(p);
 }

@@ -8,7 +8,9 @@ uniform float toward_eye;
 flat out vec4 tint;
 
 void main() {
-  vec3 v = (view_from_world * (world_from_model * vec4(position, 1.0))).xyz * (1.0 - toward_eye);
+  vec4 p = world_from_model * vec4(position, 1.0);
+  vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
+  gl_ClipDistance[0] = clip_distance_of(p);
   gl_Position = clip_from_view * vec4(v, 1.0);
   tint = rgba;
 }

@@ -21,5 +21,6 @@ void main() {
   gl_PointSize = d + 1.0;
   vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
   gl_Position = clip_from_view * vec4(v, 1.0);
+  gl_ClipDistance[0] = clip_distance_of(p);
   if (facing * toward < 0.0) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -30,5 +30,8 @@ bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
   return true;
 }
 
+// Distance of an end from the clip plane: positive is shown.
+float clip_distance(vec3 end) { return clip_distance_of(world_from_model * vec4(end, 1.0)); }
+
 // Corner 0..3 of a quad: (end 0 or 1, side -1 or +1).
 vec2 quad_corner(int vertex) { return vec2(vertex & 1, 2 * ((vertex >> 1) & 1) - 1); }

@@ -7,6 +7,7 @@ uniform sampler2D heights;  // lowest point of the sensors, seen from above
 uniform vec4 heights_box;   // low corner and 1 / size [m], [1/m]
 uniform vec3 heights_scale; // height of 0 [m], range of 0..1 [m], 1 / (height at which it is a third as dark) [1/m]
 uniform float strength;
+uniform vec4 inside;        // sRGB; of what is seen from within where a plane cuts bodies open; a 0: none does
 out vec4 color;
 
 void main() {
@@ -14,4 +15,5 @@ void main() {
   float above = heights_scale.x + heights_scale.y * textureLod(heights, uv, 0.0).r;
   float dark = exp(-max(above - p_W.z, 0.0) * heights_scale.z) * max(upward, 0.0);
   color = vec4(shade * (1.0 - strength * dark), 1.0);
+  if (!gl_FrontFacing && inside.a > 0.0) color = inside;
 }

@@ -1,5 +1,6 @@
 // From an edit of the layout to the new reading of a probe pressed on it, as the window goes: apply the edit, compile
-// the model with what is kept of the last one, press the probe, read the taxels. 12 taxels on 16 000 samples; 200
+// the model with what is kept of the last one, press the probe, read the taxels; once in a row, and once through the
+// window's workers: history, hand-over, and back to the thread that draws. 12 taxels on 16 000 samples; 200
 // different edits that move, resize, add and delete, each followed by the reading. Our own fingertip, and layouts named
 // as arguments: a table in Markdown.
 //
@@ -9,11 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <mutex>
 
 #include "../layout_arguments.h"
+#include "app/studio/edit_session.h"
+#include "app/studio/probe_worker.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/layout/layout_json.h"
@@ -31,8 +36,9 @@ constexpr double kSamples = 16000;
 constexpr double kMedianTarget = 50, kWorstTarget = 80;  // issue: median, 95 % [ms]
 
 /// The stages of one edit, and all of it.
-enum Stage { kEdit, kModel, kPress, kAll, kStages };
-constexpr std::array<const char*, kStages> kStageNames{"the edit", "the model", "press and reading", "all"};
+enum Stage { kEdit, kModel, kPress, kAll, kWindow, kStages };
+constexpr std::array<const char*, kStages> kStageNames{"the edit", "the model", "press and reading", "all in a row",
+                                                       "all through the window's workers"};
 
 /// Milliseconds on the wall, and of all processors together, which other programs on the machine change less.
 struct Time {
@@ -141,8 +147,65 @@ Result measure(Document document) {
   return result;
 }
 
+/// What the drawing thread waits for.
+class Bell {
+ public:
+  void ring() {
+    {
+      const std::lock_guard lock(mutex_);
+      rung_ = true;
+    }
+    heard_.notify_all();
+  }
+  void wait() {
+    std::unique_lock lock(mutex_);
+    heard_.wait(lock, [this] { return rung_; });
+    rung_ = false;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable heard_;
+  bool rung_ = false;
+};
+
+/// The same edits, each followed until model and reading are in the thread that asked.
+std::vector<Time> measure_hand_over(const Document& document) {
+  Bell bell;
+  SensorCache cache;
+  studio::ProbeWorker probe([&] { bell.ring(); });
+  studio::EditSession edits(
+      cache, [&] { bell.ring(); }, [&](const SensorModelPtr& model) { probe.press_now(model); });
+  SensorBuild how;
+  how.cache = &cache;
+  SensorModelPtr model =
+      build_sensor_model(document.project.layout, document.mesh.mesh, document.mesh.sha256, document.file, how);
+  edits.open(std::make_shared<const Project>(document.project), document.mesh.mesh, document.mesh.sha256,
+             document.file);
+  const ui::ProbeWish wish{probe_of(document.project), ""};
+  probe.press(model, wish);
+  probe.wait();
+  std::vector<Time> times;
+  for (int i = 0; i < kEdits; ++i) {
+    const Edit edit = edit_of(i, *edits.project(), *model->skin);
+    const Time start = Time::now();
+    edits.edit(edit);
+    while (true) {
+      bell.wait();
+      SensorModelPtr built = edits.take_model();
+      if (!built) continue;
+      model = std::move(built);
+      probe.press(model, wish);
+      if (const ui::PressedProbePtr pressed = probe.newest(); pressed && pressed->model == model) break;
+    }
+    times.push_back(Time::now() - start);
+  }
+  return times;
+}
+
 void print_result(const std::filesystem::path& file, Metric metric) {
-  const Result result = measure(open_document(file, metric));
+  Result result = measure(open_document(file, metric));
+  result.stages[kWindow] = measure_hand_over(open_document(file, metric));
   fmt::print("\n{}, {}: {} taxels, {} samples, {} rays, {} polygons, {} edits\n\n", file.filename().string(),
              metric == Metric::geodesic ? "geodesic" : "euclidean", kTaxels, result.samples, result.rays,
              result.polygons, kEdits);

@@ -17,13 +17,16 @@
 #include "ui/panels/section_panel.h"
 #include "ui/scene/camera.h"
 #include "ui/scene/picking.h"
+#include "ui/scene/pressed_probe.h"
 #include "ui/scene/scene_labels.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
 #include "ui/tools/generate_state.h"
 #include "ui/tools/layout_problems.h"
+#include "ui/tools/measure_state.h"
 #include "ui/tools/model_summary.h"
 #include "ui/tools/palette_state.h"
+#include "ui/tools/probe_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
@@ -272,13 +275,16 @@ struct UiState {
   LayoutProblems problems;  ///< of the layout that is edited
   GenerateState generate;
   PaletteState palette;
-  int tour_step = -1;           ///< of the tour that is shown; -1: none is
-  bool asks_unsaved = false;    ///< whether to save, before what is open is left
-  std::string recovery;         ///< name of a document that was lost unsaved and can be had back; empty: none
-  std::string recovery_detail;  ///< when and where
-  std::string title;            ///< of the window
-  std::optional<Pick> hovered;  ///< what the resting pointer is on in the 3-D view
-  SweepScenario edited_sweep;   ///< what the inspector's fields hold
+  ProbeState probe;
+  MeasureState measure;
+  std::optional<ClipPlane> clip;  ///< of the 3-D view
+  int tour_step = -1;             ///< of the tour that is shown; -1: none is
+  bool asks_unsaved = false;      ///< whether to save, before what is open is left
+  std::string recovery;           ///< name of a document that was lost unsaved and can be had back; empty: none
+  std::string recovery_detail;    ///< when and where
+  std::string title;              ///< of the window
+  std::optional<Pick> hovered;    ///< what the resting pointer is on in the 3-D view
+  SweepScenario edited_sweep;     ///< what the inspector's fields hold
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
@@ -311,6 +317,8 @@ struct Performance {
 struct UiInput {
   SimFramePtr frame;                ///< newest of the simulation; null: none runs
   SensorModelPtr model;             ///< compiled layout of the document; null: nothing open
+  MeasuredPtr measured;             ///< between the measure's points; null: not yet
+  PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in
   bool simulates_document = false;  ///< the running scene was built around `model`
@@ -330,6 +338,11 @@ struct UiInput {
     if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))
       return nullptr;
     return &frame->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+  }
+  /// What readings and contact are of: the probe in LAYOUT, the simulation else. Null: nothing is read.
+  [[nodiscard]] const SensorFrameState* shown_state(const UiState& ui) const {
+    if (ui.mode == Mode::layout) return probe && probe->problem.empty() ? &probe->state : nullptr;
+    return sensor(ui);
   }
   /// The layout that taxel numbers refer to: the selected sensor's in SIMULATE, the document's in LAYOUT. May be null.
   [[nodiscard]] SensorModelPtr shown_model(const UiState& ui) const {

@@ -96,7 +96,7 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_c
   editing = {};
   if (!history_) return;
   editing.project = history_->project();
-  editing.compiled = compiled_ == history_->revision();
+  editing.compiled = compiled();
   editing.problem = problem_;
   if (const OpenMeshPtr known = mesh()) {
     editing.mesh_findings = std::shared_ptr<const MeshFindings>(known, &known->findings);

@@ -13,7 +13,9 @@ namespace taxel::studio {
 
 class EditSession {
  public:
-  EditSession(SensorCache& cache, std::function<void()> wake) : worker_(cache, std::move(wake)) {}
+  /// As of ModelWorker.
+  EditSession(SensorCache& cache, std::function<void()> wake, ModelWorker::Built built = {})
+      : worker_(cache, std::move(wake), std::move(built)) {}
 
   /// Another document, on this mesh, whose model is there already: saved, with no step to undo. `problem`: why it
   /// cannot be simulated.
@@ -46,6 +48,8 @@ class EditSession {
   /// The newest model of what is edited, once; the one before stays good until then.
   SensorModelPtr take_model();
   void wait() { worker_.wait(); }
+  /// The model that was taken last is of the present project.
+  [[nodiscard]] bool compiled() const { return history_ && compiled_ == history_->revision(); }
   [[nodiscard]] bool building() const { return worker_.busy(); }
 
   void fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const;

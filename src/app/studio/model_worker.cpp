@@ -7,8 +7,8 @@
 
 namespace taxel::studio {
 
-ModelWorker::ModelWorker(SensorCache& cache, std::function<void()> wake)
-    : cache_(cache), wake_(std::move(wake)), thread_([this] { run(); }) {}
+ModelWorker::ModelWorker(SensorCache& cache, std::function<void()> wake, Built built)
+    : cache_(cache), wake_(std::move(wake)), built_(std::move(built)), thread_([this] { run(); }) {}
 
 ModelWorker::~ModelWorker() {
   {
@@ -82,6 +82,7 @@ void ModelWorker::compile(const ModelJob& job, std::unique_lock<std::mutex>& loc
   const auto stage = [&](SampleQuality quality, Progress& progress) {
     lock.unlock();
     std::optional<BuiltModel> built = attempt(job, quality, progress);
+    if (built_ && built && built->model) built_(built->model);
     lock.lock();
     if (!built || dropped != dropped_) return SensorModelPtr{};
     SensorModelPtr model = built->model;

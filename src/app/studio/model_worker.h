@@ -33,8 +33,9 @@ struct BuiltModel {
 
 class ModelWorker {
  public:
-  /// `wake` is called from the worker when there is something to take.
-  ModelWorker(SensorCache& cache, std::function<void()> wake);
+  using Built = std::function<void(const SensorModelPtr&)>;
+  /// `wake` is called from the worker when there is something to take, and before it `built` with each model.
+  ModelWorker(SensorCache& cache, std::function<void()> wake, Built built = {});
   ~ModelWorker();  ///< cancels and waits
   ModelWorker(const ModelWorker&) = delete;
   ModelWorker& operator=(const ModelWorker&) = delete;
@@ -58,6 +59,7 @@ class ModelWorker {
 
   SensorCache& cache_;
   std::function<void()> wake_;
+  Built built_;
   mutable std::mutex mutex_;  // guards the rest
   std::condition_variable asked_, told_;
   std::optional<ModelJob> next_;

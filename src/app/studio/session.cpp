@@ -40,7 +40,11 @@ void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
 
 }  // namespace
 
-Session::Session(bool by_clock, std::function<void()> wake) : by_clock_(by_clock), edits_(cache_, std::move(wake)) {
+Session::Session(bool by_clock, std::function<void()> wake)
+    : by_clock_(by_clock),
+      measure_(wake),
+      probe_(wake),
+      edits_(cache_, wake, [this](const SensorModelPtr& model) { probe_.press_now(model); }) {
   simulation_.set_clock_driven(by_clock);
 }
 
@@ -180,6 +184,7 @@ SessionNews Session::update(bool hurry) {
   take_edited(news);
   hand_over_newest();
   show_polished(news);
+  take_reading(news);
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
   return news;
@@ -357,6 +362,8 @@ void Session::note_pressures(const SimFrame& frame, bool another_run) {
 void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.frame = frame_;
   input.model = document_ ? document_->model : nullptr;
+  input.probe = pressed_;
+  input.measured = measured_;
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

@@ -11,6 +11,8 @@
 #include "app/studio/autosave.h"
 #include "app/studio/edit_session.h"
 #include "app/studio/loader.h"
+#include "app/studio/measure.h"
+#include "app/studio/probe_worker.h"
 #include "core/sim/sim_thread.h"
 #include "ui/ui_state.h"
 
@@ -28,6 +30,7 @@ struct SessionNews {
   bool resized = false;        ///< its mesh has another size: the cameras should turn to it
   bool doubtful_mesh = false;  ///< it was opened alone, or cannot be simulated, and its report is worth a look
   bool reloaded = false;       ///< the document was read again, as an edit
+  bool new_reading = false;    ///< of the probe, or of the measure
 };
 
 class Session {
@@ -51,6 +54,12 @@ class Session {
   void after_edit(bool simulated);
   /// As soon as the newest model is built, the simulation reads by it.
   void hand_over() { hand_over_wanted_ = true; }
+  /// Presses the probe on what is edited, after every edit anew; none: there is no probe.
+  void press(std::optional<ui::ProbeWish> wish);
+  /// Measures between two points; none: nothing.
+  void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
+  /// From the last edit to the probe's reading [s]; none: not read yet.
+  [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
   /// File of the open document; empty: none, or built in.
   [[nodiscard]] std::string file() const { return document_ ? document_->file : ""; }
@@ -72,7 +81,9 @@ class Session {
   /// Everything of `input` but rates.
   void fill(ui::UiInput& input, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
-  [[nodiscard]] bool idle() const { return !loader_.busy() && !pending_ && !polished_ && !edits_.building(); }
+  [[nodiscard]] bool idle() const {
+    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy();
+  }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
@@ -101,6 +112,7 @@ class Session {
   void restore_origin();
   void take_edited(SessionNews& news);
   void accept_reload(const Document& document, SessionNews& news);
+  void take_reading(SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -126,6 +138,13 @@ class Session {
   bool by_clock_;
   SensorCache cache_;
   Loader loader_{cache_};
+  MeasureWorker measure_;
+  ui::MeasuredPtr measured_;
+  ProbeWorker probe_;
+  std::optional<ui::ProbeWish> probe_wish_;
+  ui::PressedProbePtr pressed_;                                     ///< of the model that is shown
+  std::optional<std::chrono::steady_clock::time_point> edited_at_;  ///< and its reading is not shown yet
+  std::optional<double> edit_latency_;
   EditSession edits_;
   SimThread simulation_;
   SimFramePtr frame_;

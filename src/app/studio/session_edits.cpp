@@ -59,9 +59,42 @@ void Session::show_document(Document document) {
 }
 
 void Session::after_edit(bool simulated) {
+  if (probe_wish_) edited_at_ = std::chrono::steady_clock::now();
   // The samples of what was loaded are not wanted any more; those of the edited layout are polished where it is built.
   if (loader_.polishing() && !pending_) loader_.close();
   hand_over_wanted_ = hand_over_wanted_ || simulated;
+}
+
+void Session::press(std::optional<ui::ProbeWish> wish) {
+  probe_wish_ = std::move(wish);
+  if (!probe_wish_) {
+    pressed_.reset();
+    edited_at_.reset();
+    edit_latency_.reset();
+  }
+  probe_.press(document_ ? document_->model : nullptr, probe_wish_);
+}
+
+/// The reading that was shown stays until there is one of the model shown now.
+void Session::take_reading(SessionNews& news) {
+  const SensorModelPtr model = document_ ? document_->model : nullptr;
+  probe_.press(model, probe_wish_);
+  if (!by_clock_) {
+    probe_.wait();
+    measure_.wait();
+  }
+  if (ui::MeasuredPtr measured = measure_.newest(); measured != measured_) {
+    measured_ = std::move(measured);
+    news.new_reading = true;
+  }
+  if (pressed_ && pressed_->model != model) pressed_.reset();
+  ui::PressedProbePtr newest = probe_.newest();
+  if (!newest || newest == pressed_ || newest->model != model) return;
+  pressed_ = std::move(newest);
+  news.new_reading = true;
+  if (!edited_at_ || !edits_.compiled()) return;
+  edit_latency_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - *edited_at_).count();
+  edited_at_.reset();
 }
 
 void Session::saved_as(const std::string& file) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/script_player.h"
+#include "app/studio/tools_json.h"
 #include "core/layout/layout_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
@@ -354,6 +355,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["tour_step"] = ui.tour_step;
   json["region"] = input.editing.project ? Json(*input.editing.project->region) : Json(nullptr);
   json["simulation"] = simulation_json(ui, input);
+  json.update(Json::parse(tools_to_json(ui, input)));
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);
   json["fields"] = field_numbers_json(ui.view.numbers);
@@ -366,7 +368,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   const Projector project{ui, ui::shown_pose(ui, input)};
   json["taxels"] = model ? taxels_json(project, *model) : Json::array();
   json["samples"] = model ? samples_json(project, *model) : Json::array();
-  const SensorFrameState* sensor = ui.mode == ui::Mode::simulate ? input.sensor(ui) : nullptr;
+  const SensorFrameState* sensor = input.shown_state(ui);
   json["polygons"] = sensor != nullptr ? polygons_json(ui, project, *sensor) : Json::array();
   json["messages"] = messages_json(ui);
   json["notices"] = Json::array();

@@ -16,6 +16,8 @@
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/measure_tool.h"
+#include "ui/tools/probe_tool.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::studio {
@@ -65,6 +67,7 @@ Studio::Studio(const Options& options)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
   context_ = std::make_unique<InterfaceContext>(*window_);
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
+  painter_.emplace(!renderer_->software());
   if (options.keeps_state()) {
     ui_.saved = read_settings(kept_file("settings.json"));
     std::error_code ignored;
@@ -114,7 +117,7 @@ void Studio::run_by_clock() {
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
     if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
     const bool counted = options_.frames > 0;  // a number of pictures was asked for, whether anything moves or not
-    if (news.new_frame || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
+    if (news.new_frame || news.new_reading || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
     if (pictures_due_ == 0) {
       last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
       continue;
@@ -183,6 +186,10 @@ void Studio::act_on(const SessionNews& news) {
     ui_.tool = {};
     ui_.fields.refused.reset();
     ui_.generate = {};
+    ui::leave_probe(ui_);
+    ui::leave_measure(ui_);
+    ui_.clip.reset();
+    ui_.probe.sized = false;
   }
   if (news.resized) turn_cameras_ = true;
   if (news.reloaded) {
@@ -228,7 +235,9 @@ void Studio::frame_cameras() {
 void Studio::update_range() {
   if (!ui_.range.automatic) return;
   ui_.range.lo = 0;
-  ui_.range.hi = std::max(kLeastRange, ui::nice_ceiling(session_.largest_pressure()));
+  if (input_.probe) ui_.probe.largest = std::max(ui_.probe.largest, input_.probe->largest);
+  const double largest = ui_.mode == ui::Mode::layout && input_.probe ? ui_.probe.largest : session_.largest_pressure();
+  ui_.range.hi = std::max(kLeastRange, ui::nice_ceiling(largest));
 }
 
 void Studio::update_title() {
@@ -249,11 +258,11 @@ void Studio::draw_picture(double seconds) {
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
   io.DeltaTime = static_cast<float>(seconds);
   session_.fill(input_, ui_.selection.sensor);
+  ui_.probe.latency = session_.edit_latency();
   input_.performance.by_clock = options_.by_clock();
   input_.performance.simulation_speed = input_.frame ? input_.frame->measured_speed : 0.0;
   input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
   draw_contents();
-  carry_out_requests();
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;
@@ -272,6 +281,10 @@ void Studio::draw_contents() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   ui::draw_interface(ui_, input_, *renderer_);
+  // Before the picture is filled, which takes a software renderer longer than a worker needs to answer.
+  session_.press(ui::probe_wish(ui_));
+  session_.measure(ui::measure_wish(ui_, input_));
+  carry_out_requests();
   window_->set_cursor(ImGui::GetMouseCursor());
   ImGui::Render();
   fill_window();
@@ -279,8 +292,8 @@ void Studio::draw_contents() {
 }
 
 void Studio::fill_window() {
-  window_->begin_picture(ImGui::GetStyle().Colors[ImGuiCol_WindowBg]);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  painter_->paint(*window_, *ImGui::GetDrawData(), ImGui::GetStyle().Colors[ImGuiCol_WindowBg],
+                  static_cast<ImTextureID>(renderer_->texture()), ui_.view.draws);
 }
 
 bool Studio::input_taken() const {

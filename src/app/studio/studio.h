@@ -17,6 +17,7 @@
 #include "app/studio/session.h"
 #include "app/studio/state_json.h"
 #include "app/studio/window.h"
+#include "app/studio/window_painter.h"
 #include "ui/ui_state.h"
 
 namespace taxel::studio {
@@ -103,6 +104,7 @@ class Studio {
   std::unique_ptr<Window> window_;
   std::unique_ptr<InterfaceContext> context_;
   std::unique_ptr<ui::SceneRenderer> renderer_;
+  std::optional<WindowPainter> painter_;
   ui::UiState ui_;
   ui::UiInput input_;
   Session session_;

@@ -80,6 +80,7 @@ void Studio::set_mode(ui::Mode mode) {
 }
 
 void Studio::save_screenshot(const std::string& file) {
+  painter_->forget();
   fill_window();  // what was shown last may be gone
   write_png(file, window_->read());
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/hydro/round_mesh.h"
 #include "core/layout/tangent_frame.h"
 #include "core/mesh/mesh_check.h"
 
@@ -10,6 +11,7 @@ namespace taxel {
 namespace {
 
 constexpr const char* kName = "probe";
+constexpr double kSphereEdge = 0.1;  // length of the edges of a tessellated sphere, parts of its radius
 
 [[noreturn]] void refuse(const std::string& message) {
   throw Error("", kName, message);
@@ -77,7 +79,7 @@ struct MakeShape {
     tip = {0, 0, -sphere.radius};
     Shape shape;
     shape.size = dvec3(sphere.radius);
-    shape.resolution = 0.1 * sphere.radius;
+    shape.resolution = kSphereEdge * sphere.radius;
     return shape;
   }
   Shape operator()(const ProbeEdge& edge) const {
@@ -103,6 +105,8 @@ ProbePress::Body make_probe_body(const ProbeShape& shape, const Material& materi
   ProbePress::Body made;
   const Shape of_body = std::visit(MakeShape{made.tip}, shape);
   made.body = make_body(of_body, material, kName);
+  made.mesh = of_body.mesh ? of_body.mesh
+                           : std::make_shared<const TriMesh>(make_round_sphere(of_body.size.x, of_body.resolution));
   return made;
 }
 
@@ -144,10 +148,11 @@ void press(const SensorModel& model, const Probe& probe, ProbePress& out) {
   const ProbePress::Body made =
       out.bodies.get({probe.shape, probe.material}, [&] { return make_probe_body(probe.shape, probe.material); });
   out.X_MP = X_MP;
+  out.mesh = made.mesh;
+  out.X_MG = X_MP * Pose{{1, 0, 0, 0}, -made.tip};
   out.surface.clear();
   // The facets of round shapes reach a little over what they stand for, which must not be felt at depth 0.
-  if (probe.depth > 0)
-    intersect(*model.body, *made.body, Pose{}, X_MP * Pose{{1, 0, 0, 0}, -made.tip}, out.surface, out.workspace);
+  if (probe.depth > 0) intersect(*model.body, *made.body, Pose{}, out.X_MG, out.surface, out.workspace);
   out.wrench = pressure_wrench(out.surface);
   const ContactSurface* const surfaces[] = {&out.surface};
   read_sensor(model, surfaces, out.reading);

@@ -56,13 +56,16 @@ struct Probe {
 /// What a press needs and produces: the bodies of the last few shapes, and memory that is reused.
 struct ProbePress {
   Pose X_MP;
+  TriMeshPtr mesh;         ///< the probe as drawn, the same object for equal shapes that are still kept
+  Pose X_MG;               ///< of that mesh
   ContactSurface surface;  ///< frame M; its normals push the sensor
   Wrench wrench;           ///< of the pressure on the sensor, about M's origin, frame M [N], [N m]
   SensorReading reading;   ///< one value per taxel of the model
 
   struct Body {
     HydroBodyPtr body;
-    dvec3 tip{0};  ///< in its own frame
+    TriMeshPtr mesh;  ///< of what is pressed, as drawn
+    dvec3 tip{0};     ///< in its own frame
   };
   struct BodyKey {
     ProbeShape shape;

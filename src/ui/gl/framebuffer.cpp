@@ -68,6 +68,11 @@ void Framebuffer::copy_color(const Framebuffer& from) const {
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Framebuffer::copy_color_to(GLuint framebuffer) const {
+  glBlitNamedFramebuffer(resolved_ ? resolved_->id() : target_.id(), framebuffer, 0, 0, width(), height(), 0, 0,
+                         width(), height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 RgbImage Framebuffer::read() const {
   return read_pixels(resolved_ ? resolved_->id() : target_.id(), width(), height());
 }

@@ -52,6 +52,36 @@ void draw_ghost(const UiState& ui, const UiInput& input, ImDrawList& list) {
   ImGui::SetTooltip("%s\n%s samples", in_mm(taxel.radius).c_str(), grouped(ghost->samples).c_str());
 }
 
+/// Where a probe that was put down can be taken hold of.
+void draw_probe_handle(const UiState& ui, const UiInput& input, ImDrawList& list) {
+  if (!ui.probe.on || ui.probe.held || !ui.probe.at) return;
+  const ImVec2 at = on_screen(ui, shown_pose(ui, input) * *ui.probe.at);
+  const float radius = 8 * ui.saved.scale;
+  const Palette& colors = palette(ui.saved.dark);
+  list.AddCircle(at, radius, to_u32(colors.panel, 0.8f), 0, 4.0f);
+  list.AddCircle(at, radius, to_u32(colors.accent), 0, 2.0f);
+}
+
+/// Both numbers beside the middle of the line.
+void draw_measure_label(const UiState& ui, const UiInput& input, ImDrawList& list) {
+  const Measured* measured = input.measured.get();
+  if (!ui.measure.on || measured == nullptr) return;
+  const dvec3 middle =
+      measured->path.empty() ? 0.5 * (measured->wish.a + measured->wish.b) : measured->path[measured->path.size() / 2];
+  const ImVec2 at = on_screen(ui, shown_pose(ui, input) * middle);
+  const std::string along =
+      std::isfinite(measured->along) ? in_mm(measured->along) + " along the surface" : "no way along the surface";
+  const std::string text = in_mm(measured->straight) + " straight\n" + along;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const Palette& colors = palette(ui.saved.dark);
+  const float gap = ImGui::GetFontSize();
+  const ImVec2 corner(std::round(std::clamp(at.x + gap, ui.view.rect.x0 + 8, ui.view.rect.x1 - size.x - 8)),
+                      std::round(std::clamp(at.y + gap, ui.view.rect.y0 + 8, ui.view.rect.y1 - size.y - 8)));
+  list.AddRectFilled({corner.x - 6, corner.y - 4}, {corner.x + size.x + 6, corner.y + size.y + 4},
+                     to_u32(colors.panel, 0.9f), 3);
+  list.AddText(corner, to_u32(colors.text), text.c_str());
+}
+
 void draw_area(const UiState& ui, ImDrawList& list) {
   const std::vector<dvec2>& area = ui.tool.area;
   if (area.empty()) return;
@@ -121,7 +151,16 @@ void draw_tool_overlay(const UiState& ui, const UiInput& input) {
   draw_area(ui, list);
   draw_brush_ring(ui, input);
   draw_pattern_frame(ui, input);
+  draw_probe_handle(ui, input, list);
+  draw_measure_label(ui, input, list);
   int row = 0;
+  if (ui.measure.on) {
+    const char* which = ui.measure.points.size() == 1 ? "second" : "first";
+    draw_line(ui, list, row++, fmt::format("Measure: click on the {} point   Esc ends", which), colors.text);
+  }
+  if (ui.probe.held) {
+    draw_line(ui, list, row++, "Probe: wheel or drag sets the depth, a click puts it down   Esc ends", colors.text);
+  }
   if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_line(ui, list, row++, hint, colors.text);
   const std::string& problem = ui.tool.problem.empty() ? input.editing.problem : ui.tool.problem;
   if (!problem.empty()) draw_line(ui, list, row++, problem, colors.error);

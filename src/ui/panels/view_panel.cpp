@@ -10,6 +10,7 @@
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/field_legend.h"
 #include "ui/panels/filtered_legend.h"
+#include "ui/panels/probe_panel.h"
 #include "ui/panels/tool_overlay.h"
 #include "ui/scene/sample_use.h"
 #include "ui/theme.h"
@@ -42,7 +43,7 @@ void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& rendere
 }
 
 bool shows_pressure(const UiState& ui, const UiInput& input) {
-  return ui.mode == Mode::simulate && input.sensor(ui) != nullptr;
+  return input.shown_state(ui) != nullptr;
 }
 
 /// Mode and name in the upper left corner.
@@ -78,7 +79,7 @@ std::string taxel_text(const UiState& ui, const UiInput& input, const SensorMode
   std::string text = fmt::format("Taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : ", ", taxel.name);
   text +=
       fmt::format("\n{} samples, radius {}", model.fields.first[i + 1] - model.fields.first[i], in_mm(taxel.radius));
-  const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  const SensorFrameState* sensor = input.shown_state(ui);
   if (sensor != nullptr && i < sensor->readings.size())
     text += fmt::format("\n{}", in_unit(sensor->readings[i], shown_unit(model.layout.readout.aggregate)));
   return text;
@@ -140,7 +141,7 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   if (shows_pressure(ui, input)) draw_pressure_legend(ui, legend_place(ui));
   float bottom = ui.view.rect.y1 - 0.7f * ImGui::GetFontSize();
   if (ui.saved.overlays.filtered_polygons && shows_pressure(ui, input)) {
-    bottom = draw_filtered_legend(ui, *input.sensor(ui)) - 0.5f * ImGui::GetFontSize();
+    bottom = draw_filtered_legend(ui, *input.shown_state(ui)) - 0.5f * ImGui::GetFontSize();
   }
   if (const SensorModelPtr model = input.shown_model(ui)) draw_field_legends(ui, ui.view.numbers, *model, bottom);
   draw_border(ui, list);
@@ -178,6 +179,7 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   }
   ImGui::End();
   if (!input.model && !input.frame) draw_start_card(ui);
+  draw_probe_panel(ui, input);
 }
 
 }  // namespace taxel::ui

@@ -27,6 +27,7 @@ void pick_taxel(const Pointer& p, const SensorView& view, double& nearest, Pick&
     const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(k)];
     const dvec3 center = view.X_WM * taxel.center;
     if (glm::dot(view.X_WM.rotate(taxel.normal), p.ray_W.origin - center) <= 0) continue;
+    if (p.input.clip && p.input.clip->hides(center)) continue;
     const dvec3 pixel = p.camera.project(center, p.width, p.height);
     const double away = glm::length(dvec2(pixel) - p.at), distance = glm::length(center - p.ray_W.origin);
     if (pixel.z <= 0 || away > nearest || distance * (1 - kTolerance) > p.solid) continue;
@@ -91,7 +92,9 @@ bool pick_skin(const Pointer& p, const SensorView& view, const Ray& ray_M, doubl
 std::optional<Pick> pick(const SceneInput& input, const Camera& camera, double x, double y, int width, int height,
                          double reach) {
   const Ray ray = camera.pixel_ray(x, y, width, height);
-  const auto solid = cast_geoms(input, ray);
+  const auto shown = shown_part(input.clip, ray);
+  auto solid = shown ? cast_geoms(input, shown->ray) : std::nullopt;
+  if (solid) solid->t += shown->moved;
   const double end = solid ? solid->t : std::numeric_limits<double>::infinity();
   const Pointer pointer{input, camera, {x, y}, width, height, reach, ray, end};
   const std::vector<SensorView> views = sensor_views(input);
@@ -106,7 +109,10 @@ std::optional<Pick> pick(const SceneInput& input, const Camera& camera, double x
       nearest_contact = contact.distance;
       on_contact = true;
     }
-    if (pick_skin(pointer, view, ray_M, nearest_skin, skin)) {
+    if (!shown) continue;
+    const Ray shown_M = in_frame(view.X_WM, shown->ray);
+    if (pick_skin(pointer, view, shown_M, nearest_skin - shown->moved, skin)) {
+      skin.distance += shown->moved;
       nearest_skin = skin.distance;
       on_skin = true;
     }

@@ -40,10 +40,12 @@ struct Candidate {
   [[nodiscard]] auto rank() const { return std::tuple(!selected, !facing, place(), view->index); }
 };
 
-std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, const Camera& camera, dvec2 size) {
+std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, const Camera& camera, dvec2 size,
+                                   const std::optional<ClipPlane>& clip) {
   const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(k)];
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
   const dvec3 center = view.X_WM * taxel.center, normal = view.X_WM.rotate(glm::normalize(taxel.normal));
+  if (clip && clip->hides(center)) return std::nullopt;
   const dvec3 base = camera.project(center, width, height);
   const dvec3 tip = camera.project(center + arrow * normal, width, height);
   if (base.z <= 0 || tip.z <= 0) return std::nullopt;
@@ -85,14 +87,15 @@ class Room {
   std::vector<std::vector<Box>> cells_;
 };
 
-std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Camera& camera, const dvec2& size) {
+std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Camera& camera, const dvec2& size,
+                                  const std::optional<ClipPlane>& clip) {
   std::vector<Candidate> found;
   for (const SensorView& view : views) {
     const double arrow = taxel_arrow_length(*view.model);
     const bool many = view.model->taxel_count() > kManyTaxels;
     for (int k = 0; k < view.model->taxel_count(); ++k) {
       if (view.hidden(k)) continue;
-      const auto c = candidate(view, k, arrow, camera, size);
+      const auto c = candidate(view, k, arrow, camera, size, clip);
       if (c && (c->facing || c->selected || !many)) found.push_back(*c);
     }
   }
@@ -109,7 +112,7 @@ std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& came
   const dvec2 size(width, height), letter(kLetterWidth * text_height, text_height);
   Room room(size, {4 * letter.x + kAround.x, letter.y + kAround.y});
   std::vector<std::pair<double, SceneLabel>> found;
-  for (const Candidate& c : candidates(views, camera, size)) {
+  for (const Candidate& c : candidates(views, camera, size, input.clip)) {
     if (found.size() >= kMostLabels) break;
     SceneLabel label;
     label.text = fmt::format("{}", c.view->model->layout.taxels[static_cast<std::size_t>(c.taxel)].id);

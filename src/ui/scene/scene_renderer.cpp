@@ -92,6 +92,7 @@ struct SceneRenderer::Impl {
 
 void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background) {
   const MeshList list = mesh_list(input, look, cache);
+  set_clipped(false);
   const SceneGround plane = scene_ground(input);
   const Ground floor{plane.X_WP, plane.plane};
   if (ShadowKey key = shadow_key(input, floor); !shadows || !(*shadows == key)) {
@@ -107,21 +108,24 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height()));
+  bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height(), input.clip));
   glEnable(GL_PROGRAM_POINT_SIZE);
   const bool keep_backdrop = background && software && !floor.filled;
   if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, segments);
-  meshes.draw_solids(list, look);
+  meshes.draw_solids(list, look, input.clip.has_value());
   if (background && !keep_backdrop) {
     ground.draw_background(look);
     ground.draw(floor, camera, look, input.overlays.grid, segments);
   }
   if (background) ground.draw_shadow(floor, look);
-  meshes.draw_outlines(list.solids, camera, segments);
-  meshes.draw_skins(list, camera, look);
-  meshes.draw_outlines(list.skins, camera, segments);
-  if (input.overlays.wireframe) meshes.draw_wires(list, look, segments);
+  const bool clipped = input.clip.has_value();
+  meshes.draw_outlines(list.solids, camera, segments, clipped);
+  meshes.draw_skins(list, camera, look, clipped);
+  meshes.draw_outlines(list.skins, camera, segments, clipped);
+  if (input.overlays.wireframe) meshes.draw_wires(list, look, segments, clipped);
+  if (clipped) meshes.draw_cuts(list, *input.clip, segments);
   sensors.draw(input, camera, look, target->height(), segments, points);
+  set_clipped(false);
 }
 
 /// And what else pictures need of GL's state.

@@ -10,7 +10,10 @@
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
 #include "ui/scene/camera.h"
+#include "ui/scene/clip_plane.h"
 #include "ui/scene/field_numbers.h"
+#include "ui/scene/measured.h"
+#include "ui/scene/pressed_probe.h"
 
 namespace taxel::ui {
 
@@ -47,6 +50,7 @@ struct Overlays {
 struct SceneInput {
   SimFramePtr frame;              ///< null: only grid and background
   SensorModelPtr document_model;  ///< when there is no simulation: the layout alone at the origin; may be null
+  PressedProbePtr probe;          ///< pressed on that; may be null
   Overlays overlays;
   PressureRange range;
   int selected_sensor = 0;
@@ -55,6 +59,9 @@ struct SceneInput {
   std::vector<int> hidden_taxels;        ///< of the document's layout: neither drawn nor picked; indices, ascending
   SharedValue<std::vector<int>> region;  ///< painted faces of the document's mesh, ascending
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
+  std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
+  MeasuredPtr measured;                              ///< a line on the document's skin; may be null
+  std::vector<dvec3> measure_points;                 ///< of that line, and one that is pointed at
   bool dark = true;
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };

@@ -25,7 +25,9 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
       if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1, {}, {}});
     }
   } else if (input.document_model) {
-    out.push_back({0, input.document_model, nullptr, Pose{}, -1, {}, input.hidden_taxels});
+    const bool pressed = input.probe && input.probe->model == input.document_model && input.probe->problem.empty();
+    out.push_back(
+        {0, input.document_model, pressed ? &input.probe->state : nullptr, Pose{}, -1, {}, input.hidden_taxels});
   }
   for (SensorView& view : out) {
     if (view.index != input.selected_sensor) continue;

@@ -25,7 +25,7 @@ struct SensorView {
   }
 };
 
-/// The pointers live as long as `input.frame`.
+/// The pointers live as long as `input.frame` and `input.probe`.
 std::vector<SensorView> sensor_views(const SceneInput& input);
 
 /// Where the contact pushes: centroid of the pressure over all polygons of a sensor, frame M. False without contact.

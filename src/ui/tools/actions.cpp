@@ -10,6 +10,8 @@
 #include "ui/tools/edit_actions.h"
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
+#include "ui/tools/measure_tool.h"
+#include "ui/tools/probe_tool.h"
 #include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
@@ -87,6 +89,10 @@ void escape(UiState& ui) {
     close_generate(ui);
   } else if (ui.saved.panels.help) {
     ui.saved.panels.help = false;
+  } else if (ui.measure.on) {
+    leave_measure(ui);
+  } else if (ui.probe.on) {
+    leave_probe(ui);
   } else {
     ui.selection.clear();
   }
@@ -227,6 +233,18 @@ void perform(Action action, UiState& ui, const UiInput& input) {
     case Action::mode_simulate:
       ui.ask(SetMode{Mode::simulate});
       break;
+    case Action::probe:
+      toggle_probe(ui, input);
+      break;
+    case Action::measure:
+      toggle_measure(ui, input);
+      break;
+    case Action::toggle_clip:
+      toggle_clip(ui, input);
+      break;
+    case Action::flip_clip:
+      ui.clip = ui.clip->flipped();
+      break;
     case Action::frame_all:
       ui.camera().frame(scene_box(ui, input));
       break;
@@ -241,6 +259,9 @@ void perform(Action action, UiState& ui, const UiInput& input) {
 bool is_checked(Action action, const UiState& ui) {
   if (action == Action::toggle_theme) return !ui.saved.dark;
   if (action == Action::lock_range) return !ui.range.automatic;
+  if (action == Action::probe) return ui.probe.on;
+  if (action == Action::measure) return ui.measure.on;
+  if (action == Action::toggle_clip) return ui.clip.has_value();
   if (action == Action::mode_layout) return ui.mode == Mode::layout;
   if (action == Action::mode_simulate) return ui.mode == Mode::simulate;
   SavedState saved = ui.saved;
@@ -259,6 +280,13 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
       return input.model != nullptr || input.frame != nullptr;
     case Action::mode_simulate:
       return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+    case Action::probe:
+    case Action::measure:
+      return can_probe(ui, input);
+    case Action::toggle_clip:
+      return !scene_box(ui, input).empty();
+    case Action::flip_clip:
+      return ui.clip.has_value();
     case Action::reload_file:
       return !input.file.empty();
     case Action::frame_all:

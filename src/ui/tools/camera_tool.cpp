@@ -10,6 +10,8 @@
 #include "ui/tools/brush.h"
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
+#include "ui/tools/measure_tool.h"
+#include "ui/tools/probe_tool.h"
 
 namespace taxel::ui {
 
@@ -43,6 +45,15 @@ void count_clicks(UiState& ui) {
   ui.clicks.right_double += ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right) ? 1 : 0;
 }
 
+/// The first notch turns the plane on, facing the eye through the middle; then it goes in and out.
+void move_clip(UiState& ui, const UiInput& input, double notches) {
+  constexpr double kPerNotch = 0.02;  // of the size of what is shown
+  const Aabb box = scene_box(ui, input);
+  if (box.empty()) return;
+  if (!ui.clip) return toggle_clip(ui, input);
+  ui.clip->offset -= kPerNotch * box.diagonal() * notches;
+}
+
 void turn_wheel(UiState& ui, const UiInput& input, double notches) {
   if (ui.tool.tool == Tool::brush && can_edit(ui, input)) {
     resize_brush(ui, *input.model, notches);
@@ -50,6 +61,8 @@ void turn_wheel(UiState& ui, const UiInput& input, double notches) {
     turn_pattern(ui, notches);
   } else if (ImGui::GetIO().KeyCtrl && can_edit(ui, input)) {
     resize_by_wheel(ui, input, notches);
+  } else if (ImGui::GetIO().KeyShift) {
+    move_clip(ui, input, notches);
   } else {
     ui.camera().zoom(notches);
   }
@@ -79,6 +92,13 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   SceneInput scene;
   if (ui.mode == Mode::simulate) scene.frame = input.frame;
   scene.document_model = input.model;
+  if (ui.mode == Mode::layout) scene.probe = input.probe;
+  scene.clip = ui.clip;
+  if (ui.mode == Mode::layout && ui.measure.on) {
+    scene.measured = input.measured;
+    for (const MeasurePoint& point : ui.measure.points) scene.measure_points.push_back(point.at);
+    if (ui.measure.hover) scene.measure_points.push_back(ui.measure.hover->at);
+  }
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;
   scene.selected_sensor = ui.selection.sensor;
@@ -96,6 +116,14 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   if (ui.mode == Mode::layout && ui.generate.open) scene.ghosts = ui.generate.ghosts;
   scene.dark = ui.saved.dark;
   return scene;
+}
+
+void toggle_clip(UiState& ui, const UiInput& input) {
+  const Aabb box = scene_box(ui, input);
+  if (ui.clip || box.empty()) return ui.clip.reset();
+  const Camera& camera = ui.camera();
+  const dvec3 towards_eye = glm::normalize(camera.eye() - camera.target);
+  ui.clip = ClipPlane{towards_eye, glm::dot(towards_eye, box.center())};
 }
 
 Pose shown_pose(const UiState& ui, const UiInput& input) {
@@ -142,6 +170,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   const bool hovered = ImGui::IsItemHovered();
   ui.hovered.reset();
   if (hovered) count_clicks(ui);
+  if (handle_probe_mouse(ui, input, x, y, hovered) || handle_measure_mouse(ui, input, x, y, hovered)) return;
   if (hovered && io.MouseWheel != 0) turn_wheel(ui, input, static_cast<double>(io.MouseWheel));
   if (handle_tool_mouse(ui, input, x, y, hovered)) return;
   if (ImGui::IsItemActive()) drag_camera(ui);

@@ -16,6 +16,9 @@ namespace taxel::ui {
 /// What the 3-D view and the section draw now.
 [[nodiscard]] SceneInput scene_input(const UiState& ui, const UiInput& input);
 
+/// Cuts the view open through the middle, across the line of sight, or closes it.
+void toggle_clip(UiState& ui, const UiInput& input);
+
 /// Reads ImGui's mouse over the view's item (the last one): orbit, pan, zoom, centre, select, hover.
 void handle_view_mouse(UiState& ui, const UiInput& input);
 

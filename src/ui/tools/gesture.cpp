@@ -225,7 +225,9 @@ bool handle_tool_mouse(UiState& ui, const UiInput& input, double x, double y, bo
 std::optional<PlacementGhost> placement_ghost(const UiState& ui, const UiInput& input, double x, double y) {
   if (!can_edit(ui, input)) return std::nullopt;
   const SensorModel& model = *input.model;
-  const auto place = place_under(*model.skin, gesture_view(ui, input).ray_M({x, y}));
+  const auto shown = shown_part(ui.clip, ui.camera().pixel_ray(x, y, ui.view.width, ui.view.height));
+  if (!shown) return std::nullopt;
+  const auto place = place_under(*model.skin, in_frame(shown_pose(ui, input), shown->ray));
   if (!place) return std::nullopt;
   PlacementGhost ghost;
   ghost.taxel.center = place->position;

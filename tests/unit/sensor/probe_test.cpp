@@ -94,6 +94,23 @@ TEST(Probe, AMeshIsPressedWithItsLowestPointWhereverItsOriginIs) {
   EXPECT_NEAR(glm::distance(here.wrench.torque, there.wrench.torque), 0, 1e-9 * 0.01 * glm::length(here.wrench.force));
 }
 
+/// The mesh that is drawn stands where the probe is pressed: its lowest point is the tip, at the depth.
+TEST(Probe, IsDrawnWhereItIsPressed) {
+  const Pose X{glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3))), {0.1, 0.2, -0.3}};
+  const SensorModelPtr model = Plate(X).model();
+  const dvec3 up = X.rotate({0, 0, 1});
+  ProbePress out;
+  for (const ProbeShape& shape : kShapes) {
+    press(*model, probe_at(shape, X * kMiddle, 5e-4), out);
+    double lowest = 1;
+    for (const dvec3& v : out.mesh->vertices()) lowest = std::min(lowest, glm::dot(out.X_MG * v - X * kMiddle, up));
+    EXPECT_NEAR(lowest, -5e-4, 2e-5) << shape.index();  // a ball's facets reach a little over it
+    const TriMeshPtr drawn = out.mesh;
+    press(*model, probe_at(shape, X * kMiddle, 4e-4), out);
+    EXPECT_EQ(out.mesh, drawn) << "made once";
+  }
+}
+
 TEST(Probe, APointOnATaxelReadsItMost) {
   const SensorModelPtr model = Plate().model();
   ProbePress out;

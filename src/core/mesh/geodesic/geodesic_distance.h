@@ -73,6 +73,16 @@ class GeodesicDistance {
   [[nodiscard]] double at_apex(int halfedge) const {
     return arrivals_[static_cast<std::size_t>(mesh_->edge(halfedge).apex_fan)].distance;
   }
+  /// The last part of the shortest path to the apex of a half-edge: through the face of `opposite`, whose apex it is
+  /// too, from the point `from` in the flat frame of that half-edge, on it or below. Only where at_apex() is finite.
+  struct LastPart {
+    int opposite = -1;
+    dvec2 from{0};
+  };
+  [[nodiscard]] LastPart last_part(int halfedge) const {
+    const Arrival& arrival = arrivals_[static_cast<std::size_t>(mesh_->edge(halfedge).apex_fan)];
+    return {arrival.opposite, arrival.from};
+  }
   template <class F>
   void for_each_window(int halfedge, const F& f) const {
     for (int i = first_window_[static_cast<std::size_t>(halfedge)]; i >= 0;

@@ -1,4 +1,4 @@
-// Background and grid, which stay the same while the camera rests: kept as a picture where drawing is dear.
+// Background and grid, kept as pictures where drawing is dear: the background always, both while the camera rests.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@ namespace taxel::ui {
 
 class Backdrop {
  public:
-  /// Fills the colour of `target` (bound, of a single sample per pixel) with background and grid. Draws them only when
-  /// something about them changed; else copies, which costs a software renderer a tenth.
+  /// Fills the colour of `target` (bound, of a single sample per pixel) with background and grid. Draws only what
+  /// changed; else copies, which costs a software renderer a tenth.
   void fill(const gl::Framebuffer& target, const GroundPass& pass, const Ground& ground, const Camera& camera,
             const Look& look, bool grid, SegmentPass& segments);
 
@@ -24,8 +24,11 @@ class Backdrop {
     int width = 0, height = 0;
     bool operator==(const Key&) const = default;
   };
-  std::optional<gl::Framebuffer> picture_;
-  Key key_;
+  void fill_background(const gl::Framebuffer& target, const GroundPass& pass, const Look& look);
+
+  std::optional<gl::Framebuffer> background_, picture_;
+  const Look* background_look_ = nullptr;
+  Key key_, last_;  ///< of picture_, and of the last call
 };
 
 }  // namespace taxel::ui

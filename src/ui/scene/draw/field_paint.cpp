@@ -2,7 +2,6 @@
 
 #include "core/base/angle.h"
 #include "ui/scene/color_map.h"
-#include "ui/scene/geometry/coverage.h"
 
 namespace taxel::ui {
 namespace {
@@ -25,7 +24,7 @@ const PaintBuffer& FieldPaint::filled() {
   if (filled_) return *filled_;
   const bool geodesic = model_->layout.receptive_field.metric == Metric::geodesic;
   std::vector<PaintVertex> triangles;
-  append_patches(*model_, taxel_patches(*model_, geodesic ? FieldPart::geodesic : FieldPart::euclidean), triangles);
+  append_patches(*model_, fields_.patches(*model_, geodesic ? FieldPart::geodesic : FieldPart::euclidean), triangles);
   filled_.emplace().upload(triangles);
   return *filled_;
 }
@@ -33,8 +32,8 @@ const PaintBuffer& FieldPaint::filled() {
 const PaintBuffer& FieldPaint::compared() {
   if (compared_) return *compared_;
   std::vector<PaintVertex> triangles;
-  const std::vector<FieldPatch> geodesic = taxel_patches(*model_, FieldPart::geodesic);
-  const std::vector<FieldPatch> only = taxel_patches(*model_, FieldPart::euclidean_only);
+  const std::vector<FieldPatch>& geodesic = fields_.patches(*model_, FieldPart::geodesic);
+  const std::vector<FieldPatch>& only = fields_.patches(*model_, FieldPart::euclidean_only);
   append_patches(*model_, geodesic, triangles);
   comparison_.emplace();
   for (std::size_t k = 0; k < only.size(); ++k) {
@@ -45,14 +44,14 @@ const PaintBuffer& FieldPaint::compared() {
     comparison_->euclidean_only += only[k].area;
     if (only[k].area > kDiffers * (geodesic[k].area + only[k].area)) ++comparison_->differing;
   }
-  for (const FieldPatch& patch : taxel_patches(*model_, FieldPart::euclidean)) comparison_->euclidean += patch.area;
+  for (const FieldPatch& patch : fields_.patches(*model_, FieldPart::euclidean)) comparison_->euclidean += patch.area;
   compared_.emplace().upload(triangles);
   return *compared_;
 }
 
 const PaintBuffer& FieldPaint::coverage() {
   if (coverage_) return *coverage_;
-  const Coverage map = make_coverage(*model_);
+  const Coverage map = fields_.coverage(*model_);
   std::vector<PaintVertex> triangles;
   triangles.reserve(3 * map.pieces.size());
   for (const Coverage::Piece& piece : map.pieces) {

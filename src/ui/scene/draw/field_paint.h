@@ -7,12 +7,14 @@
 #include "ui/scene/draw/paint.h"
 #include "ui/scene/draw/segments.h"
 #include "ui/scene/field_numbers.h"
+#include "ui/scene/geometry/field_geometry.h"
 
 namespace taxel::ui {
 
 class FieldPaint {
  public:
-  explicit FieldPaint(SensorModelPtr model) : model_(std::move(model)) {}
+  /// `fields`, of this sensor, lives longer.
+  FieldPaint(SensorModelPtr model, FieldGeometry& fields) : model_(std::move(model)), fields_(fields) {}
   [[nodiscard]] const SensorModelPtr& model() const { return model_; }
 
   /// By the layout's metric, in the colours of the taxels.
@@ -34,6 +36,7 @@ class FieldPaint {
 
  private:
   SensorModelPtr model_;
+  FieldGeometry& fields_;
   std::optional<PaintBuffer> filled_, compared_, coverage_;
   std::optional<Normals> normals_;
   std::uint32_t normals_rgba_ = 0;

@@ -14,16 +14,18 @@ glm::vec4 viewport_of(int width, int height) {
 
 }  // namespace
 
-FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height) {
+FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height,
+                                const std::optional<ClipPlane>& clip) {
   FrameUniforms u;
-  const glm::dmat4 clip = camera.projection(static_cast<double>(width) / height);
+  if (clip) u.clip_plane = glm::vec4(glm::vec3(-clip->normal), clip->offset);
+  const glm::dmat4 projection = camera.projection(static_cast<double>(width) / height);
   u.view_from_world = glm::mat4(camera.view());
-  u.clip_from_view = glm::mat4(clip);
+  u.clip_from_view = glm::mat4(projection);
   u.eye = glm::vec4(glm::vec3(camera.eye()), 1);
   u.viewport = viewport_of(width, height);
   u.key_light = glm::vec4(glm::normalize(look.key_direction), look.key);
   u.sky_light = glm::vec4(look.sky, look.headlight);
-  const double near = clip[3][2] / (clip[2][2] - 1.0);  // the plane that the projection sends to z = -w
+  const double near = projection[3][2] / (projection[2][2] - 1.0);  // the plane that the projection sends to z = -w
   u.ground_light = glm::vec4(look.ground, static_cast<float>(near));
   return u;
 }

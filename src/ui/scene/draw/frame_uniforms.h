@@ -5,6 +5,7 @@
 
 #include "ui/gl/buffer.h"
 #include "ui/scene/camera.h"
+#include "ui/scene/clip_plane.h"
 
 namespace taxel::ui {
 
@@ -19,9 +20,11 @@ struct FrameUniforms {
   glm::vec4 key_light{0, 0, 1, 0};
   glm::vec4 sky_light{0};
   glm::vec4 ground_light{0};
+  glm::vec4 clip_plane{0, 0, 0, 1};
 };
 
-FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height);
+FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height,
+                                const std::optional<ClipPlane>& clip);
 /// Pixels of a w x h view, y up, z from -1 to 1: for what lies on the screen.
 FrameUniforms pixel_frame(int width, int height);
 

@@ -21,6 +21,10 @@ struct Look {
   glm::vec2 skin_front_alpha;  // seen straight, at the rim
   float skin_back_alpha;
   glm::vec4 skin_fill, skin_outline, solid_outline;
+  glm::vec4 cut_inside;  ///< of bodies that the clip plane cuts open
+  glm::vec4 measure;
+  glm::vec3 probe_albedo;
+  glm::vec4 probe_outline;
   // marks
   glm::vec4 mark_outline;  // around taxels and arrows
   glm::vec4 unused_sample;

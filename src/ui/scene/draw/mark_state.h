@@ -32,7 +32,13 @@ struct MarkState {
   bool depth_write = false;
   float dim = 1;  ///< multiplies alpha
   Facing facing = Facing::all;
+  bool clipped = false;  ///< by the frame's plane
 };
+
+/// Whether what is drawn next is cut by the frame's plane.
+inline void set_clipped(bool clipped) {
+  (clipped ? glEnable : glDisable)(GL_CLIP_DISTANCE0);
+}
 
 /// Sends the uniforms that all their shaders share, and sets depth and blending.
 inline void set_mark_state(const gl::Program& program, const MarkState& state) {
@@ -40,6 +46,8 @@ inline void set_mark_state(const gl::Program& program, const MarkState& state) {
   program.set("toward_eye", state.toward_eye);
   program.set("dim", state.dim);
   program.set("facing", state.facing == Facing::all ? 0.0f : state.facing == Facing::eye ? 1.0f : -1.0f);
+  program.set("clipped", state.clipped ? 1.0f : 0.0f);
+  set_clipped(state.clipped);
   const GLenum test = state.hidden ? GL_GREATER : GL_LEQUAL;
   gl::apply({.depth = state.depth_test ? test : GL_ALWAYS, .depth_write = state.depth_write, .blend = true});
 }

@@ -1,11 +1,13 @@
 #include "ui/scene/draw/mesh_pass.h"
 
+#include "core/mesh/slice.h"
 #include "ui/gl/state.h"
+#include "ui/scene/draw/mark_state.h"
 
 namespace taxel::ui {
 namespace {
 
-constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f;
+constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f, kCutWidth = 2.0f;
 constexpr float kSeenThrough = 0.3f;      // of the alpha of lines that shine through
 constexpr std::size_t kMostCasts = 3000;  // edges of an outline, above which none is asked what stands before it
 constexpr double kGrazing = 0.03;         // of the skin's size: how far before its outline a ray may touch it
@@ -26,6 +28,9 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
   for (const SensorView& view : sensor_views(input)) {
     skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true,
                      input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
+  }
+  if (!input.frame && input.probe && input.probe->mesh) {  // seen through: it stands before what it presses
+    list.skins.push_back({&cache.get(input.probe->mesh), input.probe->X_MG, look.probe_albedo, look.probe_outline});
   }
   if (!input.frame || !input.frame->scene) return list;
   const SimScene& scene = *input.frame->scene;
@@ -76,8 +81,11 @@ void MeshPass::draw_casters(const gl::Program& program, const MeshList& list) co
   }
 }
 
-void MeshPass::draw_solids(const MeshList& list, const Look& look) const {
+void MeshPass::draw_solids(const MeshList& list, const Look& look, bool clipped) const {
   gl::apply({});
+  set_clipped(clipped);
+  solid_.set("clipped", clipped ? 1.0f : 0.0f);
+  solid_.set("inside", clipped ? look.cut_inside : glm::vec4(0));
   const float strength = shadow_.box().z > 0 ? look.skin_shadow : 0.0f;
   shadow_.bind(0);
   solid_.use();
@@ -87,10 +95,13 @@ void MeshPass::draw_solids(const MeshList& list, const Look& look) const {
     solid_.set("strength", item.sensor ? 0.0f : strength);
     item.mesh->draw();
   }
+  set_clipped(false);
 }
 
-void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look& look) const {
+void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
   gl::apply({.depth_write = false, .blend = true});
+  set_clipped(clipped);
+  skin_.set("clipped", clipped ? 1.0f : 0.0f);
   skin_.set("front_alpha", look.skin_front_alpha);
   skin_.set("back_alpha", look.skin_back_alpha);
   skin_.use();
@@ -100,9 +111,11 @@ void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look
     const dvec3 direction_W = glm::normalize(camera.target - camera.eye());
     item.mesh->draw_blended(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
   }
+  set_clipped(false);
 }
 
-void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments) const {
+void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments,
+                             bool clipped) const {
   for (const MeshItem& item : items) {
     if (!item.mesh->has_outlines()) continue;
     const TriMesh& mesh = item.mesh->mesh();
@@ -124,15 +137,29 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
                           (many || lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b))));
       lines.push_back(segment(vertex(e.a), vertex(e.b), kOutlineWidth, behind ? dim : full));
     }
-    segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
+    segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
   }
 }
 
-void MeshPass::draw_wires(const MeshList& list, const Look& look, SegmentPass& segments) const {
+void MeshPass::draw_wires(const MeshList& list, const Look& look, SegmentPass& segments, bool clipped) const {
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
       segments.draw_lines(item.mesh->wires(kWireWidth, pack(look.wire)),
-                          {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
+                          {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
+    }
+  }
+}
+
+void MeshPass::draw_cuts(const MeshList& list, const ClipPlane& clip, SegmentPass& segments) const {
+  for (const auto* items : {&list.solids, &list.skins}) {
+    for (const MeshItem& item : *items) {
+      const Pose X_MW = item.X_WM.inverse();
+      Segments lines;
+      for (const auto& [a, b] :
+           slice_mesh(item.mesh->mesh(), X_MW * (clip.offset * clip.normal), X_MW.rotate(clip.normal))) {
+        lines.push_back(segment(a, b, kCutWidth, pack(glm::vec4(glm::vec3(item.outline), 1))));
+      }
+      segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
     }
   }
 }

@@ -2,32 +2,35 @@
 
 #include <numeric>
 
-#include "core/base/parallel.h"
 #include "ui/scene/color_map.h"
-#include "ui/scene/geometry/field_patch.h"
 
 namespace taxel::ui {
 namespace {
 
 constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // of a sample of the selected taxel
-constexpr float kRingWidth = 1.6f, kThinRingWidth = 1.1f, kSelectedRingWidth = 2.8f, kArrowWidth = 2.6f,
-                kSelectedArrowWidth = 4.0f;
+constexpr float kRingWidth = 1.6f, kThinRingWidth = 1.1f, kSelectedRingWidth = 2.8f, kHaloWidth = 5.4f,
+                kArrowWidth = 2.6f, kSelectedArrowWidth = 4.0f;
 constexpr double kArrowPart = 0.11;      // of the mesh's diagonal
 constexpr double kArrowOfSpacing = 1.2;  // of the distance between taxels that are spread evenly
 constexpr double kNormalPart = 0.8;      // of the distance between samples
-constexpr int kManyTaxels = 200;         // from which on rings are thin, of fewer pieces
-constexpr double kFineStepDeg = 6, kCoarseStepDeg = 20;
+constexpr int kManyTaxels = 200;         // from which on rings are thin
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Numbers 0 ... count - 1, those that are near each other far apart: by multiplicative hashing (Knuth 6.4).
+/// Numbers 0 ... count - 1, the first of any number spread evenly over all: multiples of the golden section of the
+/// count, modulo the count (Knuth 6.4, theorem S).
 std::vector<std::uint32_t> spread_order(std::size_t count) {
+  constexpr double kGoldenSection = 0.6180339887498949;
   std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0u);
-  const auto place = [](std::uint32_t i) { return i * 2654435769u; };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  auto stride = static_cast<std::size_t>(kGoldenSection * static_cast<double>(count)) + 1;
+  while (std::gcd(stride, count) != 1) ++stride;
+  std::size_t at = 0;
+  for (std::uint32_t& number : order) {
+    number = static_cast<std::uint32_t>(at);
+    at = (at + stride) % count;
+  }
   return order;
 }
 
@@ -57,17 +60,17 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
   return out;
 }
 
-ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look)
-    : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look) {
+ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, FieldGeometry& fields)
+    : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look), fields_(fields) {
   const TriMesh& skin = model_->skin->mesh();
   if (!model_->samples.empty()) spacing_ = std::sqrt(skin.area() / static_cast<double>(model_->samples.size()));
-  find_rings();
+  const std::vector<std::vector<RingPiece>>& rings_of = fields_.rings(*model_);
   const float width = model_->taxel_count() > kManyTaxels ? kThinRingWidth : kRingWidth;
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (int k = 0; k < model_->taxel_count(); ++k) {
     if (hides(k)) continue;
-    append_ring(k, width, rings);
+    append_ring(rings_of[at(k)], width, pack(taxel_color(model_->color(k))), rings);
     arrows.push_back(arrow_segment(k, kArrowWidth));
     centers.push_back(center_mark(k));
   }
@@ -76,32 +79,17 @@ ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look
   centers_.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
 
-/// By the metric of the layout.
-void ModelMarks::find_rings() {
-  const Layout& layout = model_->layout;
-  rings_of_.resize(layout.taxels.size());
-  if (layout.receptive_field.metric == Metric::geodesic) {
-    std::vector<FieldPatch> patches = taxel_patches(*model_, FieldPart::geodesic);
-    for (std::size_t k = 0; k < patches.size(); ++k) rings_of_[k] = std::move(patches[k].boundary);
-    return;
-  }
-  const double step = model_->taxel_count() > kManyTaxels ? kCoarseStepDeg : kFineStepDeg;
-  parallel_chunks(model_->taxel_count(), 16, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      rings_of_[at(k)] = taxel_rings(*model_->skin, layout.taxels[at(k)], layout.receptive_field, step);
-    }
-  });
-}
-
 void ModelMarks::select(const std::vector<int>& taxels) {
   if (selected_ == taxels) return;
   selected_ = taxels;
   samples_.upload(std::span<const PointMark>(sample_marks(*model_, taxels, *look_)), GL_STATIC_DRAW);
+  const std::vector<std::vector<RingPiece>>& rings_of = fields_.rings(*model_);
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (const int k : taxels) {
     if (hides(k)) continue;
-    append_ring(k, kSelectedRingWidth, rings);
+    append_ring(rings_of[at(k)], kHaloWidth, pack(look_->selection), rings);
+    append_ring(rings_of[at(k)], kSelectedRingWidth, pack(taxel_color(model_->color(k))), rings);
     arrows.push_back(arrow_segment(k, kSelectedArrowWidth));
     centers.push_back(center_mark(k));
   }
@@ -110,10 +98,10 @@ void ModelMarks::select(const std::vector<int>& taxels) {
   selected_marks_.centers.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
 
-void ModelMarks::append_ring(int taxel, float width, Segments& out) const {
+void ModelMarks::append_ring(const std::vector<RingPiece>& ring, float width, std::uint32_t color,
+                             Segments& out) const {
   const std::vector<dvec3>& normals = model_->skin->mesh().face_normals();
-  const std::uint32_t color = pack(taxel_color(model_->color(taxel)));
-  for (const RingPiece& piece : rings_of_[at(taxel)]) {
+  for (const RingPiece& piece : ring) {
     out.push_back(segment(piece.a, piece.b, width, color, normals[at(piece.face)]));
   }
 }

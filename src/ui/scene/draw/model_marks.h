@@ -7,7 +7,7 @@
 #include "ui/scene/draw/look.h"
 #include "ui/scene/draw/points.h"
 #include "ui/scene/draw/segments.h"
-#include "ui/scene/geometry/field_ring.h"
+#include "ui/scene/geometry/field_geometry.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::ui {
@@ -19,8 +19,8 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
 /// Lies on the card; built once for a model, and for selected taxels what shows the selection.
 class ModelMarks {
  public:
-  /// `hidden`: taxels that are left out, ascending.
-  ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look);
+  /// `hidden`: taxels that are left out, ascending. `fields`, of this sensor, lives longer.
+  ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, FieldGeometry& fields);
   [[nodiscard]] bool is_for(const SensorModelPtr& model, const std::vector<int>& hidden, const Look& look) const {
     return model == model_ && hidden == hidden_ && &look == look_;
   }
@@ -45,15 +45,14 @@ class ModelMarks {
 
  private:
   [[nodiscard]] bool hides(int taxel) const { return std::binary_search(hidden_.begin(), hidden_.end(), taxel); }
-  void find_rings();
-  void append_ring(int taxel, float width, Segments& out) const;
+  void append_ring(const std::vector<RingPiece>& ring, float width, std::uint32_t color, Segments& out) const;
   [[nodiscard]] Segment arrow_segment(int taxel, float width) const;
   [[nodiscard]] PointMark center_mark(int taxel) const;
 
   SensorModelPtr model_;
   std::vector<int> hidden_;
   const Look* look_;
-  std::vector<std::vector<RingPiece>> rings_of_;  // by taxel
+  FieldGeometry& fields_;
   PointBuffer samples_, centers_;
   gl::Buffer rings_, arrows_;
   std::optional<gl::Buffer> sample_normals_;

@@ -15,9 +15,9 @@ constexpr double kSamplePart = 0.5;                            // of the distanc
 constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
 constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
-constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
+constexpr double kLeastSpacing = 3.0;                       // of samples [pixel]
 constexpr int kMostSeenThrough = 300;                       // taxels
-constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f;
+constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7;
 constexpr double kForceScale = 0.012;  // [m/N]
 constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
@@ -31,7 +31,7 @@ bool far_side_seen(const SceneInput& input, const SensorView& view) {
 ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look) {
   std::unique_ptr<ModelMarks>& marks = marks_[view.index];
   if (!marks || !marks->is_for(view.model, view.hidden_taxels, look)) {
-    marks = std::make_unique<ModelMarks>(view.model, view.hidden_taxels, look);
+    marks = std::make_unique<ModelMarks>(view.model, view.hidden_taxels, look, fields_[view.index]);
   }
   marks->select(view.selected_taxels);
   return *marks;
@@ -57,6 +57,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
   }
   draw_path(scene);
   draw_plans(scene);
+  draw_measure(scene);
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, true);
     if (input.overlays.normal_angles) draw_normals(scene, view);
@@ -67,7 +68,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
 
 FieldPaint& SensorMarks::paint_of(const SensorView& view) {
   std::unique_ptr<FieldPaint>& paint = field_paint_[view.index];
-  if (!paint || paint->model() != view.model) paint = std::make_unique<FieldPaint>(view.model);
+  if (!paint || paint->model() != view.model) paint = std::make_unique<FieldPaint>(view.model, fields_[view.index]);
   return *paint;
 }
 
@@ -75,6 +76,7 @@ FieldPaint& SensorMarks::paint_of(const SensorView& view) {
 void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
   const Overlays& show = scene.input.overlays;
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  state.clipped = scene.input.clip.has_value();
   if (!scene.input.region->empty() && view.state == nullptr)
     paint_.draw(region_.take(view.model->mesh, scene.input.region), state);
   if (show.coverage) {
@@ -93,6 +95,7 @@ void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
       static_cast<float>(std::clamp(length * scene.pixels_per_metre / kFullSizeArrow, kSmallestMark, 1.0));
   const FieldPaint::Normals& normals = paint_of(view).normals(length, pack(scene.look.ray_hit));
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin, .facing = Facing::eye};
+  state.clipped = scene.input.clip.has_value();
   scene.segments.draw_lines(normals.skin, state);
   scene.segments.draw_arrows(normals.arrows, state, scene.look.mark_outline, size);
 }
@@ -110,6 +113,7 @@ void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool to
   if (!scene.input.overlays.receptive_fields || !(towards || far_side_seen(scene.input, view))) return;
   const ModelMarks& marks = marks_of(view, scene.look);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.clipped = scene.input.clip.has_value();
   state.facing = towards ? Facing::eye : Facing::away;
   if (!towards) state.dim = kHiddenDim;
   scene.segments.draw_lines(marks.rings(), state);
@@ -119,11 +123,12 @@ void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool to
 void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
   ModelMarks& marks = marks_of(view, scene.look);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.clipped = scene.input.clip.has_value();
   draw_rings(scene, view, false);
   if (scene.input.overlays.samples) {
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
-    const double diameter = std::clamp(kSamplePart * spacing, kSmallestSample, kLargestSample);
-    // Where they crowd, the eye cannot tell them apart: fewer, spread evenly, look the same.
+    // Where they crowd, the eye cannot tell them apart: fewer and larger ones, spread evenly, look the same.
+    const double diameter = std::clamp(kSamplePart * std::max(spacing, kLeastSpacing), kSmallestSample, kLargestSample);
     const double part = std::min(1.0, spacing * spacing / (kLeastSpacing * kLeastSpacing));
     state.facing = Facing::eye;
     scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state,
@@ -186,6 +191,7 @@ void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool t
   const double arrow = taxel_arrow_length(*view.model) * scene.pixels_per_metre;
   const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.clipped = scene.input.clip.has_value();
   state.facing = towards ? Facing::eye : Facing::away;
   if (!towards) state.dim = kHiddenDim;
   scene.segments.draw_arrows(marks.arrows(), state, scene.look.mark_outline, size);
@@ -237,6 +243,25 @@ void SensorMarks::draw_path(const Scene& scene) {
   scene.segments.draw_lines(lines, state);
   state = {.toward_eye = kOnSkin};
   scene.segments.draw_lines(lines, state);
+}
+
+/// Along the surface boldly, straight thinly.
+void SensorMarks::draw_measure(const Scene& scene) {
+  const std::uint32_t color = pack(scene.look.measure);
+  Segments lines;
+  if (const MeasuredPtr& measured = scene.input.measured) {
+    const std::vector<dvec3>& path = measured->path;
+    for (std::size_t i = 1; i < path.size(); ++i) lines.push_back(segment(path[i - 1], path[i], kPathWidth, color));
+    lines.push_back(segment(measured->wish.a, measured->wish.b, kStraightWidth, color));
+  }
+  std::vector<PointMark> ends;
+  for (const dvec3& p : scene.input.measure_points) ends.push_back(point_mark(p, dvec3(0), 1.0, color));
+  const PointStyle dots{.diameter = kMeasureDiameter, .outline = scene.look.mark_outline, .outline_width = 1.2f};
+  MarkState state{.toward_eye = kBeforeContact, .hidden = true, .dim = kHiddenDim};
+  scene.segments.draw_lines(lines, state);
+  state = {.toward_eye = kBeforeContact};
+  scene.segments.draw_lines(lines, state);
+  scene.points.draw(ends, dots, state);
 }
 
 }  // namespace taxel::ui

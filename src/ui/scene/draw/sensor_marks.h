@@ -45,14 +45,16 @@ class SensorMarks {
   void draw_force(const Scene& scene, const SensorView& view);
   void draw_path(const Scene& scene);
   void draw_plans(const Scene& scene);
+  void draw_measure(const Scene& scene);
 
   SurfacePass surfaces_;
   PaintPass paint_;
-  std::map<int, std::unique_ptr<FieldPaint>> field_paint_;  // by sensor
+  std::map<int, FieldGeometry> fields_;  // by sensor, as all of these
+  std::map<int, std::unique_ptr<FieldPaint>> field_paint_;
   RegionPaint region_;
   GhostMarks ghosts_;
   FieldNumbers numbers_;
-  std::map<int, std::unique_ptr<ModelMarks>> marks_;  // by sensor
+  std::map<int, std::unique_ptr<ModelMarks>> marks_;
 };
 
 }  // namespace taxel::ui

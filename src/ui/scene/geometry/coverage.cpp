@@ -107,17 +107,26 @@ double Coverage::overlap() const {
 }
 
 Coverage make_coverage(const SensorModel& model, int pieces) {
+  CoverageMemory memory;
+  return make_coverage(model, memory, pieces);
+}
+
+Coverage make_coverage(const SensorModel& model, CoverageMemory& memory, int pieces) {
   const TriMesh& mesh = model.skin->mesh();
   Pieces cut = cut_skin(mesh, pieces);
-  std::shared_ptr<const UnfoldedMesh> unfolded;
-  if (model.layout.receptive_field.metric == Metric::geodesic) {
-    unfolded = std::make_shared<const UnfoldedMesh>(model.skin->mesh_ptr());
-  }
-  tbb::enumerable_thread_specific<Seeing> seeing([&] { return Seeing(model, cut, unfolded); });
-  std::vector<std::vector<int>> seen(model.layout.taxels.size());
-  parallel_chunks(model.taxel_count(), 8, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) seen[at(k)] = seeing.local()(model.layout.taxels[at(k)]);
-  });
+  const bool geodesic = model.layout.receptive_field.metric == Metric::geodesic;
+  if (geodesic && (!memory.unfolded || &memory.unfolded->mesh() != &mesh)) memory.unfolded = unfolded_skin(model);
+  tbb::enumerable_thread_specific<Seeing> seeing(
+      [&] { return Seeing(model, cut, geodesic ? memory.unfolded : nullptr); });
+  const auto& seen =
+      memory.seen.update(model, pieces, [&](const std::vector<int>& missing, std::vector<std::vector<int>>& values) {
+        parallel_chunks(static_cast<int>(missing.size()), 8, [&](int begin, int end) {
+          for (int i = begin; i < end; ++i) {
+            const int k = missing[at(i)];
+            values[at(k)] = seeing.local()(model.layout.taxels[at(k)]);
+          }
+        });
+      });
   Coverage out;
   out.pieces = std::move(cut.all);
   for (const std::vector<int>& of_taxel : seen) {

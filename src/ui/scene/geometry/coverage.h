@@ -5,6 +5,7 @@
 
 #include "core/sensor/sensor_model.h"
 #include "ui/scene/geometry/field_patch.h"
+#include "ui/scene/geometry/per_taxel.h"
 
 namespace taxel::ui {
 
@@ -22,8 +23,15 @@ struct Coverage {
   [[nodiscard]] double overlap() const;  ///< mean number of taxels over the covered area; 0 where none is
 };
 
+/// What make_coverage() worked out of each taxel, for the next model of the same skin.
+struct CoverageMemory {
+  PerTaxel<std::vector<int>> seen;               ///< pieces
+  std::shared_ptr<const UnfoldedMesh> unfolded;  ///< of the skin it is for; null: to be made
+};
+
 /// By the metric and the angle limit of the layout; the union of a taxel's subtaxels counts once. Faces are cut evenly
 /// into at least `pieces` in all. The same on any number of threads.
 Coverage make_coverage(const SensorModel& model, int pieces = 40'000);
+Coverage make_coverage(const SensorModel& model, CoverageMemory& memory, int pieces = 40'000);
 
 }  // namespace taxel::ui

@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <array>
+#include <numeric>
 
 #include "core/base/parallel.h"
 
@@ -113,19 +114,34 @@ void FieldCutter::cut_leaf(const Cut& cut, const std::array<dvec3, 3>& corners, 
   }
 }
 
-std::vector<FieldPatch> taxel_patches(const SensorModel& model, FieldPart part) {
-  const auto unfolded = std::make_shared<const UnfoldedMesh>(model.skin->mesh_ptr());
+std::shared_ptr<const UnfoldedMesh> unfolded_skin(const SensorModel& model) {
+  return std::make_shared<const UnfoldedMesh>(model.skin->mesh_ptr());
+}
+
+int field_fineness(const SensorModel& model) {
+  return model.taxel_count() > kManyTaxels ? kCoarse : kFine;
+}
+
+void cut_patches(const SensorModel& model, FieldPart part, const std::shared_ptr<const UnfoldedMesh>& unfolded,
+                 const std::vector<int>& taxels, std::vector<FieldPatch>& patches) {
   const double cosine = min_cosine(model.layout.receptive_field);
-  const int fineness = model.taxel_count() > kManyTaxels ? kCoarse : kFine;
+  const int fineness = field_fineness(model);
   tbb::enumerable_thread_specific<FieldCutter> cutters(
       [&] { return FieldCutter(*model.skin, unfolded, cosine, fineness); });
-  std::vector<FieldPatch> patches(model.layout.taxels.size());
-  parallel_chunks(model.taxel_count(), 8, [&](int begin, int end) {
+  parallel_chunks(static_cast<int>(taxels.size()), 8, [&](int begin, int end) {
     FieldCutter& cutter = cutters.local();
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const auto k = static_cast<std::size_t>(taxels[i]);
       for (const FieldDisc& disc : discs_of(model.layout.taxels[k])) cutter.append(disc, part, patches[k]);
     }
   });
+}
+
+std::vector<FieldPatch> taxel_patches(const SensorModel& model, FieldPart part) {
+  std::vector<int> all(model.layout.taxels.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<FieldPatch> patches(all.size());
+  cut_patches(model, part, unfolded_skin(model), all, patches);
   return patches;
 }
 

@@ -50,6 +50,17 @@ class FieldCutter {
   int fineness_;
 };
 
+/// The skin of a model prepared for geodesic distances.
+std::shared_ptr<const UnfoldedMesh> unfolded_skin(const SensorModel& model);
+
+/// Fills the patches of the taxels listed, of `patches` in layout order. `unfolded`: the model's skin. The same on any
+/// number of threads.
+void cut_patches(const SensorModel& model, FieldPart part, const std::shared_ptr<const UnfoldedMesh>& unfolded,
+                 const std::vector<int>& taxels, std::vector<FieldPatch>& patches);
+
+/// How finely fields are cut: by the number of taxels.
+int field_fineness(const SensorModel& model);
+
 /// The fields of all taxels in layout order; those of subtaxels lie over each other. The same on any number of threads.
 std::vector<FieldPatch> taxel_patches(const SensorModel& model, FieldPart part);
 

@@ -1,0 +1,79 @@
+#include "app/studio/tools_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* to_string(ui::ProbeKind kind) {
+  switch (kind) {
+    case ui::ProbeKind::sphere:
+      return "sphere";
+    case ui::ProbeKind::edge:
+      return "edge";
+    case ui::ProbeKind::point:
+      return "point";
+    case ui::ProbeKind::mesh:
+      return "mesh";
+  }
+  return "";
+}
+
+Json probe_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!ui.probe.on) return nullptr;
+  const ui::ProbeSettings& settings = ui.probe.settings;
+  Json json = Json::object();
+  json["held"] = ui.probe.held;
+  json["shape"] = to_string(settings.kind);
+  json["radius"] = settings.sphere.radius;
+  json["modulus"] = settings.material.modulus;
+  json["depth"] = settings.depth;
+  json["at"] = ui.probe.at ? Json{ui.probe.at->x, ui.probe.at->y, ui.probe.at->z} : Json(nullptr);
+  json["problem"] = input.probe ? input.probe->problem : "";
+  json["latency"] = ui.probe.latency ? Json(*ui.probe.latency) : Json(nullptr);
+  json["reading"] = nullptr;
+  const SensorFrameState* state = input.shown_state(ui);
+  if (state != nullptr && ui.mode == ui::Mode::layout) {
+    json["reading"] = {
+        {"force", input.probe->force},
+        {"area", input.probe->area},
+        {"polygons", input.probe->polygons},
+        {"max_pressure", input.probe->largest},
+        {"point", {input.probe->wish.probe.point.x, input.probe->wish.probe.point.y, input.probe->wish.probe.point.z}},
+        {"values", state->readings}};
+  }
+  return json;
+}
+
+Json measure_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!ui.measure.on) return nullptr;
+  Json json = {{"points", Json::array()}, {"straight", nullptr}, {"along", nullptr}, {"path", Json::array()}};
+  for (const ui::MeasurePoint& point : ui.measure.points) {
+    json["points"].push_back(
+        {{"at", {point.at.x, point.at.y, point.at.z}}, {"taxel", point.taxel ? Json(*point.taxel) : Json(nullptr)}});
+  }
+  if (!input.measured) return json;
+  json["straight"] = input.measured->straight;
+  if (std::isfinite(input.measured->along)) json["along"] = input.measured->along;
+  for (const dvec3& p : input.measured->path) json["path"].push_back({p.x, p.y, p.z});
+  return json;
+}
+
+Json clip_json(const ui::UiState& ui) {
+  if (!ui.clip) return nullptr;
+  const dvec3& n = ui.clip->normal;
+  return {{"normal", {n.x, n.y, n.z}}, {"offset", ui.clip->offset}};
+}
+
+}  // namespace
+
+std::string tools_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+  const Json json = {{"probe", probe_json(ui, input)}, {"measure", measure_json(ui, input)}, {"clip", clip_json(ui)}};
+  return json.dump();
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,28 @@
+// Receptive fields of one sensor as geometry, of the newest model: after an edit only what changed is worked out anew.
+#pragma once
+
+#include <array>
+
+#include "ui/scene/geometry/coverage.h"
+#include "ui/scene/geometry/field_patch.h"
+#include "ui/scene/geometry/per_taxel.h"
+
+namespace taxel::ui {
+
+class FieldGeometry {
+ public:
+  /// Boundaries by the metric of the layout, by taxel.
+  const std::vector<std::vector<RingPiece>>& rings(const SensorModel& model);
+  const std::vector<FieldPatch>& patches(const SensorModel& model, FieldPart part);
+  Coverage coverage(const SensorModel& model) { return make_coverage(model, coverage_); }
+
+ private:
+  const std::shared_ptr<const UnfoldedMesh>& unfolded(const SensorModel& model);
+
+  PerTaxel<std::vector<RingPiece>> rings_;
+  std::array<PerTaxel<FieldPatch>, 3> patches_;  // by FieldPart
+  std::shared_ptr<const UnfoldedMesh> unfolded_;
+  CoverageMemory coverage_;
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,27 @@
+// A distance on the skin: what is asked for, and what came of it.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/mesh/closest_point.h"
+
+namespace taxel::ui {
+
+/// Frame M.
+struct MeasureWish {
+  std::shared_ptr<const MeshIndex> skin;
+  dvec3 a{0}, b{0};  ///< the path begins and ends at the points of the skin nearest to them
+  bool operator==(const MeasureWish&) const = default;
+};
+
+struct Measured {
+  MeasureWish wish;
+  double straight = 0;                                     ///< from a to b [m]
+  double along = std::numeric_limits<double>::infinity();  ///< the surface; infinite where no path leads [m]
+  std::vector<dvec3> path;                                 ///< on the surface; empty where none leads
+};
+using MeasuredPtr = std::shared_ptr<const Measured>;
+
+}  // namespace taxel::ui

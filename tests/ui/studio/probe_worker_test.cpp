@@ -1,0 +1,112 @@
+// The worker that presses the probe, without a window: the newest pose wins, and a model comes with its reading.
+#include "app/studio/probe_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <fstream>
+
+#include "app/studio/documents.h"
+#include "app/studio/edit_session.h"
+#include "fixtures/temp_folder.h"
+
+namespace taxel::studio {
+namespace {
+
+class ProbeWorkerTest : public testing::Test {
+ protected:
+  ProbeWorkerTest() {
+    SensorBuild how;
+    how.cache = &cache;
+    document = built_in_fingertip(how);
+    wish.probe.point = document.model->layout.taxels.front().center;
+  }
+  SensorCache cache;
+  Document document;
+  ui::ProbeWish wish;
+  std::atomic<int> woken = 0;
+  ProbeWorker worker{[this] { ++woken; }};
+};
+
+TEST_F(ProbeWorkerTest, TellsWhatAPressReads) {
+  worker.press(document.model, wish);
+  worker.wait();
+  const ui::PressedProbePtr pressed = worker.newest();
+  ASSERT_NE(pressed, nullptr);
+  EXPECT_EQ(pressed->problem, "");
+  ProbePress expected;
+  taxel::press(*document.model, wish.probe, expected);
+  EXPECT_EQ(pressed->state.readings, expected.reading.values);
+  EXPECT_EQ(pressed->force, glm::length(expected.wrench.force));
+  EXPECT_EQ(pressed->area, expected.surface.area());
+  EXPECT_EQ(pressed->polygons, static_cast<int>(expected.surface.polygons.size()));
+  EXPECT_EQ(pressed->state.hits.size(), document.model->rays.size());
+  EXPECT_GT(pressed->force, 0.1);
+  EXPECT_EQ(woken, 1);
+}
+
+TEST_F(ProbeWorkerTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
+  for (int i = 1; i <= 100; ++i) {
+    wish.probe.depth = 1e-5 * i;
+    worker.press(document.model, wish);
+  }
+  worker.wait();
+  EXPECT_EQ(worker.newest()->wish, wish);
+  EXPECT_LT(woken, 100) << "those in between were dropped";
+  const int before = woken;
+  worker.press(document.model, wish);
+  worker.wait();
+  EXPECT_EQ(woken, before);
+}
+
+TEST_F(ProbeWorkerTest, AModelThatIsBuiltComesWithItsReading) {
+  EditSession edits(
+      cache, [] {}, [this](const SensorModelPtr& model) { worker.press_now(model); });
+  edits.open(document.project, document.mesh.mesh, document.mesh.sha256, "");
+  worker.press(document.model, wish);
+  worker.wait();
+  TaxelChange change;
+  change.id = document.model->layout.taxels.front().id;
+  change.radius = 0.5 * document.model->layout.taxels.front().radius;
+  edits.edit(SetTaxels{{change}});
+  SensorModelPtr model;
+  while (!model) {
+    edits.wait();
+    model = edits.take_model();
+  }
+  const ui::PressedProbePtr pressed = worker.newest();
+  EXPECT_EQ(pressed->model, model) << "read before it was told";
+  const int before = woken;
+  worker.press(model, wish);
+  EXPECT_FALSE(worker.busy());
+  EXPECT_EQ(woken, before);
+}
+
+TEST_F(ProbeWorkerTest, SaysWhyItCannotPress) {
+  const test::TempFolder folder;
+  const std::string file = (folder.path() / "open.off").string();
+  std::ofstream(file) << "OFF\n3 1 0\n0 0 0\n0.01 0 0\n0 0.01 0\n3 0 1 2\n";
+  const auto problem = [&](const ProbeShape& shape, const std::string& mesh_file) {
+    wish.probe.shape = shape;
+    wish.mesh_file = mesh_file;
+    worker.press(document.model, wish);
+    worker.wait();
+    return worker.newest()->problem;
+  };
+  EXPECT_NE(problem(ProbeSphere{-1}, "").find("radius"), std::string::npos);
+  EXPECT_NE(problem(ProbeMesh{}, "").find("choose a mesh file"), std::string::npos);
+  EXPECT_NE(problem(ProbeMesh{}, "no such.obj").find("no such.obj"), std::string::npos);
+  EXPECT_NE(problem(ProbeMesh{}, file).find("closed"), std::string::npos);
+  EXPECT_EQ(problem(ProbeMesh{}, TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj"), "");
+  EXPECT_GT(worker.newest()->area, 0);
+}
+
+TEST_F(ProbeWorkerTest, WithoutAWishThereIsNoReading) {
+  worker.press(document.model, wish);
+  worker.press(document.model, std::nullopt);
+  worker.wait();
+  EXPECT_EQ(worker.newest(), nullptr);
+}
+
+}  // namespace
+}  // namespace taxel::studio

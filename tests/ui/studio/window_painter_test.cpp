@@ -1,0 +1,107 @@
+// Drawing only what changed gives the picture that drawing everything gives, pixel by pixel.
+#include "app/studio/window_painter.h"
+
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+#include <imgui_impl_opengl3.h>
+
+#include <string>
+
+#include "ui/gl/texture.h"
+
+namespace taxel::studio {
+namespace {
+
+constexpr int kWidth = 400, kHeight = 300;
+
+class WindowPainterTest : public testing::Test {
+ protected:
+  WindowPainterTest() : window(make_offscreen_window(kWidth, kHeight)) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+  }
+  ~WindowPainterTest() override {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+  }
+  static void begin_frame() {
+    ImGui::GetIO().DisplaySize = ImVec2(kWidth, kHeight);
+    ImGui::GetIO().DeltaTime = 0.02f;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+  }
+  static void box(const char* name, float x, float y, const std::string& text) {
+    ImGui::SetNextWindowPos({x, y});
+    ImGui::SetNextWindowSize({150, 90});
+    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoSavedSettings);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::Button("A button");
+    ImGui::End();
+  }
+  std::vector<unsigned char> painted(WindowPainter& painter, ImTextureID scene = 0, int draws = 0) {
+    painter.paint(*window, *ImGui::GetDrawData(), ImVec4(0.1f, 0.2f, 0.3f, 1), scene, draws);
+    return window->read().rgb;
+  }
+
+  std::unique_ptr<Window> window;
+  WindowPainter sparing{false}, whole{true};
+};
+
+TEST_F(WindowPainterTest, EveryPictureIsThatOfDrawingAll) {
+  long long least = kWidth * kHeight;
+  for (int i = 0; i < 40; ++i) {
+    begin_frame();
+    box("still", 10, 10, "the same");
+    box("counting", 200, 150, std::to_string(i));
+    box("moving", 60.0f + 3.0f * static_cast<float>(i / 4), 60, "over others");
+    if (i % 7 < 3) box("now and then", 220, 20, "half seen");
+    if (i % 10 == 5) ImGui::SetWindowFocus("still");  // comes to the front
+    if (i % 10 == 8) ImGui::SetWindowFocus("moving");
+    if (i > 20) ImGui::GetForegroundDrawList()->AddCircle({200, 150}, 40.0f + static_cast<float>(i / 5), 0x80ffffff);
+    ImGui::Render();
+    const auto sparingly = painted(sparing);
+    least = std::min(least, sparing.painted_pixels());
+    ASSERT_EQ(sparingly, painted(whole)) << "picture " << i;
+  }
+  EXPECT_LT(least, kWidth * kHeight / 4);
+}
+
+TEST_F(WindowPainterTest, AnUnchangedPictureCostsNothing) {
+  for (int i = 0; i < 5; ++i) {
+    begin_frame();
+    box("still", 10, 10, "the same");
+    ImGui::Render();
+    painted(sparing);
+  }
+  EXPECT_EQ(sparing.painted_pixels(), 0);
+  sparing.forget();
+  EXPECT_EQ(painted(sparing), painted(whole));
+  EXPECT_EQ(sparing.painted_pixels(), kWidth * kHeight);
+}
+
+TEST_F(WindowPainterTest, ATextureThatChangesIsDrawnAnew) {
+  gl::Texture texture(GL_RGBA8, 1, 1);
+  const auto show = [&](unsigned char level, int draws) {
+    const std::vector<unsigned char> pixel{level, 0, 0, 255};
+    texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    begin_frame();
+    box("still", 10, 10, "the same");
+    ImGui::SetNextWindowPos({200, 100});
+    ImGui::Begin("scene", nullptr, ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Image(static_cast<ImTextureID>(texture.id()), {50, 50});
+    ImGui::End();
+    ImGui::Render();
+    const auto sparingly = painted(sparing, texture.id(), draws);
+    EXPECT_EQ(sparingly, painted(whole));
+    return sparingly;
+  };
+  for (int i = 0; i < 4; ++i) show(10, 1);  // ImGui sizes windows in their first pictures
+  const auto before = show(10, 1), after = show(200, 2);
+  EXPECT_NE(before, after);
+  EXPECT_LT(sparing.painted_pixels(), kWidth * kHeight / 2);
+  EXPECT_GT(sparing.painted_pixels(), 0);
+}
+
+}  // namespace
+}  // namespace taxel::studio
