@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/script_player.h"
+#include "app/studio/time_json.h"
 #include "core/layout/layout_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
@@ -179,6 +180,7 @@ Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
   }
   json["readings"] = input.sensor(ui) != nullptr ? Json(input.sensor(ui)->readings) : Json::array();
   json["peaks"] = input.peaks;
+  json["history"] = Json::parse(steps_json(input));
   return json;
 }
 
@@ -293,6 +295,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["overlays"] = overlays_json(ui.saved.overlays);
   json["fields"] = field_numbers_json(ui.view.numbers);
   json["bars"] = bars_json(ui);
+  json["timeline"] = Json::parse(timeline_json(ui));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},
                     {"left_double", ui.clicks.left_double},

@@ -41,13 +41,13 @@ struct ScrubCommand {
 struct BreakpointsCommand {
   Breakpoints breakpoints;
 };
-struct HistoryLimitsCommand {
-  HistoryLimits limits;
+struct StepHistoryLimitsCommand {
+  StepHistoryLimits limits;
 };
 struct QuitCommand {};
 
 using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
                                 ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
-                                HistoryLimitsCommand, QuitCommand>;
+                                StepHistoryLimitsCommand, QuitCommand>;
 
 }  // namespace taxel

@@ -61,7 +61,7 @@ struct HistoryState {
   std::size_t steps = 0;              ///< how many those are
   std::size_t bytes = 0;              ///< memory that they take
   double step_seconds = 0;            ///< mean wall time that recording one of the latest steps took [s]
-  HistoryLimits limits;
+  StepHistoryLimits limits;
   std::shared_ptr<const HistoryLanes> lanes;  ///< all of them, up to the newest or a little before; never null
 };
 
@@ -89,7 +89,8 @@ struct SimFrame {
   std::uint64_t commands = 0;      ///< executed so far
   std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused
   std::uint64_t replacements = 0;  ///< likewise models to replace
-  std::string error;               ///< why the simulation stopped, or the last scene or model was refused; empty: fine
+  bool failed = false;  ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
+  std::string error;    ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

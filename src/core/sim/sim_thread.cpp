@@ -224,7 +224,7 @@ void SimThread::Impl::execute_on_history(const SimCommand& command) {
     scrub(to->step);
   } else if (const auto* breakpoints = std::get_if<BreakpointsCommand>(&command)) {
     history.set_breakpoints(breakpoints->breakpoints);
-  } else if (const auto* limits = std::get_if<HistoryLimitsCommand>(&command)) {
+  } else if (const auto* limits = std::get_if<StepHistoryLimitsCommand>(&command)) {
     history.set_limits(limits->limits);
     if (scrubbed && !history.contains(*scrubbed)) scrubbed = history.first();
   }
@@ -340,6 +340,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->commands = commands;
   frame->loads = loads;
   frame->replacements = replacements;
+  frame->failed = !error.empty();
   frame->error = error.empty() ? refused : error;
   mailbox.post(frame);
   last_frame = now;

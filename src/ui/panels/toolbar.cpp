@@ -36,6 +36,10 @@ void draw_transport(UiState& ui, const UiInput& input) {
     perform(Action::reset_simulation, ui, input);
   }
   ImGui::SameLine(0, 4);
+  if (icon_button(ui, "Back", Icon::step_back, ImVec2(2.2f * line, height), nullptr, "One step back (Left)")) {
+    perform(Action::step_back, ui, input);
+  }
+  ImGui::SameLine(0, 4);
   const bool playing = input.playing;
   if (icon_button(ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(6.4f * line, height),
                   playing ? &colors.pause : &colors.run, playing ? "Pause (Space)" : "Run (Space)")) {

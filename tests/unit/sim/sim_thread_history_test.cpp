@@ -186,7 +186,7 @@ TEST_F(ThreadHistory, AnUnstableSimulationStopsAtTheStepBeforeAndNamesTheBody) {
 TEST_F(ThreadHistory, LimitsAreChangedWhileItRuns) {
   run_to(300);
   ask(ScrubCommand{10});
-  const SimFramePtr frame = ask(HistoryLimitsCommand{{50, std::size_t{1} << 30}});
+  const SimFramePtr frame = ask(StepHistoryLimitsCommand{{50, std::size_t{1} << 30}});
   EXPECT_EQ(frame->history.steps, 50u);
   EXPECT_EQ(frame->history.first, 251u);
   EXPECT_EQ(frame->step, 251u) << "the step that was shown is forgotten: the oldest is";

@@ -10,10 +10,16 @@
 namespace taxel {
 
 /// How much is kept; what is reached first counts.
-struct HistoryLimits {
+struct StepHistoryLimits {
   std::size_t steps = 2000;
   std::size_t bytes = std::size_t{1} << 30;
-  bool operator==(const HistoryLimits&) const = default;
+  bool operator==(const StepHistoryLimits&) const = default;
+};
+
+/// Steps from one to another, both of them.
+struct StepRange {
+  std::uint64_t first = 0, last = 0;
+  bool operator==(const StepRange&) const = default;
 };
 
 /// What happened in a step; a step may have several.

@@ -13,7 +13,8 @@ void gather_signals(const StepView& view, std::vector<SensorSignal>& signals) {
   for (std::size_t s = 0; s < view.sensors.size(); ++s) {
     const SensorView& sensor = view.sensors[s];
     const SensorModelPtr& model = view.scene->sensors[s];
-    const bool forces = model && model->layout.readout.aggregate == Aggregate::force;
+    const Aggregate how = model ? model->layout.readout.aggregate : Aggregate::weighted_mean;
+    const bool forces = how == Aggregate::force || how == Aggregate::weighted_sum;
     signals.push_back({sensor.readings, glm::length(sensor.force_W), forces});
   }
 }
@@ -49,7 +50,7 @@ std::vector<T> last_of(const std::vector<T>& values, std::size_t count) {
 
 }  // namespace
 
-void StepHistory::set_limits(const HistoryLimits& limits) {
+void StepHistory::set_limits(const StepHistoryLimits& limits) {
   limits_ = limits;
   limits_.steps = std::max<std::size_t>(1, limits_.steps);
   while (size() > limits_.steps || (bytes() > limits_.bytes && size() > 1)) forget_oldest();
@@ -152,7 +153,7 @@ void StepHistory::replace_newest(const StepView& view) {
   double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
   for (const SensorView& sensor : view.sensors)
     readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
-  rows_.steps.back().events |= bit(StepEvent::other_layout);
+  if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // else it reads so from the start
 }
 
 void StepHistory::cut_after(std::uint64_t step) {

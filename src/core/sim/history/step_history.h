@@ -16,8 +16,8 @@ namespace taxel {
 class StepHistory {
  public:
   /// Fewer steps than are there: the oldest are forgotten. At least one step is kept, whatever its size.
-  void set_limits(const HistoryLimits& limits);
-  [[nodiscard]] const HistoryLimits& limits() const { return limits_; }
+  void set_limits(const StepHistoryLimits& limits);
+  [[nodiscard]] const StepHistoryLimits& limits() const { return limits_; }
   /// Of steps to come.
   void set_breakpoints(const Breakpoints& breakpoints) { breakpoints_ = breakpoints; }
   [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
@@ -58,7 +58,7 @@ class StepHistory {
   std::optional<Jump> add_row(const StepView& view, bool other_layout);
   void trim_rows();
 
-  HistoryLimits limits_;
+  StepHistoryLimits limits_;
   Breakpoints breakpoints_;
   std::deque<Step> steps_;
   RingMemory memory_;
