@@ -38,7 +38,7 @@ enum class Mode { layout, simulate };
 
 /// Which panels are open; their names are the titles of their windows.
 struct PanelsShown {
-  bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true;
+  bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
   bool messages = false, help = false;
   bool mesh_report = false;
 };
@@ -175,6 +175,15 @@ struct PlotCurves {
   std::optional<double> polished_from;        ///< x from which on the readings are of polished samples; none: all are
 };
 
+/// Where the timeline drew its lanes, and what a drag in them does.
+struct Timeline {
+  Rect lanes;                               ///< all of them, without their names
+  StepRange steps;                          ///< at their left and right edge
+  int marks = 0;                            ///< events drawn
+  bool scrubs = false;                      ///< a drag moves the cursor
+  std::optional<std::uint64_t> loops_from;  ///< a drag marks a range that begins, or ends, here
+};
+
 struct Clicks {
   int left = 0, left_double = 0, right = 0, right_double = 0;
 };
@@ -200,6 +209,24 @@ struct SetPlaying {
   bool playing = false;
 };
 struct StepOnce {};
+/// A step of the history is shown; the simulation pauses.
+struct ScrubTo {
+  std::uint64_t step = 0;
+};
+struct StepBack {};
+/// Plays recorded steps, from the one that is shown: 1 forwards, -1 backwards.
+struct ReplayHistory {
+  int direction = -1;
+};
+struct SetLoop {
+  std::optional<StepRange> range;  ///< none: no loop
+};
+struct SetBreakpoints {
+  Breakpoints breakpoints;
+};
+struct SetHistoryLimits {
+  StepHistoryLimits limits;
+};
 struct ResetSimulation {};
 struct SetSpeed {
   double factor = 1;
@@ -257,10 +284,11 @@ struct TakeScreenshot {};
 struct Quit {};
 using Request =
     std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
-                 RunSweep, SetPlaying, StepOnce, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
-                 EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject,
-                 SaveProjectAs, ExportFile, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern,
-                 DropPreview, ReadPoints, TakeScreenshot, Quit>;
+                 RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
+                 SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
+                 CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
+                 ExportFile, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview,
+                 ReadPoints, TakeScreenshot, Quit>;
 
 struct UiState {
   SavedState saved;
@@ -289,6 +317,7 @@ struct UiState {
   FileDialog dialog;
   PlotCurves curves;
   SectionState section;
+  Timeline timeline;
   ModelSummary summary;  ///< of the layout shown
   std::vector<BarShown> bars;
   ViewShown view;
@@ -324,8 +353,10 @@ struct UiInput {
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
   SweepScenario scenario;
-  bool sweep = false;  ///< the running scene is a sweep
-  bool playing = false;
+  bool sweep = false;    ///< the running scene is a sweep
+  bool playing = false;  ///< the simulation, or recorded steps
+  int replay = 0;        ///< direction in which recorded steps are played; 0: they are not
+  std::optional<StepRange> loop;
   double speed = 1;
   std::vector<double> peaks;  ///< largest reading of each taxel of the selected sensor since the start [Pa]
   Performance performance;

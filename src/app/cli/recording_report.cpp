@@ -17,7 +17,7 @@ std::string head_text(const RecordingReport& report) {
                      s.depth, s.speed, s.tilt_deg);
 }
 
-std::string sensor_text(const SensorSummary& sensor, const RecordedSensor& about) {
+std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSensor& about) {
   std::string text = fmt::format("{}: {:>6}  {:<14} {:>12} {:>10} {:>13}  {}\n", sensor.geom, "taxel", "name",
                                  fmt::format("peak [{}]", about.reading_unit), "at [m]", "largest step", "responds");
   const std::string indent(sensor.geom.size() + 2, ' ');
@@ -42,7 +42,7 @@ double rest_of(const RunCost& cost) {
 
 std::string recording_text(const RecordingReport& report) {
   std::string text = head_text(report);
-  const std::vector<SensorSummary> sensors = summarize(report.recording);
+  const std::vector<RecordedSensorSummary> sensors = summarize(report.recording);
   for (std::size_t i = 0; i < sensors.size(); ++i) text += sensor_text(sensors[i], report.recording.sensors[i]);
   const RunCost& cost = report.cost;
   text += fmt::format("{:.2f} s for samples and contact model\n", report.model_seconds);

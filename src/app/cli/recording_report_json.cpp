@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json sensor_object(const SensorSummary& summary, const SensorModel& model) {
+Json sensor_object(const RecordedSensorSummary& summary, const SensorModel& model) {
   const Layout& layout = model.layout;
   Json json;
   json["geom"] = summary.geom;
@@ -54,7 +54,7 @@ Json report_object(const RecordingReport& report) {
   json["steps"] = report.cost.steps;
   json["rows"] = report.recording.rows.size();
   json["sensors"] = Json::array();
-  const std::vector<SensorSummary> sensors = summarize(report.recording);
+  const std::vector<RecordedSensorSummary> sensors = summarize(report.recording);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     json["sensors"].push_back(sensor_object(sensors[i], *report.models[i]));
   }

@@ -29,7 +29,7 @@ std::vector<double> all_readings(const SimFrame& frame) {
 }
 
 bool reads_by(const SimFrame& frame, const SensorModelPtr& model) {
-  const auto& sensors = frame.scene->sensors;
+  const auto& sensors = frame.simulated->sensors;
   return std::find(sensors.begin(), sensors.end(), model) != sensors.end();
 }
 
@@ -46,6 +46,13 @@ Session::Session(bool by_clock, std::function<void()> wake)
       probe_(wake),
       edits_(cache_, wake, [this](const SensorModelPtr& model) { probe_.press_now(model); }) {
   simulation_.set_clock_driven(by_clock);
+}
+
+/// Not by clock it waits until the command was executed. Returns the command's number.
+std::uint64_t Session::tell(SimCommand command) {
+  const std::uint64_t number = simulation_.send(std::move(command));
+  if (!by_clock_) settle([number](const SimFrame& frame) { return frame.commands >= number; });
+  return number;
 }
 
 template <class Done>
@@ -92,6 +99,8 @@ void Session::drop_scene() {
   frame_.reset();
   settled_.reset();
   playing_ = sweep_ = simulates_document_ = false;
+  replay_.stop();
+  loop_.reset();
 }
 
 bool Session::run_sweep(const SweepScenario& scenario) {
@@ -119,8 +128,10 @@ void Session::build_scene(Pending pending) {
 
 void Session::set_playing(bool playing) {
   if (!frame_) return;
+  replay_.stop();
   if (playing && frame_->finished) reset();
   playing_ = playing;
+  if (!by_clock_ && playing && frame_->failed) tell(PlayCommand{});  // from an earlier step, or the start
   if (!by_clock_) return;
   if (playing) {
     simulation_.send(PlayCommand{});
@@ -129,23 +140,12 @@ void Session::set_playing(bool playing) {
   }
 }
 
-void Session::step_once() {
-  const SimFramePtr now = settled_ ? settled_ : frame_;
-  if (!now || now->finished) return;
-  set_playing(false);
-  simulation_.send(StepCommand{1});
-  if (by_clock_) return;
-  const std::uint64_t target = now->step + 1;
-  settle([&](const SimFrame& frame) { return frame.step >= target || frame.finished || !frame.error.empty(); });
-}
-
 void Session::reset() {
   if (!frame_) return;
-  simulation_.send(ResetCommand{});  // which pauses
+  replay_.stop();
   playing_ = false;
   unspent_ = 0;
-  if (by_clock_ || frame_->step == 0) return;
-  settle([](const SimFrame& frame) { return frame.step == 0 || !frame.error.empty(); });
+  tell(ResetCommand{});  // which pauses
 }
 
 void Session::set_speed(double factor) {
@@ -154,15 +154,14 @@ void Session::set_speed(double factor) {
 }
 
 void Session::advance(double seconds) {
+  advance_replay(seconds);
   if (!playing_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
   const double timestep = frame_->scene->timestep;
   unspent_ += seconds * speed_;
   const auto steps = static_cast<int>(std::floor(unspent_ / timestep * (1 + 1e-12)));  // 20 ms are twenty steps of 1 ms
   if (steps < 1) return;
   unspent_ -= steps * timestep;
-  simulation_.send(StepCommand{steps});
-  const std::uint64_t target = frame_->step + static_cast<std::uint64_t>(steps);
-  settle([&](const SimFrame& frame) { return frame.step >= target || frame.finished || !frame.error.empty(); });
+  tell(StepCommand{steps});
 }
 
 /// Not by clock: whether the picture to come still shows the preview.
@@ -185,6 +184,7 @@ SessionNews Session::update(bool hurry) {
   hand_over_newest();
   show_polished(news);
   take_reading(news);
+  replay_by_clock();
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
   return news;
@@ -210,25 +210,6 @@ void Session::accept_result(LoadResult result, SessionNews& news) {
   }
 }
 
-void Session::polish() {
-  if (loader_.busy() || polished_ || !document_ || !document_->previewed()) return;
-  preview_pictures_ = 0;
-  loader_.polish(*document_);
-}
-
-/// Another document was to be loaded while the samples of this one were polished; it stays after all.
-void Session::resume_polishing() {
-  if (document_ && document_->model != left_preview_) polish();
-}
-
-void Session::keep_preview(Severity severity, const std::string& why, SessionNews& news) {
-  news.messages.emplace_back(severity, why);
-  const Document* shown = pending_ ? &pending_->document : document_ ? &*document_ : nullptr;
-  if (shown == nullptr || !shown->model) return;
-  left_preview_ = shown->model;
-  for (const std::string& note : notes_of_samples(*shown->model)) news.messages.emplace_back(Severity::warning, note);
-}
-
 /// Hands polished samples to the simulation, or shows them where none runs.
 void Session::show_polished(SessionNews& news) {
   if (!polished_ || polished_->number > 0 || pending_) return;
@@ -240,14 +221,6 @@ void Session::show_polished(SessionNews& news) {
     if (by_clock_) return;
     settle([&](const SimFrame& frame) { return frame.replacements >= replacements_; });
   }
-}
-
-void Session::finish_polished(SessionNews& news) {
-  const Polished models = std::exchange(polished_, std::nullopt)->models;
-  if (!document_ || document_->model != models.preview) return;  // what they belong to was refused, or closed
-  document_->model = models.model;
-  for (const std::string& note : notes_of_samples(*document_->model))
-    news.messages.emplace_back(Severity::warning, note);
 }
 
 void Session::accept_document(Document document, SessionNews& news) {
@@ -298,8 +271,9 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   const bool stands = frame->scene && frame->scene->timestep > 0;
   if (!stands || frame->loads < least_load_) return;
   tell_warnings(*frame, news);
-  note_pressures(*frame, !frame_ || (frame_->scene != frame->scene && !replaced) || frame->step < frame_->step);
-  if (frame->finished) playing_ = false;
+  tell_stop(*frame, news);
+  if (!frame->recorded) note_pressures(*frame, frame->runs != noted_run_);
+  if (frame->finished || frame->failed || frame->stop) playing_ = false;
   frame_ = std::move(frame);
   news.new_frame = true;
 }
@@ -330,6 +304,8 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   simulates_document_ = true;
   warned_.clear();
   unspent_ = 0;
+  replay_.stop();
+  loop_.reset();
   news.another_document = pending.another;
   if (pending.shown) news.opened = ui::Mode::simulate;
   news.opened_file = document_->file;
@@ -344,6 +320,7 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
 }
 
 void Session::note_pressures(const SimFrame& frame, bool another_run) {
+  noted_run_ = frame.runs;
   const std::size_t rows = frame.trace ? frame.trace->size() : 0;
   if (another_run || rows < rows_seen_) {
     peaks_.clear();
@@ -369,7 +346,9 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.simulates_document = simulates_document_;
   input.scenario = scenario_;
   input.sweep = sweep_;
-  input.playing = playing() && !(frame_ && frame_->finished);
+  input.playing = (playing() && !(frame_ && frame_->finished)) || replaying();
+  input.replay = replay_.direction();
+  input.loop = loop_;
   input.speed = speed_;
   input.peaks.clear();
   if (frame_ && selected_sensor >= 0 && selected_sensor < static_cast<int>(frame_->sensors.size())) {

@@ -13,6 +13,7 @@
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
 #include "app/studio/probe_worker.h"
+#include "core/sim/history/replay.h"
 #include "core/sim/sim_thread.h"
 #include "ui/ui_state.h"
 
@@ -68,7 +69,12 @@ class Session {
   /// False: there is nothing to simulate, or it cannot be, which is told.
   bool run_sweep(const SweepScenario& scenario);
   void set_playing(bool playing);
-  void step_once();
+  void step_by(int steps);  ///< through recorded steps, and one more than there are is simulated
+  void scrub(std::uint64_t step);
+  void replay(int direction);                     ///< of recorded steps; 0 stops it
+  void set_loop(std::optional<StepRange> range);  ///< none: a replay stops at the end
+  void set_breakpoints(const Breakpoints& breakpoints);
+  void set_history_limits(const StepHistoryLimits& limits);
   void reset();
   void set_speed(double factor);
 
@@ -85,6 +91,7 @@ class Session {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
+  [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
   [[nodiscard]] const SweepScenario& scenario() const { return scenario_; }
@@ -125,6 +132,13 @@ class Session {
   void accept_frame(SimFramePtr frame, SessionNews& news);
   void accept_pending(const SimFrame& frame, SessionNews& news);
   void tell_warnings(const SimFrame& frame, SessionNews& news);
+  std::uint64_t tell(SimCommand command);
+  void step_once();
+  void show_step(std::uint64_t step);
+  [[nodiscard]] std::uint64_t shown_step() const;
+  void advance_replay(double seconds);
+  void replay_by_clock();
+  void tell_stop(const SimFrame& frame, SessionNews& news);
   void build_scene(Pending pending);
   void drop_scene();
   void note_pressures(const SimFrame& frame, bool another_run);
@@ -165,9 +179,16 @@ class Session {
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
   double speed_ = 1;
   double unspent_ = 0;  ///< simulated time that did not fill a step [s]
+  Replay replay_;
+  std::optional<StepRange> loop_;
+  std::chrono::steady_clock::time_point replayed_at_;
+  std::uint64_t scrubbed_to_ = 0, scrub_command_ = 0;  ///< asked for last, and the number of that command
+  std::optional<Jump> told_stop_;
+  std::uint64_t stop_run_ = 0;
   double largest_pressure_ = 0;
   std::vector<double> peaks_;  ///< of all sensors, one after the other [Pa]
   std::size_t rows_seen_ = 0;
+  std::uint64_t noted_run_ = 0;  ///< SimFrame::runs of the peaks
   std::string last_error_;
   std::set<std::string> warned_;  ///< warnings of the scene that were told
 };

@@ -148,8 +148,8 @@ void Session::accept_reload(const Document& document, SessionNews& news) {
 void Session::hand_over_newest() {
   if (!hand_over_wanted_ || !document_ || !document_->model || edits_.building() || polished_ || pending_) return;
   hand_over_wanted_ = false;
-  if (!simulates_document_ || !frame_ || frame_->scene->sensors.empty()) return;
-  const SensorModelPtr& simulated = frame_->scene->sensors.front();
+  if (!simulates_document_ || !frame_ || frame_->simulated->sensors.empty()) return;
+  const SensorModelPtr& simulated = frame_->simulated->sensors.front();
   if (simulated == document_->model) return;
   if (same_taxels(simulated->layout, document_->model->layout) && same_mesh(simulated->mesh, document_->model->mesh)) {
     polished_ = Replacement{Polished{simulated, document_->model}};

@@ -42,6 +42,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_inspector", s.panels.inspector);
   visit("panel_bars", s.panels.bars);
   visit("panel_plot", s.panels.plot);
+  visit("panel_timeline", s.panels.timeline);
   visit("panel_section", s.panels.section);
   visit("panel_messages", s.panels.messages);
   visit("panel_mesh_report", s.panels.mesh_report);

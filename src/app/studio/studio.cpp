@@ -99,7 +99,7 @@ bool Studio::run() {
 
 double Studio::waiting_time() const {
   if (pictures_due_ > 0) return 0;
-  if (session_.playing()) return kBusyWait;
+  if (session_.playing() || session_.replaying()) return kBusyWait;
   return !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
 }
 

@@ -54,6 +54,7 @@ class Studio {
   void fill_window();  ///< with the picture laid out last
   void carry_out_requests();
   void carry_out(const ui::Request& request);
+  bool carry_out_in_time(const ui::Request& request);
   void set_mode(ui::Mode mode);
   bool carry_out_edit(const ui::Request& request);
   bool carry_out_save(const ui::Request& request);

@@ -55,7 +55,9 @@ void Studio::carry_out(const ui::Request& request) {
     session_.hand_over();
     session_.set_playing(play->playing);
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
-    session_.step_once();
+    session_.step_by(1);
+  } else if (carry_out_in_time(request)) {
+    return;
   } else if (std::holds_alternative<ui::ResetSimulation>(request)) {
     session_.reset();
   } else if (const auto* speed = std::get_if<ui::SetSpeed>(&request)) {
@@ -69,6 +71,25 @@ void Studio::carry_out(const ui::Request& request) {
   } else if (std::holds_alternative<ui::Quit>(request)) {
     quit_ = true;
   }
+}
+
+bool Studio::carry_out_in_time(const ui::Request& request) {
+  if (std::holds_alternative<ui::StepBack>(request)) {
+    session_.step_by(-1);
+  } else if (const auto* to = std::get_if<ui::ScrubTo>(&request)) {
+    session_.scrub(to->step);
+  } else if (const auto* replay = std::get_if<ui::ReplayHistory>(&request)) {
+    session_.replay(replay->direction);
+  } else if (const auto* loop = std::get_if<ui::SetLoop>(&request)) {
+    session_.set_loop(loop->range);
+  } else if (const auto* breakpoints = std::get_if<ui::SetBreakpoints>(&request)) {
+    session_.set_breakpoints(breakpoints->breakpoints);
+  } else if (const auto* limits = std::get_if<ui::SetHistoryLimits>(&request)) {
+    session_.set_history_limits(limits->limits);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 void Studio::set_mode(ui::Mode mode) {

@@ -1,11 +1,14 @@
 // What a viewer may ask of the simulation; executed between two steps, in order.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 
 #include "core/project/scenario.h"
 #include "core/sensor/sensor_model.h"
+#include "core/sim/history/breakpoints.h"
+#include "core/sim/history/lanes.h"
 
 namespace taxel {
 
@@ -30,9 +33,21 @@ struct ReplaceModelCommand {
 struct LoadSceneCommand {
   std::string file;
 };  ///< MJCF with its own sensors
+/// Pauses, and shows a step of the history, or the nearest that is kept. Where the simulation runs on, it does so from
+/// that step, and what came after it is forgotten.
+struct ScrubCommand {
+  std::uint64_t step = 0;
+};
+struct BreakpointsCommand {
+  Breakpoints breakpoints;
+};
+struct StepHistoryLimitsCommand {
+  StepHistoryLimits limits;
+};
 struct QuitCommand {};
 
 using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                ReplaceModelCommand, LoadSceneCommand, QuitCommand>;
+                                ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
+                                StepHistoryLimitsCommand, QuitCommand>;
 
 }  // namespace taxel

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "core/mesh/tri_mesh.h"
 #include "core/sensor/cast_rays.h"
 #include "core/sensor/sensor_model.h"
+#include "core/sim/history/breakpoints.h"
+#include "core/sim/history/lanes.h"
 
 namespace taxel {
 
@@ -52,6 +55,16 @@ struct SensorFrameState {
   std::vector<RayHit> hits;              ///< parallel to model->rays
 };
 
+/// The latest steps, any of which can be shown again.
+struct HistoryState {
+  std::uint64_t first = 0, last = 0;  ///< steps that are kept
+  std::size_t steps = 0;              ///< how many those are
+  std::size_t bytes = 0;              ///< memory that they take
+  double step_seconds = 0;            ///< mean wall time that recording one of the latest steps took [s]
+  StepHistoryLimits limits;
+  std::shared_ptr<const HistoryLanes> lanes;  ///< all of them, up to the newest or a little before; never null
+};
+
 struct SimFrame {
   std::shared_ptr<const SimScene> scene;
   std::uint64_t step = 0;
@@ -67,9 +80,17 @@ struct SimFrame {
       trace;                          ///< all rows so far (copied when a row is added, at most 30 times a second)
   std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()
   double step_seconds = 0;            ///< mean wall time of one of the latest steps [s]; 0: none was made
-  std::uint64_t loads = 0;            ///< scenes asked for so far, whether built or refused
-  std::uint64_t replacements = 0;     ///< likewise models to replace
-  std::string error;  ///< why the simulation stopped, or the last scene or model was refused; empty: fine
+  bool recorded = false;              ///< a step of the past is shown; the newest is history.last
+  std::shared_ptr<const SimScene> simulated;  ///< of the newest step: another than `scene` where its layout changed
+  HistoryState history;
+  Breakpoints breakpoints;
+  std::optional<Jump> stop;        ///< the breakpoint that was met, until the simulation goes on
+  std::uint64_t runs = 0;          ///< times that the simulation began at its start
+  std::uint64_t commands = 0;      ///< executed so far
+  std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused
+  std::uint64_t replacements = 0;  ///< likewise models to replace
+  bool failed = false;  ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
+  std::string error;    ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

@@ -1,6 +1,7 @@
 // The simulation in its own thread: commands go in, the newest frame comes out, nobody waits for anybody.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "core/sim/sim_command.h"
@@ -15,8 +16,9 @@ class SimThread {
   SimThread(const SimThread&) = delete;
   SimThread& operator=(const SimThread&) = delete;
 
-  void send(SimCommand command);  ///< never blocks
-  SimFramePtr newest_frame();     ///< newest since the last call, or null
+  /// Never blocks. Returns the command's number, which frames after it have reached in SimFrame::commands.
+  std::uint64_t send(SimCommand command);
+  SimFramePtr newest_frame();  ///< newest since the last call, or null
   /// For headless pictures and tests: steps exactly when told (StepCommand), never by the clock.
   void set_clock_driven(bool on);
 

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/model/instability.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
@@ -146,12 +147,8 @@ void Simulator::Impl::check_sensors() const {
 }
 
 void Simulator::Impl::check_stability() const {
-  for (const int kind : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_BADCTRL}) {
-    const mjWarningStat& w = d().warning[kind];
-    if (w.number > 0)
-      throw Error(title, fmt::format("the simulation became unstable at {:.6g} s: {}", time,
-                                     mju_warningText(kind, static_cast<std::size_t>(w.lastinfo))));
-  }
+  if (const std::string what = instability(m(), d()); !what.empty())
+    throw Error(title, fmt::format("the simulation became unstable at {:.6g} s, {}", time, what));
 }
 
 void Simulator::Impl::back_to_start() {
@@ -263,56 +260,81 @@ SensorTimes Simulator::sensor_times() const {
 }
 
 SimRow Simulator::row() const {
-  const Impl& s = *impl_;
+  const StepView now = view();
   SimRow row;
-  row.time = s.time;
-  row.travel = s.travel;
-  for (std::size_t i = 0; i < s.instances.size(); ++i) {
-    const HydroInstance& sensor = s.sensor(i);
-    const Evaluation& e = sensor.sensed();
-    dvec3 force(0);
+  row.time = now.time;
+  row.travel = now.travel;
+  for (std::size_t i = 0; i < now.sensors.size(); ++i) {
+    const SensorView& sensor = now.sensors[i];
     double area = 0;
     std::size_t polygons = 0;
-    for (const std::size_t k : e.near) {
-      const PairState& pair = e.pairs[k];
-      force += e.X_WM.rotate(pair.wrench.force);
-      area += pair.surface.area();
-      polygons += pair.surface.polygons.size();
+    for (const ContactSurface* surface : sensor.surfaces) {
+      area += surface->area();
+      polygons += surface->polygons.size();
     }
-    row.force_W.push_back(force);
+    row.force_W.push_back(sensor.force_W);
     row.area.push_back(area);
     row.polygons.push_back(static_cast<int>(polygons));
-    row.readings.push_back(sensor.reading().values);
-    row.shear.push_back(sensor.reading().shear);
-    row.uncovered_W.push_back(e.X_WM.rotate(sensor.reading().force.uncovered_normal));
-    row.sensor_poses.push_back(e.X_WM);
+    row.readings.emplace_back(sensor.readings.begin(), sensor.readings.end());
+    row.shear.push_back(impl_->sensor(i).reading().shear);
+    row.uncovered_W.push_back(sensor.uncovered_W);
+    row.sensor_poses.push_back(sensor.X_WM);
   }
   return row;
 }
 
-void Simulator::fill_frame(SimFrame& frame) const {
+StepView Simulator::view() const {
   const Impl& s = *impl_;
-  frame.scene = scene();
-  frame.step = s.steps;
-  frame.time = s.time;
-  frame.travel = s.travel;
-  frame.finished = finished();
-  frame.geom_poses.clear();
-  for (const int g : s.drawn) frame.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
-  const SimRow now = row();
-  frame.sensors.resize(s.instances.size());
+  StepView view;
+  view.scene = scene();
+  view.step = s.steps;
+  view.time = s.time;
+  view.travel = s.travel;
+  view.finished = finished();
+  for (const int g : s.drawn) view.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
   for (std::size_t i = 0; i < s.instances.size(); ++i) {
     const HydroInstance& sensor = s.sensor(i);
-    SensorFrameState& state = frame.sensors[i];
-    state.X_WM = now.sensor_poses[i];
-    state.readings = now.readings[i];
-    state.force_W = now.force_W[i];
-    state.uncovered_W = now.uncovered_W[i];
-    state.hits = sensor.reading().hits.all();
-    state.surfaces.clear();
+    const SensorReading& reading = sensor.reading();
     const Evaluation& e = sensor.sensed();
-    for (const std::size_t k : e.near) state.surfaces.push_back(e.pairs[k].surface);  // as the hits number them
+    SensorView one;
+    one.X_WM = e.X_WM;
+    one.readings = reading.values;
+    one.uncovered_W = e.X_WM.rotate(reading.force.uncovered_normal);
+    for (const std::size_t k : e.near) {
+      one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
+      one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
+    }
+    one.hits = reading.hits.all();
+    one.hit_rays = reading.hits.hit_rays();
+    view.sensors.push_back(std::move(one));
   }
+  return view;
+}
+
+void Simulator::fill_frame(SimFrame& frame) const {
+  taxel::fill_frame(view(), frame);
+}
+
+void Simulator::save_state(SimState& state) const {
+  const Impl& s = *impl_;
+  state.integration.resize(static_cast<std::size_t>(mj_stateSize(&s.m(), mjSTATE_INTEGRATION)));
+  mj_getState(&s.m(), &s.d(), state.integration.data(), mjSTATE_INTEGRATION);
+  state.step = s.steps;
+  state.time = s.time;
+  state.travel = s.travel;
+  state.row_due = s.row_due;
+}
+
+void Simulator::restore_state(const SimState& state) {
+  Impl& s = *impl_;
+  if (state.integration.size() != static_cast<std::size_t>(mj_stateSize(&s.m(), mjSTATE_INTEGRATION)))
+    throw Error(s.title, "the state is another scene's");
+  mj_setState(&s.m(), &s.d(), state.integration.data(), mjSTATE_INTEGRATION);
+  for (mjWarningStat& warning : s.d().warning) warning.number = 0;
+  s.steps = state.step;
+  s.time = state.time;
+  s.travel = state.travel;
+  s.row_due = state.row_due;
 }
 
 Pose Simulator::pose_of_geom(int geom) const {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/project/scenario.h"
+#include "core/sim/history/step_view.h"
 #include "core/sim/sensor_times.h"
-#include "core/sim/sim_frame.h"
 
 namespace taxel {
 
@@ -47,7 +47,9 @@ class Simulator {
   /// Where the time of all sensors went so far.
   [[nodiscard]] SensorTimes sensor_times() const;
 
-  void step();  ///< one mj_step; then row() and frame() tell of the state that was evaluated
+  /// One mj_step; then row() and frame() tell of the state that was evaluated. Throws Error that names the body where
+  /// MuJoCo found a number that is none: the state is then lost until restore_state() or reset().
+  void step();
   /// All sensors that read by `replaced` read the present state anew, by `model`. Throws Error where it has another
   /// number of taxels; the sensors then stay as they are.
   void replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model);
@@ -56,6 +58,13 @@ class Simulator {
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
   [[nodiscard]] SimRow row() const;
   void fill_frame(SimFrame& frame) const;
+  /// The same without copies: valid until the next step, reset or model.
+  [[nodiscard]] StepView view() const;
+  /// The state after the step just made, to go on from. Keeps the memory of `state`.
+  void save_state(SimState& state) const;
+  /// Goes back to a state of this simulator. The sensors still show what they sensed last: the next step() is as it
+  /// was.
+  void restore_state(const SimState& state);
   [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 

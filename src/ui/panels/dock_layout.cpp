@@ -8,7 +8,8 @@ namespace taxel::ui {
 namespace {
 
 /// Parts of the width and height at 1280 x 800 and at larger sizes alike.
-constexpr float kBottom = 0.33f, kLeft = 0.20f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f, kPlot = 0.56f;
+constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.20f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f,
+                kPlot = 0.56f;
 
 /// Where text is large for the window, panels that stand side by side become tabs: heights and widths of text.
 constexpr float kCompactWidth = 60, kCompactHeight = 36;
@@ -29,8 +30,9 @@ void arrange_compactly(ImGuiID space) {
 
 void arrange_side_by_side(ImGuiID space) {
   ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0, outliner = 0, taxels = 0, bars = 0, plot = 0,
-          section = 0;
-  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kBottom, &bottom, &rest);
+          section = 0, timeline = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kTimeline, &timeline, &rest);
+  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Down, kBottom, &bottom, &rest);
   ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kLeft, &left, &center);
   ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kRight / (1 - kLeft), &right, &center);
   ImGui::DockBuilderSplitNode(left, ImGuiDir_Up, kOutliner, &outliner, &taxels);
@@ -45,6 +47,7 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);
   ImGui::DockBuilderDockWindow(kSectionTitle, section);
+  ImGui::DockBuilderDockWindow(kTimelineTitle, timeline);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
 

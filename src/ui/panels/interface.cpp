@@ -16,6 +16,7 @@
 #include "ui/panels/plot_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/taxel_table_panel.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/panels/toolbar.h"
 #include "ui/panels/tour.h"
 #include "ui/panels/view_panel.h"
@@ -52,6 +53,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.bars) draw_bars_panel(ui, input);
   if (shown.plot) draw_plot_panel(ui, input);
   if (shown.section) draw_section(ui, input);
+  if (shown.timeline) draw_timeline_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 

@@ -126,6 +126,22 @@ void draw_polish_mark(const UiState& ui) {
   ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.saved.dark).raised, away, true, "polished samples");
 }
 
+/// A click, or a drag, shows the recorded step at that place.
+void scrub_in_plot(UiState& ui, const UiInput& input) {
+  const HistoryLanes* lanes = input.frame->history.lanes.get();
+  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize(), at = ImGui::GetIO().MouseClickedPos[0];
+  const bool began_here = at.x >= lo.x && at.y >= lo.y && at.x < lo.x + size.x && at.y < lo.y + size.y &&
+                          ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (lanes == nullptr || lanes->rows() == 0 || !began_here ||
+      !(ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseDragging(ImGuiMouseButton_Left)))
+    return;
+  const double x = ImPlot::GetPlotMousePos().x;
+  const std::size_t row =
+      input.sweep ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
+  const std::uint64_t step = lanes->steps[row].step;
+  if (step != input.frame->step || input.playing) ui.ask(ScrubTo{step});
+}
+
 void draw_plot(UiState& ui, const UiInput& input) {
   PlotCurves& curves = ui.curves;
   const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
@@ -146,6 +162,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
     }
     draw_polish_mark(ui);
     draw_cursor(ui, input);
+    scrub_in_plot(ui, input);
     ImPlot::EndPlot();
     ui.widgets.note_item("Plot");
   }

@@ -33,10 +33,14 @@ void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {
   const Palette& colors = palette(ui.saved.dark);
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const float small = 2.2f * line, large = 6.4f * line, gap = 4;
-  flow.next(small + gap + large + gap + small);
+  flow.next(3 * (small + gap) + large);
   ImGui::BeginDisabled(!is_enabled(Action::play_pause, ui, input));
   if (icon_button(ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
     perform(Action::reset_simulation, ui, input);
+  }
+  ImGui::SameLine(0, gap);
+  if (icon_button(ui, "Back", Icon::step_back, ImVec2(small, height), nullptr, "One step back (Left)")) {
+    perform(Action::step_back, ui, input);
   }
   ImGui::SameLine(0, gap);
   const bool playing = input.playing;

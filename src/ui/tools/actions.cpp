@@ -12,6 +12,7 @@
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/probe_tool.h"
+#include "ui/tools/time_actions.h"
 #include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
@@ -67,6 +68,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.bars;
     case Action::toggle_plots:
       return &saved.panels.plot;
+    case Action::toggle_timeline:
+      return &saved.panels.timeline;
     case Action::toggle_section:
       return &saved.panels.section;
     case Action::toggle_messages:
@@ -192,7 +195,9 @@ void open_dialog(UiState& ui) {
 }
 
 void perform(Action action, UiState& ui, const UiInput& input) {
-  if (!is_enabled(action, ui, input) || perform_on_interface(action, ui) || perform_edit(action, ui, input)) return;
+  if (!is_enabled(action, ui, input) || perform_on_interface(action, ui) || perform_edit(action, ui, input) ||
+      perform_in_time(action, ui, input))
+    return;
   switch (action) {
     case Action::open_file:
       open_dialog(ui);
@@ -214,9 +219,6 @@ void perform(Action action, UiState& ui, const UiInput& input) {
       break;
     case Action::play_pause:
       ui.ask(SetPlaying{!input.playing});
-      break;
-    case Action::step_forward:
-      ui.ask(StepOnce{});
       break;
     case Action::reset_simulation:
       ui.ask(ResetSimulation{});
@@ -275,6 +277,14 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::step_forward:
     case Action::reset_simulation:
       return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+    case Action::step_back:
+    case Action::next_event:
+    case Action::previous_event:
+    case Action::newest_step:
+    case Action::play_backwards:
+    case Action::loop_range:
+    case Action::break_on_jump:
+      return has_history(input);
     case Action::mode_layout:
     case Action::close_document:
       return input.model != nullptr || input.frame != nullptr;

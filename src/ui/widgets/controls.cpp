@@ -38,9 +38,18 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
       list.AddTriangleFilled({c.x - 0.9f * r, c.y - r}, {c.x + 0.5f * r, c.y}, {c.x - 0.9f * r, c.y + r}, color);
       list.AddRectFilled({c.x + 0.5f * r, c.y - r}, {c.x + 0.95f * r, c.y + r}, color);
       break;
-    case Icon::reset:
+    case Icon::step_back:
       list.AddTriangleFilled({c.x + 0.9f * r, c.y - r}, {c.x + 0.9f * r, c.y + r}, {c.x - 0.5f * r, c.y}, color);
       list.AddRectFilled({c.x - 0.95f * r, c.y - r}, {c.x - 0.5f * r, c.y + r}, color);
+      break;
+    case Icon::backwards:
+      list.AddTriangleFilled({c.x + 0.7f * r, c.y - r}, {c.x + 0.7f * r, c.y + r}, {c.x - r, c.y}, color);
+      break;
+    case Icon::reset:
+      for (const float x : {0.1f, -0.75f})
+        list.AddTriangleFilled({c.x + (x + 0.9f) * r, c.y - r}, {c.x + (x + 0.9f) * r, c.y + r}, {c.x + x * r, c.y},
+                               color);
+      list.AddRectFilled({c.x - r, c.y - r}, {c.x - 0.72f * r, c.y + r}, color);
       break;
   }
 }

@@ -67,24 +67,6 @@ TEST(Edit, CtrlClickAddsOneTaxelOnTheMeshAndNoneOnTheBackground) {
   EXPECT_EQ(studio.state("background.json")["history"], added["history"]);
 }
 
-TEST(Edit, InARealWindowIsTheSame) {
-  if (std::system("command -v xvfb-run > /dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
-  const StudioProgram studio;
-  Lines script = dragged({R"({"event": "mouse_up"})"});
-  studio.play(script, {kLayoutFile});
-  const Json offscreen = studio.state("after.json");
-  std::string text;
-  for (const std::string& line : script) text += line + "\n";
-  write_text(studio.folder() / "real.jsonl", text + R"({"do": "quit"})" + "\n");
-  const Outcome outcome = run_program(
-      "/usr/bin/env",
-      {"xvfb-run", "-a", "-s", "-screen 0 1400x900x24", STUDIO_PROGRAM, "--script", "real.jsonl", kLayoutFile},
-      studio.folder());
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(studio.state("after.json")["document"], offscreen["document"]);
-  EXPECT_EQ(studio.state("after.json")["history"], offscreen["history"]);
-}
-
 TEST(Edit, ShiftAKeepsPlacingUntilEsc) {
   const StudioProgram studio;
   studio.play({kIdle, key("a", kShift), kIdle, click("[600, 330]"), kIdle, click("[600, 400]"), kIdle, dump("two.json"),

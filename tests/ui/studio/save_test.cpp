@@ -136,8 +136,8 @@ void edit_and_kill(const StudioProgram& studio, const std::string& kept) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     if (::chdir(studio.folder().c_str()) != 0) ::_exit(125);
-    ::execl(STUDIO_PROGRAM, STUDIO_PROGRAM, "--headless", "--script", "endless.jsonl", "--state-dir", "state",
-            "--autosave-every", "0.02", kLayoutFile.c_str(), nullptr);
+    ::execl(STUDIO_PROGRAM, STUDIO_PROGRAM, "--script", "endless.jsonl", "--state-dir", "state", "--autosave-every",
+            "0.02", kLayoutFile.c_str(), in_a_window() ? nullptr : "--headless", nullptr);
     ::_exit(126);
   }
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(120);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
@@ -22,6 +23,10 @@ std::array<int, 3> Picture::pixel(double x, double y) const {
   return {p[0], p[1], p[2]};
 }
 
+bool in_a_window() {
+  return std::getenv("STUDIO_TESTS_IN_A_WINDOW") != nullptr;
+}
+
 StudioProgram::StudioProgram() {
   const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
   folder_ = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests",
@@ -31,8 +36,10 @@ StudioProgram::StudioProgram() {
 Outcome StudioProgram::run(const std::vector<std::string>& lines, const std::vector<std::string>& arguments) const {
   std::string script;
   for (const std::string& line : lines) script += line + "\n";
+  if (in_a_window()) script += "{\"do\": \"quit\"}\n";  // a window would stay open
   write_text(folder_ / "script.jsonl", script);
-  std::vector<std::string> all{"--headless", "--script", "script.jsonl"};
+  std::vector<std::string> all{"--script", "script.jsonl"};
+  if (!in_a_window()) all.emplace_back("--headless");
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(STUDIO_PROGRAM, all, folder_);
 }

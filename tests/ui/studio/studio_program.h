@@ -20,10 +20,14 @@ struct Picture {
   [[nodiscard]] std::array<int, 3> pixel(double x, double y) const;
 };
 
+/// Whether the tests run the program in a real window instead of offscreen: the environment says so
+/// (STUDIO_TESTS_IN_A_WINDOW), and has a display.
+bool in_a_window();
+
 class StudioProgram {
  public:
   StudioProgram();  ///< works in a fresh folder of the running test
-  /// Plays script lines offscreen, with more arguments after them. Fails the test when the exit status is not 0.
+  /// Plays script lines, offscreen or in_a_window(), with more arguments after them. Fails the test when the exit status is not 0.
   Outcome play(const std::vector<std::string>& lines, const std::vector<std::string>& arguments = {}) const;
   /// The same, whatever the exit status.
   [[nodiscard]] Outcome run(const std::vector<std::string>& lines,

@@ -190,7 +190,7 @@ TEST(RecordingSummary, TellsPeaksStepsAndWhoResponds) {
     row.sensors[0].X_WM = recording.mocap.back() * turned;
     recording.rows.push_back(row);
   }
-  const SensorSummary summary = summarize(recording).at(0);
+  const RecordedSensorSummary summary = summarize(recording).at(0);
   EXPECT_EQ(summary.taxels[0].peak, 100);
   EXPECT_EQ(summary.taxels[0].peak_travel, 0.2);
   EXPECT_DOUBLE_EQ(summary.taxels[0].largest_step, 0.6);

@@ -24,7 +24,7 @@ TaxelSummary summarize_taxel(const Recording& recording, std::size_t sensor, std
 }
 
 /// How far the sensor's pose relative to the mocap body has moved since the first row.
-void add_deflection(const Recording& recording, std::size_t sensor, SensorSummary& summary) {
+void add_deflection(const Recording& recording, std::size_t sensor, RecordedSensorSummary& summary) {
   const auto held = [&](const RecordedRow& row) {
     return recording.mocap[static_cast<std::size_t>(row.step)].inverse() * row.sensors[sensor].X_WM;
   };
@@ -41,10 +41,10 @@ void add_deflection(const Recording& recording, std::size_t sensor, SensorSummar
 
 }  // namespace
 
-std::vector<SensorSummary> summarize(const Recording& recording) {
-  std::vector<SensorSummary> all;
+std::vector<RecordedSensorSummary> summarize(const Recording& recording) {
+  std::vector<RecordedSensorSummary> all;
   for (std::size_t s = 0; s < recording.sensors.size(); ++s) {
-    SensorSummary summary;
+    RecordedSensorSummary summary;
     summary.geom = recording.sensors[s].geom;
     double largest = 0;
     for (std::size_t t = 0; t < recording.sensors[s].taxel_ids.size(); ++t) {

@@ -17,7 +17,7 @@ struct TaxelSummary {
   bool responds = false;    ///< peak above 5 % of the largest of the sensor
 };
 
-struct SensorSummary {
+struct RecordedSensorSummary {
   std::string geom;
   std::vector<TaxelSummary> taxels;
   double largest_force = 0;  ///< length of the contact force [N]
@@ -31,6 +31,6 @@ struct SensorSummary {
 /// Fraction of the sensor's largest peak above which a taxel counts as responding.
 inline constexpr double kResponds = 0.05;
 
-std::vector<SensorSummary> summarize(const Recording& recording);
+std::vector<RecordedSensorSummary> summarize(const Recording& recording);
 
 }  // namespace taxel

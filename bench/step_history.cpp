@@ -1,0 +1,106 @@
+// What the history of steps costs a step: the fingertip sweep (12 taxels, 16 000 samples), recorded in every second
+// stretch of 30 steps, and in the next round in the others, by the processor time of the thread that steps. Both sums
+// are of the same steps in the same seconds, which other programs on the machine change alike. And the memory it takes.
+//
+//   bench_step_history [ROUNDS]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <ctime>
+#include <vector>
+
+#include "core/sensor/sensor_model.h"
+#include "core/sim/history/step_history.h"
+#include "core/sim/simulator.h"
+
+namespace {
+using namespace taxel;
+
+constexpr int kFirst = 900, kSteps = 1500;  // of the sweep, in contact
+constexpr int kStretch = 30;
+constexpr double kSamples = 16000;
+
+/// Of this thread, in the kernel too: page faults of fresh memory are a part of it [s].
+double processor_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Cost {
+  double plain = 0, recorded = 0;  // [s]
+  [[nodiscard]] double part() const { return recorded / plain - 1; }
+};
+
+/// Two rounds through the steps; what is recorded is numbered without gaps.
+Cost measure(Simulator& simulator, StepHistory& history) {
+  Cost cost;
+  SimState state;
+  std::uint64_t number = history.empty() ? 0 : history.last() + 1;
+  for (int round = 0; round < 2; ++round) {
+    simulator.reset();
+    for (int i = 0; i < kFirst; ++i) simulator.step();
+    for (int stretch = 0; stretch < kSteps / kStretch; ++stretch) {
+      const bool records = (stretch + round) % 2 == 0;
+      const double begin = processor_seconds();
+      for (int i = 0; i < kStretch; ++i) {
+        simulator.step();
+        if (!records) continue;
+        simulator.save_state(state);
+        StepView view = simulator.view();
+        view.step = state.step = number++;
+        history.record(view, state);
+      }
+      (records ? cost.recorded : cost.plain) += processor_seconds() - begin;
+    }
+  }
+  return cost;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+SensorModelPtr fingertip() {
+  SensorSource source = read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
+  source.layout.sampling.density *= kSamples / static_cast<double>(build_sensor_model(source)->samples.size());
+  return build_sensor_model(source);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int rounds = 7;
+  if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
+  const SensorModelPtr model = fingertip();
+  const auto simulator = Simulator::make_sweep(model, {});
+  StepHistory full;
+  full.set_limits({kSteps / 3, std::size_t{1} << 31});
+  measure(*simulator, full);
+  std::vector<double> plain, growing, going_round;
+  std::size_t bytes = 0;
+  for (int round = 0; round < rounds; ++round) {
+    StepHistory fresh;
+    const Cost first = measure(*simulator, fresh), later = measure(*simulator, full);
+    bytes = fresh.bytes();
+    plain.push_back(later.plain / kSteps);
+    growing.push_back(first.part());
+    going_round.push_back(later.part());
+  }
+  fmt::print("{} samples, {} taxels, steps {} to {} of the sweep, {} rounds\n\n", model->samples.size(),
+             model->taxel_count(), kFirst, kFirst + kSteps, rounds);
+  fmt::print("| a step of {:.0f} us | more than without, median | least | most |\n| --- | --- | --- | --- |\n",
+             1e6 * median(plain));
+  const auto print = [](const char* what, const std::vector<double>& parts) {
+    fmt::print("| {} | {:+.1f} % | {:+.1f} % | {:+.1f} % |\n", what, 100 * median(parts),
+               100 * *std::min_element(parts.begin(), parts.end()),
+               100 * *std::max_element(parts.begin(), parts.end()));
+  };
+  print("with a history that grows", growing);
+  print("with a full one", going_round);
+  fmt::print("\n{} steps take {:.0f} MB\n", kSteps, 1e-6 * static_cast<double>(bytes));
+  return 0;
+}

@@ -1,0 +1,107 @@
+// Recorded steps shown again, replayed, and where the simulation stops by itself.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/studio/session.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::studio {
+
+/// The step shown when what was asked for last is done.
+std::uint64_t Session::shown_step() const {
+  const SimFramePtr& now = settled_ ? settled_ : frame_;
+  return now->commands < scrub_command_ ? scrubbed_to_ : now->step;
+}
+
+void Session::show_step(std::uint64_t step) {
+  scrubbed_to_ = step;
+  scrub_command_ = tell(ScrubCommand{step});
+}
+
+void Session::scrub(std::uint64_t step) {
+  if (!frame_) return;
+  replay_.stop();
+  playing_ = false;
+  unspent_ = 0;
+  show_step(step);
+}
+
+void Session::step_by(int steps) {
+  if (!frame_) return;
+  const SimFramePtr now = settled_ ? settled_ : frame_;
+  const auto to = static_cast<std::int64_t>(shown_step()) + steps;
+  const bool moves = playing() || replaying();
+  if (steps > 0 && (moves ? !replaying() : to > static_cast<std::int64_t>(now->history.last))) return step_once();
+  scrub(static_cast<std::uint64_t>(std::max<std::int64_t>(to, static_cast<std::int64_t>(now->history.first))));
+}
+
+void Session::step_once() {
+  const SimFramePtr now = settled_ ? settled_ : frame_;
+  if (!now || (now->finished && !now->recorded)) return;
+  set_playing(false);
+  tell(StepCommand{1});
+}
+
+void Session::replay(int direction) {
+  if (!frame_) return;
+  const StepRange all = loop_.value_or(StepRange{frame_->history.first, frame_->history.last});
+  std::uint64_t from = shown_step();
+  if (!loop_ && direction > 0 && from >= all.last) from = all.first;  // once more from the start
+  scrub(from);
+  replay_.start(from, direction);
+  replayed_at_ = std::chrono::steady_clock::now();
+}
+
+void Session::set_loop(std::optional<StepRange> range) {
+  loop_ = range;
+}
+
+/// As fast as the simulation is to run.
+void Session::advance_replay(double seconds) {
+  if (!replaying() || !frame_ || frame_->history.steps == 0) return;
+  StepRange range{frame_->history.first, frame_->history.last};
+  if (loop_) {
+    range.first = std::clamp(loop_->first, range.first, range.last);
+    range.last = std::clamp(loop_->last, range.first, range.last);
+  }
+  show_step(replay_.advance(seconds * speed_ / frame_->scene->timestep, range, loop_.has_value()));
+}
+
+void Session::replay_by_clock() {
+  if (!by_clock_ || !replaying()) return;
+  const auto now = std::chrono::steady_clock::now();
+  advance_replay(std::chrono::duration<double>(now - replayed_at_).count());
+  replayed_at_ = now;
+}
+
+void Session::set_breakpoints(const Breakpoints& breakpoints) {
+  tell(BreakpointsCommand{breakpoints});
+}
+
+void Session::set_history_limits(const StepHistoryLimits& limits) {
+  tell(StepHistoryLimitsCommand{limits});
+}
+
+/// Once for each breakpoint that was met: taxel and numbers.
+void Session::tell_stop(const SimFrame& frame, SessionNews& news) {
+  const bool told = told_stop_ && frame.stop && told_stop_->step == frame.stop->step && stop_run_ == frame.runs;
+  told_stop_ = frame.stop;
+  stop_run_ = frame.runs;
+  if (!frame.stop || told) return;
+  const Jump& jump = *frame.stop;
+  const SensorModelPtr& model = frame.simulated->sensors[static_cast<std::size_t>(jump.sensor)];
+  const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(jump.taxel)];
+  const ui::ReadingUnit unit = ui::shown_unit(model->layout.readout.aggregate);
+  const std::string name = taxel.name.empty() ? "" : " (" + taxel.name + ")";
+  const double force = jump.force_before > 0 ? 100 * (jump.force_after / jump.force_before - 1) : 0.0;
+  news.messages.emplace_back(
+      Severity::warning,
+      fmt::format(
+          "Paused at step {}, {:.6g} s: taxel {}{} jumped from {} to {}, {:.1f} % of the largest reading, while "
+          "the force {} {:.4g} to {:.4g} N ({:+.2f} %)",
+          jump.step, jump.time, taxel.id, name, ui::in_unit(jump.before, unit), ui::in_unit(jump.after, unit),
+          100 * jump.part, jump.at_equal_force ? "stayed," : "went from", jump.force_before, jump.force_after, force));
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,76 @@
+#include "app/studio/time_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::pair<StepEvent, const char*>, 5> kEvents{
+    {{StepEvent::contact_begins, "contact_begins"},
+     {StepEvent::contact_ends, "contact_ends"},
+     {StepEvent::jump, "jump"},
+     {StepEvent::jump_at_equal_force, "jump_at_equal_force"},
+     {StepEvent::other_layout, "other_layout"}}};
+
+Json breakpoints_json(const Breakpoints& b) {
+  return {
+      {"on_jump", b.on_jump}, {"at_equal_force", b.at_equal_force}, {"jump", b.jump}, {"equal_force", b.equal_force}};
+}
+
+Json stop_json(const SimFrame& frame) {
+  if (!frame.stop) return nullptr;
+  const Jump& jump = *frame.stop;
+  const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(jump.sensor)]->layout;
+  return {{"step", jump.step},
+          {"time", jump.time},
+          {"taxel", layout.taxels[static_cast<std::size_t>(jump.taxel)].id},
+          {"before", jump.before},
+          {"after", jump.after},
+          {"part", jump.part},
+          {"force_before", jump.force_before},
+          {"force_after", jump.force_after},
+          {"at_equal_force", jump.at_equal_force}};
+}
+
+Json events_json(const HistoryLanes& lanes) {
+  Json json = Json::array();
+  for (const StepMark& mark : lanes.steps) {
+    if (mark.events == 0) continue;
+    Json what = Json::array();
+    for (const auto& [event, name] : kEvents) {
+      if (mark.has(event)) what.push_back(name);
+    }
+    json.push_back({{"step", mark.step}, {"what", what}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string steps_to_json(const ui::UiInput& input) {
+  const HistoryState& history = input.frame->history;
+  Json json = {{"first", history.first},        {"last", history.last},
+               {"steps", history.steps},        {"bytes", history.bytes},
+               {"limit", history.limits.steps}, {"recorded", input.frame->recorded},
+               {"replay", input.replay},        {"loop", nullptr}};
+  if (input.loop) json["loop"] = {input.loop->first, input.loop->last};
+  json["breakpoints"] = breakpoints_json(input.frame->breakpoints);
+  json["stop"] = stop_json(*input.frame);
+  json["events"] = history.lanes ? events_json(*history.lanes) : Json::array();
+  return json.dump();
+}
+
+std::string timeline_to_json(const ui::UiState& ui) {
+  const ui::Timeline& t = ui.timeline;
+  const Json json = {{"lanes", {t.lanes.x0, t.lanes.y0, t.lanes.x1, t.lanes.y1}},
+                     {"steps", {t.steps.first, t.steps.last}},
+                     {"marks", t.marks}};
+  return json.dump();
+}
+
+}  // namespace taxel::studio

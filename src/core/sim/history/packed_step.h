@@ -1,0 +1,18 @@
+// A step in one piece of memory: everything a viewer needs of it, bit for bit, with nothing to spare.
+#pragma once
+
+#include <cstddef>
+
+#include "core/sim/history/step_view.h"
+
+namespace taxel {
+
+/// Flat: poses, readings, the surfaces' arrays one after the other, of the rays only those that hit. Shared: the scene,
+/// the sensor models, and of polygons in a tet of the sensor's own field the gradient, which is the tet's.
+[[nodiscard]] std::size_t largest_packed_size(const StepView& view);
+/// Writes at most so many bytes, and returns how many.
+std::size_t pack_step(const StepView& view, std::byte* to);
+/// Fills what pack_step() wrote, with frame.scene that of the view: the geoms' poses and the sensors.
+void unpack_step(const std::byte* from, SimFrame& frame);
+
+}  // namespace taxel

@@ -1,0 +1,196 @@
+#include "core/sim/history/step_history.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/sim/history/packed_step.h"
+
+namespace taxel {
+namespace {
+
+void gather_signals(const StepView& view, std::vector<SensorSignal>& signals) {
+  signals.clear();
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    const SensorView& sensor = view.sensors[s];
+    const SensorModelPtr& model = view.scene->sensors[s];
+    const Aggregate how = model ? model->layout.readout.aggregate : Aggregate::weighted_mean;
+    const bool forces = how == Aggregate::force || how == Aggregate::weighted_sum;
+    signals.push_back({sensor.readings, glm::length(sensor.force_W), forces});
+  }
+}
+
+SensorSummary summarize(const SensorView& sensor, double force) {
+  SensorSummary row;
+  row.force = force;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ContactSurface* surface : sensor.surfaces) {
+    row.polygons += static_cast<int>(surface->polygons.size());
+    for (const ContactPolygon& polygon : surface->polygons) {
+      row.area += polygon.area;
+      smallest = std::min(smallest, polygon.area);
+    }
+  }
+  row.smallest_polygon = row.polygons > 0 ? smallest : 0.0;
+  return row;
+}
+
+std::uint8_t bit(StepEvent event) {
+  return static_cast<std::uint8_t>(event);
+}
+
+template <class T>
+void keep_last(std::vector<T>& values, std::size_t count) {
+  values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(count));
+}
+
+template <class T>
+std::vector<T> last_of(const std::vector<T>& values, std::size_t count) {
+  return {values.end() - static_cast<std::ptrdiff_t>(count), values.end()};
+}
+
+}  // namespace
+
+void StepHistory::set_limits(const StepHistoryLimits& limits) {
+  limits_ = limits;
+  limits_.steps = std::max<std::size_t>(1, limits_.steps);
+  while (size() > limits_.steps || (bytes() > limits_.bytes && size() > 1)) forget_oldest();
+  trim_rows();
+}
+
+void StepHistory::clear() {
+  steps_.clear();
+  memory_.clear();
+  rows_ = {};
+  detector_.restart();
+}
+
+void StepHistory::forget_oldest() {
+  memory_.pop_front();
+  steps_.pop_front();
+}
+
+void StepHistory::pack(const StepView& view, Step& step) {
+  step.scene = view.scene;
+  step.finished = view.finished;
+  const std::size_t room = largest_packed_size(view);
+  std::byte* to = memory_.push(room);
+  step.packed_bytes = pack_step(view, to);
+  memory_.shrink_back(room, step.packed_bytes);
+  step.packed = to;
+}
+
+std::optional<Jump> StepHistory::record(const StepView& view, const SimState& state) {
+  if (!empty() && view.step != last() + 1) clear();
+  const bool other_layout = !empty() && steps_.back().scene != view.scene;
+  Step step;
+  if (size() >= limits_.steps) {
+    step = std::move(steps_.front());  // its vector is taken over
+    forget_oldest();
+  }
+  pack(view, step);
+  step.state = state;
+  state_bytes_ = sizeof(Step) + step.state.integration.capacity() * sizeof(double);
+  steps_.push_back(std::move(step));
+  while (bytes() > limits_.bytes && size() > 1) forget_oldest();
+  return add_row(view, other_layout);
+}
+
+void StepHistory::fill_frame(std::uint64_t step, SimFrame& frame) const {
+  const Step& from = at(step);
+  frame.scene = from.scene;
+  frame.step = from.state.step;
+  frame.time = from.state.time;
+  frame.travel = from.state.travel;
+  frame.finished = from.finished;
+  unpack_step(from.packed, frame);
+}
+
+std::optional<Jump> StepHistory::add_row(const StepView& view, bool other_layout) {
+  const bool first_row = rows_.rows() == 0;
+  rows_.sensor_count = view.sensors.size();
+  rows_.reading_count = 0;
+  reading_counts_.clear();
+  gather_signals(view, signals_);
+  const std::vector<std::optional<Jump>>& jumps = detector_.compare(view.step, view.time, signals_, breakpoints_);
+  StepMark mark{view.step, view.time, view.travel, 0};
+  if (other_layout) mark.events |= bit(StepEvent::other_layout);
+  std::optional<Jump> stop;
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    SensorSummary row = summarize(view.sensors[s], signals_[s].force);
+    row.largest_reading = detector_.largest(s);
+    const int before = first_row ? 0 : rows_.sensors[rows_.sensors.size() - rows_.sensor_count].polygons;
+    if (row.polygons > 0 && before == 0 && !first_row) mark.events |= bit(StepEvent::contact_begins);
+    if (row.polygons == 0 && before > 0) mark.events |= bit(StepEvent::contact_ends);
+    if (jumps[s]) {
+      row.largest_jump = std::abs(jumps[s]->after - jumps[s]->before);
+      row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
+      if (is_jump(*jumps[s], breakpoints_))
+        mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
+      if (!other_layout && !stop && stops(*jumps[s], breakpoints_)) stop = jumps[s];
+    }
+    rows_.sensors.push_back(row);
+    rows_.readings.insert(rows_.readings.end(), view.sensors[s].readings.begin(), view.sensors[s].readings.end());
+    reading_counts_.push_back(view.sensors[s].readings.size());
+    rows_.reading_count += reading_counts_.back();
+  }
+  rows_.steps.push_back(mark);
+  if (rows_.rows() >= 2 * limits_.steps) trim_rows();
+  return stop;
+}
+
+void StepHistory::trim_rows() {
+  keep_last(rows_.steps, size());
+  keep_last(rows_.sensors, size() * rows_.sensor_count);
+  keep_last(rows_.readings, size() * rows_.reading_count);
+}
+
+void StepHistory::replace_newest(const StepView& view) {
+  if (empty() || view.step != last()) return;
+  memory_.pop_back(steps_.back().packed_bytes);
+  pack(view, steps_.back());
+  gather_signals(view, signals_);
+  detector_.go_on_from(signals_, {});
+  double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
+  for (const SensorView& sensor : view.sensors)
+    readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
+  if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // else it reads so from the start
+}
+
+void StepHistory::cut_after(std::uint64_t step) {
+  std::size_t cut = 0;
+  for (; last() > step; ++cut) {
+    memory_.pop_back(steps_.back().packed_bytes);
+    steps_.pop_back();
+  }
+  if (cut == 0) return;
+  rows_.steps.resize(rows_.rows() - cut);
+  rows_.sensors.resize(rows_.sensors.size() - cut * rows_.sensor_count);
+  rows_.readings.resize(rows_.readings.size() - cut * rows_.reading_count);
+  signals_.clear();
+  std::vector<double> largest;
+  const double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
+  for (std::size_t s = 0; s < rows_.sensor_count; ++s) {
+    const SensorSummary& row = rows_.sensors[rows_.sensors.size() - rows_.sensor_count + s];
+    signals_.push_back({{readings, reading_counts_[s]}, row.force});
+    readings += reading_counts_[s];
+    largest.push_back(row.largest_reading);
+  }
+  detector_.go_on_from(signals_, largest);
+}
+
+std::size_t StepHistory::bytes() const {
+  return memory_.bytes() + size() * state_bytes_ + rows_.steps.capacity() * sizeof(StepMark) +
+         rows_.sensors.capacity() * sizeof(SensorSummary) + rows_.readings.capacity() * sizeof(double);
+}
+
+std::shared_ptr<const HistoryLanes> StepHistory::lanes() const {
+  const auto lanes = std::make_shared<HistoryLanes>();
+  lanes->sensor_count = rows_.sensor_count;
+  lanes->reading_count = rows_.reading_count;
+  lanes->steps = last_of(rows_.steps, size());
+  lanes->sensors = last_of(rows_.sensors, size() * rows_.sensor_count);
+  lanes->readings = last_of(rows_.readings, size() * rows_.reading_count);
+  return lanes;
+}
+
+}  // namespace taxel

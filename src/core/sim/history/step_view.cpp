@@ -1,0 +1,26 @@
+#include "core/sim/history/step_view.h"
+
+namespace taxel {
+
+void fill_frame(const StepView& now, SimFrame& frame) {
+  frame.scene = now.scene;
+  frame.step = now.step;
+  frame.time = now.time;
+  frame.travel = now.travel;
+  frame.finished = now.finished;
+  frame.geom_poses = now.geom_poses;
+  frame.sensors.resize(now.sensors.size());
+  for (std::size_t i = 0; i < now.sensors.size(); ++i) {
+    const SensorView& sensor = now.sensors[i];
+    SensorFrameState& state = frame.sensors[i];
+    state.X_WM = sensor.X_WM;
+    state.readings.assign(sensor.readings.begin(), sensor.readings.end());
+    state.force_W = sensor.force_W;
+    state.uncovered_W = sensor.uncovered_W;
+    state.hits.assign(sensor.hits.begin(), sensor.hits.end());
+    state.surfaces.clear();
+    for (const ContactSurface* surface : sensor.surfaces) state.surfaces.push_back(*surface);
+  }
+}
+
+}  // namespace taxel

@@ -1,0 +1,43 @@
+// What a simulation step left behind, without copies: what a frame is filled from, and what the history records.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/sim/sim_frame.h"
+
+namespace taxel {
+
+/// One sensor in the step just made. Pointers are valid until the next one.
+struct SensorView {
+  Pose X_WM;
+  dvec3 force_W{0}, uncovered_W{0};  ///< see SensorFrameState
+  std::span<const double> readings;
+  std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
+  std::span<const RayHit> hits;                 ///< by ray
+  std::span<const std::int32_t> hit_rays;       ///< ascending: those of `hits` that are no misses
+};
+
+struct StepView {
+  std::shared_ptr<const SimScene> scene;
+  std::uint64_t step = 0;
+  double time = 0, travel = 0;
+  bool finished = false;
+  std::vector<Pose> geom_poses;
+  std::vector<SensorView> sensors;
+};
+
+/// Copies what a viewer needs.
+void fill_frame(const StepView& now, SimFrame& frame);
+
+/// MuJoCo's state after a step, from which the next one goes on the same way, bit for bit.
+struct SimState {
+  std::vector<double> integration;  ///< mjSTATE_INTEGRATION
+  std::uint64_t step = 0;
+  double time = 0, travel = 0;  ///< of the state that was evaluated
+  bool row_due = false;
+};
+
+}  // namespace taxel

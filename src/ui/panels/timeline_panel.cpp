@@ -1,0 +1,124 @@
+#include "ui/panels/timeline_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "ui/panels/dock_layout.h"
+#include "ui/tools/actions.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/timeline_lanes.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr FieldUnit kPercent{"", -2, 1};
+
+void gap() {
+  ImGui::SameLine(0, 1.1f * ImGui::GetFontSize());
+}
+
+void draw_film(UiState& ui, const UiInput& input) {
+  const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  const auto text_button = [&](const char* label, Action action, const char* tip) {
+    ImGui::SameLine(0, 3);
+    if (button(ui, label)) perform(action, ui, input);
+    tooltip(tip);
+  };
+  const bool back = input.replay<0, forth = input.replay> 0;
+  if (icon_button(ui, "Backwards", back ? Icon::pause : Icon::backwards, {2 * line, height}, nullptr,
+                  "Play recorded steps backwards (Shift+Space)"))
+    perform(Action::play_backwards, ui, input);
+  ImGui::SameLine(0, 3);
+  if (icon_button(ui, "Replay", forth ? Icon::pause : Icon::run, {2 * line, height}, nullptr,
+                  "Play recorded steps; Run (Space) simulates on from the step that is shown"))
+    ui.ask(ReplayHistory{forth ? 0 : 1});
+  text_button("< Event", Action::previous_event, "Previous event (Shift+Left)");
+  text_button("Event >", Action::next_event, "Next event (Shift+Right)");
+  text_button("Newest", Action::newest_step, "The newest step (End)");
+  ImGui::SameLine(0, 3);
+  if (toggle(ui, "Loop", input.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
+    perform(Action::loop_range, ui, input);
+}
+
+void draw_breakpoints(UiState& ui, const UiInput& input) {
+  const Breakpoints& now = input.frame->breakpoints;
+  Breakpoints wanted = now;
+  const float field = 3.1f * ImGui::GetFontSize();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Pause at");
+  ImGui::SameLine(0, 5);
+  if (toggle(ui, "Jumps", now.on_jump, "Pause when a taxel jumps by more than this (Shift+B)"))
+    wanted.on_jump = !now.on_jump;
+  ImGui::SameLine(0, 3);
+  if (const auto part = number_field(ui, "Jump", {now.jump}, kPercent, field); part && *part > 0) wanted.jump = *part;
+  tooltip("A jump: from one step to the next, as part of the sensor's largest reading so far");
+  ImGui::SameLine(0, 3);
+  ImGui::TextDisabled("%%");
+  ImGui::SameLine(0, 9);
+  if (toggle(ui, "at equal force", now.at_equal_force, "Pause when a taxel jumps while the force stays"))
+    wanted.at_equal_force = !now.at_equal_force;
+  ImGui::SameLine(0, 3);
+  if (const auto part = number_field(ui, "Force change", {now.equal_force}, kPercent, field); part && *part >= 0)
+    wanted.equal_force = *part;
+  tooltip("The force stays where it changes by no more than this part of itself");
+  ImGui::SameLine(0, 3);
+  ImGui::TextDisabled("%%");
+  if (!(wanted == now)) ui.ask(SetBreakpoints{wanted});
+}
+
+/// How much is kept, and what it costs.
+void draw_memory(UiState& ui, const UiInput& input) {
+  const HistoryState& history = input.frame->history;
+  const std::string shown = input.frame->recorded
+                                ? fmt::format("step {} of {}", grouped(static_cast<long long>(input.frame->step)),
+                                              grouped(static_cast<long long>(history.last)))
+                                : fmt::format("step {}", grouped(static_cast<long long>(history.last)));
+  const std::string text =
+      fmt::format("{}   {} steps, {:.0f} MB of", shown, grouped(static_cast<long long>(history.steps)),
+                  1e-6 * static_cast<double>(history.bytes));
+  const float field = 4.4f * ImGui::GetFontSize();
+  const float width = ImGui::CalcTextSize(text.c_str()).x + field + 6;
+  ImGui::SameLine();
+  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width;
+  if (right < ImGui::GetCursorPosX()) return;  // no room
+  ImGui::SetCursorPosX(right);
+  ImGui::TextDisabled("%s", text.c_str());
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("Steps are kept as they were computed.\nRecording one takes %s of %s.",
+                      duration_text(history.step_seconds).c_str(), duration_text(input.frame->step_seconds).c_str());
+  ImGui::SameLine(0, 6);
+  const std::optional<double> steps =
+      number_field(ui, "Kept steps", {static_cast<double>(history.limits.steps)}, {"", 0, 0}, field);
+  if (steps && *steps >= 1 && *steps <= 1e7) {
+    StepHistoryLimits limits = history.limits;
+    limits.steps = static_cast<std::size_t>(*steps);
+    ui.ask(SetHistoryLimits{limits});
+  }
+  tooltip("At most so many steps are kept");
+}
+
+}  // namespace
+
+void draw_timeline_panel(UiState& ui, const UiInput& input) {
+  ui.timeline.lanes = {};
+  if (begin_panel(ui, kTimelineTitle, &ui.saved.panels.timeline)) {
+    const bool recorded = input.frame && input.frame->history.lanes && input.frame->history.lanes->rows() > 0;
+    if (!recorded || input.sensor(ui) == nullptr) {
+      ImGui::TextDisabled("No sensor is simulated.");
+    } else {
+      ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+      draw_film(ui, input);
+      gap();
+      draw_breakpoints(ui, input);
+      draw_memory(ui, input);
+      ImGui::PopStyleVar();
+      draw_timeline_lanes(ui, input, ImGui::GetContentRegionAvail());
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,198 @@
+// The simulation's thread and its past: steps shown again, gone on from, stopped at, and kept when it blows up.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <thread>
+
+#include "core/sim/history/breakpoints.h"
+#include "core/sim/sim_thread.h"
+#include "core/sim/simulator.h"
+#include "fixtures/sweep_model.h"
+
+namespace taxel {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ThreadHistory : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
+  static void TearDownTestSuite() { model_.reset(); }
+  void SetUp() override { thread_.set_clock_driven(false); }
+
+  /// The frame after a command.
+  SimFramePtr ask(SimCommand command) {
+    const std::uint64_t number = thread_.send(std::move(command));
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (std::chrono::steady_clock::now() < end) {
+      if (SimFramePtr frame = thread_.newest_frame(); frame && frame->commands >= number) return frame;
+      std::this_thread::sleep_for(100us);
+    }
+    throw std::runtime_error("no answer");
+  }
+  SimFramePtr run_to(int step) {
+    ask(LoadSweepCommand{model_, {}});
+    return ask(StepCommand{step});
+  }
+  static SensorModelPtr model_;
+  SimThread thread_;
+};
+SensorModelPtr ThreadHistory::model_;
+
+TEST_F(ThreadHistory, ScrubbingShowsTheRecordedStepAndTheTimelineStays) {
+  const SimFramePtr before = run_to(1300), newest = ask(StepCommand{10});
+  EXPECT_FALSE(newest->recorded);
+  EXPECT_EQ(newest->history.first, 0u) << "the start, before the first step";
+  EXPECT_EQ(newest->history.last, 1310u);
+  EXPECT_EQ(newest->history.steps, 1311u);
+  EXPECT_EQ(newest->history.lanes->rows(), 1311u);
+  EXPECT_GT(newest->history.bytes, 100000u);
+  EXPECT_GT(newest->history.step_seconds, 0);
+  EXPECT_LT(newest->history.step_seconds, newest->step_seconds);
+  const SimFramePtr scrubbed = ask(ScrubCommand{1300});
+  EXPECT_TRUE(scrubbed->recorded);
+  EXPECT_FALSE(scrubbed->playing);
+  EXPECT_EQ(scrubbed->step, 1300u);
+  EXPECT_EQ(scrubbed->time, before->time);
+  EXPECT_EQ(scrubbed->travel, before->travel);
+  EXPECT_EQ(scrubbed->sensors[0].readings, before->sensors[0].readings);
+  EXPECT_EQ(scrubbed->sensors[0].surfaces[0].polygons.size(), before->sensors[0].surfaces[0].polygons.size());
+  EXPECT_EQ(scrubbed->history.last, 1310u);
+  EXPECT_EQ(scrubbed->trace->size(), newest->trace->size());
+  EXPECT_EQ(ask(ScrubCommand{0})->step, 0u);
+  const SimFramePtr back = ask(ScrubCommand{99999});
+  EXPECT_EQ(back->step, 1310u);
+  EXPECT_FALSE(back->recorded);
+  EXPECT_EQ(back->sensors[0].readings, newest->sensors[0].readings);
+}
+
+TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
+  run_to(1250);
+  const SimFramePtr middle = ask(StepCommand{30}), later = ask(StepCommand{70});
+  ask(ScrubCommand{1250});
+  const SimFramePtr again = ask(StepCommand{30});
+  EXPECT_EQ(again->step, 1280u);
+  EXPECT_FALSE(again->recorded);
+  EXPECT_EQ(again->history.last, 1280u);
+  EXPECT_EQ(again->history.lanes->steps.back().step, 1280u);
+  EXPECT_EQ(again->sensors[0].readings, middle->sensors[0].readings);
+  EXPECT_EQ(again->trace->size(), middle->trace->size());
+  EXPECT_EQ(again->runs, middle->runs) << "the same run";
+  EXPECT_EQ(ask(StepCommand{70})->sensors[0].readings, later->sensors[0].readings) << "and so on";
+}
+
+TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
+  SweepScenario scenario;
+  scenario.before = scenario.past = 0.001;
+  ask(LoadSweepCommand{model_, scenario});
+  const SimFramePtr end = ask(StepCommand{100000});
+  ASSERT_TRUE(end->finished);
+  ask(ScrubCommand{100});
+  EXPECT_TRUE(ask(PlayCommand{})->playing);
+  const SimFramePtr again = ask(StepCommand{100000});
+  EXPECT_TRUE(again->finished);
+  EXPECT_EQ(again->step, end->step);
+  EXPECT_EQ(again->sensors[0].readings, end->sensors[0].readings);
+  EXPECT_EQ(again->trace->size(), end->trace->size());
+}
+
+TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
+  Breakpoints limits;
+  limits.jump = 0.03;
+  // by the definition, over a plain loop
+  const auto simulator = Simulator::make_sweep(model_, {});
+  simulator->step();  // the look before the first step reads the same
+  std::vector<double> before = simulator->row().readings[0];
+  double largest = limits.least_pressure;
+  std::uint64_t expected = 0;
+  std::size_t expected_taxel = 0;
+  for (std::uint64_t step = 2; expected == 0 && !simulator->finished(); ++step) {
+    simulator->step();
+    const std::vector<double> now = simulator->row().readings[0];
+    for (const double reading : now) largest = std::max(largest, reading);
+    double change = limits.jump * largest;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      if (std::abs(now[k] - before[k]) <= change) continue;
+      change = std::abs(now[k] - before[k]);
+      expected = step;
+      expected_taxel = k;
+    }
+    before = now;
+  }
+  ASSERT_GT(expected, 500u) << "this sweep has such a step, in contact";
+  limits.on_jump = true;
+  ask(BreakpointsCommand{limits});
+  ask(LoadSweepCommand{model_, {}});
+  ask(PlayCommand{});
+  const SimFramePtr frame = ask(StepCommand{2401});
+  EXPECT_EQ(frame->step, expected);
+  EXPECT_FALSE(frame->playing);
+  ASSERT_TRUE(frame->stop.has_value());
+  EXPECT_EQ(frame->stop->step, expected);
+  EXPECT_EQ(frame->stop->taxel, static_cast<int>(expected_taxel));
+  EXPECT_EQ(frame->stop->after, before[expected_taxel]);
+  EXPECT_GT(frame->stop->part, 0.03);
+  EXPECT_TRUE(frame->history.lanes->steps.back().has(StepEvent::jump) ||
+              frame->history.lanes->steps.back().has(StepEvent::jump_at_equal_force));
+  EXPECT_EQ(frame->sensors[0].readings, before);
+  const SimFramePtr on = ask(StepCommand{1});
+  EXPECT_EQ(on->step, expected + 1) << "it goes on";
+}
+
+TEST_F(ThreadHistory, ALayoutThatIsReplacedWhileThePastIsShownLeavesItAsItIs) {
+  Layout moved = model_->layout;
+  for (Taxel& taxel : moved.taxels) taxel.radius *= 0.8;
+  const SensorModelPtr edited = build_sensor_model(moved, model_->mesh, moved.mesh.sha256, "edited");
+  const SimFramePtr before = run_to(1400);
+  ask(StepCommand{500});
+  ask(ScrubCommand{1400});
+  const SimFramePtr replaced = ask(ReplaceModelCommand{model_, edited});
+  EXPECT_TRUE(replaced->recorded);
+  EXPECT_EQ(replaced->scene->sensors[0], model_);
+  EXPECT_EQ(replaced->simulated->sensors[0], edited);
+  EXPECT_EQ(replaced->sensors[0].readings, before->sensors[0].readings);
+  const SimFramePtr on = ask(StepCommand{1});
+  EXPECT_EQ(on->step, 1401u);
+  EXPECT_EQ(on->scene->sensors[0], edited);
+}
+
+TEST_F(ThreadHistory, AnUnstableSimulationStopsAtTheStepBeforeAndNamesTheBody) {
+  const std::filesystem::path file = std::filesystem::path(TAXEL_BINARY_DIR) / "unstable.xml";
+  std::ofstream(file) << R"(<mujoco><option timestep="0.01" gravity="0 0 -1e10"/><worldbody>
+    <body name="still"><geom type="sphere" size="0.1"/></body>
+    <body name="stone" pos="0 0 1"><freejoint/><geom type="sphere" size="0.1" contype="0" conaffinity="0"/></body>
+  </worldbody></mujoco>)";
+  ask(LoadSceneCommand{file.string()});
+  const SimFramePtr frame = ask(StepCommand{100000});
+  EXPECT_NE(frame->error.find("body \"stone\""), std::string::npos) << frame->error;
+  EXPECT_FALSE(frame->playing);
+  EXPECT_GT(frame->step, 5u);
+  EXPECT_EQ(frame->step, frame->history.last) << "the step before";
+  EXPECT_EQ(frame->history.first, 0u) << "the history is kept";
+  for (const Pose& pose : frame->geom_poses) EXPECT_TRUE(std::isfinite(pose.p.z));
+  EXPECT_LT(frame->geom_poses[1].p.z, -1e5) << "it fell, and was not put back to the start";
+  const SimFramePtr earlier = ask(ScrubCommand{2});
+  EXPECT_EQ(earlier->step, 2u);
+  const SimFramePtr again = ask(PlayCommand{});
+  EXPECT_TRUE(again->error.empty()) << "it goes on from there";
+  EXPECT_EQ(ask(StepCommand{1})->step, 3u);
+  EXPECT_EQ(ask(StepCommand{100000})->step, frame->step) << "to the same end";
+  const SimFramePtr rewound = ask(PlayCommand{});
+  EXPECT_EQ(rewound->step, 0u) << "from where it blew up there is no way on";
+}
+
+TEST_F(ThreadHistory, LimitsAreChangedWhileItRuns) {
+  run_to(300);
+  ask(ScrubCommand{10});
+  const SimFramePtr frame = ask(StepHistoryLimitsCommand{{50, std::size_t{1} << 30}});
+  EXPECT_EQ(frame->history.steps, 50u);
+  EXPECT_EQ(frame->history.first, 251u);
+  EXPECT_EQ(frame->step, 251u) << "the step that was shown is forgotten: the oldest is";
+  EXPECT_EQ(frame->history.limits.steps, 50u);
+  EXPECT_EQ(ask(ResetCommand{})->history.steps, 1u);
+}
+
+}  // namespace
+}  // namespace taxel

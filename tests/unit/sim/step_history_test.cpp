@@ -1,0 +1,259 @@
+// Recorded steps: the same bits as were computed, for as many steps as fit, and a simulation that goes on from any of
+// them as it did.
+#include "core/sim/history/step_history.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/sim/simulator.h"
+#include "fixtures/counted_new.h"
+#include "fixtures/sweep_model.h"
+
+namespace taxel {
+namespace {
+
+constexpr int kBeforeContact = 800;  // steps of the sweep
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+template <class Container>
+bool same_elements(const Container& a, const Container& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0);
+}
+
+void expect_same_surface(const ContactSurface& a, const ContactSurface& b) {
+  EXPECT_TRUE(same_elements(a.vertices, b.vertices));
+  EXPECT_TRUE(same_elements(a.pressure, b.pressure));
+  ASSERT_EQ(a.polygons.size(), b.polygons.size());
+  for (std::size_t i = 0; i < a.polygons.size(); ++i) {
+    const ContactPolygon &p = a.polygons[i], &q = b.polygons[i];
+    EXPECT_EQ(p.first, q.first);
+    EXPECT_EQ(p.count, q.count);
+    EXPECT_TRUE(same_bits(p.normal, q.normal) && same_bits(p.centroid, q.centroid) &&
+                same_bits(p.gradient, q.gradient) && same_bits(p.area, q.area) && same_bits(p.pressure, q.pressure));
+    EXPECT_EQ(std::tie(p.tet, p.tet_b, p.face), std::tie(q.tet, q.tet_b, q.face));
+  }
+  for (std::size_t r = 0; r < kRejections; ++r) {
+    EXPECT_EQ(a.rejected[r].count, b.rejected[r].count);
+    EXPECT_TRUE(same_bits(a.rejected[r].force, b.rejected[r].force));
+  }
+  EXPECT_TRUE(same_elements(a.filtered_vertices, b.filtered_vertices));
+  EXPECT_EQ(a.filtered.size(), b.filtered.size());
+}
+
+void expect_same_frame(const SimFrame& a, const SimFrame& b) {
+  EXPECT_EQ(a.scene, b.scene);
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_TRUE(same_bits(a.time, b.time) && same_bits(a.travel, b.travel));
+  EXPECT_EQ(a.finished, b.finished);
+  EXPECT_TRUE(same_elements(a.geom_poses, b.geom_poses));
+  ASSERT_EQ(a.sensors.size(), b.sensors.size());
+  for (std::size_t s = 0; s < a.sensors.size(); ++s) {
+    const SensorFrameState &x = a.sensors[s], &y = b.sensors[s];
+    EXPECT_TRUE(same_bits(x.X_WM, y.X_WM) && same_bits(x.force_W, y.force_W) &&
+                same_bits(x.uncovered_W, y.uncovered_W));
+    EXPECT_TRUE(same_elements(x.readings, y.readings));
+    ASSERT_EQ(x.surfaces.size(), y.surfaces.size());
+    for (std::size_t i = 0; i < x.surfaces.size(); ++i) expect_same_surface(x.surfaces[i], y.surfaces[i]);
+    ASSERT_EQ(x.hits.size(), y.hits.size());
+    bool same_hits = true;
+    for (std::size_t i = 0; i < x.hits.size(); ++i) {
+      const RayHit &h = x.hits[i], &g = y.hits[i];
+      same_hits = same_hits && h.surface == g.surface && h.polygon == g.polygon && same_bits(h.depth, g.depth) &&
+                  same_bits(h.pressure, g.pressure);
+    }
+    EXPECT_TRUE(same_hits);
+  }
+}
+
+/// A sweep that records what it does.
+struct Recorder {
+  std::unique_ptr<Simulator> simulator;
+  StepHistory history;
+  SimState state;
+  std::optional<Jump> step() {
+    simulator->step();
+    simulator->save_state(state);
+    return history.record(simulator->view(), state);
+  }
+  void skip(int steps) {
+    for (int i = 0; i < steps; ++i) simulator->step();
+  }
+  [[nodiscard]] SimFrame now() const {
+    SimFrame frame;
+    simulator->fill_frame(frame);
+    return frame;
+  }
+  [[nodiscard]] SimFrame recorded(std::uint64_t number) const {
+    SimFrame frame;
+    history.fill_frame(number, frame);
+    return frame;
+  }
+};
+
+class History : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    model_ = test::fingertip_model(1e5);
+    Layout moved = model_->layout;
+    for (Taxel& taxel : moved.taxels) taxel.radius *= 0.8;
+    edited_ = build_sensor_model(moved, model_->mesh, moved.mesh.sha256, "edited");
+  }
+  static void TearDownTestSuite() { model_.reset(), edited_.reset(); }
+  static Recorder sweep(int skipped = kBeforeContact) {
+    Recorder recorder{Simulator::make_sweep(model_, {}), {}, {}};
+    recorder.skip(skipped);
+    return recorder;
+  }
+  static SensorModelPtr model_, edited_;
+};
+SensorModelPtr History::model_, History::edited_;
+
+TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
+  Recorder run = sweep();
+  std::vector<SimFrame> kept;
+  for (int i = 0; i < 520; ++i) {
+    run.step();
+    if (i < 20 || i % 37 == 0) kept.push_back(run.now());
+  }
+  run.simulator->replace_model(model_, edited_);
+  run.history.replace_newest(run.simulator->view());
+  for (int i = 0; i < 5; ++i) run.step();
+  std::size_t with_polygons = 0, with_hits = 0;
+  for (const SimFrame& frame : kept) {
+    expect_same_frame(run.recorded(frame.step), frame);
+    for (const ContactSurface& surface : frame.sensors[0].surfaces) with_polygons += surface.polygons.empty() ? 0 : 1;
+    for (const RayHit& hit : frame.sensors[0].hits) with_hits += hit.hit() ? 1 : 0;
+  }
+  EXPECT_GT(with_polygons, 5u) << "the finger touches the box in these steps";
+  EXPECT_GT(with_hits, 20u);
+  EXPECT_LE(kept.front().step + 500, run.history.last());
+  EXPECT_EQ(run.recorded(run.history.last()).scene->sensors[0], edited_);
+  expect_same_frame(run.recorded(run.history.last()), run.now());
+}
+
+TEST_F(History, TheNewestStepIsReadAnewByAnotherLayoutAndSaysSo) {
+  Recorder run = sweep(1500);
+  for (int i = 0; i < 10; ++i) run.step();
+  const SimFrame before = run.now();
+  run.simulator->replace_model(model_, edited_);
+  run.history.replace_newest(run.simulator->view());
+  expect_same_frame(run.recorded(before.step), run.now());
+  EXPECT_NE(run.now().sensors[0].readings, before.sensors[0].readings);
+  const auto lanes = run.history.lanes();
+  EXPECT_TRUE(lanes->steps.back().has(StepEvent::other_layout));
+  const std::span<const double> row = lanes->readings_of(lanes->rows() - 1);
+  EXPECT_TRUE(std::equal(row.begin(), row.end(), run.now().sensors[0].readings.begin()));
+  run.step();
+  EXPECT_FALSE(run.history.lanes()->steps.back().has(StepEvent::other_layout));
+}
+
+TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
+  Recorder run = sweep();
+  std::vector<SimFrame> frames;
+  for (int i = 0; i < 400; ++i) {
+    run.step();
+    frames.push_back(run.now());
+  }
+  const std::uint64_t from = frames[120].step;
+  run.simulator->restore_state(run.history.state(from));
+  run.history.cut_after(from);
+  EXPECT_EQ(run.history.last(), from);
+  EXPECT_EQ(run.history.lanes()->steps.back().step, from);
+  for (std::size_t i = 121; i < 400; ++i) {
+    run.step();
+    expect_same_frame(run.now(), frames[i]);
+    expect_same_frame(run.recorded(frames[i].step), frames[i]);
+  }
+  Simulator& simulator = *run.simulator;
+  EXPECT_TRUE(simulator.row().readings[0] == frames.back().sensors[0].readings);
+}
+
+TEST_F(History, AStateOfAnotherSceneIsRefused) {
+  Recorder run = sweep(0);
+  SimState other;
+  other.integration = {1, 2, 3};
+  EXPECT_THROW(run.simulator->restore_state(other), std::exception);
+}
+
+TEST_F(History, KeepsTheLatestStepsThatFit) {
+  Recorder run = sweep(1200);
+  run.history.set_limits({300, std::size_t{1} << 30});
+  for (int i = 0; i < 450; ++i) run.step();
+  EXPECT_EQ(run.history.size(), 300u);
+  EXPECT_EQ(run.history.last(), 1650u);
+  EXPECT_EQ(run.history.first(), 1351u);
+  EXPECT_FALSE(run.history.contains(1350));
+  const auto lanes = run.history.lanes();
+  ASSERT_EQ(lanes->rows(), 300u);
+  for (std::size_t row = 0; row < lanes->rows(); ++row) {
+    const SimFrame frame = run.recorded(lanes->steps[row].step);
+    EXPECT_EQ(frame.time, lanes->steps[row].time);
+    EXPECT_EQ(frame.sensors[0].readings[3], lanes->readings_of(row)[3]);
+    EXPECT_EQ(glm::length(frame.sensors[0].force_W), lanes->sensor(row, 0).force);
+  }
+  // bytes, as the sum of the arrays that a frame has
+  std::size_t arrays = 0;
+  for (std::uint64_t step = run.history.first(); step <= run.history.last(); ++step) {
+    const SimFrame frame = run.recorded(step);
+    for (const ContactSurface& surface : frame.sensors[0].surfaces)
+      arrays +=
+          surface.vertices.size() * (sizeof(dvec3) + sizeof(double)) + surface.polygons.size() * sizeof(ContactPolygon);
+  }
+  EXPECT_GT(run.history.bytes(), arrays);
+  EXPECT_LT(run.history.bytes(), 2 * arrays + 6000000);
+  // and a limit of bytes
+  const std::size_t half = run.history.bytes() / 2;
+  run.history.set_limits({300, half});
+  EXPECT_LT(run.history.size(), 200u);
+  EXPECT_GT(run.history.size(), 50u);
+  for (int i = 0; i < 50; ++i) run.step();
+  EXPECT_LE(run.history.bytes(), half + 100000) << "the rows of the timeline are little beside";
+  EXPECT_EQ(run.history.last(), 1700u);
+  run.history.set_limits({0, 0});
+  EXPECT_EQ(run.history.size(), 1u) << "never none";
+}
+
+TEST_F(History, AFullOneTakesNoNewMemoryInSteadyState) {
+  Recorder run = sweep(1500);
+  run.history.set_limits({20, std::size_t{1} << 30});
+  for (int i = 0; i < 60; ++i) run.step();
+  const StepView view = run.simulator->view();
+  StepView next = view;
+  const long before = allocation_count();
+  for (int i = 0; i < 20; ++i) {
+    run.state.step = ++next.step;
+    run.history.record(next, run.state);
+  }
+  // a deque's block, rows that grow, a step larger than the one whose memory it takes: now and then, not each time
+  EXPECT_LT(allocation_count() - before, 40);
+}
+
+TEST_F(History, RowsTellWhatHappened) {
+  Recorder run = sweep(700);
+  while (run.history.empty() || run.history.last() < 3000) {
+    if (run.simulator->finished()) break;
+    run.step();
+  }
+  const auto lanes = run.history.lanes();
+  int begins = 0;
+  for (std::size_t row = 1; row < lanes->rows(); ++row) {
+    const SensorSummary &now = lanes->sensor(row, 0), &before = lanes->sensor(row - 1, 0);
+    EXPECT_EQ(lanes->steps[row].has(StepEvent::contact_begins), now.polygons > 0 && before.polygons == 0);
+    EXPECT_EQ(lanes->steps[row].has(StepEvent::contact_ends), now.polygons == 0 && before.polygons > 0);
+    begins += lanes->steps[row].has(StepEvent::contact_begins) ? 1 : 0;
+    double largest = 0;
+    for (std::size_t k = 0; k < lanes->reading_count; ++k)
+      largest = std::max(largest, std::abs(lanes->readings_of(row)[k] - lanes->readings_of(row - 1)[k]));
+    EXPECT_EQ(now.largest_jump, largest);
+    EXPECT_EQ(now.smallest_polygon > 0, now.polygons > 0);
+    EXPECT_LE(now.smallest_polygon * now.polygons, now.area * (1 + 1e-12));
+  }
+  EXPECT_GE(begins, 1);
+}
+
+}  // namespace
+}  // namespace taxel
