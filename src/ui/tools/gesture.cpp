@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/scene/scene_cast.h"
 #include "ui/tools/area_select.h"
 #include "ui/tools/brush.h"
 #include "ui/tools/camera_tool.h"
