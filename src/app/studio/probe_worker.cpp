@@ -4,16 +4,17 @@
 
 #include "app/studio/documents.h"
 #include "core/base/error.h"
+#include "core/mesh/mesh_check.h"
 
 namespace taxel::studio {
 
 namespace {
 
-/// As the window opens meshes: in metres, or in millimetres where they would be too large.
+/// In the unit that the window takes meshes for.
 TriMeshPtr load_probe(const std::string& file) {
   if (file.empty()) throw Error("", "probe", "choose a mesh file");
   const LoadedMesh loaded = load_mesh(file);
-  const double unit = guessed_unit(loaded.mesh->bounds());
+  const double unit = guess_unit(*loaded.mesh).scale;
   return unit == 1.0 ? loaded.mesh : load_mesh(file, dvec3(unit)).mesh;
 }
 
