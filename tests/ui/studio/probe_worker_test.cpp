@@ -62,7 +62,7 @@ TEST_F(ProbeWorkerTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
 TEST_F(ProbeWorkerTest, AModelThatIsBuiltComesWithItsReading) {
   EditSession edits(
       cache, [] {}, [this](const SensorModelPtr& model) { worker.press_now(model); });
-  edits.open(document.project, document.mesh.mesh, document.mesh.sha256, "");
+  edits.open(document.project, document.mesh, "");
   worker.press(document.model, wish);
   worker.wait();
   TaxelChange change;
