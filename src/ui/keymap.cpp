@@ -107,7 +107,7 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_inspector, kEverywhere, 0, false, "Inspector panel", "Panels", false},
     Binding{Action::toggle_bars, kEverywhere, 0, false, "Pressure bars panel", "Panels", false},
     Binding{Action::toggle_plots, kEverywhere, ImGuiKey_F4, false, "Plot panel", "Panels", false},
-    Binding{Action::toggle_timeline, kEverywhere, 0, false, "Timeline panel", "Panels", false},
+    Binding{Action::toggle_timeline, kSimulate, 0, false, "Timeline panel", "Panels", false},
     Binding{Action::toggle_section, kEverywhere, 0, false, "Section panel", "Panels", false},
     Binding{Action::toggle_messages, kEverywhere, 0, false, "Messages panel", "Panels", false},
     Binding{Action::toggle_mesh_report, kEverywhere, 0, false, "Mesh report...", "Panels", false},

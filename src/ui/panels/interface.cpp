@@ -53,7 +53,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.bars) draw_bars_panel(ui, input);
   if (shown.plot) draw_plot_panel(ui, input);
   if (shown.section) draw_section(ui, input);
-  if (shown.timeline) draw_timeline_panel(ui, input);
+  if (shown.timeline && ui.mode == Mode::simulate) draw_timeline_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 

@@ -107,7 +107,8 @@ TEST(Generate, FieldsChangeThePreviewAndNonsenseIsSaidInWords) {
   EXPECT_NE(studio.state("many.json")["generate"]["problem"].get<std::string>().find("more than 100000"),
             std::string::npos);
   EXPECT_EQ(studio.state("half.json")["generate"]["file_problem"], "Rows: must be a whole number, is 2.5");
-  EXPECT_NE(studio.state("word.json")["tool"]["problem"], "");
+  EXPECT_EQ(studio.state("word.json")["refused"]["typed"], "none");
+  EXPECT_NE(studio.state("word.json")["refused"]["words"], "");
 }
 
 TEST(Generate, TheFrameGoesWhereOneClicksAndDrags) {

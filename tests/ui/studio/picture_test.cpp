@@ -123,7 +123,12 @@ double right_colour(const Picture& picture, const Json& marks, bool facing_only,
 
 /// Turns the view so that the contact is seen from above and fills it: the pressure changes little within a pixel.
 std::vector<std::string> close_up(std::vector<std::string> script) {
-  const std::vector<std::string> gestures{R"({"event": "click", "at": {"widget": "Taxel 10"}})",
+  // Without the timeline there is room for all rows of the table, and for the contact.
+  const std::vector<std::string> gestures{R"({"event": "click", "at": {"widget": "Panels"}})",
+                                          idle(),
+                                          R"({"event": "click", "at": {"widget": "Timeline panel"}})",
+                                          idle(),
+                                          R"({"event": "click", "at": {"widget": "Taxel 10"}})",
                                           idle(),
                                           R"({"event": "key", "key": "."})",
                                           idle(),

@@ -19,18 +19,12 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Numbers 0 ... count - 1, the first of any number spread evenly over all: multiples of the golden section of the
-/// count, modulo the count (Knuth 6.4, theorem S).
+/// Numbers 0 ... count - 1, those that are near each other far apart: by multiplicative hashing (Knuth 6.4).
 std::vector<std::uint32_t> spread_order(std::size_t count) {
-  constexpr double kGoldenSection = 0.6180339887498949;
   std::vector<std::uint32_t> order(count);
-  auto stride = static_cast<std::size_t>(kGoldenSection * static_cast<double>(count)) + 1;
-  while (std::gcd(stride, count) != 1) ++stride;
-  std::size_t at = 0;
-  for (std::uint32_t& number : order) {
-    number = static_cast<std::uint32_t>(at);
-    at = (at + stride) % count;
-  }
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [](std::uint32_t i) { return i * 2654435769u; };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
   return order;
 }
 

@@ -15,7 +15,7 @@ constexpr double kSamplePart = 0.5;                            // of the distanc
 constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
 constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
-constexpr double kLeastSpacing = 3.0;                       // of samples [pixel]
+constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
 constexpr int kMostSeenThrough = 300;                       // taxels
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7;
 constexpr double kForceScale = 0.012;  // [m/N]
