@@ -11,6 +11,7 @@ add_library(imgui STATIC
   ${_implot}/implot.cpp ${_implot}/implot_items.cpp)
 target_include_directories(imgui SYSTEM PUBLIC ${_imgui} ${_imgui}/backends ${_imgui}/misc/cpp ${_implot})
 target_compile_features(imgui PUBLIC cxx_std_20)
-target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)(int)")
+target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS "IMPLOT_CUSTOM_NUMERIC_TYPES=(double)")
 target_link_libraries(imgui PRIVATE OpenGL::GL ${CMAKE_DL_LIBS})
 set_target_properties(imgui PROPERTIES POSITION_INDEPENDENT_CODE ON)
+taxel_optimise(imgui 1)  # ImPlot alone takes minutes otherwise
