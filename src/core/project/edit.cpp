@@ -12,6 +12,13 @@
 #include "core/project/taxel_edits.h"
 
 namespace taxel {
+
+Edit::Edit(const Edit&) = default;
+Edit& Edit::operator=(const Edit&) = default;
+Edit::Edit(Edit&&) noexcept = default;
+Edit& Edit::operator=(Edit&&) noexcept = default;
+Edit::~Edit() = default;
+
 namespace {
 
 /// What layout_check calls an error in the settings below `pointer`.

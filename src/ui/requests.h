@@ -1,0 +1,145 @@
+// What panels ask of the program; carried out after the frame, in order.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/project/edit.h"
+#include "core/project/history.h"
+#include "core/sim/sim_command.h"
+#include "ui/widgets/field_state.h"
+
+namespace taxel::ui {
+
+enum class Mode { layout, simulate };
+
+enum class FileTask {
+  open,
+  save_project,
+  export_layout,
+  export_taxels,
+  export_samples,
+  export_sheet,
+  export_picture,
+  read_points
+};
+
+/// What can be done about an open file that somebody else has changed.
+enum class FileOffer {
+  reload,       ///< read the document again, as an edit
+  use_mesh,     ///< as it is now
+  project_back  ///< use the mesh, and bring the taxels back to its surface
+};
+
+struct OpenFile {
+  std::string path;
+};
+struct OpenFingertipSweep {};
+struct CloseDocument {};
+struct ListFolder {
+  std::string path;
+};
+struct CancelLoading {};  ///< or polishing, whichever runs
+struct PolishSamples {};  ///< of the document, which shows a preview's
+struct SendCommand {
+  SimCommand command;
+};
+struct RunSweep {
+  SweepScenario scenario;
+};
+struct SetPlaying {
+  bool playing = false;
+};
+struct StepOnce {};
+/// A step of the history is shown; the simulation pauses.
+struct ScrubTo {
+  std::uint64_t step = 0;
+};
+struct StepBack {};
+/// Plays recorded steps, from the one that is shown: 1 forwards, -1 backwards.
+struct ReplayHistory {
+  int direction = -1;
+};
+struct SetLoop {
+  std::optional<StepRange> range;  ///< none: no loop
+};
+struct SetBreakpoints {
+  Breakpoints breakpoints;
+};
+struct SetHistoryLimits {
+  StepHistoryLimits limits;
+};
+struct ResetSimulation {};
+struct SetSpeed {
+  double factor = 1;
+};
+struct SetMode {
+  Mode mode = Mode::simulate;
+};
+struct ReloadFile {};
+struct SetMeshUnit {
+  double metres = 1;  ///< that one unit of the mesh file is
+};
+struct EditProject {
+  Edit edit;
+  taxel::Gesture gesture;
+  std::optional<FieldInput> from = {};  ///< which says why, where the edit is refused
+};
+struct CancelGesture {
+  std::uint64_t number = 0;
+};
+struct EndGesture {};
+struct UndoStep {};
+struct RedoStep {};
+struct CopyTaxels {};  ///< those selected, as JSON
+struct PasteTaxels {};
+/// Empty: where it is, or the user is asked. `replace`: another file of that name may be lost.
+struct SaveProject {
+  std::string path;
+  bool replace = false;
+};
+struct SaveProjectAs {};  ///< asks
+struct ExportFile {
+  FileTask task = FileTask::export_layout;
+  std::string path;  ///< empty: asks
+  bool replace = false;
+  int width = 0, height = 0;  ///< of a picture [pixels]
+};
+struct DialogClosed {};  ///< without a file
+enum class UnsavedAnswer { save, discard, cancel };
+struct AnswerUnsaved {
+  UnsavedAnswer answer = UnsavedAnswer::cancel;
+};
+struct AnswerRecovery {
+  bool recover = false;  ///< else it is thrown away
+};
+struct AnswerNotice {
+  std::string file;
+  std::optional<FileOffer> taken;  ///< none: all stays as it is
+};
+struct PreviewPattern {};  ///< of what ui.generate asks for
+struct DropPreview {};     ///< the one that is being made
+struct ReadPoints {        ///< a table or a picture for ui.generate
+  std::string path;
+};
+struct TakeScreenshot {};
+struct Quit {};
+/// One of these. Copied, moved and destroyed in one place: the code for that, of so many kinds, in every file that
+/// makes one takes most of its compile time.
+struct Request
+    : std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
+                   RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
+                   SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
+                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
+                   ExportFile, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview,
+                   ReadPoints, TakeScreenshot, Quit> {
+  using variant::variant;
+  Request(const Request&);
+  Request& operator=(const Request&);
+  Request(Request&&) noexcept;
+  Request& operator=(Request&&) noexcept;
+  ~Request();
+};
+
+}  // namespace taxel::ui
