@@ -15,8 +15,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kMeanings{{
     {"mesh_open",
      "It has no inside, so it cannot be soft: no pressure field, no contact, no readings. Taxels can be placed, seen "
-     "and "
-     "exported. Close the holes and load it again."},
+     "and exported. Close the holes and load it again."},
     {"mesh_nonmanifold",
      "What lies inside is not defined there, so it cannot be soft. Distances along the surface end there."},
     {"mesh_winding",

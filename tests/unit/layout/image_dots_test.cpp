@@ -56,7 +56,7 @@ TEST(ImageDots, LieOnTheSkinAsThePictureLies) {
   dots.width = 0.008;  // a pixel is a millimetre
   dots.center = {0.001, 0.002, 0.01};
   dots.radius = 0.004;
-  const std::vector<Taxel> above = image_dots(drawn(kThree), dots, plate());
+  const std::vector<Taxel> above = image_dots(drawn(kThree), dots, plate()).taxels;
   ASSERT_EQ(above.size(), 3U);
   const dvec3 expected(0.001 - 0.003, 0.002 + 0.001, 0.001);
   EXPECT_LT(glm::distance(above[0].center, expected), 1e-17);
@@ -68,7 +68,7 @@ TEST(ImageDots, LieOnTheSkinAsThePictureLies) {
   dots.center.z = -0.01;
   dots.normal = {0, 0, -2};
   dots.along_row = {-3, 0, 1};
-  const std::vector<Taxel> below = image_dots(drawn(kThree), dots, plate());
+  const std::vector<Taxel> below = image_dots(drawn(kThree), dots, plate()).taxels;
   EXPECT_LT(glm::distance(below[0].center, dvec3(0.001 + 0.003, 0.003, -0.001)), 1e-17);
 }
 

@@ -46,17 +46,14 @@ std::vector<Taxel> planar_grid(const Grid& grid) {
 
 std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const MeshIndex& skin, Beyond beyond) {
   const dvec3 along = require_direction("curved grid", "direction", direction);
-  std::vector<Taxel> taxels = planar_grid(grid);
-  if (beyond == Beyond::leave_out) {
-    std::erase_if(taxels, [&](const Taxel& taxel) { return !first_outside(skin, taxel.center, along); });
-    require_some("curved grid", taxels);
+  std::vector<Taxel> taxels;
+  for (const Taxel& flat : planar_grid(grid)) {
+    const auto at = skin_under(skin, flat.center, along, beyond, "curved grid", flat.name);
+    if (!at) continue;
+    taxels.push_back(taxel_on(skin.mesh(), *at, flat.id, flat.radius));
+    taxels.back().name = flat.name;
   }
-  for (Taxel& taxel : taxels) {
-    const SurfacePoint at = outside_hit(skin, taxel.center, along, "curved grid", taxel.name);
-    const std::string name = taxel.name;
-    taxel = taxel_on(skin.mesh(), at, taxel.id, taxel.radius);
-    taxel.name = name;
-  }
+  require_some("curved grid", taxels);
   return taxels;
 }
 

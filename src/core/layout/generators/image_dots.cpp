@@ -64,7 +64,7 @@ std::vector<dvec2> dots_of(const GreyImage& image, const ImageDots& dots) {
   return centers;
 }
 
-std::vector<Taxel> image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin, Beyond beyond) {
+DotTaxels image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin, Beyond beyond) {
   const std::vector<dvec2> centers = dots_of(image, dots);
   const dvec3 normal = require_direction(kName, "normal", dots.normal);
   const dvec3 along = require_direction(kName, "along_row", dots.along_row);
@@ -76,17 +76,16 @@ std::vector<Taxel> image_dots(const GreyImage& image, const ImageDots& dots, con
                 fmt::format("has no dot {} than {}", dots.light ? "lighter" : "darker", dots.threshold));
   const dvec3 right = glm::normalize(in_plane), up = glm::cross(normal, right);
   const double pixel = dots.width / image.width;
-  std::vector<Taxel> taxels;
+  DotTaxels made{{}, static_cast<int>(centers.size())};
   for (std::size_t i = 0; i < centers.size(); ++i) {
     const dvec3 start = dots.center + pixel * (centers[i].x - 0.5 * image.width) * right +
                         pixel * (0.5 * image.height - centers[i].y) * up;
-    if (beyond == Beyond::leave_out && !first_outside(skin, start, -normal)) continue;
-    const std::string where = fmt::format("dot {} at pixel ({:.5g}, {:.5g})", i, centers[i].x, centers[i].y);
-    taxels.push_back(
-        taxel_on(skin.mesh(), outside_hit(skin, start, -normal, kName, where), static_cast<int>(i), dots.radius));
+    const auto at = skin_under(skin, start, -normal, beyond, kName,
+                               fmt::format("dot {} at pixel ({:.5g}, {:.5g})", i, centers[i].x, centers[i].y));
+    if (at) made.taxels.push_back(taxel_on(skin.mesh(), *at, static_cast<int>(i), dots.radius));
   }
-  require_some(kName, taxels);
-  return taxels;
+  require_some(kName, made.taxels);
+  return made;
 }
 
 }  // namespace taxel

@@ -37,10 +37,15 @@ struct ImageDots {
 /// hang together over edges or corners; its centre is their mean. In the order of their first pixels, row by row.
 std::vector<dvec2> dots_of(const GreyImage& image, const ImageDots& dots);
 
+struct DotTaxels {
+  std::vector<Taxel> taxels;
+  int dots = 0;  ///< in the picture
+};
+
 /// A taxel for each dot, where the ray from it against the picture's normal first meets the skin, with the smooth
 /// normal there; ids in the order of dots_of. Throws Error naming the parameter, or the dot whose ray misses the skin;
 /// also for a picture without dots.
-std::vector<Taxel> image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin,
-                              Beyond beyond = Beyond::refuse);
+DotTaxels image_dots(const GreyImage& image, const ImageDots& dots, const MeshIndex& skin,
+                     Beyond beyond = Beyond::refuse);
 
 }  // namespace taxel

@@ -175,8 +175,8 @@ struct Making {
     dots.along_row = along_row();
     dots.normal = source.frame.normal;
     dots.radius = pattern.radius;
-    const std::size_t wanted = dots_of(*source.image, dots).size();
-    return counted(image_dots(*source.image, dots, skin, beyond()), wanted);
+    DotTaxels made = image_dots(*source.image, dots, skin, beyond());
+    return counted(std::move(made.taxels), static_cast<std::size_t>(made.dots));
   }
 
   [[nodiscard]] PatternTaxels preset() const {
@@ -199,12 +199,10 @@ struct Making {
     for (const Taxel& taxel : from) {
       const dvec3 d = taxel.center - box.center();
       const dvec3 over = start + glm::dot(d, u) * right + glm::dot(d, v) * up;
-      const auto at = first_outside(skin, over, -source.frame.normal);
-      if (!at && pattern.leave_out) continue;
-      taxels.push_back(taxel_on(
-          skin.mesh(),
-          at ? *at : outside_hit(skin, over, -source.frame.normal, preset.name, fmt::format("taxel {}", taxel.id)),
-          taxel.id, taxel.radius));
+      const auto at =
+          skin_under(skin, over, -source.frame.normal, beyond(), preset.name, fmt::format("taxel {}", taxel.id));
+      if (!at) continue;
+      taxels.push_back(taxel_on(skin.mesh(), *at, taxel.id, taxel.radius));
       taxels.back().name = taxel.name;
     }
     require_some(preset.name, taxels);

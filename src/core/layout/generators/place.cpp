@@ -29,30 +29,26 @@ Taxel rounded(Taxel taxel) {
   return taxel;
 }
 
-std::optional<SurfacePoint> first_outside(const MeshIndex& skin, const dvec3& origin, const dvec3& direction) {
+std::optional<SurfacePoint> skin_under(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
+                                       Beyond beyond, const std::string& generator, const std::string& where) {
   const std::optional<MeshHit> hit = skin.cast({origin, direction});
   const TriMesh& mesh = skin.mesh();
-  if (!hit || glm::dot(mesh.face_normals()[static_cast<std::size_t>(hit->face)], direction) > 0.0) return std::nullopt;
-  SurfacePoint at;
-  at.face = hit->face;
-  at.barycentric = hit->barycentric;
-  for (int c = 0; c < 3; ++c) at.position += hit->barycentric[c] * mesh.vertex(hit->face, c);
-  return at;
+  if (hit && !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(hit->face)], direction) > 0.0)) {
+    SurfacePoint at;
+    at.face = hit->face;
+    at.barycentric = hit->barycentric;
+    for (int c = 0; c < 3; ++c) at.position += hit->barycentric[c] * mesh.vertex(hit->face, c);
+    return at;
+  }
+  if (beyond == Beyond::leave_out) return std::nullopt;
+  throw Error(
+      generator, where,
+      fmt::format("the ray from [{:.6g}, {:.6g}, {:.6g}] along [{:.4g}, {:.4g}, {:.4g}] {}", origin.x, origin.y,
+                  origin.z, direction.x, direction.y, direction.z, hit ? "begins inside the mesh" : "misses the mesh"));
 }
 
 void require_some(const std::string& generator, const std::vector<Taxel>& taxels) {
   if (taxels.empty()) throw Error(generator, "no point of the pattern lies over the skin");
-}
-
-SurfacePoint outside_hit(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
-                         const std::string& generator, const std::string& where) {
-  if (const std::optional<SurfacePoint> at = first_outside(skin, origin, direction)) return *at;
-  const auto ray = [&] {
-    return fmt::format("the ray from [{:.6g}, {:.6g}, {:.6g}] along [{:.4g}, {:.4g}, {:.4g}]", origin.x, origin.y,
-                       origin.z, direction.x, direction.y, direction.z);
-  };
-  throw Error(generator, where,
-              ray() + (skin.cast({origin, direction}) ? " begins inside the mesh" : " misses the mesh"));
 }
 
 void require_count(const std::string& generator, const std::string& parameter, int value) {

@@ -21,19 +21,16 @@ Taxel taxel_on(const TriMesh& skin, const SurfacePoint& at, int id, double radiu
 /// For files that people read: the centre to 0.1 micrometre, the normal to 1e-6.
 Taxel rounded(Taxel taxel);
 
-/// The first point of the skin that a ray meets from outside. `generator` and `where` (a parameter, or the row and
-/// column) head the Error that is thrown where the ray misses the mesh or begins inside it.
-SurfacePoint outside_hit(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
-                         const std::string& generator, const std::string& where);
-
-/// The same, or none where the ray misses the mesh or begins inside it.
-std::optional<SurfacePoint> first_outside(const MeshIndex& skin, const dvec3& origin, const dvec3& direction);
-
 /// What becomes of the points of a pattern that are not over the skin.
 enum class Beyond {
   refuse,    ///< an Error names the first
   leave_out  ///< there are fewer taxels; an Error where none is left
 };
+/// The first point of the skin that a ray meets from outside. Where it misses the mesh or begins inside it: none for
+/// Beyond::leave_out, else an Error headed by `generator` and `where` (a parameter, or the row and column).
+std::optional<SurfacePoint> skin_under(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
+                                       Beyond beyond, const std::string& generator, const std::string& where);
+
 /// Throws for Beyond::leave_out where nothing is left.
 void require_some(const std::string& generator, const std::vector<Taxel>& taxels);
 

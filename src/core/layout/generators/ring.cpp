@@ -29,7 +29,8 @@ class Inward {
     const dvec3 foot = around_.origin + height * axis_;
     const Aabb& box = skin_.mesh().bounds();
     const double outside = glm::distance(foot, box.center()) + box.diagonal();
-    SurfacePoint hit = outside_hit(skin_, foot + outside * out, -out, generator_, fmt::format("taxel {}", id));
+    SurfacePoint hit =
+        *skin_under(skin_, foot + outside * out, -out, Beyond::refuse, generator_, fmt::format("taxel {}", id));
     if (glm::dot(hit.position - foot, out) < 0.0)
       throw Error(generator_, fmt::format("taxel {}", id),
                   fmt::format("the ray toward the axis at height {:.6g} meets the mesh only beyond the axis", height));

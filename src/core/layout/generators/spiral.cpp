@@ -16,9 +16,8 @@ std::vector<Taxel> sunflower(const Spiral& spiral, const MeshIndex& skin, Beyond
   for (int k = 0; k < spiral.count; ++k) {
     const double r = spiral.disc_radius * std::sqrt((k + 0.5) / spiral.count), theta = k * golden_angle;
     const dvec3 start = spiral.center + r * (std::cos(theta) * zero + std::sin(theta) * quarter);
-    if (beyond == Beyond::leave_out && !first_outside(skin, start, direction)) continue;
-    const SurfacePoint at = outside_hit(skin, start, direction, "spiral", fmt::format("taxel {}", k));
-    taxels.push_back(taxel_on(skin.mesh(), at, k, spiral.radius));
+    const auto at = skin_under(skin, start, direction, beyond, "spiral", fmt::format("taxel {}", k));
+    if (at) taxels.push_back(taxel_on(skin.mesh(), *at, k, spiral.radius));
   }
   require_some("spiral", taxels);
   return taxels;

@@ -1,5 +1,8 @@
 #include "core/mesh/geodesic/geodesic_path.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace taxel {
