@@ -1,6 +1,7 @@
 #include "app/studio/measure.h"
 
 #include <cmath>
+#include <limits>
 
 #include "core/mesh/geodesic/geodesic_path.h"
 

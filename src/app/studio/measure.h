@@ -12,7 +12,7 @@ namespace taxel::studio {
 class MeasureWorker {
  public:
   explicit MeasureWorker(std::function<void()> wake)
-      : worker_([this](const ui::MeasureWish& wish) { return measure(wish); }, std::move(wake)) {}
+      : worker_([this](const ui::MeasureWish& wish, Progress&) { return measure(wish); }, std::move(wake)) {}
   void ask(std::optional<ui::MeasureWish> wish) { worker_.ask(std::move(wish)); }
   [[nodiscard]] ui::MeasuredPtr newest() const { return worker_.newest(); }
   void wait() { worker_.wait(); }

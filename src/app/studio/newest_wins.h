@@ -9,20 +9,31 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/progress.h"
+
 namespace taxel::studio {
+
+/// What becomes of a job that is being done when another is asked for.
+enum class Overtaken {
+  finish,  ///< its result is shown meanwhile
+  cancel   ///< through its Progress
+};
 
 /// Jobs compare with ==. From any thread.
 template <class Job, class Result>
 class NewestWins {
  public:
   using ResultPtr = std::shared_ptr<const Result>;
-  /// `work` runs in the worker and must not throw; `wake` is called from there when there is another result.
-  NewestWins(std::function<ResultPtr(const Job&)> work, std::function<void()> wake)
-      : work_(std::move(work)), wake_(std::move(wake)), thread_([this] { run(); }) {}
-  ~NewestWins() {  ///< finishes what runs
+  using Work = std::function<ResultPtr(const Job&, Progress&)>;
+  /// `work` runs in the worker and throws nothing but Cancelled; `wake` is called from there when there is another
+  /// result.
+  NewestWins(Work work, std::function<void()> wake, Overtaken overtaken = Overtaken::finish)
+      : work_(std::move(work)), wake_(std::move(wake)), overtaken_(overtaken), thread_([this] { run(); }) {}
+  ~NewestWins() {  ///< waits for what runs
     {
       const std::lock_guard lock(mutex_);
       ending_ = true;
+      overtake();
     }
     asked_.notify_all();
     thread_.join();
@@ -38,6 +49,7 @@ class NewestWins {
       job_ = std::move(job);
       due_ = job_ && !answered();
       if (!job_) newest_.reset();
+      overtake();
       if (!due_) return;
     }
     asked_.notify_all();
@@ -58,15 +70,26 @@ class NewestWins {
   }
   void wait() {  ///< until what is asked for is done
     std::unique_lock lock(mutex_);
-    told_.wait(lock, [this] { return !due_ && !working_; });
+    told_.wait(lock, [this] { return !due_ && !progress_; });
   }
   [[nodiscard]] bool busy() const {
     const std::lock_guard lock(mutex_);
-    return due_ || working_;
+    return due_ || progress_;
   }
 
  private:
   [[nodiscard]] bool answered() const { return newest_ && newest_->first == *job_; }
+  void overtake() {
+    if (progress_ && overtaken_ == Overtaken::cancel) progress_->cancel();
+  }
+  /// Null: it was cancelled.
+  [[nodiscard]] ResultPtr attempt(const Job& job, Progress& progress) const {
+    try {
+      return work_(job, progress);
+    } catch (const Cancelled&) {
+      return nullptr;
+    }
+  }
   void run() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -74,24 +97,26 @@ class NewestWins {
       if (ending_) return;
       const Job job = *job_;
       due_ = false;
-      working_ = true;
+      const auto progress = progress_ = std::make_shared<Progress>();
       lock.unlock();
-      ResultPtr result = work_(job);
+      ResultPtr result = attempt(job, *progress);
       lock.lock();
-      working_ = false;
-      if (job_ && !answered()) newest_ = {job, std::move(result)};
+      progress_.reset();
+      if (result && job_ && !answered()) newest_ = {job, std::move(result)};
       told_.notify_all();
       if (wake_) wake_();
     }
   }
 
-  std::function<ResultPtr(const Job&)> work_;
+  Work work_;
   std::function<void()> wake_;
+  Overtaken overtaken_;
   mutable std::mutex mutex_;  // guards the rest
   std::condition_variable asked_, told_;
   std::optional<Job> job_;  ///< what is to be shown
   bool due_ = false;        ///< it is not begun
-  bool working_ = false, ending_ = false;
+  bool ending_ = false;
+  std::shared_ptr<Progress> progress_;  ///< of what is being done; null: nothing is
   std::optional<std::pair<Job, ResultPtr>> newest_;
   std::thread thread_;  // last: it begins when all is there
 };

@@ -1,23 +1,23 @@
 // The worker thread that makes the preview of a pattern of taxels: the newest request wins, those before are cancelled.
 #pragma once
 
-#include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 
+#include "app/studio/newest_wins.h"
 #include "core/layout/generators/pattern.h"
 
 namespace taxel::studio {
 
 struct PatternRequest {
-  std::uint64_t number = 0;
+  std::uint64_t number = 0;  ///< tells it from all others
   Pattern pattern;
   PatternSource source;
   std::shared_ptr<const MeshIndex> skin;
+  bool operator==(const PatternRequest& other) const { return number == other.number; }
 };
 
 struct PatternAnswer {
@@ -25,32 +25,21 @@ struct PatternAnswer {
   PatternTaxels made;
   std::string problem;  ///< why nothing was made; empty: it was
 };
+using PatternAnswerPtr = std::shared_ptr<const PatternAnswer>;
 
 class PatternWorker {
  public:
-  /// `wake` is called from the worker when there is something to take.
+  /// `wake` is called from the worker when there is another answer.
   explicit PatternWorker(std::function<void()> wake);
-  ~PatternWorker();  ///< cancels and waits
-  PatternWorker(const PatternWorker&) = delete;
-  PatternWorker& operator=(const PatternWorker&) = delete;
 
-  void make(PatternRequest request);
-  void drop();                          ///< nothing that was asked for is told any more
-  std::optional<PatternAnswer> take();  ///< the newest answer, once
-  void wait();                          ///< until nothing is to be done
-  [[nodiscard]] bool busy() const;      ///< something is made, or lies ready
+  void make(PatternRequest request) { worker_.ask(std::move(request)); }
+  void drop() { worker_.ask(std::nullopt); }                                  ///< there is no answer any more
+  [[nodiscard]] PatternAnswerPtr newest() const { return worker_.newest(); }  ///< null: there is none
+  void wait() { worker_.wait(); }                                             ///< until nothing is to be done
+  [[nodiscard]] bool busy() const { return worker_.busy(); }
 
  private:
-  void run();
-
-  std::function<void()> wake_;
-  mutable std::mutex mutex_;
-  std::condition_variable asked_, told_;
-  std::optional<PatternRequest> next_;
-  std::optional<PatternAnswer> ready_;
-  std::shared_ptr<Progress> progress_;  ///< of what is being made; null: nothing is
-  bool ending_ = false;
-  std::thread thread_;  // last: all else is there when it begins
+  NewestWins<PatternRequest, PatternAnswer> worker_;
 };
 
 }  // namespace taxel::studio

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "app/studio/documents.h"
 #include "core/base/error.h"
 #include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_io.h"
 
 namespace taxel::studio {
 
@@ -21,7 +21,7 @@ TriMeshPtr load_probe(const std::string& file) {
 }  // namespace
 
 ProbeWorker::ProbeWorker(std::function<void()> wake)
-    : worker_([this](const Job& job) { return attempt(job); }, std::move(wake)) {}
+    : worker_([this](const Job& job, Progress&) { return attempt(job); }, std::move(wake)) {}
 
 void ProbeWorker::press(const SensorModelPtr& model, const std::optional<ui::ProbeWish>& wish) {
   worker_.ask(model && wish ? std::optional(Job{model, *wish}) : std::nullopt);

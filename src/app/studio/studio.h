@@ -60,6 +60,7 @@ class Studio {
   bool carry_out_save(const ui::Request& request);
   bool carry_out_generate(const ui::Request& request);
   void preview_pattern();
+  [[nodiscard]] PatternAnswerPtr fresh_preview() const;
   bool take_preview();
   void read_points(const std::string& path);
   bool hold_if_unsaved(const ui::Request& request);

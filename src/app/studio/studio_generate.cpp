@@ -50,12 +50,19 @@ void Studio::preview_pattern() {
   patterns_.make(std::move(request));
 }
 
+/// Null: there is none that is not shown yet.
+PatternAnswerPtr Studio::fresh_preview() const {
+  const ui::GenerateState& g = ui_.generate;
+  PatternAnswerPtr answer = patterns_.newest();
+  return answer && g.open && g.waiting() && answer->number == g.number ? answer : nullptr;
+}
+
 /// Not by clock it waits, so that the same script gives the same pictures.
 bool Studio::take_preview() {
   if (!options_.by_clock()) patterns_.wait();
-  const std::optional<PatternAnswer> answer = patterns_.take();
+  const PatternAnswerPtr answer = fresh_preview();
+  if (!answer) return false;
   ui::GenerateState& g = ui_.generate;
-  if (!answer || !g.open || answer->number != g.number) return false;
   g.shown = answer->number;
   g.problem = answer->problem;
   g.left_out = answer->made.left_out;

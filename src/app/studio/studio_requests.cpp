@@ -162,7 +162,8 @@ ScriptStage Studio::script_stage() {
   ScriptStage stage;
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
-    return session_.idle() && !patterns_.busy() && !comparison_.busy() && input_taken() && ui_.requests.empty();
+    const bool generated = !patterns_.busy() && !fresh_preview();
+    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty();
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
