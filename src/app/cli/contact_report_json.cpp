@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include "app/cli/contact_report.h"
 
-#include "app/cli/vector_json.h"
+#include "app/vector_json.h"
 
 namespace taxel::cli {
 namespace {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/mesh_report.h"
-#include "app/cli/vector_json.h"
+#include "app/vector_json.h"
 #include "core/mesh/mesh_check.h"
 
 namespace taxel::cli {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/read_report.h"
-#include "app/cli/vector_json.h"
+#include "app/vector_json.h"
 #include "core/layout/tangent_frame.h"
 #include "core/layout/words.h"
 

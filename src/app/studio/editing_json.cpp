@@ -3,15 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/vector_json.h"
+
 namespace taxel::studio {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numbers(const dvec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 const char* to_string(ui::Tool tool) {
   switch (tool) {
@@ -70,8 +68,8 @@ Json problems_json(const ui::LayoutProblems& problems) {
 /// The Generate panel; null while it is closed.
 Json generate_json(const ui::GenerateState& g) {
   if (!g.open) return nullptr;
-  Json json = {{"center", numbers(g.frame.center)},
-               {"normal", numbers(g.frame.normal)},
+  Json json = {{"center", numbers<Json>(g.frame.center)},
+               {"normal", numbers<Json>(g.frame.normal)},
                {"turn_deg", g.pattern.turn_deg},
                {"waiting", g.waiting()},
                {"left_out", g.left_out},
@@ -83,8 +81,8 @@ Json generate_json(const ui::GenerateState& g) {
   if (!g.ghosts) return json;
   for (const Taxel& taxel : *g.ghosts)
     json["taxels"].push_back({{"id", taxel.id},
-                              {"center", numbers(taxel.center)},
-                              {"normal", numbers(taxel.normal)},
+                              {"center", numbers<Json>(taxel.center)},
+                              {"normal", numbers<Json>(taxel.normal)},
                               {"radius", taxel.radius}});
   return json;
 }

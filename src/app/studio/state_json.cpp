@@ -10,6 +10,7 @@
 #include "app/studio/script_player.h"
 #include "app/studio/time_json.h"
 #include "app/studio/tools_json.h"
+#include "app/vector_json.h"
 #include "core/layout/layout_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
@@ -23,9 +24,6 @@ using Json = nlohmann::ordered_json;
 /// Enough samples and polygons to compare with the picture, spread evenly.
 constexpr std::size_t kMostMarks = 400;
 
-Json to_json(const dvec3& v) {
-  return {v.x, v.y, v.z};
-}
 Json to_json(const ui::Rect& r) {
   return {r.x0, r.y0, r.x1, r.y1};
 }
@@ -52,7 +50,7 @@ struct Projector {
 };
 
 Json camera_json(const ui::Camera& camera) {
-  return {{"target", to_json(camera.target)},
+  return {{"target", numbers<Json>(camera.target)},
           {"azimuth_deg", camera.azimuth_deg},
           {"elevation_deg", camera.elevation_deg},
           {"distance", camera.distance},
@@ -119,7 +117,7 @@ Json document_json(const ui::UiInput& input) {
   json["mesh"] = {{"triangles", mesh.face_count()},
                   {"shells", mesh.shell_count()},
                   {"closed", mesh.closed()},
-                  {"size", to_json(mesh.bounds().extent())}};
+                  {"size", numbers<Json>(mesh.bounds().extent())}};
   json["samples"] = input.model->samples.size();
   return json;
 }
@@ -155,10 +153,10 @@ Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
     }
     json["sensors"].push_back({{"quality", to_string(frame.scene->sensors[s]->quality)},
                                {"readings", sensor.readings},
-                               {"force", to_json(sensor.force_W)},
+                               {"force", numbers<Json>(sensor.force_W)},
                                {"polygons", polygons},
                                {"max_pressure", largest},
-                               {"position", to_json(sensor.X_WM.p)},
+                               {"position", numbers<Json>(sensor.X_WM.p)},
                                {"quaternion", {sensor.X_WM.q.w, sensor.X_WM.q.x, sensor.X_WM.q.y, sensor.X_WM.q.z}}});
   }
   json["readings"] = input.sensor(ui) != nullptr ? Json(input.sensor(ui)->readings) : Json::array();

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/vector_json.h"
+
 namespace taxel::studio {
 
 namespace {
@@ -54,19 +56,18 @@ Json measure_json(const ui::UiState& ui, const ui::UiInput& input) {
   Json json = {{"points", Json::array()}, {"straight", nullptr}, {"along", nullptr}, {"path", Json::array()}};
   for (const ui::MeasurePoint& point : ui.measure.points) {
     json["points"].push_back(
-        {{"at", {point.at.x, point.at.y, point.at.z}}, {"taxel", point.taxel ? Json(*point.taxel) : Json(nullptr)}});
+        {{"at", numbers<Json>(point.at)}, {"taxel", point.taxel ? Json(*point.taxel) : Json(nullptr)}});
   }
   if (!input.measured) return json;
   json["straight"] = input.measured->straight;
   if (std::isfinite(input.measured->along)) json["along"] = input.measured->along;
-  for (const dvec3& p : input.measured->path) json["path"].push_back({p.x, p.y, p.z});
+  for (const dvec3& p : input.measured->path) json["path"].push_back(numbers<Json>(p));
   return json;
 }
 
 Json clip_json(const ui::UiState& ui) {
   if (!ui.clip) return nullptr;
-  const dvec3& n = ui.clip->normal;
-  return {{"normal", {n.x, n.y, n.z}}, {"offset", ui.clip->offset}};
+  return {{"normal", numbers<Json>(ui.clip->normal)}, {"offset", ui.clip->offset}};
 }
 
 }  // namespace

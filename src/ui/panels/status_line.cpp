@@ -5,6 +5,8 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
@@ -75,25 +77,41 @@ void draw_samples(UiState& ui, const UiInput& input, Flow& flow) {
   }
 }
 
+struct Counter {
+  std::string text;
+  ImVec4 color;
+  [[nodiscard]] float width() const { return ImGui::CalcTextSize(text.c_str()).x; }
+};
+
+/// Each in its own colour once there is one.
+std::array<Counter, 3> message_counters(const UiState& ui) {
+  const Palette& colors = palette(ui.saved.dark);
+  const auto counter = [&](const char* name, Severity severity) {
+    const auto count =
+        std::count_if(ui.messages.begin(), ui.messages.end(), [&](const Message& m) { return m.severity == severity; });
+    return Counter{fmt::format("{} {}", name, count), count > 0 ? severity_color(colors, severity) : colors.dim};
+  };
+  return {counter("errors", Severity::error), counter("warnings", Severity::warning), counter("notes", Severity::note)};
+}
+
 /// Counters at the right end; a click opens the list.
 void draw_message_counter(UiState& ui, const UiInput& input, Flow& flow) {
-  const auto count = [&](Severity severity) {
-    return std::count_if(ui.messages.begin(), ui.messages.end(),
-                         [&](const Message& m) { return m.severity == severity; });
-  };
-  const std::string text = fmt::format("errors {}    warnings {}    notes {}", count(Severity::error),
-                                       count(Severity::warning), count(Severity::note));
-  const Palette& colors = palette(ui.saved.dark);
-  const ImVec4& color = count(Severity::error) > 0     ? colors.error
-                        : count(Severity::warning) > 0 ? colors.warning
-                                                       : colors.dim;
-  flow.last(ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  const std::array<Counter, 3> counters = message_counters(ui);
+  const float gap = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.x;
+  float width = 2 * padding + gap * static_cast<float>(counters.size() - 1);
+  for (const Counter& counter : counters) width += counter.width();
+  flow.last(width);
+  ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-  if (ImGui::SmallButton(text.c_str())) perform(Action::toggle_messages, ui, input);
-  ImGui::PopStyleColor(2);
+  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()})) perform(Action::toggle_messages, ui, input);
+  ImGui::PopStyleColor();
   ui.widgets.note_item("Message counter");
   tooltip("Show all messages");
+  at.x += padding;
+  for (const Counter& counter : counters) {
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(counter.color), counter.text.c_str());
+    at.x += counter.width() + gap;
+  }
 }
 
 }  // namespace

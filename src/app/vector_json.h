@@ -1,11 +1,11 @@
-// Small helpers for the *_json.cpp files of this folder; the JSON library is theirs to include.
+// Small helpers for the programs' *_json.cpp files; the JSON library is theirs to include.
 #pragma once
 
 #include <string>
 
 #include "core/base/math.h"
 
-namespace taxel::cli {
+namespace taxel {
 
 /// x y z as an array of the given JSON type.
 template <class Json>
@@ -19,4 +19,4 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace taxel::cli
+}  // namespace taxel
