@@ -46,17 +46,8 @@ struct StepHistoryLimitsCommand {
 };
 struct QuitCommand {};
 
-/// One of these. Copied, moved and destroyed in one place: the code for that, of so many kinds, in every file that
-/// makes one takes most of its compile time.
-struct SimCommand : std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                 ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
-                                 StepHistoryLimitsCommand, QuitCommand> {
-  using variant::variant;
-  SimCommand(const SimCommand&);
-  SimCommand& operator=(const SimCommand&);
-  SimCommand(SimCommand&&) noexcept;
-  SimCommand& operator=(SimCommand&&) noexcept;
-  ~SimCommand();
-};
+using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
+                                ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
+                                StepHistoryLimitsCommand, QuitCommand>;
 
 }  // namespace taxel
