@@ -38,8 +38,11 @@ std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, 
 
 }  // namespace
 
-Framebuffer::Framebuffer(int width, int height, int samples)
-    : samples_(samples), color_(GL_RGBA8, width, height), depth_(GL_DEPTH_COMPONENT32F, width, height, samples) {
+Framebuffer::Framebuffer(int width, int height, int samples, bool stencil)
+    : samples_(samples),
+      stencil_(stencil),
+      color_(GL_RGBA8, width, height),
+      depth_(stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, width, height, samples) {
   if (samples > 0) {
     multisampled_.emplace(GL_RGBA8, width, height, samples);
     resolved_.emplace();
@@ -48,7 +51,7 @@ Framebuffer::Framebuffer(int width, int height, int samples)
   }
   const GLuint drawn = multisampled_ ? multisampled_->id() : color_.id();
   glNamedFramebufferTexture(target_.id(), GL_COLOR_ATTACHMENT0, drawn, 0);
-  glNamedFramebufferTexture(target_.id(), GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+  glNamedFramebufferTexture(target_.id(), stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth_.id(), 0);
   check_complete(target_.id(), width, height);
 }
 

@@ -10,9 +10,9 @@ namespace taxel::gl {
 
 class Framebuffer {
  public:
-  /// `samples` > 0: drawn multisampled, resolved into texture() by resolve().
+  /// `samples` > 0: drawn multisampled, resolved into texture() by resolve(). `stencil`: with 8 bits of it.
   /// Throws Error when the driver cannot make it.
-  Framebuffer(int width, int height, int samples = 0);
+  Framebuffer(int width, int height, int samples = 0, bool stencil = false);
 
   void bind() const;     ///< for drawing, with its viewport
   void resolve() const;  ///< after drawing; nothing to do without multisampling
@@ -24,12 +24,14 @@ class Framebuffer {
   [[nodiscard]] int width() const { return color_.width(); }
   [[nodiscard]] int height() const { return color_.height(); }
   [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] bool stencil() const { return stencil_; }
   [[nodiscard]] RgbImage read() const;  ///< of the resolved colour
   /// The same with alpha, from premultiplied colours.
   [[nodiscard]] RgbaImage read_with_alpha() const;
 
  private:
   int samples_;
+  bool stencil_;
   Texture color_;
   Texture depth_;
   std::optional<Texture> multisampled_;

@@ -5,6 +5,7 @@
 #include "ui/gl/framebuffer.h"
 #include "ui/gl/offscreen_context.h"
 #include "ui/scene/draw/backdrop.h"
+#include "ui/scene/draw/cuts.h"
 #include "ui/scene/draw/gizmo_marks.h"
 #include "ui/scene/draw/gpu_mesh.h"
 #include "ui/scene/draw/ground.h"
@@ -67,6 +68,7 @@ struct SceneRenderer::Impl {
       : software(gl::software_renderer()),
         ground(shaders),
         meshes(shaders),
+        cuts(shaders),
         segments(shaders),
         points(shaders),
         sensors(shaders),
@@ -76,6 +78,7 @@ struct SceneRenderer::Impl {
   GroundPass ground;
   Backdrop backdrop;
   MeshPass meshes;
+  CutPass cuts;
   SegmentPass segments;
   PointPass points;
   SensorMarks sensors;
@@ -85,9 +88,13 @@ struct SceneRenderer::Impl {
   std::optional<RenderKey> last;
   std::optional<ShadowKey> shadows;
 
-  void make_target(int width, int height);
+  void make_target(int width, int height, bool clipped);
   void draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background = true);
   void draw_overlay(const Camera& camera, const Look& look);
+  void end_frame() {
+    cache.end_frame();
+    cuts.end_frame();
+  }
 };
 
 void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background) {
@@ -107,7 +114,7 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glClearDepth(1);
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height(), input.clip));
   glEnable(GL_PROGRAM_POINT_SIZE);
   const bool keep_backdrop = background && software && !floor.filled;
@@ -120,19 +127,20 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   if (background) ground.draw_shadow(floor, look);
   const bool clipped = input.clip.has_value();
   meshes.draw_outlines(list.solids, camera, segments, clipped);
+  if (clipped) cuts.draw(list.solids, 1, *input.clip, camera, look, segments);
   meshes.draw_skins(list, camera, look, clipped);
   meshes.draw_outlines(list.skins, camera, segments, clipped);
   if (input.overlays.wireframe) meshes.draw_wires(list, look, segments, clipped);
-  if (clipped) meshes.draw_cuts(list, *input.clip, segments);
+  if (clipped) cuts.draw(list.skins, look.cut_alpha, *input.clip, camera, look, segments);
   sensors.draw(input, camera, look, target->height(), segments, points);
   set_clipped(false);
 }
 
-/// And what else pictures need of GL's state.
-void SceneRenderer::Impl::make_target(int width, int height) {
-  if (!target || target->width() != width || target->height() != height) {
+/// And what else pictures need of GL's state. Only cuts need a stencil.
+void SceneRenderer::Impl::make_target(int width, int height, bool clipped) {
+  if (!target || target->width() != width || target->height() != height || target->stencil() != clipped) {
     target.reset();
-    target.emplace(width, height, software ? 0 : kHardwareSamples);
+    target.emplace(width, height, software ? 0 : kHardwareSamples, clipped);
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
@@ -153,23 +161,23 @@ void SceneRenderer::render(const SceneInput& input, const Camera& camera, int wi
   if (impl_->last && *impl_->last == key) return;
   const KeepTarget keep;
   impl_->last.reset();  // a picture that is not finished is none
-  impl_->make_target(key.width, key.height);
+  impl_->make_target(key.width, key.height, input.clip.has_value());
   const Look& colors = look(input.dark);
   impl_->draw_scene(input, camera, colors);
   impl_->draw_overlay(camera, colors);
   impl_->target->resolve();
   glFlush();  // a software renderer fills the picture while the panels are laid out
-  impl_->cache.end_frame();
+  impl_->end_frame();
   impl_->last = std::move(key);
 }
 
 gl::RgbaImage SceneRenderer::cut_out(const SceneInput& input, const Camera& camera, int width, int height) {
   const KeepTarget keep;
   impl_->last.reset();
-  impl_->make_target(std::max(width, 1), std::max(height, 1));
+  impl_->make_target(std::max(width, 1), std::max(height, 1), input.clip.has_value());
   impl_->draw_scene(input, camera, look(input.dark), false);
   impl_->target->resolve();
-  impl_->cache.end_frame();
+  impl_->end_frame();
   return impl_->target->read_with_alpha();
 }
 

@@ -18,7 +18,8 @@ class GpuMesh {
   explicit GpuMesh(TriMeshPtr mesh, int most_faces = 0);
 
   [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }  ///< as drawn
-  const std::vector<MeshEdge>& edges();                         ///< made when first asked for
+  [[nodiscard]] const TriMeshPtr& shared_mesh() const { return mesh_; }
+  const std::vector<MeshEdge>& edges();  ///< made when first asked for
   /// Whether it is small enough to look at each edge in each picture.
   [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMostOutlined; }
 

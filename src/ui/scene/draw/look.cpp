@@ -36,6 +36,8 @@ const Look kDark{
     .skin_outline = rgba(0xE9DDD2, 0.75f),
     .solid_outline = rgba(0xC6CFDA, 0.55f),
     .cut_inside = rgba(0x8A5F48, 1.0f),
+    .cut_light = {0.50f, 0.22f},
+    .cut_alpha = 0.72f,
     .measure = rgba(0xFFE08A, 1.0f),
     .probe_albedo = {0.40f, 0.52f, 0.66f},
     .probe_outline = rgba(0xA9C4E4, 0.75f),
@@ -71,6 +73,8 @@ const Look kLight{
     .skin_outline = rgba(0x5A4A40, 0.85f),
     .solid_outline = rgba(0x2A3038, 0.85f),
     .cut_inside = rgba(0xA87A60, 1.0f),
+    .cut_light = {0.86f, 0.45f},
+    .cut_alpha = 0.72f,
     .measure = rgba(0x7A4A00, 1.0f),
     .probe_albedo = {0.34f, 0.44f, 0.57f},
     .probe_outline = rgba(0x35557A, 0.85f),
@@ -94,6 +98,13 @@ glm::vec3 linear_from_srgb(const glm::vec3& srgb) {
   glm::vec3 out;
   for (int i = 0; i < 3; ++i)
     out[i] = srgb[i] <= 0.04045f ? srgb[i] / 12.92f : std::pow((srgb[i] + 0.055f) / 1.055f, 2.4f);
+  return out;
+}
+
+glm::vec3 srgb_from_linear(const glm::vec3& linear) {
+  glm::vec3 out;
+  for (int i = 0; i < 3; ++i)
+    out[i] = linear[i] <= 0.0031308f ? 12.92f * linear[i] : 1.055f * std::pow(linear[i], 1 / 2.4f) - 0.055f;
   return out;
 }
 

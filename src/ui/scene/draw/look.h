@@ -21,7 +21,9 @@ struct Look {
   glm::vec2 skin_front_alpha;  // seen straight, at the rim
   float skin_back_alpha;
   glm::vec4 skin_fill, skin_outline, solid_outline;
-  glm::vec4 cut_inside;  ///< of bodies that the clip plane cuts open
+  glm::vec4 cut_inside;  ///< of bodies that the clip plane cuts open and no cap closes
+  glm::vec2 cut_light;   ///< on caps and on their hatching
+  float cut_alpha;       ///< of a cap of a transparent skin
   glm::vec4 measure;
   glm::vec3 probe_albedo;
   glm::vec4 probe_outline;
@@ -37,5 +39,6 @@ const Look& look(bool dark);
 
 /// sRGB 0..1 to linear (IEC 61966-2-1).
 glm::vec3 linear_from_srgb(const glm::vec3& srgb);
+glm::vec3 srgb_from_linear(const glm::vec3& linear);
 
 }  // namespace taxel::ui

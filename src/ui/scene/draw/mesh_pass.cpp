@@ -1,13 +1,12 @@
 #include "ui/scene/draw/mesh_pass.h"
 
-#include "core/mesh/slice.h"
 #include "ui/gl/state.h"
 #include "ui/scene/draw/mark_state.h"
 
 namespace taxel::ui {
 namespace {
 
-constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f, kCutWidth = 2.0f;
+constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f;
 constexpr float kSeenThrough = 0.3f;      // of the alpha of lines that shine through
 constexpr std::size_t kMostCasts = 3000;  // edges of an outline, above which none is asked what stands before it
 constexpr double kGrazing = 0.03;         // of the skin's size: how far before its outline a ray may touch it
@@ -146,20 +145,6 @@ void MeshPass::draw_wires(const MeshList& list, const Look& look, SegmentPass& s
     for (const MeshItem& item : *items) {
       segments.draw_lines(item.mesh->wires(kWireWidth, pack(look.wire)),
                           {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
-    }
-  }
-}
-
-void MeshPass::draw_cuts(const MeshList& list, const ClipPlane& clip, SegmentPass& segments) const {
-  for (const auto* items : {&list.solids, &list.skins}) {
-    for (const MeshItem& item : *items) {
-      const Pose X_MW = item.X_WM.inverse();
-      Segments lines;
-      for (const auto& [a, b] :
-           slice_mesh(item.mesh->mesh(), X_MW * (clip.offset * clip.normal), X_MW.rotate(clip.normal))) {
-        lines.push_back(segment(a, b, kCutWidth, pack(glm::vec4(glm::vec3(item.outline), 1))));
-      }
-      segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye});
     }
   }
 }

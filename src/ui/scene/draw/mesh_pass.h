@@ -19,6 +19,15 @@ struct MeshItem {
   const MeshIndex* transparent = nullptr;  ///< the skin itself where it is; null: solid
 };
 
+/// What decides where a body is, for what stays while it rests.
+struct PlacedMesh {
+  TriMeshPtr mesh;
+  Pose X_WM;
+  bool operator==(const PlacedMesh& other) const {
+    return mesh == other.mesh && X_WM.p == other.X_WM.p && X_WM.q == other.X_WM.q;
+  }
+};
+
 struct MeshList {
   std::vector<MeshItem> solids, skins;  ///< skins only while they are transparent
 };
@@ -34,15 +43,13 @@ class MeshPass {
   void draw_casters(const gl::Program& program, const MeshList& list) const;
   /// What the sensors, within `box_W`, take away of the sky above the other bodies.
   void make_shadow(const MeshList& sensors, const Aabb& box_W);
-  // `clipped`: cut by the frame's plane; then the inside of solids is seen in one plain colour.
+  // `clipped`: cut by the frame's plane; then the inside of solids that no cap closes is seen in one plain colour.
   void draw_solids(const MeshList& list, const Look& look, bool clipped) const;
   void draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   /// Creases and silhouettes.
   void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments,
                      bool clipped) const;
   void draw_wires(const MeshList& list, const Look& look, SegmentPass& segments, bool clipped) const;
-  /// Lines where the plane cuts the bodies.
-  void draw_cuts(const MeshList& list, const ClipPlane& clip, SegmentPass& segments) const;
 
  private:
   gl::Program solid_, skin_, caster_;
