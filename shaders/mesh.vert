@@ -3,22 +3,27 @@
 // time.
 #include "frame.glsl"
 #include "color.glsl"
+#include "key_shadow.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform mat4 world_from_mesh;
 uniform vec3 albedo;       // linear
 out vec3 shade;            // sRGB
+out vec3 shade_unlit;      // sRGB, where the key light does not reach
+out vec3 key_at;           // where to look whether it does
 out float facing;          // cosine between normal and eye; negative: seen from inside
 out vec3 p_W;
 out float upward;
 
-// Irradiance on a matte surface with normal n, seen along v (towards the eye).
-vec3 irradiance(vec3 n, vec3 v) {
+// Irradiance on a matte surface with normal n, seen along v (towards the eye), but for the key light.
+vec3 ambient(vec3 n, vec3 v) {
   vec3 hemisphere = mix(ground_light.rgb, sky_light.rgb, 0.5 + 0.5 * n.z);
-  float key = key_light.w * max(0.0, 0.15 + 0.85 * dot(n, key_light.xyz));  // a large, soft source
-  float head = sky_light.w * max(0.0, dot(n, v));
-  return hemisphere + vec3(1.0, 0.98, 0.95) * key + vec3(head);
+  return hemisphere + vec3(sky_light.w * max(0.0, dot(n, v)));
+}
+
+vec3 key(vec3 n) {
+  return vec3(1.0, 0.98, 0.95) * key_light.w * max(0.0, 0.15 + 0.85 * dot(n, key_light.xyz));  // a large, soft source
 }
 
 void main() {
@@ -26,7 +31,11 @@ void main() {
   vec3 n = mat3(world_from_mesh) * normal;
   vec3 v = normalize(eye.xyz - p.xyz);
   facing = dot(n, v);
-  shade = display(albedo * irradiance(facing < 0.0 ? -n : n, v));
+  vec3 towards = facing < 0.0 ? -n : n;
+  vec3 unlit = ambient(towards, v);
+  shade = display(albedo * (unlit + key(towards)));
+  shade_unlit = display(albedo * unlit);
+  key_at = key_map_point(p.xyz, n);
   p_W = p.xyz;
   upward = n.z;
   gl_Position = clip_from_view * (view_from_world * p);

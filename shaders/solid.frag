@@ -1,6 +1,11 @@
 #version 450 core
-// A matte body, darker beneath a sensor: what is near above it takes away the light of the sky.
+// A matte body, in the shadow of others and of itself, and darker beneath a sensor: what is near above it takes away the
+// light of the sky.
+#include "key_shadow.glsl"
+
 in vec3 shade;
+in vec3 shade_unlit;
+in vec3 key_at;
 in vec3 p_W;
 in float upward;            // cosine between normal and the vertical
 uniform sampler2D heights;  // lowest point of the sensors, seen from above
@@ -14,6 +19,7 @@ void main() {
   vec2 uv = (p_W.xy - heights_box.xy) * heights_box.zw;
   float above = heights_scale.x + heights_scale.y * textureLod(heights, uv, 0.0).r;
   float dark = exp(-max(above - p_W.z, 0.0) * heights_scale.z) * max(upward, 0.0);
-  color = vec4(shade * (1.0 - strength * dark), 1.0);
+  bool matters = shade.g - shade_unlit.g > 0.002;  // else it looks away from the light
+  color = vec4(mix(shade_unlit, shade, key_light_at(key_at, matters)) * (1.0 - strength * dark), 1.0);
   if (!gl_FrontFacing && inside.a > 0.0) color = inside;
 }

@@ -16,7 +16,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kHardwareSamples = 4;
-constexpr int kMostFacesInSoftware = 120'000;  // of a mesh, so that it turns fluently
+constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;  // of the key light's map
+constexpr int kMostFacesInSoftware = 120'000;               // of a mesh, so that it turns fluently
 
 /// What decides how a picture looks.
 struct RenderKey {
@@ -28,17 +29,10 @@ struct RenderKey {
 
 /// What decides how shadows look: they stay while only the camera moves.
 struct ShadowKey {
-  Pose X_WP;
-  SimFramePtr frame;
-  SensorModelPtr model;
-  bool operator==(const ShadowKey& other) const {
-    return X_WP.p == other.X_WP.p && X_WP.q == other.X_WP.q && frame == other.frame && model == other.model;
-  }
+  std::vector<PlacedMesh> places;  // of what casts them, and without a mesh the ground's
+  glm::vec3 light{0};
+  bool operator==(const ShadowKey&) const = default;
 };
-
-ShadowKey shadow_key(const SceneInput& input, const Ground& floor) {
-  return {floor.X_WP, input.frame, input.frame ? nullptr : input.document_model};
-}
 
 /// Puts back the framebuffer and viewport that were bound.
 class KeepTarget {
@@ -67,7 +61,7 @@ struct SceneRenderer::Impl {
   explicit Impl(const gl::ShaderReader& shaders)
       : software(gl::software_renderer()),
         ground(shaders),
-        meshes(shaders),
+        meshes(shaders, software ? kSoftwareKeyTexels : kKeyTexels),
         cuts(shaders),
         segments(shaders),
         points(shaders),
@@ -88,6 +82,7 @@ struct SceneRenderer::Impl {
   std::optional<RenderKey> last;
   std::optional<ShadowKey> shadows;
 
+  void make_shadows(const SceneInput& input, const MeshList& list, const Ground& floor, const Look& look);
   void make_target(int width, int height, bool clipped);
   void draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background = true);
   void draw_overlay(const Camera& camera, const Look& look);
@@ -97,17 +92,24 @@ struct SceneRenderer::Impl {
   }
 };
 
+void SceneRenderer::Impl::make_shadows(const SceneInput& input, const MeshList& list, const Ground& floor,
+                                       const Look& look) {
+  ShadowKey key{casters_of(list), look.key_direction};
+  key.places.push_back({{}, floor.X_WP});
+  if (shadows && *shadows == key) return;
+  const Aabb box = scene_bounds(input), sensors_box = sensor_bounds(input);
+  ground.make_shadow(floor, box, [&](const gl::Program& program) { meshes.draw_casters(program, list); });
+  meshes.make_shadow(sensors_of(input, cache), sensors_box);
+  meshes.make_key_shadow(list, box, sensors_box, look);
+  shadows = std::move(key);
+}
+
 void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background) {
   const MeshList list = mesh_list(input, look, cache);
   set_clipped(false);
   const SceneGround plane = scene_ground(input);
   const Ground floor{plane.X_WP, plane.plane};
-  if (ShadowKey key = shadow_key(input, floor); !shadows || !(*shadows == key)) {
-    ground.make_shadow(floor, scene_bounds(input),
-                       [&](const gl::Program& program) { meshes.draw_casters(program, list); });
-    meshes.make_shadow(sensors_of(input, cache), sensor_bounds(input));
-    shadows = std::move(key);
-  }
+  make_shadows(input, list, floor, look);
 
   target->bind();
   glClearColor(0, 0, 0, background ? 1.0f : 0.0f);

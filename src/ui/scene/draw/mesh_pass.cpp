@@ -29,7 +29,9 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
                      input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
   }
   if (!input.frame && input.probe && input.probe->mesh) {  // seen through: it stands before what it presses
-    list.skins.push_back({&cache.get(input.probe->mesh), input.probe->X_MG, look.probe_albedo, look.probe_outline});
+    MeshItem probe{&cache.get(input.probe->mesh), input.probe->X_MG, look.probe_albedo, look.probe_outline};
+    probe.casts = false;  // a tool that follows the pointer
+    list.skins.push_back(probe);
   }
   if (!input.frame || !input.frame->scene) return list;
   const SimScene& scene = *input.frame->scene;
@@ -42,6 +44,16 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
   return list;
 }
 
+std::vector<PlacedMesh> casters_of(const MeshList& list) {
+  std::vector<PlacedMesh> out;
+  for (const auto* items : {&list.solids, &list.skins}) {
+    for (const MeshItem& item : *items) {
+      if (item.casts) out.push_back({item.mesh->shared_mesh(), item.X_WM});
+    }
+  }
+  return out;
+}
+
 MeshList sensors_of(const SceneInput& input, MeshCache& cache) {
   MeshList list;
   for (const SensorView& view : sensor_views(input)) {
@@ -50,11 +62,12 @@ MeshList sensors_of(const SceneInput& input, MeshCache& cache) {
   return list;
 }
 
-MeshPass::MeshPass(const gl::ShaderReader& read)
+MeshPass::MeshPass(const gl::ShaderReader& read, int key_texels)
     : solid_(read, "mesh.vert", "solid.frag"),
       skin_(read, "mesh.vert", "skin.frag"),
       caster_(read, "caster.vert", "height.frag"),
-      shadow_(read) {}
+      shadow_(read),
+      key_shadow_(read, key_texels) {}
 
 void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
   if (!shadow_.begin(Pose{}, box_W, 1)) return;
@@ -71,9 +84,20 @@ void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
   solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kShadowHeight * range)));
 }
 
+void MeshPass::make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look) {
+  Aabb shown = box_W;
+  if (!sensors_W.empty()) {  // a table under a finger would leave few texels for the finger
+    const dvec3 around(sensors_W.diagonal());
+    shown.lo = glm::max(shown.lo, sensors_W.lo - around);
+    shown.hi = glm::min(shown.hi, sensors_W.hi + around);
+  }
+  key_shadow_.make(shown, box_W, look.key_direction, [&](const gl::Program& program) { draw_casters(program, list); });
+}
+
 void MeshPass::draw_casters(const gl::Program& program, const MeshList& list) const {
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
+      if (!item.casts) continue;
       program.set("world_from_mesh", matrix(item.X_WM));
       item.mesh->draw();
     }
@@ -87,6 +111,7 @@ void MeshPass::draw_solids(const MeshList& list, const Look& look, bool clipped)
   solid_.set("inside", clipped ? look.cut_inside : glm::vec4(0));
   const float strength = shadow_.box().z > 0 ? look.skin_shadow : 0.0f;
   shadow_.bind(0);
+  key_shadow_.use(solid_, 1);
   solid_.use();
   for (const MeshItem& item : list.solids) {
     solid_.set("world_from_mesh", matrix(item.X_WM));

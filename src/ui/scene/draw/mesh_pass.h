@@ -3,6 +3,7 @@
 
 #include "ui/scene/draw/frame_uniforms.h"
 #include "ui/scene/draw/gpu_mesh.h"
+#include "ui/scene/draw/key_shadow.h"
 #include "ui/scene/draw/look.h"
 #include "ui/scene/draw/segments.h"
 #include "ui/scene/draw/top_view.h"
@@ -17,6 +18,7 @@ struct MeshItem {
   glm::vec4 outline{0};                    ///< sRGB
   bool sensor = false;                     ///< casts the sensors' shadow, so does not receive it
   const MeshIndex* transparent = nullptr;  ///< the skin itself where it is; null: solid
+  bool casts = true;                       ///< shadows at all
 };
 
 /// What decides where a body is, for what stays while it rests.
@@ -34,15 +36,20 @@ struct MeshList {
 
 /// All meshes of a picture; a sensor's geom is drawn from its model. Planes are the ground's.
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache);
+/// Which of them cast shadows, and where.
+std::vector<PlacedMesh> casters_of(const MeshList& list);
 /// Of these, the sensors alone.
 MeshList sensors_of(const SceneInput& input, MeshCache& cache);
 
 class MeshPass {
  public:
-  explicit MeshPass(const gl::ShaderReader& read);
+  /// `key_texels`: along each side of the key light's map.
+  MeshPass(const gl::ShaderReader& read, int key_texels);
   void draw_casters(const gl::Program& program, const MeshList& list) const;
   /// What the sensors, within `box_W`, take away of the sky above the other bodies.
   void make_shadow(const MeshList& sensors, const Aabb& box_W);
+  /// What all of them, within `box_W`, take away of the key light, finest around `sensors_W`.
+  void make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look);
   // `clipped`: cut by the frame's plane; then the inside of solids that no cap closes is seen in one plain colour.
   void draw_solids(const MeshList& list, const Look& look, bool clipped) const;
   void draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
@@ -54,6 +61,7 @@ class MeshPass {
  private:
   gl::Program solid_, skin_, caster_;
   TopView shadow_;
+  KeyShadow key_shadow_;
 };
 
 }  // namespace taxel::ui

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include "core/mesh/primitives.h"
+#include "ui/scene/body_scene.h"
+#include "ui/scene/draw/look.h"
+#include "ui/scene/finger_scene.h"
+#include "ui/scene/picture.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+constexpr double kPlate = 0.03, kThin = 0.002, kRadius = 0.006,
+                 kHover = 0.012;  // the ball hovers over the plate
+
+TriMesh plate() {
+  return make_box({kPlate, kPlate, kThin});
+}
+dvec3 ball_center(double x = 0) {
+  return {x - 0.006, 0.006, kHover};
+}
+
+Camera from_above() {
+  Camera camera;
+  camera.target = {0, 0, 0};
+  camera.azimuth_deg = 100;
+  camera.elevation_deg = 62;
+  camera.distance = 0.11;
+  return camera;
+}
+
+/// Brightness of the pixel at a point, 0 to 255.
+double brightness(const gl::RgbImage& image, const Camera& camera, const dvec3& p) {
+  const auto pixel = test::pixel_at(image, dvec2(camera.project(p, kWidth, kHeight)));
+  return (pixel[0] + pixel[1] + pixel[2]) / 3.0;
+}
+
+/// How near a line from p along `direction` comes to the ball, in its radii.
+double radii_from_ball(const dvec3& p, const dvec3& direction, const dvec3& center) {
+  return glm::length(glm::cross(center - p, direction)) / kRadius;
+}
+
+/// Shaders of which nothing is shaded.
+std::string without_shadows(const std::string& name) {
+  if (name == "key_shadow.glsl") {
+    return "vec3 key_map_point(vec3 p_W, vec3 n) { return vec3(0.0); }\nfloat "
+           "key_light_at(vec3 at, bool matters) { return 1.0; }\n";
+  }
+  return gl::read_embedded_shader(name);
+}
+
+class LightTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { test::context(); }
+  gl::RgbImage draw(const SceneInput& input, const Camera& camera = from_above()) {
+    renderer_.render(input, camera, kWidth, kHeight);
+    return renderer_.picture();
+  }
+  gl::RgbImage draw_unshaded(const SceneInput& input, const Camera& camera = from_above()) {
+    SceneRenderer renderer(without_shadows);
+    renderer.render(input, camera, kWidth, kHeight);
+    return renderer.picture();
+  }
+  /// Calls `see(point, radii from the ball towards the light)` for points of
+  /// the plate's top that the ball does not hide.
+  template <class See>
+  static void each_point(const dvec3& ball, const See& see) {
+    const dvec3 light = glm::normalize(dvec3(look(true).key_direction));
+    for (double x = -kPlate + 0.002; x < kPlate; x += 0.001) {
+      for (double y = -kPlate + 0.002; y < kPlate; y += 0.001) {
+        const dvec3 p(x, y, kThin);
+        if (radii_from_ball(p, glm::normalize(from_above().eye() - p), ball) > 1.1)
+          see(p, radii_from_ball(p, light, ball));
+      }
+    }
+  }
+  /// Whether the plate is dark where the ball stands before the light, and only
+  /// there.
+  void expect_shadow_of_ball(const SceneInput& input, const dvec3& ball) {
+    const gl::RgbImage shaded = draw(input), unshaded = draw_unshaded(input);
+    int umbra = 0, lit = 0;
+    each_point(ball, [&](const dvec3& p, double radii) {
+      const double darker = brightness(unshaded, from_above(), p) - brightness(shaded, from_above(), p);
+      if (radii < 0.8) {
+        ++umbra;
+        EXPECT_GT(darker, 25) << p.x << ' ' << p.y;
+      } else if (radii > 1.25) {
+        ++lit;
+        EXPECT_LE(std::abs(darker), 1) << p.x << ' ' << p.y;
+      }
+    });
+    EXPECT_GT(umbra, 30);
+    EXPECT_GT(lit, 1000);
+  }
+  SceneRenderer renderer_;
+};
+
+TEST_F(LightTest, ABallShadesThePlateBelowItAlongTheKeyLight) {
+  const auto ball = std::make_shared<const TriMesh>(make_icosphere(kRadius, 4));
+  const auto flat = std::make_shared<const TriMesh>(plate());
+  for (const double x : {0.0, 0.01}) {  // the shadow follows
+    const SceneInput input = test::bodies({{flat, Pose{}}, {ball, {dquat(1, 0, 0, 0), ball_center(x)}}});
+    expect_shadow_of_ball(input, ball_center(x));
+    if (x == 0) test::write_picture("key_shadow", draw(input));
+  }
+}
+
+TEST_F(LightTest, ABodyShadesItself) {
+  expect_shadow_of_ball(test::bodies({{test::joined(plate(), make_icosphere(kRadius, 4), ball_center()), Pose{}}}),
+                        ball_center());
+}
+
+TEST_F(LightTest, TheShadowsEdgeIsSoft) {
+  const auto ball = std::make_shared<const TriMesh>(make_icosphere(kRadius, 4));
+  const SceneInput input =
+      test::bodies({{std::make_shared<const TriMesh>(plate()), Pose{}}, {ball, {dquat(1, 0, 0, 0), ball_center()}}});
+  Camera camera = from_above();
+  camera.distance = 0.05;
+  const gl::RgbImage image = draw(input, camera);
+  const dvec3 light = glm::normalize(dvec3(look(true).key_direction));
+  const dvec3 middle = ball_center() - (kHover - kThin) / light.z * light;
+  double last = 0, largest_step = 0, darkest = 255, brightest = 0;
+  for (double t = 0; t < 2 * kRadius; t += 0.00005) {  // away from below the ball
+    const double now = brightness(image, camera, middle + dvec3(-0.8 * t, -0.6 * t, 0));
+    if (t > 0) {
+      largest_step = std::max(largest_step, now - last);
+      EXPECT_GT(now, last - 2) << t;
+    }
+    last = now;
+    darkest = std::min(darkest, now);
+    brightest = std::max(brightest, now);
+  }
+  EXPECT_GT(brightest - darkest, 25);
+  EXPECT_LT(largest_step, 0.5 * (brightest - darkest));
+}
+
+TEST_F(LightTest, ConvexBodiesDoNotShadeThemselves) {
+  for (const auto& [name, mesh] : {std::pair{"ball", make_icosphere(0.02, 5)}, std::pair{"box", make_box(dvec3(0.015))},
+                                   std::pair{"fingertip", make_fingertip()}}) {
+    const SceneInput input = test::bodies({{std::make_shared<const TriMesh>(mesh), Pose{}}});
+    for (const double azimuth : {-40.0, 50.0, 140.0}) {
+      Camera camera = from_above();
+      camera.azimuth_deg = azimuth;
+      camera.elevation_deg = 30;
+      camera.frame(mesh.bounds());
+      const gl::RgbImage shaded = draw(input, camera), unshaded = draw_unshaded(input, camera);
+      int somewhat = 0, much = 0;
+      for (std::size_t i = 0; i < shaded.rgb.size(); ++i) {
+        const int darker = unshaded.rgb[i] - shaded.rgb[i];
+        somewhat += std::abs(darker) > 3 ? 1 : 0;
+        much += std::abs(darker) > 14 ? 1 : 0;
+      }
+      const auto all = static_cast<double>(shaded.rgb.size());
+      EXPECT_LT(somewhat, 0.004 * all) << name << ' ' << azimuth;  // where the light grazes
+      EXPECT_LT(much, 0.0006 * all) << name << ' ' << azimuth;
+      test::write_picture(std::string("unshaded_") + name, shaded);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taxel::ui
