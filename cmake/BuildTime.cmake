@@ -1,6 +1,7 @@
-# What keeps a build from scratch short: headers parsed once, and optimisation where it is felt.
+# What keeps a build from scratch short: headers parsed once, files compiled together, and optimisation where it is felt.
+# The debug preset does none of it, so that a missing include is noticed.
 
-# taxel_precompile(target HEADERS...): with TAXEL_PRECOMPILE off nothing, so that a missing include is noticed.
+# taxel_precompile(target HEADERS...)
 # taxel_precompile(target REUSE_FROM other): the same headers, once more of use; for the same compile options.
 function(taxel_precompile target)
   if(NOT TAXEL_PRECOMPILE)
@@ -17,4 +18,12 @@ endfunction()
 # taxel_optimise(target LEVEL): of a release, where less than -O3 is as good.
 function(taxel_optimise target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+endfunction()
+
+# taxel_together(target): so many files at a time are compiled as one. Names in their unnamed namespaces must differ, and
+# what includes itself again (the kernels for several instruction sets) cannot take part.
+function(taxel_together target)
+  if(TAXEL_TOGETHER)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
 endfunction()

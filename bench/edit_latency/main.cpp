@@ -180,8 +180,8 @@ std::vector<Time> measure_hand_over(const Document& document) {
   how.cache = &cache;
   SensorModelPtr model =
       build_sensor_model(document.project.layout, document.mesh.mesh, document.mesh.sha256, document.file, how);
-  edits.open(std::make_shared<const Project>(document.project), document.mesh.mesh, document.mesh.sha256,
-             document.file);
+  edits.open(std::make_shared<const Project>(document.project),
+             std::make_shared<const studio::OpenMesh>(document.mesh, MeshFindings{}), document.file, "");
   const ui::ProbeWish wish{probe_of(document.project), ""};
   probe.press(model, wish);
   probe.wait();
