@@ -248,14 +248,14 @@ TEST(Check, ListsTheProblemsOfAProject) {
   const fs::path layout = changed_layout(folder, Json::parse(R"([
     {"op": "replace", "path": "/taxels/3/radius", "value": -0.006}])"));
   Json project = {{"format", "taxel-project"}, {"version", 1}, {"layout", Json::parse(read_file(layout))}};
-  project["region"] = Json::parse("[[0, 3], [1000000, 1000001]]");
+  project["layout"]["sampling"]["region"] = Json::parse("[[0, 3], [1000000, 1000001]]");
   write_text(folder / "p.taxelproj", project.dump());
   std::map<std::string, std::string> codes;
   const Json report = Json::parse(taxel({"check", "p.taxelproj", "--json"}, folder).out);
   for (const Json& problem : report["problems"])
     if (problem["severity"] != "note") codes[problem["pointer"]] = problem["code"];
   const std::map<std::string, std::string> expected = {{"/layout/taxels/3/radius", "radius_not_positive"},
-                                                       {"/region", "region_off_mesh"}};
+                                                       {"/layout/sampling/region", "region_off_mesh"}};
   EXPECT_EQ(codes, expected);
   project["hidden"] = {77};
   write_text(folder / "p.taxelproj", project.dump());

@@ -129,7 +129,7 @@ class RandomEdit {
       case 14:
         return SetFrame{{dvec3(0, 0, 1 + uniform()), dvec3(1, uniform(), 0)}};
       case 15:
-        return SetSampling{{1e6 * (1 + uniform()), below(10), SampleWeights::voronoi, Shells::outer}};
+        return SetSampling{{1e6 * (1 + uniform()), below(10), SampleWeights::voronoi, Shells::outer, {}}};
       case 16:
         return SetMaterial{{FieldKind::star, 1e5 * uniform(), 0.001, uniform(), 0.5}};
       case 17: {

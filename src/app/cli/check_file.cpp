@@ -49,18 +49,11 @@ Problems check_layout(const Layout& layout, const std::string& file) {
   return problems;
 }
 
-/// The layout, with pointers from the project's root, and whether the region fits the mesh.
+/// The layout, with pointers from the project's root.
 Problems check_project_file(const std::string& text, const std::string& file) {
   const Project project = parse_project(text, file);
   Problems problems = check_layout(project.layout, file);
   for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
-  if (project.region->empty()) return problems;
-  try {
-    const LoadedMesh loaded = load_mesh(mesh_path(project.layout, file), project.layout.mesh.scale);
-    const Problems of_region = check_region(project, loaded.mesh->face_count(), file);
-    problems.insert(problems.end(), of_region.begin(), of_region.end());
-  } catch (const Error&) {  // the layout's check has said it
-  }
   return problems;
 }
 

@@ -12,7 +12,7 @@ SamplesReport report_samples(const SensorModel& model) {
     report.used += taxels.empty() ? 0 : 1;
     report.shared += taxels.size() > 1 ? 1 : 0;
   }
-  report.area = model.skin->mesh().area();
+  report.area = model.sampled_area;
   report.density = model.layout.sampling.density;
   report.seed = model.layout.sampling.seed;
   for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {

@@ -11,7 +11,7 @@ namespace taxel::cli {
 struct SamplesReport {
   std::string name;                       ///< of the layout
   int samples = 0, used = 0, shared = 0;  ///< shared: used by several taxels
-  double area = 0;                        ///< of the sensing skin [m^2]
+  double area = 0;                        ///< of what is sampled [m^2]
   double density = 0;                     ///< asked for [1/m^2]
   std::uint64_t seed = 0;
   struct Taxel {

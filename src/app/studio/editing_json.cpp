@@ -98,7 +98,7 @@ std::string editing_to_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["problems"] = problems_json(ui.problems);
   json["generate"] = generate_json(ui.generate);
   json["tour_step"] = ui.tour_step;
-  json["region"] = input.editing.project ? Json(*input.editing.project->region) : Json(nullptr);
+  json["region"] = input.editing.project ? Json(*input.editing.project->layout.sampling.region) : Json(nullptr);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // messages may quote what is no text
 }
 

@@ -124,7 +124,7 @@ void Session::accept_reload(const Document& document, SessionNews& news) {
     const bool same_unit = before.scale == mesh.scale, same = before.sha256 == mesh.sha256;
     mesh.scale = before.scale;
     if (same_unit) edits_.add_mesh(mesh, document.mesh);
-    edit = ReplaceMesh{mesh, same ? *edits_.project()->region : std::vector<int>{}};
+    edit = ReplaceMesh{mesh, same ? *edits_.project()->layout.sampling.region : std::vector<int>{}};
   } else {
     edits_.add_mesh(mesh, document.mesh);
   }

@@ -8,7 +8,7 @@ namespace taxel::studio {
 void Studio::set_mesh_unit(double metres) {
   edit_document([&](EditSession& edits) {
     const Layout& layout = edits.project()->layout;
-    ReplaceMesh replace{layout.mesh, *edits.project()->region};
+    ReplaceMesh replace{layout.mesh, *edits.project()->layout.sampling.region};
     const double ratio = metres / replace.mesh.scale.x;
     replace.mesh.scale = dvec3(metres);
     std::vector<Edit> steps;

@@ -10,6 +10,7 @@
 
 #include "core/base/material.h"
 #include "core/base/math.h"
+#include "core/base/shared_value.h"
 #include "core/layout/calibration_settings.h"
 
 namespace taxel {
@@ -50,11 +51,15 @@ struct SensorFrame {
   bool operator==(const SensorFrame&) const = default;
 };
 
+/// Faces of the mesh as loaded, ascending.
+using FaceSet = SharedValue<std::vector<int>>;
+
 struct Sampling {
   double density = 1.0e7;  ///< samples per m^2
   std::uint64_t seed = 42;
   SampleWeights weights = SampleWeights::equal;
   Shells shells = Shells::outer;  ///< all: those inside other ones, cavities and islands, are sampled as well
+  FaceSet region{};               ///< the part that senses: samples lie on these faces only; empty: on all of them
   bool operator==(const Sampling&) const = default;
 };
 

@@ -34,6 +34,10 @@ void check_settings(const Layout& layout, Check& check) {
   }
   check.positive("/sampling/density", layout.sampling.density, "density_not_positive",
                  "1e7 per square metre is a good start");
+  const std::vector<int>& region = *layout.sampling.region;
+  if (std::adjacent_find(region.begin(), region.end(), std::greater_equal<>()) != region.end() ||
+      (!region.empty() && region.front() < 0))
+    check.error("/sampling/region", "region_not_ascending", "must be faces of the mesh, 0 or more and ascending");
 
   const double angle = layout.receptive_field.max_angle_deg;
   if (!(angle > 0.0 && angle <= 180.0))

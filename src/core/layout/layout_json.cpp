@@ -40,6 +40,23 @@ MeshRef read_mesh(const Value& value) {
   return mesh;
 }
 
+/// Runs of faces, [first, last] each.
+std::vector<int> read_region(const Value& value) {
+  constexpr std::int64_t kMostFaces = 100'000'000;  // what would not fit in memory as a mesh is no region either
+  std::vector<int> faces;
+  for (std::size_t i = 0; i < value.array_size(); ++i) {
+    const Value run = value.item(i);
+    if (run.array_size() != 2) run.fail("an array of 2 faces, the first and the last of a run");
+    const int first = run.item(0).small_integer(), last = run.item(1).small_integer();
+    if (first < 0 || last < first) run.fail("the first and the last of a run of faces, 0 or more and ascending");
+    if (!faces.empty() && first <= faces.back()) run.fail(fmt::format("a run behind face {}", faces.back()));
+    if (static_cast<std::int64_t>(faces.size()) + last - first >= kMostFaces)
+      run.fail(fmt::format("at most {} faces in all", kMostFaces));
+    for (std::int64_t face = first; face <= last; ++face) faces.push_back(static_cast<int>(face));
+  }
+  return faces;
+}
+
 void read_settings(Object& root, Layout& layout) {
   root.optional("frame", [&](const Value& value) {
     Object object(value);
@@ -53,6 +70,7 @@ void read_settings(Object& root, Layout& layout) {
     object.optional("seed", [&](const Value& v) { layout.sampling.seed = v.natural(); });
     object.word("weights", layout.sampling.weights);
     object.word("shells", layout.sampling.shells);
+    object.optional("region", [&](const Value& v) { layout.sampling.region = read_region(v); });
     object.keep_unknown();
   });
   root.optional("receptive_field", [&](const Value& value) {

@@ -8,6 +8,7 @@
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/point_triangle.h"
+#include "core/mesh/surface_brush.h"
 
 namespace taxel {
 namespace {
@@ -34,6 +35,33 @@ void check_shells(const Layout& layout, const TriMesh& mesh, const TriMesh& skin
       all ? "" : "set /sampling/shells to \"all\" to sample them as well"));
 }
 
+/// The region was painted on another mesh where it names faces that this one has not.
+void check_region(const std::vector<int>& region, const TriMesh& mesh, Problems& out) {
+  if (region.empty() || region.back() < mesh.face_count()) return;
+  const auto beyond = region.end() - std::lower_bound(region.begin(), region.end(), mesh.face_count());
+  out.push_back(problem("/sampling/region", Severity::warning, "region_off_mesh",
+                        fmt::format("names face {}, the mesh has {}: {} of {} painted faces are not there",
+                                    region.back(), mesh.face_count(), beyond, region.size()),
+                        "paint the region again"));
+}
+
+/// Of the sampled part.
+void check_density(const Sampling& sampling, double area, Problems& out) {
+  const double wanted = sampling.density * area;
+  if (!(wanted <= kMaxSamples))
+    out.push_back(problem(
+        "/sampling/density", Severity::error, "density_too_high",
+        fmt::format("{} per square metre gives {:.4g} samples, the limit is {}", sampling.density, wanted, kMaxSamples),
+        fmt::format("at most {:.3g}", kMaxSamples / area)));
+  else if (!(area > 0))
+    out.push_back(problem("/sampling/region", Severity::warning, "region_empty",
+                          "names no face that is sampled: no sample lies anywhere", "paint the region again"));
+  else if (wanted < 0.5)
+    out.push_back(problem("/sampling/density", Severity::warning, "density_too_low",
+                          fmt::format("{} per square metre gives no sample at all", sampling.density),
+                          fmt::format("at least {:.3g}", 1.0 / area)));
+}
+
 void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
                     Problems& out) {
   if (!layout.mesh.sha256.empty() && !sha256.empty() && layout.mesh.sha256 != sha256)
@@ -45,16 +73,9 @@ void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& sk
                           "must be a closed mesh to be soft: " + openings(mesh),
                           "mend the mesh there, or set /material/modulus to 0"));
   check_shells(layout, mesh, skin, out);
-  const double area = skin.area(), wanted = layout.sampling.density * area;
-  if (!(wanted <= kMaxSamples))
-    out.push_back(problem("/sampling/density", Severity::error, "density_too_high",
-                          fmt::format("{} per square metre gives {:.4g} samples, the limit is {}",
-                                      layout.sampling.density, wanted, kMaxSamples),
-                          fmt::format("at most {:.3g}", kMaxSamples / area)));
-  else if (wanted < 0.5)
-    out.push_back(problem("/sampling/density", Severity::warning, "density_too_low",
-                          fmt::format("{} per square metre gives no sample at all", layout.sampling.density),
-                          fmt::format("at least {:.3g}", 1.0 / area)));
+  const std::vector<int>& region = *layout.sampling.region;
+  check_region(region, mesh, out);
+  check_density(layout.sampling, region.empty() ? skin.area() : area_of_faces(mesh, region), out);
 }
 
 /// Whether any face has a point within the disc's radius of `center` and a normal within its angle.

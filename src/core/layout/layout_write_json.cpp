@@ -28,6 +28,18 @@ Json word(E value) {
   return std::string(to_word(value));
 }
 
+/// Runs of faces, [first, last] each.
+Json region_json(const std::vector<int>& faces) {
+  Json runs = Json::array();
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t last = i;
+    while (last + 1 < faces.size() && faces[last + 1] == faces[last] + 1) ++last;
+    runs.push_back({faces[i], faces[last]});
+    i = last + 1;
+  }
+  return runs;
+}
+
 void write_settings(Json& json, const Layout& layout) {
   json["mesh"] = {
       {"file", layout.mesh.file}, {"scale", vector(layout.mesh.scale, "/mesh/scale")}, {"sha256", layout.mesh.sha256}};
@@ -37,6 +49,7 @@ void write_settings(Json& json, const Layout& layout) {
                       {"seed", layout.sampling.seed},
                       {"weights", word(layout.sampling.weights)}};
   if (layout.sampling.shells != Shells::outer) json["sampling"]["shells"] = word(layout.sampling.shells);
+  if (!layout.sampling.region->empty()) json["sampling"]["region"] = region_json(*layout.sampling.region);
   json["receptive_field"] = {
       {"metric", word(layout.receptive_field.metric)},
       {"max_angle_deg", number(layout.receptive_field.max_angle_deg, "/receptive_field/max_angle_deg")}};

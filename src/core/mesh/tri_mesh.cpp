@@ -172,12 +172,19 @@ TriMesh extract_shells(const TriMesh& mesh, const std::vector<int>& shells, std:
     if (s < 0 || s >= mesh.shell_count()) throw Error(fmt::format("no shell {} (there are {})", s, mesh.shell_count()));
     wanted[at(s)] = 1;
   }
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.face_count(); ++f)
+    if (wanted[at(mesh.shell_of_face()[at(f)])]) faces.push_back(f);
+  TriMesh extracted = extract_faces(mesh, faces);
+  if (face_of != nullptr) *face_of = std::move(faces);
+  return extracted;
+}
+
+TriMesh extract_faces(const TriMesh& mesh, const std::vector<int>& wanted) {
   std::vector<int> new_index(mesh.vertices().size(), -1);
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
-  if (face_of != nullptr) face_of->clear();
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    if (!wanted[at(mesh.shell_of_face()[at(f)])]) continue;
+  for (const int f : wanted) {
     ivec3 face{0};
     for (int c = 0; c < 3; ++c) {
       int& index = new_index[at(mesh.faces()[at(f)][c])];
@@ -188,7 +195,6 @@ TriMesh extract_shells(const TriMesh& mesh, const std::vector<int>& shells, std:
       face[c] = index;
     }
     faces.push_back(face);
-    if (face_of != nullptr) face_of->push_back(f);
   }
   return {std::move(vertices), std::move(faces)};
 }

@@ -61,6 +61,8 @@ using TriMeshPtr = std::shared_ptr<const TriMesh>;
 /// The faces of one shell (or of several), with unused vertices dropped. Face order is kept.
 /// `face_of` (optional) gets, for each new face, its index in `mesh`.
 TriMesh extract_shells(const TriMesh& mesh, const std::vector<int>& shells, std::vector<int>* face_of = nullptr);
+/// These faces and their vertices, both in the order in which they are named.
+TriMesh extract_faces(const TriMesh& mesh, const std::vector<int>& faces);
 
 /// Whether `shell` lies inside another shell (a cavity when it is oriented inward).
 bool shell_is_enclosed(const TriMesh& mesh, int shell);

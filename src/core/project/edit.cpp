@@ -46,12 +46,7 @@ std::vector<int> region_of(const std::vector<int>& faces) {
   return region;
 }
 
-bool same_mesh(const MeshRef& a, const MeshRef& b) {
-  return a.sha256 == b.sha256 && (!a.sha256.empty() || a.file == b.file);
-}
-
 void replace_layout(Project& project, const ReplaceLayout& edit) {
-  if (!same_mesh(project.layout.mesh, edit.layout.mesh)) project.region = {};
   project.layout = edit.layout;
   const auto there = taxel_indices(project.layout);
   drop_links(project.mirrors, [&](int id) { return !there.contains(id); });
@@ -96,7 +91,7 @@ struct Apply {
   void operator()(const LinkTaxels& edit) const { link_taxels(project, edit); }
   void operator()(const UnlinkTaxels& edit) const { unlink_taxels(project, edit); }
   void operator()(const SetHidden& edit) const { set_hidden(project, edit); }
-  void operator()(const SetRegion& edit) const { project.region = region_of(edit.faces); }
+  void operator()(const SetRegion& edit) const { layout.sampling.region = region_of(edit.faces); }
   void operator()(const SetName& edit) const { layout.name = edit.name; }
   void operator()(const SetFrame& edit) const { set(layout.frame, edit.frame, "/frame"); }
   void operator()(const SetSampling& edit) const { set(layout.sampling, edit.sampling, "/sampling"); }
@@ -107,7 +102,7 @@ struct Apply {
   void operator()(const SetScenario& edit) const { set_scenario(project, edit); }
   void operator()(const ReplaceMesh& edit) const {
     set(layout.mesh, edit.mesh, "/mesh");
-    project.region = region_of(edit.region);
+    layout.sampling.region = region_of(edit.region);
   }
   void operator()(const ReplaceLayout& edit) const { replace_layout(project, edit); }
   void operator()(const ReplaceProject& edit) const { replace_project(project, edit); }

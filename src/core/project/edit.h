@@ -77,7 +77,7 @@ struct SetHidden {
   std::vector<int> ids;
 };
 
-/// The painted region: these faces and no others, in any order.
+/// The painted region (layout.sampling.region): these faces and no others, in any order.
 struct SetRegion {
   std::vector<int> faces;
 };
@@ -116,8 +116,8 @@ struct ReplaceMesh {
   std::vector<int> region;
 };
 
-/// Another layout in this project (a file read again, an import). Links and hidden taxels stay where both know the id;
-/// the region stays where the mesh is the same. Its ids must be unique (make_ids_unique).
+/// Another layout in this project (a file read again, an import). Links and hidden taxels stay where both know the
+/// id. Its ids must be unique (make_ids_unique).
 struct ReplaceLayout {
   Layout layout;
 };

@@ -40,6 +40,8 @@ std::optional<Fix> fix_of_sampling(const Problem& problem, Sampling sampling, co
     sampling.density = std::floor(most / digits) * digits;  // two digits, rounded down
   } else if (problem.code == "density_not_positive" || problem.code == "density_too_low") {
     sampling.density = std::min(usual, most);
+  } else if (problem.code.starts_with("region_")) {
+    return Fix{"Clear the painted region: the whole skin senses", SetRegion{}};
   } else {
     return std::nullopt;
   }
@@ -59,12 +61,12 @@ std::optional<Fix> fix_of_frame(const Problem& problem, SensorFrame frame) {
 
 std::optional<Fix> fix_of_mesh(const Problem& problem, const Project& project, const MeshIndex* skin,
                                const std::string& sha256) {
-  ReplaceMesh edit{project.layout.mesh, *project.region};
+  ReplaceMesh edit{project.layout.mesh, *project.layout.sampling.region};
   if (problem.code == "mesh_changed" && !sha256.empty()) {
     edit.mesh.sha256 = sha256;
     edit.region.clear();
-    return Fix{project.region->empty() ? "Take the mesh as it is now"
-                                       : "Take the mesh as it is now; the painted region is cleared",
+    return Fix{project.layout.sampling.region->empty() ? "Take the mesh as it is now"
+                                                       : "Take the mesh as it is now; the painted region is cleared",
                edit};
   }
   if (problem.code == "mesh_units" && skin != nullptr) {

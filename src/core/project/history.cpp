@@ -38,7 +38,7 @@ std::size_t bytes_of(const Project& project) {
   return bytes;
 }
 
-std::size_t bytes_of(const SharedValue<std::vector<int>>& region) {
+std::size_t bytes_of(const FaceSet& region) {
   return region.identity() != nullptr ? sizeof(*region) + heap(*region) : 0;
 }
 
@@ -111,7 +111,8 @@ std::size_t History::bytes() const {
   std::set<const void*> regions;
   const auto add = [&](const Step& step) {
     bytes += step.bytes;
-    if (regions.insert(step.project->region.identity()).second) bytes += bytes_of(step.project->region);
+    if (regions.insert(step.project->layout.sampling.region.identity()).second)
+      bytes += bytes_of(step.project->layout.sampling.region);
   };
   std::for_each(steps_.begin(), steps_.end(), add);
   std::for_each(undone_.begin(), undone_.end(), add);

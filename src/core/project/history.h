@@ -86,6 +86,6 @@ class History {
 /// Bytes of a project with what it holds on the heap, without the region.
 std::size_t bytes_of(const Project& project);
 /// Bytes of a region.
-std::size_t bytes_of(const SharedValue<std::vector<int>>& region);
+std::size_t bytes_of(const FaceSet& region);
 
 }  // namespace taxel

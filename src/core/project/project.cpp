@@ -79,17 +79,6 @@ void check_project(const Project& project) {
   for (std::size_t i = 0; i < project.hidden.size(); ++i)
     if (!ids.contains(project.hidden[i]))
       throw Error("", fmt::format("/hidden/{}", i), fmt::format("there is no taxel {}", project.hidden[i]));
-  check_ascending(*project.region, "/region");
-}
-
-Problems check_region(const Project& project, int face_count, const std::string& file) {
-  const std::vector<int>& region = *project.region;
-  if (region.empty() || region.back() < face_count) return {};
-  const auto beyond = region.end() - std::lower_bound(region.begin(), region.end(), face_count);
-  return {{file, "/region", Severity::warning, "region_off_mesh",
-           fmt::format("names face {}, the mesh has {}: {} of {} painted faces are not there", region.back(),
-                       face_count, beyond, region.size()),
-           "paint the region again"}};
 }
 
 }  // namespace taxel

@@ -50,8 +50,7 @@ struct Project {
   /// it.
   std::optional<View> view;
   std::vector<Mirror> mirrors;
-  std::vector<int> hidden;               ///< ids of taxels that are not shown, ascending
-  SharedValue<std::vector<int>> region;  ///< painted: faces of the mesh as loaded, ascending; empty: all of it
+  std::vector<int> hidden;  ///< ids of taxels that are not shown, ascending
   bool operator==(const Project&) const = default;
 };
 using ProjectPtr = std::shared_ptr<const Project>;
@@ -68,12 +67,8 @@ std::unordered_map<int, std::size_t> taxel_indices(const Layout& layout);
 std::vector<int> unused_ids(const Layout& layout, std::size_t count);
 
 /// What a project must be beside what layout_check tells about its layout: ids unique; links and hidden ids of taxels
-/// there are; no taxel linked to itself or twice across one plane; hidden and region ascending. Throws Error with the
+/// there are; no taxel linked to itself or twice across one plane; hidden ascending. Throws Error with the
 /// JSON pointer of the first place where it is not.
 void check_project(const Project& project);
-
-/// What tells a region against a mesh of so many faces: warning "region_off_mesh" where it names others. It was painted
-/// on another mesh then.
-Problems check_region(const Project& project, int face_count, const std::string& file);
 
 }  // namespace taxel

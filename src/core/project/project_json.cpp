@@ -27,7 +27,7 @@ void read_head(const Node& root) {
   const double version = root.at("version").number();
   if (version != kVersion)
     root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kVersion));
-  root.only({"format", "version", "layout", "scenario", "view", "mirrors", "hidden", "region"});
+  root.only({"format", "version", "layout", "scenario", "view", "mirrors", "hidden"});
 }
 
 /// Errors of the part's own reader, with where the part stands in the project.
@@ -72,36 +72,6 @@ Mirror read_mirror(const Node& node) {
     mirror.links.push_back({whole_number(link.item(0)), whole_number(link.item(1))});
   }
   return mirror;
-}
-
-/// Runs of faces, [first, last] each.
-std::vector<int> read_region(const Node& node) {
-  constexpr std::int64_t kMostFaces = 100'000'000;  // what would not fit in memory as a mesh is no region either
-  std::vector<int> faces;
-  std::int64_t count = 0;
-  for (std::size_t i = 0; i < node.length(); ++i) {
-    const Node run = node.item(i);
-    if (run.length() != 2) run.wrong("an array of 2 faces, the first and the last of a run");
-    const int first = whole_number(run.item(0)), last = whole_number(run.item(1));
-    if (last < first) run.fail(fmt::format("must not end before it begins, is [{}, {}]", first, last));
-    if (!faces.empty() && first <= faces.back()) run.fail(fmt::format("must follow face {}", faces.back()));
-    count += std::int64_t{last} - first + 1;
-    if (count > kMostFaces) run.fail(fmt::format("makes more than {} faces", kMostFaces));
-    for (int face = first; face < last; ++face) faces.push_back(face);
-    faces.push_back(last);
-  }
-  return faces;
-}
-
-Json region_json(const std::vector<int>& faces) {
-  Json runs = Json::array();
-  for (std::size_t i = 0; i < faces.size();) {
-    std::size_t last = i;
-    while (last + 1 < faces.size() && faces[last + 1] == faces[last] + 1) ++last;
-    runs.push_back({faces[i], faces[last]});
-    i = last + 1;
-  }
-  return runs;
 }
 
 Json view_json(const View& view) {
@@ -163,7 +133,6 @@ Project parse_project(const std::string& text, const std::string& file) {
     for (std::size_t i = 0; i < node->length(); ++i) project.mirrors.push_back(read_mirror(node->item(i)));
   if (const auto node = root.find("hidden"))
     for (std::size_t i = 0; i < node->length(); ++i) project.hidden.push_back(whole_number(node->item(i)));
-  if (const auto node = root.find("region")) project.region = read_region(*node);
   read_part(file, "", [&] { check_project(project); });
   return project;
 }
@@ -178,7 +147,6 @@ std::string project_to_json(const Project& project) {
   for (std::size_t i = 0; i < project.mirrors.size(); ++i)
     json["mirrors"].push_back(mirror_json(project.mirrors[i], fmt::format("/mirrors/{}", i)));
   json["hidden"] = project.hidden;
-  json["region"] = region_json(*project.region);
   return json_text(json);
 }
 

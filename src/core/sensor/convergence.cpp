@@ -8,7 +8,7 @@ namespace taxel {
 
 Convergence read_convergence(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
                              SensorCache& cache, Progress* progress) {
-  const double most = Convergence::kFactors.back() * model.layout.sampling.density * model.skin->mesh().area();
+  const double most = Convergence::kFactors.back() * model.layout.sampling.density * model.sampled_area;
   if (!(most <= kMaxSamples))
     throw Error("", "/sampling/density",
                 fmt::format("{} times the samples are {:.4g}, the limit is {}", Convergence::kFactors.back(), most,

@@ -127,7 +127,7 @@ void append_settings(std::string& html, const SensorModel& model) {
     html += fmt::format("<tr><td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n", what, value);
   };
   row("samples", fmt::format("{} on {:.4g} mm&sup2;, {:g} per m&sup2;, seed {}, weights {}", model.samples.size(),
-                             kMillimetres * kMillimetres * model.skin->mesh().area(), layout.sampling.density,
+                             kMillimetres * kMillimetres * model.sampled_area, layout.sampling.density,
                              layout.sampling.seed, to_word(layout.sampling.weights)));
   row("receptive fields", fmt::format("{} distance, normals within {:g}&deg;", to_word(layout.receptive_field.metric),
                                       layout.receptive_field.max_angle_deg));

@@ -1,5 +1,7 @@
 #include "core/sensor/sensor_cache.h"
 
+#include <algorithm>
+
 #include "core/base/parallel.h"
 
 namespace taxel {
@@ -38,6 +40,15 @@ SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells) {
     skin->sensed = std::make_shared<MeshIndex>(std::move(faces));
   }
   return skin;
+}
+
+SampledSkinPtr make_sampled_skin(const SensorSkin& skin, const std::vector<int>& region) {
+  if (region.empty()) return std::make_shared<const SampledSkin>(skin.sensed->mesh_ptr(), std::vector<int>());
+  std::vector<int> faces;  // both lists ascend
+  for (std::size_t f = 0; f < skin.face_of.size(); ++f)
+    if (std::binary_search(region.begin(), region.end(), skin.face_of[f])) faces.push_back(static_cast<int>(f));
+  auto mesh = std::make_shared<const TriMesh>(extract_faces(skin.sensed->mesh(), faces));
+  return std::make_shared<const SampledSkin>(std::move(mesh), std::move(faces));
 }
 
 void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, SensorRay& ray) {
@@ -103,18 +114,24 @@ HydroBodyPtr SensorCache::body(const TriMeshPtr& mesh, const Material& material,
   });
 }
 
-SampleSetPtr SensorCache::samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
+SampledSkinPtr SensorCache::sampled(const SensorSkinPtr& skin, const FaceSet& region) {
+  return sampled_.get({skin, region}, [&] { return make_sampled_skin(*skin, *region); });
+}
+
+SampleSetPtr SensorCache::samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
                                   Progress* progress) {
   return samples_.get(
       {skin, count, seed, quality},
       [&] {
-        return std::make_shared<const std::vector<SurfaceSample>>(
-            sample_surface(skin->sensed->mesh(), count, seed, progress, quality));
+        auto samples = sample_surface(*skin->mesh, count, seed, progress, quality);
+        if (!skin->face_of.empty())
+          for (SurfaceSample& sample : samples) sample.face = skin->face_of[index(sample.face)];
+        return std::make_shared<const std::vector<SurfaceSample>>(std::move(samples));
       },
       [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });
 }
 
-bool SensorCache::has_samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality) {
+bool SensorCache::has_samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality) {
   return samples_.has({skin, count, seed, quality});
 }
 

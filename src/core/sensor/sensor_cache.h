@@ -30,6 +30,16 @@ using SampleSetPtr = std::shared_ptr<const std::vector<SurfaceSample>>;
 
 SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells);
 
+/// Where samples lie: the sensed skin, or those of its faces that a region names.
+struct SampledSkin {
+  TriMeshPtr mesh;
+  std::vector<int> face_of;  ///< face of `mesh` -> sensed face; empty: they are the same
+};
+using SampledSkinPtr = std::shared_ptr<const SampledSkin>;
+
+/// `region`: faces of skin.mesh; those that are not sensed, or not there, are left out.
+SampledSkinPtr make_sampled_skin(const SensorSkin& skin, const std::vector<int>& region);
+
 /// Rays from samples into the body, against the surface normal: how deep each may go and which tets it crosses, found
 /// when first asked for.
 class SampleRays {
@@ -68,11 +78,14 @@ class SensorCache {
   Problems mesh_problems(const TriMeshPtr& mesh);
   /// Body of a whole mesh: by its vertices and faces, and material. Throws as make_body does.
   HydroBodyPtr body(const TriMeshPtr& mesh, const Material& material, const std::string& name);
-  /// Samples of the skin: by skin, count, seed and quality. Throws as sample_surface does.
-  SampleSetPtr samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
+  /// The part of a skin that is sampled: by skin and region.
+  SampledSkinPtr sampled(const SensorSkinPtr& skin, const FaceSet& region);
+  /// Samples, with faces of the sensed skin: by what is sampled, count, seed and quality. Throws as sample_surface
+  /// does.
+  SampleSetPtr samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
                        Progress* progress);
   /// Whether samples() would find them.
-  [[nodiscard]] bool has_samples(const SensorSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality);
+  [[nodiscard]] bool has_samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality);
   /// By what it is made of.
   std::shared_ptr<SampleRays> rays(const SensorSkinPtr& skin, const SampleSetPtr& samples, const HydroBodyPtr& body,
                                    double allowed);
@@ -89,8 +102,13 @@ class SensorCache {
     Material material;
     bool operator==(const BodyKey&) const = default;
   };
-  struct SamplesKey {
+  struct SampledKey {
     SensorSkinPtr skin;
+    FaceSet region;
+    bool operator==(const SampledKey&) const = default;
+  };
+  struct SamplesKey {
+    SampledSkinPtr skin;
     int count = 0;
     std::uint64_t seed = 0;
     SampleQuality quality{};
@@ -111,6 +129,7 @@ class SensorCache {
   Memo<SkinKey, SensorSkinPtr> skins_{kEntries};
   Memo<MeshKey, Problems> mesh_problems_{kEntries};
   Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};
+  Memo<SampledKey, SampledSkinPtr> sampled_{kEntries};
   Memo<SamplesKey, SampleSetPtr> samples_{kSamples};
   Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for what replaces it
 };

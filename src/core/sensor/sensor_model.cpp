@@ -149,10 +149,12 @@ struct Input {
 /// Samples, and the receptive fields on them: what does not need the body.
 SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const SensorBuild& how) {
   const Sampling& sampling = model.layout.sampling;
-  const int count = sample_count(sampling.density, skin->sensed->mesh().area());
-  const bool known = cache.has_samples(skin, count, sampling.seed, SampleQuality::polished);
+  const SampledSkinPtr sampled = cache.sampled(skin, sampling.region);
+  model.sampled_area = sampled->mesh->area();
+  const int count = sample_count(sampling.density, model.sampled_area);
+  const bool known = cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished);
   model.quality = known ? SampleQuality::polished : how.quality;
-  SampleSetPtr samples = cache.samples(skin, count, sampling.seed, model.quality, how.progress);
+  SampleSetPtr samples = cache.samples(sampled, count, sampling.seed, model.quality, how.progress);
   model.skin = skin->sensed;
   model.skin_face_of = skin->face_of;
   model.samples = *samples;
@@ -209,7 +211,7 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
 
 double SensorModel::sample_share(int sample) const {
   if (layout.sampling.weights == SampleWeights::equal) return 1.0;
-  return samples[index(sample)].area * static_cast<double>(samples.size()) / skin->mesh().area();
+  return samples[index(sample)].area * static_cast<double>(samples.size()) / sampled_area;
 }
 
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,

@@ -32,6 +32,7 @@ struct SensorModel {
   std::vector<int> skin_face_of;          ///< skin face -> face of `mesh`
   HydroBodyPtr body;                      ///< soft (layout.material), frame M
   SampleQuality quality = SampleQuality::polished;
+  double sampled_area = 0;                         ///< of layout.sampling.region, or all of the skin [m^2]
   std::vector<SurfaceSample> samples;              ///< on the skin
   ReceptiveFields fields;                          ///< entries name samples
   std::vector<SensorRay> rays;                     ///< one per used sample (and per taxel with ray = taxel_normal)

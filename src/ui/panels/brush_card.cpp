@@ -21,7 +21,7 @@ constexpr FieldUnit kMillimetres{"mm", -3, 2};
 constexpr double kBrushAngleDeg = SurfaceBrush{}.max_angle_deg;
 
 std::string painted_text(const SensorModel& model, const std::vector<int>& region) {
-  if (region.empty()) return "Nothing painted: the whole skin counts";
+  if (region.empty()) return "Nothing painted: the whole skin senses";
   const double area = area_of_faces(*model.mesh, region), whole = model.skin->mesh().area();
   return fmt::format("Painted: {} ({:.1f} % of the skin)", in_mm2(area), 100 * area / whole);
 }
@@ -35,11 +35,11 @@ void draw_contents(UiState& ui, const UiInput& input) {
   if (const auto radius = number_field(ui, "Brush radius (mm)", {brush_radius(ui, model)}, kMillimetres, field))
     set_brush_radius(ui, model, *radius);
   tooltip("Faces within this distance of the pointer are painted [mm]. The wheel changes it by 10 %.");
-  ImGui::TextUnformatted(painted_text(model, *input.editing.project->region).c_str());
+  ImGui::TextUnformatted(painted_text(model, *input.editing.project->layout.sampling.region).c_str());
   ui.widgets.note_item("Painted area");
   tooltip(
-      "Generate > Spread evenly fills the painted faces, or the whole skin where none is painted.\n"
-      "Samples lie on the whole skin either way: the region is of the project, not of the layout.");
+      "Samples lie on the painted faces only, and Generate > Spread evenly fills them;\n"
+      "where none is painted, both take the whole skin. Saved with the layout.");
   if (button(ui, "Clear")) change_region(ui, input, RegionChange::clear);
   tooltip("Nothing is painted any more");
   ImGui::SameLine();

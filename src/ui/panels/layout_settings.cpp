@@ -59,12 +59,14 @@ void draw_layout(UiState& ui, const Layout& layout) {
 }
 
 void draw_region(UiState& ui, const Project& project) {
-  begin_property("Painted region", "Faces of the mesh that the brush has painted: where generators put taxels");
-  if (project.region->empty()) {
+  begin_property(
+      "Painted region",
+      "Faces of the mesh that the brush has painted: there the samples lie, and there Spread evenly puts taxels");
+  if (project.layout.sampling.region->empty()) {
     ImGui::TextUnformatted("the whole mesh");
     return;
   }
-  ImGui::Text("%s faces", grouped(static_cast<long long>(project.region->size())).c_str());
+  ImGui::Text("%s faces", grouped(static_cast<long long>(project.layout.sampling.region->size())).c_str());
   ImGui::SameLine();
   if (ImGui::SmallButton("Clear")) ui.ask(EditProject{SetRegion{}, {}});
   ui.widgets.note_item("Clear the region");

@@ -103,7 +103,7 @@ void draw_spiral(UiState& ui, Pattern& p) {
 void draw_spread(UiState& ui, const UiInput& input, Pattern& p) {
   count_row(ui, "Taxels", p.count, "Each as far from the others along the skin as it can be (Gonzalez 1985)");
   count_row(ui, "Seed", p.seed, "Another one, another spread");
-  const bool painted = !input.editing.project->region->empty();
+  const bool painted = !input.editing.project->layout.sampling.region->empty();
   begin_row("Over", "The painted region, or the whole skin where nothing is painted");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(painted ? "the painted region" : "the whole skin");

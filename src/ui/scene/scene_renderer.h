@@ -54,10 +54,10 @@ struct SceneInput {
   Overlays overlays;
   PressureRange range;
   int selected_sensor = 0;
-  int selected_taxel = -1;               ///< the active one: index in layout order, -1: none
-  std::vector<int> selected_taxels;      ///< all of them, the active one among them; ascending
-  std::vector<int> hidden_taxels;        ///< of the document's layout: neither drawn nor picked; indices, ascending
-  SharedValue<std::vector<int>> region;  ///< painted faces of the document's mesh, ascending
+  int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
+  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
+  std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending
+  FaceSet region;                    ///< painted faces of the document's mesh, ascending
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
   std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null

@@ -193,7 +193,7 @@ Section make_section(const SceneInput& input, const SensorView& view, double sla
     add_rays(view, slab, out);
   }
   const auto samples = static_cast<double>(std::max<std::size_t>(view.model->samples.size(), 1));
-  out.spacing = std::sqrt(view.model->skin->mesh().area() / samples);
+  out.spacing = std::sqrt(view.model->sampled_area / samples);
   out.size = 0.55 * view.model->mesh->bounds().diagonal();
   out.focus = out.plane.flat(view.X_WM * view.model->mesh->bounds().center());
   out.title = "along the finger";

@@ -61,7 +61,7 @@ void begin_stroke(UiState& ui, const UiInput& input) {
   BrushState& brush = ui.tool.brush;
   brush.painting = true;
   brush.erases = io.KeyShift || io.KeyCtrl;
-  brush.region = *input.editing.project->region;
+  brush.region = *input.editing.project->layout.sampling.region;
   brush.last.reset();
   ++ui.tool.gesture;
 }
@@ -113,7 +113,7 @@ void change_region(UiState& ui, const UiInput& input, RegionChange change) {
   std::vector<int> all(static_cast<std::size_t>(model.skin->mesh().face_count()));
   std::iota(all.begin(), all.end(), 0);
   all = mesh_faces(model, all);
-  const std::vector<int>& region = *input.editing.project->region;
+  const std::vector<int>& region = *input.editing.project->layout.sampling.region;
   std::vector<int> changed;
   if (change == RegionChange::all) changed = all;
   if (change == RegionChange::invert) changed = without_faces(all, region);

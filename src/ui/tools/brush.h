@@ -1,5 +1,5 @@
-// The brush: paints the region of the skin that generators fill. The region names faces of the mesh as loaded, the
-// brush works on the skin.
+// The brush: paints the region of the skin that senses: samples lie there, and generators fill it. The region names
+// faces of the mesh as loaded, the brush works on the skin.
 #pragma once
 
 #include "core/mesh/surface_brush.h"

@@ -112,7 +112,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
     }
     std::sort(scene.hidden_taxels.begin(), scene.hidden_taxels.end());
   }
-  if (ui.mode == Mode::layout && input.editing.project) scene.region = input.editing.project->region;
+  if (ui.mode == Mode::layout && input.editing.project) scene.region = input.editing.project->layout.sampling.region;
   if (ui.mode == Mode::layout && ui.generate.open) scene.ghosts = ui.generate.ghosts;
   scene.dark = ui.saved.dark;
   return scene;

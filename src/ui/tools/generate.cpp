@@ -43,7 +43,7 @@ PatternJob job_of(const UiState& ui, const UiInput& input) {
   const GenerateState& g = ui.generate;
   PatternJob job{g.pattern, g.frame, input.editing.project->layout.frame, input.model->skin, {}, nullptr, "", nullptr};
   // What a kind does not look at makes no difference.
-  if (g.pattern.kind == PatternKind::spread) job.region = input.editing.project->region;
+  if (g.pattern.kind == PatternKind::spread) job.region = input.editing.project->layout.sampling.region;
   if (g.pattern.kind == PatternKind::spread) job.frame = {};
   if (g.pattern.kind == PatternKind::table) job.table = g.table;
   if (g.pattern.kind == PatternKind::table) job.table_file = g.table_file;

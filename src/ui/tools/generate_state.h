@@ -18,7 +18,7 @@ struct PatternJob {
   PlacingFrame frame;
   SensorFrame sensor;
   std::shared_ptr<const MeshIndex> skin;
-  SharedValue<std::vector<int>> region;      ///< painted faces of the mesh as loaded
+  FaceSet region;                            ///< painted faces of the mesh as loaded
   std::shared_ptr<const std::string> table;  ///< text of a file; null: none chosen
   std::string table_file;
   std::shared_ptr<const GreyImage> image;

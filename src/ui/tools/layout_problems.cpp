@@ -35,7 +35,6 @@ LayoutProblems layout_problems(const ProjectPtr& project, const TriMesh& mesh,
   };
   add(check_layout_values(layout, ""));
   add(check_layout_on_skin(layout, mesh, *skin, mesh_sha256, ""));
-  add(check_region(*project, mesh.face_count(), ""));
   return problems;
 }
 

@@ -57,6 +57,13 @@ TEST(Brush, AStrokePaintsWhatItPassesAsOneStep) {
   EXPECT_EQ(painted["camera"], studio.state("before.json")["camera"]);
   EXPECT_EQ(region(studio.state("undone.json")), std::vector<int>());
   EXPECT_EQ(region(studio.state("redone.json")), faces);
+  // Samples lie there and nowhere else.
+  const auto samples = [&](const char* state) { return studio.state(state)["document"]["samples"].get<int>(); };
+  EXPECT_EQ(samples("undone.json"), samples("before.json"));
+  EXPECT_EQ(samples("redone.json"), samples("painted.json"));
+  const TriMesh mesh = *load_mesh(kMeshFile).mesh;
+  const double part = area_of_faces(mesh, faces) / mesh.area();
+  EXPECT_NEAR(samples("painted.json"), part * samples("before.json"), 1.0);
   // Tinted where it went, and nowhere beside.
   const Picture was = studio.picture("before.png"), is = studio.picture("painted.png");
   const auto difference = [&](double x, double y) {

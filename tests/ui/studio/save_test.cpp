@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -126,10 +127,12 @@ TEST(StateFolder, KeepsSettingsUnderScripts) {
   EXPECT_TRUE(studio.state("again.json")["overlays"]["wireframe"]);
 }
 
-/// The program with a script that edits and then goes on for ever; killed when `kept` is there.
-void edit_and_kill(const StudioProgram& studio, const std::string& kept) {
+/// A script that goes on for ever is played until `enough`; then the program is killed. Edits are to be kept every so
+/// many seconds of the script.
+template <class Done>
+void play_and_kill(const StudioProgram& studio, const Lines& lines, const char* every, const Done& enough) {
   std::string script;
-  for (const std::string& line : kEdit) script += line + "\n";
+  for (const std::string& line : lines) script += line + "\n";
   script += R"({"frame": 100000000, "do": "quit"})";
   write_text(studio.folder() / "endless.jsonl", script + "\n");
   const pid_t child = ::fork();
@@ -137,22 +140,32 @@ void edit_and_kill(const StudioProgram& studio, const std::string& kept) {
   if (child == 0) {
     if (::chdir(studio.folder().c_str()) != 0) ::_exit(125);
     ::execl(STUDIO_PROGRAM, STUDIO_PROGRAM, "--script", "endless.jsonl", "--state-dir", "state", "--autosave-every",
-            "0.02", kLayoutFile.c_str(), in_a_window() ? nullptr : "--headless", nullptr);
+            every, kLayoutFile.c_str(), in_a_window() ? nullptr : "--headless", nullptr);
     ::_exit(126);
   }
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-  bool there = false;
-  while (!there && std::chrono::steady_clock::now() < deadline) {
+  bool done = false;
+  while (!done && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(studio.folder() / kept, ignored))
-      there = there || entry.path().extension() == ".taxelproj";
+    done = enough();
   }
   ::kill(child, SIGKILL);
   int status = 0;
   ::waitpid(child, &status, 0);
-  EXPECT_TRUE(there) << "nothing was kept";
+  EXPECT_TRUE(done) << "it did not get so far";
   EXPECT_TRUE(WIFSIGNALED(status));
+}
+
+bool is_kept(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".taxelproj") return true;
+  return false;
+}
+
+/// Killed as soon as its edit is kept.
+void edit_and_kill(const StudioProgram& studio, const std::string& kept) {
+  play_and_kill(studio, kEdit, "0.02", [&] { return is_kept(studio.folder() / kept); });
 }
 
 TEST(Recovery, AfterAKillTheEditsAreOfferedAndCanBeHadBack) {
@@ -170,6 +183,38 @@ TEST(Recovery, AfterAKillTheEditsAreOfferedAndCanBeHadBack) {
   EXPECT_TRUE(recovered["recovery"].get<std::string>().empty());
   studio.play({kIdle, dump("again.json")}, arguments);
   EXPECT_TRUE(studio.state("again.json")["recovery"].get<std::string>().empty()) << "the program ended as it should";
+}
+
+/// Edits one after the other, and a kill in the middle of them: of what was done, only the last interval's may be lost.
+TEST(Recovery, AKillLosesNoMoreThanOneInterval) {
+  const StudioProgram studio;
+  constexpr int kFrom = 100, kEdits = 400, kKilledAfter = 120;  // frames; edits
+  constexpr int kFramesPerEdit = 10;                            // a fifth of a second
+  constexpr double kEvery = 2;                                  // seconds: ten edits
+  Lines lines = kEdit;
+  for (int i = 1; i <= kEdits; ++i) {
+    const int frame = kFrom + kFramesPerEdit * i;
+    const auto at = [&](int shift, const std::string& line) {
+      return R"({"frame": )" + std::to_string(frame + shift) + ", " + line.substr(1);
+    };
+    lines.push_back(at(0, key("f")));
+    lines.push_back(at(1, type(std::to_string(1000 + i) + "/1000")));
+    lines.push_back(at(3, key("Enter")));
+    lines.push_back(at(6, dump("edit_" + std::to_string(i) + ".json")));
+  }
+  int done = 0;  // edits
+  play_and_kill(studio, lines, std::to_string(kEvery).c_str(), [&] {
+    while (std::filesystem::exists(studio.folder() / ("edit_" + std::to_string(done + 1) + ".json"))) ++done;
+    return done >= kKilledAfter;
+  });
+  ASSERT_EQ(radius_of_3(studio.state("edit_" + std::to_string(kKilledAfter) + ".json")["document"]["layout"]),
+            (1000 + kKilledAfter) * 1e-6);
+  studio.play({kIdle, press("Recover"), kIdle, dump("recovered.json")}, {"--empty", "--state-dir", "state"});
+  const double radius = radius_of_3(studio.state("recovered.json")["document"]["layout"]);
+  const double kept = std::round(radius * 1e6 - 1000);
+  const double interval = kEvery / (0.02 * kFramesPerEdit);
+  EXPECT_GE(kept, done - interval - 3) << "of " << done << " edits; writing takes a moment";
+  EXPECT_LE(kept, kEdits);
 }
 
 TEST(Recovery, CanBeThrownAway) {

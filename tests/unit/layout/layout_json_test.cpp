@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "fixtures/complaint.h"
 
 namespace taxel {
 namespace {
@@ -20,7 +21,7 @@ Layout full_layout() {
   layout.name = "tip \"A\" \xC3\xA9\n";
   layout.mesh = {"a/b.stl", dvec3(0.001, -0.001, 1.0 / 3.0), "abc"};
   layout.frame = {dvec3(0, 1, 0), dvec3(-0.0, 0, 0.1 + 0.2)};
-  layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all};
+  layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all, std::vector{1, 2, 5}};
   layout.receptive_field = {Metric::geodesic, 37.5};
   layout.readout = {Aggregate::force, Misses::omit, RayDirection::taxel_normal, 1e-300, true};
   layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308};
@@ -95,6 +96,7 @@ TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
                           "seed",
                           "weights",
                           "shells",
+                          "region",
                           "receptive_field",
                           "metric",
                           "max_angle_deg",
@@ -157,6 +159,41 @@ TEST(LayoutJson, ShellsAreWrittenOnlyWhereAllAreSampled) {
   EXPECT_EQ(layout_to_json(layout).find("shells"), std::string::npos);
   layout.sampling.shells = Shells::all;
   EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
+}
+
+TEST(LayoutJson, ARegionIsWrittenInRunsAndOnlyWhereThereIsOne) {
+  Layout layout = parse_layout(kMinimal);
+  EXPECT_TRUE(layout.sampling.region->empty());
+  EXPECT_EQ(layout_to_json(layout).find("region"), std::string::npos);
+  layout.sampling.region = std::vector{0, 1, 2, 9, 20, 21};
+  const std::string text = layout_to_json(layout);
+  EXPECT_EQ(parse_layout(text), layout);
+  const std::string runs = text.substr(text.find("\"region\""));
+  std::string packed;
+  for (const char c : runs.substr(0, runs.find('}')))
+    if (c != ' ' && c != '\n') packed += c;
+  EXPECT_EQ(packed, "\"region\":[[0,2],[9,9],[20,21]]");
+}
+
+TEST(LayoutJson, NamesWhatIsWrongWithARegion) {
+  const auto complaint = [](const std::string& region) {
+    std::string text = kMinimal;
+    text.insert(text.find('{') + 1, "\"sampling\": {\"region\": " + region + "},");
+    return test::complaint_of([&] { parse_layout(text, "l"); });
+  };
+  EXPECT_EQ(complaint("[[0, 3]]"), "accepted");
+  EXPECT_EQ(complaint("3"), "l: /sampling/region: must be an array, is 3");
+  EXPECT_EQ(complaint("[[0, 3], [5]]"),
+            "l: /sampling/region/1: must be an array of 2 faces, the first and the last of a run, is [5]");
+  EXPECT_EQ(
+      complaint("[[3, 0]]"),
+      "l: /sampling/region/0: must be the first and the last of a run of faces, 0 or more and ascending, is [3,0]");
+  EXPECT_EQ(
+      complaint("[[-1, 0]]"),
+      "l: /sampling/region/0: must be the first and the last of a run of faces, 0 or more and ascending, is [-1,0]");
+  EXPECT_EQ(complaint("[[0, 3], [3, 4]]"), "l: /sampling/region/1: must be a run behind face 3, is [3,4]");
+  EXPECT_EQ(complaint("[[0, 2000000000]]"),
+            "l: /sampling/region/0: must be at most 100000000 faces in all, is [0,2000000000]");
 }
 
 TEST(LayoutJson, NumbersAreShortest) {

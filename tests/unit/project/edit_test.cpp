@@ -212,15 +212,13 @@ TEST(Edit, ReordersAllTaxels) {
 
 TEST(Edit, ANewMeshForgetsTheRegionOfTheOld) {
   Project project = apply_edit(three(), SetRegion{{5, 3, 5}});
-  EXPECT_EQ(*project.region, (std::vector{3, 5}));
-  EXPECT_EQ(*apply_edit(project, ReplaceMesh{{"/n.obj", dvec3(1), "x"}, {1}}).region, std::vector{1});
+  EXPECT_EQ(*project.layout.sampling.region, (std::vector{3, 5}));
+  EXPECT_EQ(*apply_edit(project, ReplaceMesh{{"/n.obj", dvec3(1), "x"}, {1}}).layout.sampling.region, std::vector{1});
   Layout other = three().layout;
   other.taxels.pop_back();
   project.hidden = {2, 7};
-  EXPECT_EQ(*apply_edit(project, ReplaceLayout{other}).region, (std::vector{3, 5})) << "the same mesh";
+  EXPECT_TRUE(apply_edit(project, ReplaceLayout{other}).layout.sampling.region->empty()) << "it brings its own";
   EXPECT_EQ(apply_edit(project, ReplaceLayout{other}).hidden, std::vector{7});
-  other.mesh.file = "/n.obj";
-  EXPECT_TRUE(apply_edit(project, ReplaceLayout{other}).region->empty());
   other.taxels[1].id = 4;
   EXPECT_EQ(complaint(ReplaceLayout{other}), "/layout/taxels/1/id: 4 is also the id of another taxel");
 }

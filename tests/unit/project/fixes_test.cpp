@@ -101,7 +101,7 @@ const Case kCases[] = {
     {"mesh_changed", "Take the mesh as it is now; the painted region is cleared",
      [](Project& p) {
        p.layout.mesh.sha256 = "beef";
-       p.region = std::vector<int>{1, 2};
+       p.layout.sampling.region = std::vector<int>{1, 2};
      }},
     {"scale_zero", "Set the scale to 1", [](Project& p) { p.layout.mesh.scale.y = 0; }},
     {"calibration_unused", "Remove the calibration of taxel 99, which is not there",

@@ -199,9 +199,9 @@ TEST(History, CountsARegionOnceForAllThatShareIt) {
   EXPECT_GT(one, 100'000U * sizeof(int));
   for (int i = 1; i <= 100; ++i) history.apply(move({i, 0, 0}));
   EXPECT_LT(history.bytes(), one + 100 * 2 * bytes_of(one_taxel()));
-  EXPECT_EQ(history.project()->region.identity(), [&] {
+  EXPECT_EQ(history.project()->layout.sampling.region.identity(), [&] {
     history.undo();
-    return history.project()->region.identity();
+    return history.project()->layout.sampling.region.identity();
   }());
   faces.pop_back();
   history.apply(SetRegion{faces});

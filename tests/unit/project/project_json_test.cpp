@@ -31,7 +31,7 @@ Project full_project() {
   project.view = View{dvec3(1, 2, 1.0 / 3.0), -200, 89.5, 1e-3, 35};
   project.mirrors = {{{dvec3(0, 0.1, 0), {0, 2, 0.3}}, {{7, 2}}}, {{}, {{2, 7}}}};
   project.hidden = {2, 7};
-  project.region = std::vector{0, 1, 2, 9, 20, 21};
+  project.layout.sampling.region = std::vector{0, 1, 2, 9, 20, 21};
   return project;
 }
 
@@ -96,11 +96,7 @@ const Broken kBroken[] = {
     {"\"hidden\": [2, 7]", "\"hidden\": [2, \"7\"]", "/hidden/1: must be a number, is \"7\""},
     {"\"hidden\": [2, 7]", "\"hidden\": [7, 2]", "/hidden/1: must ascend from 0 or more"},
     {"\"hidden\": [2, 7]", "\"hidden\": [2, 8]", "/hidden/1: there is no taxel 8"},
-    {"[9, 9]", "[9]", "/region/1: must be an array of 2 faces, the first and the last of a run, is an array of 1"},
-    {"[9, 9]", "[9, 8]", "/region/1: must not end before it begins, is [9, 8]"},
-    {"[9, 9]", "[2, 9]", "/region/1: must follow face 2"},
-    {"[9, 9]", "[9, 2000000000]", "/region/1: makes more than 100000000 faces"},
-    {"\"region\"", "\"hidden\"", "has the key \"hidden\" twice in one object"},
+    {"\"mirrors\"", "\"hidden\"", "has the key \"hidden\" twice in one object"},
 };
 
 TEST(ProjectJson, NamesWhatIsWrong) {
@@ -214,15 +210,6 @@ TEST(ProjectJson, DeepUnknownKeysOfALayoutGoRound) {
   project.layout.unknown = {{"/deep", std::string(levels, '[') + std::string(levels, ']')}};
   EXPECT_EQ(parse_layout(layout_to_json(project.layout)), project.layout);
   EXPECT_EQ(parse_project(project_to_json(project)), project);
-}
-
-TEST(ProjectCheck, ARegionBeyondTheMeshIsOfAnotherMesh) {
-  EXPECT_TRUE(check_region(full_project(), 22, "p").empty());
-  EXPECT_TRUE(check_region({}, 0, "p").empty());
-  const Problems problems = check_region(full_project(), 20, "p");
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].code, "region_off_mesh");
-  EXPECT_EQ(problems[0].message, "names face 21, the mesh has 20: 2 of 6 painted faces are not there");
 }
 
 }  // namespace

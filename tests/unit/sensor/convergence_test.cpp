@@ -89,7 +89,8 @@ TEST(Convergence, MakesNothingTwice) {
   cancelled.cancel();
   const auto samples = [&](double factor) {
     const int count = sample_count(factor * plate.layout.sampling.density, plate.mesh->area());
-    return cache.samples(skin, count, plate.layout.sampling.seed, SampleQuality::polished, &cancelled);
+    return cache.samples(cache.sampled(skin, {}), count, plate.layout.sampling.seed, SampleQuality::polished,
+                         &cancelled);
   };
   for (const double factor : Convergence::kFactors) EXPECT_NO_THROW(samples(factor)) << factor;
   EXPECT_THROW(samples(2.0), Cancelled);

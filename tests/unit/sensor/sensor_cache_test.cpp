@@ -75,7 +75,7 @@ TEST(SensorCache, WhatSamplesDependOnMakesThemAnew) {
   const auto same_content = std::make_shared<const TriMesh>(finger.mesh.mesh->vertices(), finger.mesh.mesh->faces());
   EXPECT_EQ(cache.skin(same_content, Shells::outer), skin);
   const auto samples = [&](int count, std::uint64_t seed, SampleQuality quality) {
-    return cache.samples(skin, count, seed, quality, nullptr);
+    return cache.samples(cache.sampled(skin, {}), count, seed, quality, nullptr);
   };
   const SampleSetPtr first = samples(500, 1, SampleQuality::polished);
   EXPECT_EQ(samples(500, 1, SampleQuality::polished), first);

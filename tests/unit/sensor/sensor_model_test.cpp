@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/base/error.h"
@@ -158,6 +159,62 @@ TEST(SensorModel, OurFingertip) {
   for (int k = 0; k < 12; ++k)
     EXPECT_GT(model->fields.first[static_cast<std::size_t>(k) + 1] - model->fields.first[static_cast<std::size_t>(k)],
               500);
+}
+
+/// Faces that look to the pad's side.
+std::vector<int> pad_faces(const TriMesh& mesh) {
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.face_count(); ++f)
+    if (mesh.face_normals()[static_cast<std::size_t>(f)].y < -0.5) faces.push_back(f);
+  return faces;
+}
+
+TEST(SensorModel, SamplesLieInTheRegionOnly) {
+  SensorSource source = read_sensor_source(kFinger);
+  const TriMesh& mesh = *source.mesh.mesh;
+  const std::vector<int> region = pad_faces(mesh);
+  double area = 0;
+  for (const int f : region) area += mesh.face_areas()[static_cast<std::size_t>(f)];
+  ASSERT_GT(area, 0.1 * mesh.area());
+  source.layout.sampling.region = region;
+  source.layout.sampling.weights = SampleWeights::voronoi;
+  for (const SampleQuality quality : {SampleQuality::preview, SampleQuality::polished}) {
+    SensorBuild how;
+    how.quality = quality;
+    const SensorModelPtr model = build_sensor_model(source.layout, source.mesh.mesh, "", "f", how);
+    expect_consistent(*model);
+    EXPECT_EQ(static_cast<int>(model->samples.size()), static_cast<int>(std::round(1e7 * area)));
+    EXPECT_NEAR(model->sampled_area, area, 1e-12 * area);
+    double stands_for = 0, shares = 0;
+    for (std::size_t s = 0; s < model->samples.size(); ++s) {
+      const SurfaceSample& sample = model->samples[s];
+      ASSERT_TRUE(std::binary_search(region.begin(), region.end(), sample.face));
+      const SurfacePoint nearest = model->skin->closest_point(sample.position);
+      ASSERT_LT(nearest.distance, 1e-12);
+      ASSERT_LT(glm::distance(sample.normal, mesh.face_normals()[static_cast<std::size_t>(sample.face)]), 1e-12);
+      stands_for += sample.area;
+      shares += model->sample_share(static_cast<int>(s));
+    }
+    EXPECT_NEAR(stands_for, area, 1e-9 * area);
+    EXPECT_NEAR(shares, static_cast<double>(model->samples.size()), 1e-6 * shares) << "one on average";
+    EXPECT_EQ(model->skin->mesh().face_count(), mesh.face_count()) << "touched everywhere";
+  }
+}
+
+TEST(SensorModel, ARegionBesideTheMeshSensesNothingAndSaysSo) {
+  SensorSource source = read_sensor_source(kFinger);
+  const int faces = source.mesh.mesh->face_count();
+  const auto problems = [&](std::vector<int> region) {
+    source.layout.sampling.region = std::move(region);
+    std::set<std::string> codes;
+    for (const Problem& p : build_sensor_model(source.layout, source.mesh.mesh, "", "f")->problems)
+      if (p.pointer == "/sampling/region") codes.insert(p.code);
+    return codes;
+  };
+  EXPECT_EQ(problems({0, faces - 1}), std::set<std::string>{});
+  EXPECT_EQ(problems({0, faces}), std::set<std::string>{"region_off_mesh"});
+  EXPECT_EQ(problems({faces}), (std::set<std::string>{"region_off_mesh", "region_empty"}));
+  EXPECT_THROW(problems({3, 1}), Error);
 }
 
 TEST(SensorModel, TheRealFingertipHasNoSampleOnItsCavity) {

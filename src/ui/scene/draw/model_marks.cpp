@@ -56,8 +56,8 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
 
 ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, FieldGeometry& fields)
     : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look), fields_(fields) {
-  const TriMesh& skin = model_->skin->mesh();
-  if (!model_->samples.empty()) spacing_ = std::sqrt(skin.area() / static_cast<double>(model_->samples.size()));
+  if (!model_->samples.empty())
+    spacing_ = std::sqrt(model_->sampled_area / static_cast<double>(model_->samples.size()));
   const std::vector<std::vector<RingPiece>>& rings_of = fields_.rings(*model_);
   const float width = model_->taxel_count() > kManyTaxels ? kThinRingWidth : kRingWidth;
   Segments rings, arrows;

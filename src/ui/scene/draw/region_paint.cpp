@@ -8,7 +8,7 @@ namespace {
 constexpr glm::vec4 kTint{0.10f, 0.62f, 0.78f, 0.45f};
 }
 
-const PaintBuffer& RegionPaint::take(const TriMeshPtr& mesh, const SharedValue<std::vector<int>>& region) {
+const PaintBuffer& RegionPaint::take(const TriMeshPtr& mesh, const FaceSet& region) {
   if (mesh == mesh_ && region.identity() == region_.identity()) return triangles_;
   std::vector<PaintVertex> vertices;
   for (const int face : *region) {

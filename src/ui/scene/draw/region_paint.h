@@ -10,11 +10,11 @@ namespace taxel::ui {
 class RegionPaint {
  public:
   /// Made anew where mesh or region are others than last time. Faces that the mesh has not are left out.
-  const PaintBuffer& take(const TriMeshPtr& mesh, const SharedValue<std::vector<int>>& region);
+  const PaintBuffer& take(const TriMeshPtr& mesh, const FaceSet& region);
 
  private:
   TriMeshPtr mesh_;
-  SharedValue<std::vector<int>> region_;
+  FaceSet region_;
   PaintBuffer triangles_;
 };
 
