@@ -131,7 +131,9 @@ void note_empty_fields(SensorModel& model, const std::string& file) {
     });
     if (!known)
       found.push_back({file, pointer, Severity::warning, kFieldWithoutSamples,
-                       "no sample lies in the receptive field: it will read 0", "raise /sampling/density"});
+                       "no sample lies in the receptive field: it will read 0",
+                       model.layout.sampling.region->empty() ? "raise /sampling/density"
+                                                             : "paint the region there, or raise /sampling/density"});
   }
   name_taxels(model.layout, found);
   model.problems.insert(model.problems.end(), found.begin(), found.end());

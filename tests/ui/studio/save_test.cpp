@@ -198,7 +198,7 @@ TEST(Recovery, AKillLosesNoMoreThanOneInterval) {
       return R"({"frame": )" + std::to_string(frame + shift) + ", " + line.substr(1);
     };
     lines.push_back(at(0, key("f")));
-    lines.push_back(at(1, type(std::to_string(1000 + i) + "/1000")));
+    lines.push_back(at(1, type("1." + std::to_string(1000 + i).substr(1))));  // millimetres
     lines.push_back(at(3, key("Enter")));
     lines.push_back(at(6, dump("edit_" + std::to_string(i) + ".json")));
   }

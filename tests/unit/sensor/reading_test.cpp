@@ -20,6 +20,7 @@ struct Fixture {
     std::uint64_t next = 0;
     const auto mesh = std::make_shared<TriMesh>(make_box(dvec3(0.01)));
     model.skin = std::make_shared<MeshIndex>(mesh);
+    model.sampled_area = mesh->area();
     model.layout.sampling.weights = weights;
     model.layout.taxels.resize(5);
     hits.clear(200);

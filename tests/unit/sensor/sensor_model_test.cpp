@@ -207,7 +207,8 @@ TEST(SensorModel, ARegionBesideTheMeshSensesNothingAndSaysSo) {
   const auto problems = [&](std::vector<int> region) {
     source.layout.sampling.region = std::move(region);
     std::set<std::string> codes;
-    for (const Problem& p : build_sensor_model(source.layout, source.mesh.mesh, "", "f")->problems)
+    const SensorModelPtr model = build_sensor_model(source.layout, source.mesh.mesh, "", "f");
+    for (const Problem& p : model->problems)
       if (p.pointer == "/sampling/region") codes.insert(p.code);
     return codes;
   };
