@@ -10,7 +10,7 @@ void main() {
   Segment s = segments[gl_VertexID / 4];
   float width = segment_width(s);
   vec4 a, b;
-  gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside
+  gl_Position = kNowhere;
   tint = unpackUnorm4x8(s.rgba);
   size = vec2(0.0);
   along = vec2(0.0);

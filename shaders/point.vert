@@ -11,6 +11,9 @@ uniform float facing;                 // +1: points that face the eye, -1: those
 flat out vec4 tint;
 flat out float radius;                // [pixel]
 
+// Beside the view, where points are left out without being clipped.
+const vec4 kNowhere = vec4(1.5, 1.5, 0.0, 1.0);
+
 void main() {
   vec4 p = world_from_model * vec4(position, 1.0);
   vec3 n = mat3(world_from_model) * normal.xyz;
@@ -22,5 +25,5 @@ void main() {
   vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
   gl_Position = clip_from_view * vec4(v, 1.0);
   gl_ClipDistance[0] = clip_distance_of(p);
-  if (facing * toward < 0.0) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  if (facing * toward < 0.0) gl_Position = kNowhere;
 }

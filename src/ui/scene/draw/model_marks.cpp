@@ -76,7 +76,7 @@ ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look
 void ModelMarks::select(const std::vector<int>& taxels) {
   if (selected_ == taxels) return;
   selected_ = taxels;
-  samples_.upload(std::span<const PointMark>(sample_marks(*model_, taxels, *look_)), GL_STATIC_DRAW);
+  samples_.upload(sample_marks(*model_, taxels, *look_));
   const std::vector<std::vector<RingPiece>>& rings_of = fields_.rings(*model_);
   Segments rings, arrows;
   std::vector<PointMark> centers;

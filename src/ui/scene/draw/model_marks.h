@@ -27,7 +27,7 @@ class ModelMarks {
   /// Ascending.
   void select(const std::vector<int>& taxels);
 
-  [[nodiscard]] const PointBuffer& samples() const { return samples_; }
+  [[nodiscard]] SurfacePoints& samples() { return samples_; }
   [[nodiscard]] int sample_count() const { return static_cast<int>(model_->samples.size()); }
   [[nodiscard]] double sample_spacing() const { return spacing_; }  ///< between neighbours on the skin, about [m]
   /// Normals of the samples as short lines; made when first asked for.
@@ -53,7 +53,8 @@ class ModelMarks {
   std::vector<int> hidden_;
   const Look* look_;
   FieldGeometry& fields_;
-  PointBuffer samples_, centers_;
+  SurfacePoints samples_;
+  PointBuffer centers_;
   gl::Buffer rings_, arrows_;
   std::optional<gl::Buffer> sample_normals_;
   Selected selected_marks_;

@@ -38,14 +38,32 @@ class PointBuffer {
   gl::VertexArray array_;
 };
 
+/// Very many points on a surface, each seen from one side: those that look away do not get as far as the card.
+class SurfacePoints {
+ public:
+  SurfacePoints();
+  void upload(std::vector<PointMark> points);
+  /// Those of the first `most` that face an eye (frame of the points), in their order; about grazing ones the shader
+  /// decides.
+  void draw(const dvec3& eye, int most);
+
+ private:
+  std::vector<PointMark> points_;
+  std::vector<std::uint32_t> facing_;
+  gl::Buffer buffer_, indices_;
+  gl::VertexArray array_;
+};
+
 class PointPass {
  public:
   explicit PointPass(const gl::ShaderReader& read) : program_(read, "point") {}
   void draw(const PointBuffer& points, const PointStyle& style, const MarkState& state,
             int most = std::numeric_limits<int>::max()) const;
   void draw(std::span<const PointMark> points, const PointStyle& style, const MarkState& state);
+  void draw(SurfacePoints& points, const PointStyle& style, const MarkState& state, const dvec3& eye_W, int most) const;
 
  private:
+  void set(const PointStyle& style, const MarkState& state) const;
   gl::Program program_;
   PointBuffer stream_;
 };

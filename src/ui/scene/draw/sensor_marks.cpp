@@ -131,7 +131,7 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
     const double diameter = std::clamp(kSamplePart * std::max(spacing, kLeastSpacing), kSmallestSample, kLargestSample);
     const double part = std::min(1.0, spacing * spacing / (kLeastSpacing * kLeastSpacing));
     state.facing = Facing::eye;
-    scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state,
+    scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state, scene.camera.eye(),
                       static_cast<int>(std::ceil(part * marks.sample_count())));
     state.facing = Facing::all;
   }
