@@ -71,6 +71,11 @@ void Framebuffer::copy_color(const Framebuffer& from) const {
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Framebuffer::copy_depth(const Framebuffer& from) const {
+  glBlitNamedFramebuffer(from.target_.id(), target_.id(), 0, 0, width(), height(), 0, 0, width(), height(),
+                         GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
 void Framebuffer::copy_color_to(GLuint framebuffer) const {
   glBlitNamedFramebuffer(resolved_ ? resolved_->id() : target_.id(), framebuffer, 0, 0, width(), height(), 0, 0,
                          width(), height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -18,9 +18,12 @@ class Framebuffer {
   void resolve() const;  ///< after drawing; nothing to do without multisampling
   /// Takes over the colour of a framebuffer of the same size; neither is multisampled.
   void copy_color(const Framebuffer& from) const;
+  /// Takes over the depth of a framebuffer of the same size, one sample of each pixel; both with a stencil, or neither.
+  void copy_depth(const Framebuffer& from) const;
   /// Copies the colour into a framebuffer of GL (0: the window's) of the same size.
   void copy_color_to(GLuint framebuffer) const;
   [[nodiscard]] GLuint texture() const { return color_.id(); }
+  [[nodiscard]] GLuint depth_texture() const { return depth_.id(); }
   [[nodiscard]] int width() const { return color_.width(); }
   [[nodiscard]] int height() const { return color_.height(); }
   [[nodiscard]] int samples() const { return samples_; }

@@ -4,6 +4,7 @@
 
 #include "ui/gl/framebuffer.h"
 #include "ui/gl/offscreen_context.h"
+#include "ui/scene/draw/ambient_occlusion.h"
 #include "ui/scene/draw/backdrop.h"
 #include "ui/scene/draw/cuts.h"
 #include "ui/scene/draw/gizmo_marks.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr int kHardwareSamples = 4;
 constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;  // of the key light's map
 constexpr int kMostFacesInSoftware = 120'000;               // of a mesh, so that it turns fluently
+
+constexpr double kOcclusionRadius = 0.05;  // of the object's size
 
 /// What decides how a picture looks.
 struct RenderKey {
@@ -63,6 +66,8 @@ struct SceneRenderer::Impl {
         ground(shaders),
         meshes(shaders, software ? kSoftwareKeyTexels : kKeyTexels),
         cuts(shaders),
+        occlusion(shaders),
+        occluded(!software),
         segments(shaders),
         points(shaders),
         sensors(shaders),
@@ -73,6 +78,8 @@ struct SceneRenderer::Impl {
   Backdrop backdrop;
   MeshPass meshes;
   CutPass cuts;
+  AmbientOcclusion occlusion;
+  bool occluded;
   SegmentPass segments;
   PointPass points;
   SensorMarks sensors;
@@ -122,6 +129,10 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   const bool keep_backdrop = background && software && !floor.filled;
   if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, segments);
   meshes.draw_solids(list, look, input.clip.has_value());
+  if (occluded) {
+    const Aabb object = sensor_bounds(input);
+    occlusion.draw(*target, kOcclusionRadius * (object.empty() ? scene_bounds(input) : object).diagonal());
+  }
   if (background && !keep_backdrop) {
     ground.draw_background(look);
     ground.draw(floor, camera, look, input.overlays.grid, segments);
@@ -194,6 +205,11 @@ FieldNumbers SceneRenderer::field_numbers() const {
 }
 bool SceneRenderer::software() const {
   return impl_->software;
+}
+
+void SceneRenderer::set_ambient_occlusion(bool on) {
+  impl_->occluded = on;
+  impl_->last.reset();
 }
 
 }  // namespace taxel::ui

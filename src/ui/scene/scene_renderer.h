@@ -86,6 +86,8 @@ class SceneRenderer {
   [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
   [[nodiscard]] FieldNumbers field_numbers() const;  ///< of the overlays in the last render
   [[nodiscard]] bool software() const;               ///< llvmpipe or the like
+  /// Creases and corners of solid bodies get less light. As made: on hardware renderers alone, for what it costs.
+  void set_ambient_occlusion(bool on);
 
  private:
   struct Impl;

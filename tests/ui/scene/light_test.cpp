@@ -158,5 +158,68 @@ TEST_F(LightTest, ConvexBodiesDoNotShadeThemselves) {
   }
 }
 
+/// A box beside a taller one, as stairs are.
+TriMeshPtr step() {
+  return test::joined(make_box({0.02, 0.02, 0.005}), make_box({0.01, 0.02, 0.01}), {-0.01, 0, 0.01});
+}
+
+TEST_F(LightTest, AmbientOcclusionDarkensACreaseAndNothingElse) {
+  const SceneInput input = test::bodies({{step(), Pose{}}});
+  Camera camera = from_above();
+  camera.azimuth_deg = 60;
+  camera.elevation_deg = 35;
+  const gl::RgbImage without = draw(input, camera);
+  renderer_.set_ambient_occlusion(true);
+  const gl::RgbImage with = draw(input, camera);
+  test::write_picture("occlusion_off", without);
+  test::write_picture("occlusion_on", with);
+  const double radius = 0.05 * step()->bounds().diagonal();
+  const auto darker = [&](double x) {  // on the lower step, at a distance x from the wall
+    double sum = 0;
+    for (double y = -0.012; y <= 0.012; y += 0.001)
+      sum += brightness(without, camera, {x, y, 0.005}) - brightness(with, camera, {x, y, 0.005});
+    return sum / 25;
+  };
+  EXPECT_GT(darker(0.15 * radius), 12);
+  EXPECT_GT(darker(0.15 * radius), darker(0.5 * radius) + 4);
+  EXPECT_NEAR(darker(1.8 * radius), 0, 0.5);
+  for (const dvec2& at : {dvec2(3, 3), dvec2(kWidth - 3, 3), dvec2(kWidth / 2, 20)})
+    EXPECT_EQ(test::pixel_at(with, at), test::pixel_at(without, at)) << "the background";
+  renderer_.set_ambient_occlusion(false);
+  EXPECT_EQ(draw(input, camera), without);
+}
+
+TEST_F(LightTest, AmbientOcclusionLeavesAFlatPlateAsItIs) {
+  const SceneInput input = test::bodies({{std::make_shared<const TriMesh>(plate()), Pose{}}});
+  for (const double elevation : {20.0, 45.0, 80.0}) {
+    Camera camera = from_above();
+    camera.elevation_deg = elevation;
+    renderer_.set_ambient_occlusion(false);
+    const gl::RgbImage without = draw(input, camera);
+    renderer_.set_ambient_occlusion(true);
+    const gl::RgbImage with = draw(input, camera);
+    int changed = 0;
+    for (std::size_t i = 0; i < with.rgb.size(); ++i) changed += std::abs(with.rgb[i] - without.rgb[i]) > 1 ? 1 : 0;
+    EXPECT_EQ(changed, 0) << elevation;
+  }
+}
+
+TEST_F(LightTest, AmbientOcclusionLeavesPressuresAndSamplesAsTheyAre) {
+  const SensorModelPtr model = test::finger_model(1500);
+  SceneInput input = test::finger_input(test::finger_frame(model, 0.003));
+  const Camera camera = test::finger_camera();
+  const gl::RgbImage without = draw(input, camera);
+  renderer_.set_ambient_occlusion(true);
+  const gl::RgbImage with = draw(input, camera);
+  const SensorFrameState& state = input.frame->sensors[0];
+  int compared = 0;
+  for (const ContactPolygon& polygon : state.surfaces[0].polygons) {
+    const dvec2 at(camera.project(state.X_WM * polygon.centroid, kWidth, kHeight));
+    EXPECT_EQ(test::pixel_at(with, at), test::pixel_at(without, at));
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
 }  // namespace
 }  // namespace taxel::ui

@@ -1,0 +1,39 @@
+// Creases and corners of what is drawn so far get less of the light that comes
+// from everywhere.
+#pragma once
+
+#include <optional>
+
+#include "ui/gl/buffer.h"
+#include "ui/gl/framebuffer.h"
+#include "ui/gl/program.h"
+
+namespace taxel::ui {
+
+class AmbientOcclusion {
+ public:
+  explicit AmbientOcclusion(const gl::ShaderReader& read);
+
+  /// Darkens the bodies in `target` (bound), at half the resolution; the
+  /// background stays. The frame's perspective must be bound. `radius`: from
+  /// how far away others take light. [m]
+  void draw(const gl::Framebuffer& target, double radius);
+
+ private:
+  /// Colour alone, of a format that holds a distance.
+  struct Layer {
+    Layer(int width, int height) : texture(GL_RG32F, width, height) {
+      glNamedFramebufferTexture(target.id(), GL_COLOR_ATTACHMENT0, texture.id(), 0);
+    }
+    gl::Texture texture;
+    gl::FramebufferHandle target;
+  };
+  void fit(const gl::Framebuffer& target);
+
+  gl::Program occlusion_, blur_, apply_;
+  gl::VertexArray empty_;
+  std::optional<gl::Framebuffer> depth_;  // a copy: of what is drawn into nothing may be read
+  std::optional<Layer> rough_, smooth_;
+};
+
+}  // namespace taxel::ui
