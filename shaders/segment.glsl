@@ -15,7 +15,7 @@ uniform float facing;      // +1: segments that face the eye, -1: those that do 
 float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w; }
 
 // All four corners of what is not drawn: no area, and nothing to clip. By software one vertex outside the view sends its
-// whole batch through a clipper that takes three times as long.
+// whole batch through the slow path that clips.
 const vec4 kNowhere = vec4(0.0, 0.0, 0.0, 1.0);
 
 // Ends of a segment in clip coordinates, cut at the near plane; false when all of it lies behind, or faces the wrong
