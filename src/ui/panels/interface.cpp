@@ -36,11 +36,12 @@ void draw_section(UiState& ui, const UiInput& input) {
 
 /// What is wrong is told of the layout as it is, also where it cannot be compiled.
 void update_problems(UiState& ui, const UiInput& input) {
-  if (!input.editing.project || !input.model) {
+  const Editing& editing = input.editing;
+  const LayoutProblems& known = ui.problems;
+  if (!editing.project || !input.model) {
     ui.problems = {};
-  } else if (ui.problems.project != input.editing.project || ui.problems.skin != input.model->skin) {
-    ui.problems =
-        layout_problems(input.editing.project, *input.model->mesh, input.model->skin, input.editing.mesh_sha256);
+  } else if (known.project != editing.project || known.model != input.model || known.compiled != editing.compiled) {
+    ui.problems = layout_problems(editing.project, input.model, editing.compiled, editing.mesh_sha256);
   }
 }
 

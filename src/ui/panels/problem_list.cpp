@@ -55,13 +55,13 @@ void draw_problem(UiState& ui, const UiInput& input, std::size_t number) {
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   tooltip(problem.fix.empty() ? problem.pointer : fmt::format("{}: {}", problem.pointer, problem.fix));
-  const auto fix = fix_for(problem, *input.editing.project, ui.problems.skin.get(), input.editing.mesh_sha256);
+  const auto fix = fix_for(problem, *input.editing.project, ui.problems.model->skin.get(), input.editing.mesh_sha256);
   if (fix && wrapped_button(ui, fix->words, number)) ui.ask(EditProject{fix->edit, {}});
   ImGui::Spacing();
 }
 
 void fix_all(UiState& ui, const UiInput& input) {
-  const Mending mending = mend_all(*input.editing.project, *input.model->mesh, *ui.problems.skin);
+  const Mending mending = mend_all(*input.editing.project, *input.model->mesh, *ui.problems.model->skin);
   if (mending.edit) ui.ask(EditProject{*mending.edit, {}});
   std::string text = fmt::format("{} problem{} fixed", mending.mended, mending.mended == 1 ? "" : "s");
   if (!mending.left.empty()) text += fmt::format(", {} left for you to decide", mending.left.size());

@@ -17,11 +17,12 @@ Severity LayoutProblems::worst(int id) const {
   return worst;
 }
 
-LayoutProblems layout_problems(const ProjectPtr& project, const TriMesh& mesh,
-                               const std::shared_ptr<const MeshIndex>& skin, const std::string& mesh_sha256) {
+LayoutProblems layout_problems(const ProjectPtr& project, const SensorModelPtr& model, bool compiled,
+                               const std::string& mesh_sha256) {
   LayoutProblems problems;
   problems.project = project;
-  problems.skin = skin;
+  problems.model = model;
+  problems.compiled = compiled;
   const Layout& layout = project->layout;
   const auto add = [&](Problems found) {
     for (Problem& problem : found) {
@@ -34,7 +35,12 @@ LayoutProblems layout_problems(const ProjectPtr& project, const TriMesh& mesh,
     }
   };
   add(check_layout_values(layout, ""));
-  add(check_layout_on_skin(layout, mesh, *skin, mesh_sha256, ""));
+  add(check_layout_on_skin(layout, *model->mesh, *model->skin, mesh_sha256, ""));
+  if (!compiled || model->quality == SampleQuality::preview) return problems;
+  Problems of_samples;
+  for (const Problem& problem : model->problems)
+    if (problem.code == kFieldWithoutSamples) of_samples.push_back(problem);
+  add(std::move(of_samples));
   return problems;
 }
 

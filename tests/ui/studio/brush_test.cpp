@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/surface_brush.h"
@@ -74,6 +75,25 @@ TEST(Brush, AStrokePaintsWhatItPassesAsOneStep) {
   EXPECT_GT(difference(593, 345), 15);
   EXPECT_GT(difference(607, 405), 15);
   EXPECT_EQ(difference(420, 120), 0);
+}
+
+TEST(Brush, TaxelsThatGetNoSampleAreTold) {
+  const StudioProgram studio;
+  studio.play(joined({{kLayoutMode, kIdle, dump("before.json"), key("q"), kIdle},
+                      drawn({590, 330}, {610, 420}),
+                      {up(), kIdle, dump("painted.json")}}),
+              {kLayoutFile});
+  const auto told = [&](const char* state) {
+    std::set<std::string> where;
+    const Json problems = studio.state(state)["problems"];
+    for (const Json& problem : problems)
+      if (problem["code"] == "field_without_samples") where.insert(problem["pointer"]);
+    return where;
+  };
+  EXPECT_EQ(told("before.json"), std::set<std::string>{});
+  const std::set<std::string> without = told("painted.json");
+  EXPECT_TRUE(without.contains("/taxels/4")) << "at the tip";
+  EXPECT_FALSE(without.contains("/taxels/0")) << "painted";
 }
 
 TEST(Brush, ErasesResizesAndIsCancelled) {
