@@ -10,22 +10,24 @@
 
 namespace taxel {
 
-/// Polygons go in blocks through stages that only append to lists: pairs of a polygon and a ray that passes by it,
-/// those of them that meet its plane, those inside its edges.
-struct CastBuffers {
-  /// A polygon's edge planes (edge_planes.h) side by side, for up to eight edges at a time.
-  static constexpr std::size_t kEdges = 8;
-  struct alignas(64) Edges {
-    std::array<double, kEdges> mx, my, mz, c;  ///< all 0 beyond the last edge: everything is inside
-    std::array<double, kEdges> length;         ///< of the edge, by its largest component [m]
+/// A contact polygon as rays see it that run nearly along the axis of a view (ray_view.h), in single precision.
+struct RayTarget {
+  static constexpr std::size_t kGroup = 4, kGroups = 2;
+  std::array<float, 4> centroid{}, normal{};  ///< depth, u, v
+  float slack = 0, tilt = 0;                  ///< what rounding may do to what edges see, and per 1 / |rise| [m^2]
+  /// Of a point at u, v from the centroid, edge k sees du[k] v - dv[k] u + c[k]: its length times how far inside of it
+  /// the point is. Edges beyond the last one are others again.
+  struct Edges {
+    std::array<float, kGroup> du{}, dv{}, c{};
   };
-  std::vector<Edges> edges{1};
-  std::vector<dvec3> corners;  ///< of a polygon at the end of its surface, with room behind them
+  std::array<Edges, kGroups> edges{};
+};
 
-  NumberBuffer<double> circle;                        ///< by polygon of the block: squared radius [m^2]
-  NumberBuffer<std::int32_t> near_polygon, near_ray;  ///< pairs, with room behind the last for whole vectors
-  NumberBuffer<double> t, x, y, z;                    ///< by pair: in the plane, along the ray, from the centroid [m]
-  NumberBuffer<std::int32_t> met, inside;             ///< pairs that meet the plane; of those the ones inside
+struct CastBuffers {
+  RayTarget target;                         ///< the polygon that is tested
+  NumberBuffer<std::int32_t> polygon, ray;  ///< pairs of which the ray runs through the polygon for certain
+  std::vector<EdgePlane> planes;            ///< of a polygon that a ray may meet or miss by a rounding
+  std::vector<dvec3> corners;               ///< of a polygon at the end of its surface, with room behind them
 };
 
 }  // namespace taxel

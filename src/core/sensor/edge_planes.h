@@ -58,21 +58,39 @@ inline void fill_edge_planes(const ContactSurface& surface, const ContactPolygon
   }
 }
 
+/// Where a ray meets a polygon's plane.
+struct PlaneHit {
+  double t = 0;            ///< distance along the ray [m]
+  dvec3 from_centroid{0};  ///< y [m]
+};
+
+/// From either side, with t_min <= t <= t_max; a ray in the plane misses.
+inline std::optional<PlaneHit> hit_plane(const dvec3& origin, const dvec3& direction, double t_min, double t_max,
+                                         const ContactPolygon& polygon) {
+  const dvec3 w = origin - polygon.centroid;
+  const double t = -glm::dot(polygon.normal, w) / glm::dot(polygon.normal, direction);
+  if (!(t >= t_min && t <= t_max)) return std::nullopt;
+  return PlaneHit{t, w + t * direction};
+}
+
+/// p0 there [Pa].
+inline double pressure_at(const ContactPolygon& polygon, const dvec3& from_centroid) {
+  return std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, from_centroid));
+}
+
 struct PolygonHit {
   double t = 0;         ///< distance along the ray [m]
   double pressure = 0;  ///< [Pa]
 };
 
-/// Where the ray meets the polygon from either side, rim included, with t_min <= t <= t_max; a ray in its plane misses.
+/// Where the ray meets the polygon, rim included, likewise.
 inline std::optional<PolygonHit> hit_polygon(const dvec3& origin, const dvec3& direction, double t_min, double t_max,
                                              const ContactPolygon& polygon, const EdgePlane* planes) {
-  const dvec3 w = origin - polygon.centroid;
-  const double t = -glm::dot(polygon.normal, w) / glm::dot(polygon.normal, direction);
-  if (!(t >= t_min && t <= t_max)) return std::nullopt;
-  const dvec3 y = w + t * direction;
+  const auto hit = hit_plane(origin, direction, t_min, t_max, polygon);
+  if (!hit) return std::nullopt;
   for (int k = 0; k < polygon.count; ++k)
-    if (!(glm::dot(planes[k].m, y) + planes[k].c >= 0)) return std::nullopt;
-  return PolygonHit{t, std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, y))};
+    if (!(glm::dot(planes[k].m, hit->from_centroid) + planes[k].c >= 0)) return std::nullopt;
+  return PolygonHit{hit->t, pressure_at(polygon, hit->from_centroid)};
 }
 
 }  // namespace taxel

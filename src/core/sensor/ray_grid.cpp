@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/sensor/ray_view.h"
-
 namespace taxel {
 namespace {
 
@@ -65,12 +63,12 @@ RayGrid::RayGrid(std::span<const SensorRay> rays, const dvec3& direction) {
   y_.assign(rays_.size(), 0.0F);
   for (std::size_t r = 0; r < rays.size(); ++r) {
     const auto place = static_cast<std::size_t>(filling[cell[r]]++);
-    const dvec3 p = to_grid(rays[r].origin);
+    const dvec3 p = rays[r].origin * axes_;
     rays_[place] = static_cast<std::int32_t>(r);
     x_[place] = static_cast<float>(p.x);
     y_[place] = static_cast<float>(p.y);
   }
-  single_slack_ = static_cast<float>(slack_ + kSingleRounding * (largest + deepest));
+  view_ = make_view(axes_[2], axes_[0], axes_[1], slack_ + kSingleRounding * (largest + deepest), 0.0);
 }
 
 RayGrid::Cells RayGrid::cells_under(const ContactSurface& surface, const ContactPolygon& polygon) const {

@@ -10,6 +10,7 @@
 #include "core/hydro/contact_surface.h"
 #include "core/sensor/cast_buffers.h"
 #include "core/sensor/ray_hits.h"
+#include "core/sensor/ray_view.h"
 #include "core/sensor/sensor_ray.h"
 
 namespace taxel {
@@ -26,9 +27,8 @@ class RayGrid {
   [[nodiscard]] const float* y() const { return y_.data(); }
   [[nodiscard]] const std::int32_t* rays() const { return rays_.data(); }
   static constexpr std::size_t kRoom = 16;
-  /// More than what rays move across on their way down, and than rounding in all of that [m].
-  [[nodiscard]] float slack() const { return single_slack_; }
-  [[nodiscard]] dvec3 to_grid(const dvec3& p_M) const { return p_M * axes_; }
+  /// Along the rays, with the grid's x and y for u and v; no ray has a slope there.
+  [[nodiscard]] const RayView& view() const { return view_; }
 
   /// Calls visit(first, last) for ranges of those places that hold every ray which may meet the polygon, and others.
   template <class Visit>
@@ -64,7 +64,7 @@ class RayGrid {
   std::vector<std::int32_t> first_;  // of each cell in row order, and the end
   std::vector<float> x_, y_;
   std::vector<std::int32_t> rays_;
-  float single_slack_ = 0;
+  RayView view_;
 };
 
 /// Offers the hits of all rays (those of the grid) on one surface, wherever it comes from.

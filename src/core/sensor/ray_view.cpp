@@ -6,51 +6,45 @@
 
 namespace taxel {
 
-RayViewer::RayViewer(std::span<const RayPiece> pieces) {
+RayView make_view(const dvec3& axis, const dvec3& u_axis, const dvec3& v_axis, double spread, double tilt) {
+  const auto components = [&](int i) {
+    return std::array<float, 4>{static_cast<float>(axis[i]), static_cast<float>(u_axis[i]),
+                                static_cast<float>(v_axis[i]), 0.0F};
+  };
+  return {components(0), components(1), components(2), static_cast<float>(spread), static_cast<float>(tilt)};
+}
+
+RayViewer::RayViewer(std::span<const SensorRay* const> rays) {
   dvec3 sum(0);
-  for (const RayPiece& piece : pieces) sum += piece.ray->direction;
+  for (const SensorRay* ray : rays)  // opposite rays run side by side, too
+    sum += glm::dot(sum, ray->direction) < 0 ? -ray->direction : ray->direction;
   const double length = glm::length(sum);
-  if (length > 0) axis_ = sum / length;  // of opposite rays any is as good
+  if (length > 0) axis_ = sum / length;
   u_axis_ = any_perpendicular(axis_);
   v_axis_ = glm::cross(axis_, u_axis_);
-  double coordinates = 0, widest = 0, steepest = 0;
-  for (const RayPiece& piece : pieces) {
-    const double along = glm::dot(piece.ray->direction, axis_),
-                 across = glm::length(glm::cross(piece.ray->direction, axis_)),
-                 half = 0.5 * (piece.t_max - piece.t_min);
-    widest = std::max(widest, half * across);
-    steepest = along > 0 ? std::max(steepest, across / along) : std::numeric_limits<double>::infinity();
-    coordinates = std::max(coordinates, glm::length(piece.middle()) + half);
+  double coordinates = 0, steepest = 0;
+  for (const SensorRay* ray : rays) {
+    const double along = std::abs(glm::dot(ray->direction, axis_)),
+                 across = glm::length(glm::cross(ray->direction, axis_));
+    steepest = std::max(steepest, along > 0 ? across / along : std::numeric_limits<double>::infinity());
+    coordinates = std::max(coordinates, glm::length(ray->origin));
   }
-  sloped_ = steepest <= 1.0;
-  if (sloped_)
-    stretch_ = 1.0 + steepest;  // no point of the disc is farther than r from c's depth
-  else
-    spread_ = widest;
-  spread_ += kSingleRounding * (coordinates + widest);
+  // What rounding makes of the height and, times the depth, of the rise: less than of three coordinates.
+  tilt_ = 3.0 * steepest;
+  spread_ = steepest <= 1.0 ? kSingleRounding * coordinates : std::numeric_limits<double>::infinity();
 }
 
 RayView RayViewer::view() const {
-  const auto components = [&](int i) {
-    return std::array<float, 4>{static_cast<float>(axis_[i]), static_cast<float>(u_axis_[i]),
-                                static_cast<float>(v_axis_[i]), 0.0F};
-  };
-  return {components(0), components(1), components(2), static_cast<float>(stretch_), static_cast<float>(spread_)};
+  return make_view(axis_, u_axis_, v_axis_, spread_, tilt_);
 }
 
-RayPlace RayViewer::place_of(const RayPiece& piece) const {
-  const dvec3 middle = piece.middle();
-  const double along = glm::dot(axis_, piece.ray->direction), h = glm::dot(axis_, middle);
-  double u = glm::dot(u_axis_, middle), v = glm::dot(v_axis_, middle), u_slope = 0, v_slope = 0;
-  if (sloped_) {
-    u_slope = glm::dot(u_axis_, piece.ray->direction) / along;
-    v_slope = glm::dot(v_axis_, piece.ray->direction) / along;
-    u -= h * u_slope;
-    v -= h * v_slope;
-  }
-  return {static_cast<float>(u),       static_cast<float>(v),
-          static_cast<float>(u_slope), static_cast<float>(v_slope),
-          static_cast<float>(h),       static_cast<float>(0.5 * (piece.t_max - piece.t_min) * std::abs(along))};
+RayPlace RayViewer::place_of(const SensorRay& ray) const {
+  if (!std::isfinite(spread_)) return {};
+  const double along = glm::dot(axis_, ray.direction), h = glm::dot(axis_, ray.origin);
+  const double u_slope = glm::dot(u_axis_, ray.direction) / along, v_slope = glm::dot(v_axis_, ray.direction) / along;
+  return {static_cast<float>(glm::dot(u_axis_, ray.origin) - h * u_slope),
+          static_cast<float>(glm::dot(v_axis_, ray.origin) - h * v_slope), static_cast<float>(u_slope),
+          static_cast<float>(v_slope)};
 }
 
 }  // namespace taxel

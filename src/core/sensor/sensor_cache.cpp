@@ -76,7 +76,7 @@ SampleRays::Found SampleRays::find(std::span<const int> samples) {
   if (soft != nullptr && tets_ == nullptr && !missing.empty())
     tets_ = std::make_unique<const TetCrossings>(*soft->field);
   parallel_chunks(static_cast<int>(missing.size()), 256, [&](int begin, int end) {
-    std::vector<TetCrossing> found;
+    std::vector<std::int32_t> found;
     for (int i = begin; i < end; ++i) {
       const int s = missing[index(i)];
       const SurfaceSample& sample = (*samples_)[index(s)];

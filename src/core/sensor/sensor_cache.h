@@ -49,7 +49,8 @@ class SampleRays {
 
   struct Found {
     std::vector<SensorRay> rays;
-    std::vector<std::span<const TetCrossing>> crossings;  ///< of each ray; empty where the body has no tets
+    std::vector<std::span<const std::int32_t>>
+        crossings;  ///< tets of each ray, ascending; empty where the body has no tets
   };
   /// One ray for each of `samples`. From any thread; the spans live as long as this object.
   Found find(std::span<const int> samples);
@@ -62,7 +63,7 @@ class SampleRays {
   std::mutex mutex_;
   std::unique_ptr<const TetCrossings> tets_;
   std::vector<SensorRay> rays_;  // by sample; max_depth < 0: not found yet
-  std::vector<std::vector<TetCrossing>> crossings_;
+  std::vector<std::vector<std::int32_t>> crossings_;
 };
 
 /// Sets the depth of a ray from `face` of the skin: the allowed one, or halfway to the opposite skin. The contact

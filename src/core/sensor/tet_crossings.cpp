@@ -11,15 +11,17 @@ TetCrossings::TetCrossings(const PressureField& field) : field_(field), tree_(tr
   for (const Tet& tet : field.tets()) widest_ = std::max(widest_, width(tet));
 }
 
-void TetCrossings::find(const SensorRay& ray, std::vector<TetCrossing>& found) const {
+void TetCrossings::find(const SensorRay& ray, std::vector<std::int32_t>& found) const {
   const SlabTest slabs(Ray{ray.origin, ray.direction});
   found.clear();
   tree_.visit(
       [&](const Aabb& box) {
         return slabs.entry({box.lo - widest_, box.hi + widest_}, ray.max_depth) < SlabTest::kMiss;
       },
-      [&](int tet) { add(tet, ray, found); });
-  std::sort(found.begin(), found.end(), [](const TetCrossing& a, const TetCrossing& b) { return a.tet < b.tet; });
+      [&](int tet) {
+        if (crosses(tet, ray)) found.push_back(tet);
+      });
+  std::sort(found.begin(), found.end());
 }
 
 /// How far outside of the tet a hit on one of its polygons may lie: vertices move by less than 1e-6 of its size when
@@ -29,7 +31,7 @@ double TetCrossings::width(const Tet& tet) const {
 }
 
 /// Clips the ray with the four planes.
-void TetCrossings::add(int number, const SensorRay& ray, std::vector<TetCrossing>& found) const {
+bool TetCrossings::crosses(int number, const SensorRay& ray) const {
   const Tet& tet = field_.tets()[static_cast<std::size_t>(number)];
   double t_min = 0, t_max = ray.max_depth;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -37,9 +39,9 @@ void TetCrossings::add(int number, const SensorRay& ray, std::vector<TetCrossing
     const double start = glm::dot(tet.normal[i], ray.origin) + tet.offset[i] + width(tet);
     if (rate > 0) t_min = std::max(t_min, -start / rate);
     if (rate < 0) t_max = std::min(t_max, -start / rate);
-    if (rate == 0 && start < 0) return;
+    if (rate == 0 && start < 0) return false;
   }
-  if (t_min <= t_max) found.push_back({number, t_min, t_max});
+  return t_min <= t_max;
 }
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Where a ray is inside of the tets of a pressure field.
+// Which tets of a pressure field a ray crosses.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,18 @@
 
 namespace taxel {
 
-struct TetCrossing {
-  std::int32_t tet = 0;
-  double t_min = 0, t_max = 0;  ///< along the ray [m]
-};
-
 /// Finds the tets that rays cross. Tets are widened by what contact polygons may reach over them: rounding, merged
 /// vertices, kRimReach.
 class TetCrossings {
  public:
   explicit TetCrossings(const PressureField& field);  ///< keeps a reference
 
-  /// Replaces `found` by what `ray` crosses up to its depth, tets ascending.
-  void find(const SensorRay& ray, std::vector<TetCrossing>& found) const;
+  /// Replaces `found` by the tets that `ray` crosses up to its depth, ascending.
+  void find(const SensorRay& ray, std::vector<std::int32_t>& found) const;
 
  private:
   [[nodiscard]] double width(const Tet& tet) const;
-  void add(int number, const SensorRay& ray, std::vector<TetCrossing>& found) const;
+  [[nodiscard]] bool crosses(int number, const SensorRay& ray) const;
 
   const PressureField& field_;
   Bvh tree_;

@@ -21,17 +21,17 @@ class TetTable {
  public:
   TetTable() = default;
   TetTable(const PressureField& field, std::span<const SensorRay> rays);
-  /// The same from crossings that are known: of each ray, tets ascending.
+  /// The same where it is known which tets each ray crosses, ascending.
   TetTable(const PressureField& field, std::span<const SensorRay> rays,
-           std::span<const std::span<const TetCrossing>> crossings) {
+           std::span<const std::span<const std::int32_t>> crossings) {
     fill(field.tets().size(), rays, crossings);
   }
 
-  /// As many rays as fill a vector, with their places in the view of their tet. Empty places are nowhere.
+  /// As many rays as fill a vector, with their places in the view of their tet.
   struct alignas(64) Tile {
     static constexpr std::size_t kRays = 16;
-    std::array<float, kRays> u, v, u_slope, v_slope, middle, half;  ///< RayPlace
-    std::array<std::int32_t, kRays> ray;                            ///< in SensorModel::rays; -1 where empty
+    std::array<float, kRays> u, v, u_slope, v_slope;  ///< RayPlace
+    std::array<std::int32_t, kRays> ray;              ///< in SensorModel::rays; -1 where empty
   };
 
   [[nodiscard]] int tet_count() const { return static_cast<int>(tets_.size()); }
@@ -45,8 +45,9 @@ class TetTable {
   [[nodiscard]] std::size_t bytes() const { return tiles_.size() * sizeof(Tile) + tets_.size() * sizeof(TetRays); }
 
  private:
-  void fill(std::size_t tets, std::span<const SensorRay> rays, std::span<const std::span<const TetCrossing>> crossings);
-  void set(std::size_t tet, std::span<const RayPiece> pieces);
+  void fill(std::size_t tets, std::span<const SensorRay> rays,
+            std::span<const std::span<const std::int32_t>> crossings);
+  void set(std::size_t tet, std::span<const SensorRay> rays, std::span<const std::int32_t> crossing);
 
   struct alignas(64) TetRays {
     RayView view;

@@ -6,6 +6,7 @@
 
 #include "core/sensor/reading.h"
 #include "fixtures/counted_new.h"
+#include "fixtures/instruction_sets.h"
 #include "unit/sensor/random_surface.h"
 #include "unit/sensor/ray_scenes.h"
 
@@ -164,6 +165,23 @@ TEST(TetTable, ReadingsHaveTheSameBitsByBothPathsAndAfterAnyHistory) {
   read_sensor(*f.model, {}, one);
   EXPECT_EQ(one.values, std::vector<double>(first[0].size(), 0.0));
   EXPECT_TRUE(std::none_of(one.hits.all().begin(), one.hits.all().end(), [](const RayHit& h) { return h.hit(); }));
+}
+
+TEST(TetTable, AllInstructionSetsGiveTheSameHits) {
+  const Finger f;
+  const auto list = pointers(f.surfaces);
+  const WithoutTrees brute_force(list);
+  CastWorkspace workspace;
+  test::for_each_set([&](std::int64_t target) {
+    RayHits hits;
+    test::on_target(target, [&] {
+      cast_rays(*f.model, list, RayPath::tet_table, workspace, hits);
+      return 0;
+    });
+    for (std::size_t r = 0; r < f.model->rays.size(); r += 3)
+      ASSERT_TRUE(same(hits.all()[r], brute_force.cast(f.model->rays[r]))) << "set " << target << " ray " << r;
+    EXPECT_GT(hits.hit_rays().size(), 500U);
+  });
 }
 
 TEST(TetTable, StepsDoNotAllocateAfterTheFirst) {
