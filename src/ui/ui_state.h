@@ -224,6 +224,7 @@ struct UiInput {
   SimFramePtr frame;                ///< newest of the simulation; null: none runs
   SensorModelPtr model;             ///< compiled layout of the document; null: nothing open
   MeasuredPtr measured;             ///< between the measure's points; null: not yet
+  ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are wished
   PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in

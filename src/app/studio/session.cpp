@@ -43,8 +43,12 @@ void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
 Session::Session(bool by_clock, std::function<void()> wake)
     : by_clock_(by_clock),
       measure_(wake),
+      fields_(wake),
       probe_(wake),
-      edits_(cache_, wake, [this](const SensorModelPtr& model) { probe_.press_now(model); }) {
+      edits_(cache_, wake, [this](const SensorModelPtr& model) {
+        probe_.press_now(model);
+        fields_.make_now(model);
+      }) {
   simulation_.set_clock_driven(by_clock);
 }
 
@@ -187,6 +191,7 @@ SessionNews Session::update(bool hurry) {
   replay_by_clock();
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
+  take_fields(news);
   return news;
 }
 
@@ -341,6 +346,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.model = document_ ? document_->model : nullptr;
   input.probe = pressed_;
   input.measured = measured_;
+  input.fields = shown_fields_;
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

@@ -10,6 +10,7 @@
 
 #include "app/studio/autosave.h"
 #include "app/studio/edit_session.h"
+#include "app/studio/field_worker.h"
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
 #include "app/studio/probe_worker.h"
@@ -31,7 +32,7 @@ struct SessionNews {
   bool resized = false;        ///< its mesh has another size: the cameras should turn to it
   bool doubtful_mesh = false;  ///< it was opened alone, or cannot be simulated, and its report is worth a look
   bool reloaded = false;       ///< the document was read again, as an edit
-  bool new_reading = false;    ///< of the probe, or of the measure
+  bool new_reading = false;    ///< of the probe, of the measure, or of the receptive fields
 };
 
 class Session {
@@ -59,6 +60,8 @@ class Session {
   void press(std::optional<ui::ProbeWish> wish);
   /// Measures between two points; none: nothing.
   void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
+  /// Works out the receptive fields of what this mode shows, for the pictures to come.
+  void show_fields(ui::Mode mode, ui::FieldMap map) { field_mode_ = mode, field_map_ = map; }
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -88,7 +91,8 @@ class Session {
   void fill(ui::UiInput& input, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
-    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy();
+    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
+           !fields_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -120,6 +124,7 @@ class Session {
   void take_edited(SessionNews& news);
   void accept_reload(const Document& document, SessionNews& news);
   void take_reading(SessionNews& news);
+  void take_fields(SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -154,6 +159,10 @@ class Session {
   Loader loader_{cache_};
   MeasureWorker measure_;
   ui::MeasuredPtr measured_;
+  FieldWorker fields_;
+  ui::ShownFieldsPtr shown_fields_;
+  ui::Mode field_mode_ = ui::Mode::simulate;
+  ui::FieldMap field_map_ = ui::FieldMap::none;
   ProbeWorker probe_;
   std::optional<ui::ProbeWish> probe_wish_;
   ui::PressedProbePtr pressed_;                                     ///< of the model that is shown

@@ -97,6 +97,22 @@ void Session::take_reading(SessionNews& news) {
   edited_at_.reset();
 }
 
+/// Those that were shown stay until there are some of what is shown now.
+void Session::take_fields(SessionNews& news) {
+  ui::FieldsWish wish{{}, field_map_};
+  if (field_mode_ == ui::Mode::simulate && frame_ && frame_->scene) {
+    wish.models = frame_->scene->sensors;
+  } else if (document_ && document_->model) {
+    wish.models = {document_->model};
+  }
+  fields_.ask(wish);
+  if (!by_clock_) fields_.wait();
+  ui::ShownFieldsPtr newest = fields_.newest();
+  if (newest == shown_fields_ || (newest && newest->wish != wish)) return;
+  shown_fields_ = std::move(newest);
+  news.new_reading = true;
+}
+
 void Session::saved_as(const std::string& file) {
   document_->file = file;
   document_->kind = DocumentKind::project;

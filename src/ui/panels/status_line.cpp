@@ -34,7 +34,7 @@ void draw_rates(UiState& ui, const UiInput& input, Flow& flow) {
   if (p.by_clock) {
     item(ui, flow, "fps", fmt::format("{:.0f}", p.fps));
   } else {
-    item(ui, flow, "offscreen", "frame by frame");
+    item(ui, flow, "pictures", "frame by frame");
   }
   if (const std::string pace = pace_text(input); !pace.empty()) item(ui, flow, "simulation", pace);
   if (p.by_clock && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace taxel::ui {
@@ -79,6 +80,15 @@ glm::vec3 rejection_color(Rejection reason) {
 glm::vec3 taxel_color(int number) {
   const unsigned rgb = kTaxelPalette[static_cast<unsigned>(number) % kTaxelPalette.size()];
   return glm::vec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0f;
+}
+
+std::uint32_t pack(const glm::vec4& rgba) {
+  std::uint32_t out = 0;
+  for (int i = 0; i < 4; ++i) {
+    const float level = std::round(255.0f * std::clamp(rgba[i], 0.0f, 1.0f));
+    out |= static_cast<std::uint32_t>(level) << (8 * i);
+  }
+  return out;
 }
 
 }  // namespace taxel::ui

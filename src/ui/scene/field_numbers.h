@@ -31,6 +31,7 @@ struct NormalNumbers {
 
 /// Each where its overlay is on, of the first sensor in the picture.
 struct FieldNumbers {
+  bool due = false;  ///< a map is on, and still worked out
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
   std::optional<NormalNumbers> normals;

@@ -12,6 +12,7 @@
 #include "ui/scene/camera.h"
 #include "ui/scene/clip_plane.h"
 #include "ui/scene/field_numbers.h"
+#include "ui/scene/geometry/shown_fields.h"
 #include "ui/scene/measured.h"
 #include "ui/scene/pressed_probe.h"
 
@@ -47,6 +48,13 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
+/// Of the maps that are on, the one that says most.
+[[nodiscard]] inline FieldMap field_map(const Overlays& show) {
+  if (show.coverage) return FieldMap::coverage;
+  if (show.fields_compared) return FieldMap::compared;
+  return show.fields_filled ? FieldMap::filled : FieldMap::none;
+}
+
 struct SceneInput {
   SimFramePtr frame;              ///< null: only grid and background
   SensorModelPtr document_model;  ///< when there is no simulation: the layout alone at the origin; may be null
@@ -58,6 +66,7 @@ struct SceneInput {
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
   std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending
   FaceSet region;                    ///< painted faces of the document's mesh, ascending
+  ShownFieldsPtr fields;             ///< what of receptive fields is worked out elsewhere; null: not yet, or nothing
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
   std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null

@@ -94,6 +94,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   scene.document_model = input.model;
   if (ui.mode == Mode::layout) scene.probe = input.probe;
   scene.clip = ui.clip;
+  scene.fields = input.fields;
   if (ui.mode == Mode::layout && ui.measure.on) {
     scene.measured = input.measured;
     for (const MeasurePoint& point : ui.measure.points) scene.measure_points.push_back(point.at);

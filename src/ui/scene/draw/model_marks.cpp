@@ -54,17 +54,17 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
   return out;
 }
 
-ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, FieldGeometry& fields)
-    : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look), fields_(fields) {
+ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look,
+                       std::shared_ptr<const FieldRings> rings_of)
+    : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look), ring_pieces_(std::move(rings_of)) {
   if (!model_->samples.empty())
     spacing_ = std::sqrt(model_->sampled_area / static_cast<double>(model_->samples.size()));
-  const std::vector<std::vector<RingPiece>>& rings_of = fields_.rings(*model_);
   const float width = model_->taxel_count() > kManyTaxels ? kThinRingWidth : kRingWidth;
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (int k = 0; k < model_->taxel_count(); ++k) {
     if (hides(k)) continue;
-    append_ring(rings_of[at(k)], width, pack(taxel_color(model_->color(k))), rings);
+    append_ring(k, width, pack(taxel_color(model_->color(k))), rings);
     arrows.push_back(arrow_segment(k, kArrowWidth));
     centers.push_back(center_mark(k));
   }
@@ -77,13 +77,12 @@ void ModelMarks::select(const std::vector<int>& taxels) {
   if (selected_ == taxels) return;
   selected_ = taxels;
   samples_.upload(sample_marks(*model_, taxels, *look_));
-  const std::vector<std::vector<RingPiece>>& rings_of = fields_.rings(*model_);
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (const int k : taxels) {
     if (hides(k)) continue;
-    append_ring(rings_of[at(k)], kHaloWidth, pack(look_->selection), rings);
-    append_ring(rings_of[at(k)], kSelectedRingWidth, pack(taxel_color(model_->color(k))), rings);
+    append_ring(k, kHaloWidth, pack(look_->selection), rings);
+    append_ring(k, kSelectedRingWidth, pack(taxel_color(model_->color(k))), rings);
     arrows.push_back(arrow_segment(k, kSelectedArrowWidth));
     centers.push_back(center_mark(k));
   }
@@ -92,10 +91,10 @@ void ModelMarks::select(const std::vector<int>& taxels) {
   selected_marks_.centers.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
 
-void ModelMarks::append_ring(const std::vector<RingPiece>& ring, float width, std::uint32_t color,
-                             Segments& out) const {
+void ModelMarks::append_ring(int taxel, float width, std::uint32_t color, Segments& out) const {
+  if (!ring_pieces_) return;
   const std::vector<dvec3>& normals = model_->skin->mesh().face_normals();
-  for (const RingPiece& piece : ring) {
+  for (const RingPiece& piece : (*ring_pieces_)[at(taxel)]) {
     out.push_back(segment(piece.a, piece.b, width, color, normals[at(piece.face)]));
   }
 }

@@ -7,7 +7,7 @@
 #include "ui/scene/draw/look.h"
 #include "ui/scene/draw/points.h"
 #include "ui/scene/draw/segments.h"
-#include "ui/scene/geometry/field_geometry.h"
+#include "ui/scene/geometry/shown_fields.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::ui {
@@ -19,10 +19,11 @@ std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<
 /// Lies on the card; built once for a model, and for selected taxels what shows the selection.
 class ModelMarks {
  public:
-  /// `hidden`: taxels that are left out, ascending. `fields`, of this sensor, lives longer.
-  ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, FieldGeometry& fields);
-  [[nodiscard]] bool is_for(const SensorModelPtr& model, const std::vector<int>& hidden, const Look& look) const {
-    return model == model_ && hidden == hidden_ && &look == look_;
+  /// `hidden`: taxels that are left out, ascending. `rings`, by taxel: null where they are not known.
+  ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, std::shared_ptr<const FieldRings> rings);
+  [[nodiscard]] bool is_for(const SensorModelPtr& model, const std::vector<int>& hidden, const Look& look,
+                            const std::shared_ptr<const FieldRings>& rings) const {
+    return model == model_ && hidden == hidden_ && &look == look_ && rings == ring_pieces_;
   }
   /// Ascending.
   void select(const std::vector<int>& taxels);
@@ -45,14 +46,14 @@ class ModelMarks {
 
  private:
   [[nodiscard]] bool hides(int taxel) const { return std::binary_search(hidden_.begin(), hidden_.end(), taxel); }
-  void append_ring(const std::vector<RingPiece>& ring, float width, std::uint32_t color, Segments& out) const;
+  void append_ring(int taxel, float width, std::uint32_t color, Segments& out) const;
   [[nodiscard]] Segment arrow_segment(int taxel, float width) const;
   [[nodiscard]] PointMark center_mark(int taxel) const;
 
   SensorModelPtr model_;
   std::vector<int> hidden_;
   const Look* look_;
-  FieldGeometry& fields_;
+  std::shared_ptr<const FieldRings> ring_pieces_;
   SurfacePoints samples_;
   PointBuffer centers_;
   gl::Buffer rings_, arrows_;

@@ -2,10 +2,6 @@
 
 namespace taxel::ui {
 
-void append_piece(const SkinPiece& piece, std::uint32_t rgba, std::vector<PaintVertex>& out) {
-  for (const dvec3& p : {piece.a, piece.b, piece.c}) out.push_back({glm::vec3(p), rgba});
-}
-
 PaintBuffer::PaintBuffer() {
   array_.attribute(0, buffer_, 3, GL_FLOAT, sizeof(PaintVertex), offsetof(PaintVertex, position));
   array_.attribute(1, buffer_, 4, GL_UNSIGNED_BYTE, sizeof(PaintVertex), offsetof(PaintVertex, rgba));

@@ -5,16 +5,9 @@
 
 #include "ui/gl/buffer.h"
 #include "ui/scene/draw/mark_state.h"
-#include "ui/scene/geometry/field_patch.h"
+#include "ui/scene/geometry/skin_paint.h"
 
 namespace taxel::ui {
-
-struct PaintVertex {
-  glm::vec3 position{0};
-  std::uint32_t rgba = 0;  ///< sRGB, straight alpha, red in the lowest byte
-};
-
-void append_piece(const SkinPiece& piece, std::uint32_t rgba, std::vector<PaintVertex>& out);
 
 /// Triangles that stay on the card.
 class PaintBuffer {

@@ -2,15 +2,6 @@
 
 namespace taxel::ui {
 
-std::uint32_t pack(const glm::vec4& rgba) {
-  std::uint32_t out = 0;
-  for (int i = 0; i < 4; ++i) {
-    const float level = std::round(255.0f * std::clamp(rgba[i], 0.0f, 1.0f));
-    out |= static_cast<std::uint32_t>(level) << (8 * i);
-  }
-  return out;
-}
-
 void SegmentPass::make_quads(GLsizei count) const {
   if (6 * count <= corners_.count()) return;
   std::vector<std::uint32_t> indices;

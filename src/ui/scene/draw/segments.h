@@ -7,6 +7,7 @@
 #include "core/base/math.h"
 #include "ui/gl/buffer.h"
 #include "ui/gl/program.h"
+#include "ui/scene/color_map.h"
 #include "ui/scene/draw/mark_state.h"
 
 namespace taxel::ui {
@@ -20,12 +21,6 @@ struct Segment {
   std::uint32_t rgba = 0;  ///< sRGB, straight alpha, red in the lowest byte
 };
 using Segments = std::vector<Segment>;
-
-/// sRGB 0..1 with alpha as four bytes.
-std::uint32_t pack(const glm::vec4& rgba);
-inline std::uint32_t pack(const glm::vec3& rgb) {
-  return pack(glm::vec4(rgb, 1));
-}
 
 /// `width` [pixel] in steps of a tenth.
 inline Segment segment(const dvec3& a, const dvec3& b, float width, std::uint32_t rgba,

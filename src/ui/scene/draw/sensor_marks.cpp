@@ -26,12 +26,32 @@ bool far_side_seen(const SceneInput& input, const SensorView& view) {
   return input.overlays.sensor_transparent && view.model->taxel_count() <= kMostSeenThrough;
 }
 
+/// Null: no map is on, or it is not worked out yet.
+const SensorFields* shown_map(const SceneInput& input, const SensorView& view) {
+  const FieldMap map = field_map(input.overlays);
+  if (map == FieldMap::none || !input.fields || input.fields->wish.map != map) return nullptr;
+  return input.fields->of(view.model);
+}
+
 }  // namespace
 
-ModelMarks& SensorMarks::marks_of(const SensorView& view, const Look& look) {
+/// Those by geodesic distance come from outside; null: not yet.
+std::shared_ptr<const FieldRings> SensorMarks::rings_of(const SceneInput& input, const SensorView& view) {
+  if (const SensorFields* fields = input.fields ? input.fields->of(view.model) : nullptr) return fields->rings;
+  if (view.model->layout.receptive_field.metric == Metric::geodesic) return nullptr;
+  StraightRings& straight = straight_[view.index];
+  if (straight.model != view.model) {
+    straight.rings = std::make_shared<const FieldRings>(straight.geometry.rings(*view.model));
+    straight.model = view.model;
+  }
+  return straight.rings;
+}
+
+ModelMarks& SensorMarks::marks_of(const Scene& scene, const SensorView& view) {
   std::unique_ptr<ModelMarks>& marks = marks_[view.index];
-  if (!marks || !marks->is_for(view.model, view.hidden_taxels, look)) {
-    marks = std::make_unique<ModelMarks>(view.model, view.hidden_taxels, look, fields_[view.index]);
+  std::shared_ptr<const FieldRings> rings = rings_of(scene.input, view);
+  if (!marks || !marks->is_for(view.model, view.hidden_taxels, scene.look, rings)) {
+    marks = std::make_unique<ModelMarks>(view.model, view.hidden_taxels, scene.look, std::move(rings));
   }
   marks->select(view.selected_taxels);
   return *marks;
@@ -68,25 +88,18 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
 
 FieldPaint& SensorMarks::paint_of(const SensorView& view) {
   std::unique_ptr<FieldPaint>& paint = field_paint_[view.index];
-  if (!paint || paint->model() != view.model) paint = std::make_unique<FieldPaint>(view.model, fields_[view.index]);
+  if (!paint || paint->model() != view.model) paint = std::make_unique<FieldPaint>(view.model);
   return *paint;
 }
 
-/// One map at a time: of what is on, the one that says most.
 void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
-  const Overlays& show = scene.input.overlays;
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
   state.clipped = scene.input.clip.has_value();
   if (!scene.input.region->empty() && view.state == nullptr)
     paint_.draw(region_.take(view.model->mesh, scene.input.region), state);
-  if (show.coverage) {
-    state.depth_write = true;
-    paint_.draw(paint_of(view).coverage(), state);
-  } else if (show.fields_compared) {
-    paint_.draw(paint_of(view).compared(), state);
-  } else if (show.fields_filled) {
-    paint_.draw(paint_of(view).filled(), state);
-  }
+  if (shown_map(scene.input, view) == nullptr) return;
+  state.depth_write = scene.input.fields->wish.map == FieldMap::coverage;
+  paint_.draw(paint_of(view).map(scene.input.fields), state);
 }
 
 void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
@@ -103,15 +116,18 @@ void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
 void SensorMarks::note_numbers(const SceneInput& input, const std::vector<SensorView>& views) {
   numbers_ = {};
   if (views.empty()) return;
-  const FieldPaint& paint = paint_of(views.front());
-  if (input.overlays.coverage) numbers_.coverage = paint.coverage_numbers();
-  if (input.overlays.fields_compared && !input.overlays.coverage) numbers_.comparison = paint.comparison();
-  if (input.overlays.normal_angles) numbers_.normals = paint.normal_numbers();
+  if (const SensorFields* fields = shown_map(input, views.front())) {
+    numbers_.coverage = fields->coverage;
+    numbers_.comparison = fields->comparison;
+  } else {
+    numbers_.due = field_map(input.overlays) != FieldMap::none;
+  }
+  if (input.overlays.normal_angles) numbers_.normals = paint_of(views.front()).normal_numbers();
 }
 
 void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool towards) {
   if (!scene.input.overlays.receptive_fields || !(towards || far_side_seen(scene.input, view))) return;
-  const ModelMarks& marks = marks_of(view, scene.look);
+  const ModelMarks& marks = marks_of(scene, view);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
   state.clipped = scene.input.clip.has_value();
   state.facing = towards ? Facing::eye : Facing::away;
@@ -121,7 +137,7 @@ void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool to
 }
 
 void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
-  ModelMarks& marks = marks_of(view, scene.look);
+  ModelMarks& marks = marks_of(scene, view);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
   state.clipped = scene.input.clip.has_value();
   draw_rings(scene, view, false);
@@ -187,7 +203,7 @@ void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
 
 void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {
   if (!(towards || far_side_seen(scene.input, view))) return;
-  const ModelMarks& marks = marks_of(view, scene.look);
+  const ModelMarks& marks = marks_of(scene, view);
   const double arrow = taxel_arrow_length(*view.model) * scene.pixels_per_metre;
   const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};

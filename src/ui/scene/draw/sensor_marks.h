@@ -31,8 +31,9 @@ class SensorMarks {
     SegmentPass& segments;
     PointPass& points;
   };
-  ModelMarks& marks_of(const SensorView& view, const Look& look);
+  ModelMarks& marks_of(const Scene& scene, const SensorView& view);
   FieldPaint& paint_of(const SensorView& view);
+  std::shared_ptr<const FieldRings> rings_of(const SceneInput& input, const SensorView& view);
   void draw_paint(const Scene& scene, const SensorView& view);
   void draw_normals(const Scene& scene, const SensorView& view);
   void note_numbers(const SceneInput& input, const std::vector<SensorView>& views);
@@ -49,7 +50,12 @@ class SensorMarks {
 
   SurfacePass surfaces_;
   PaintPass paint_;
-  std::map<int, FieldGeometry> fields_;  // by sensor, as all of these
+  struct StraightRings {  // which nobody has to wait for
+    SensorModelPtr model;
+    FieldGeometry geometry;
+    std::shared_ptr<const FieldRings> rings;
+  };
+  std::map<int, StraightRings> straight_;  // by sensor, as all of these
   std::map<int, std::unique_ptr<FieldPaint>> field_paint_;
   RegionPaint region_;
   GhostMarks ghosts_;
