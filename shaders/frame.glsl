@@ -2,7 +2,7 @@
 layout(std140, binding = 0) uniform Frame {
   mat4 view_from_world;
   mat4 clip_from_view;
-  vec4 eye;              // world [m]
+  vec4 eye;              // world [m]; w: pixels to a pixel of marks, which grow with the interface
   vec4 viewport;         // width, height [pixel], 1 / width, 1 / height
   vec4 key_light;        // towards the light, world; w: irradiance
   vec4 sky_light;        // hemisphere from above, linear; w: headlight

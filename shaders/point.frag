@@ -1,9 +1,9 @@
 #version 450 core
 flat in vec4 tint;
 flat in float radius;
+flat in float rim_width;
 uniform float dim;
 uniform vec4 outline;         // sRGB, straight alpha
-uniform float outline_width;  // [pixel]
 out vec4 color;               // premultiplied
 
 void main() {
@@ -11,7 +11,7 @@ void main() {
   float r = length(d);
   bool middle = max(abs(d.x), abs(d.y)) <= 0.5;  // the pixel of the point itself always has its colour
   float cover = middle ? 1.0 : clamp(radius + 0.5 - r, 0.0, 1.0) * min(radius, 1.0);
-  float rim = outline_width > 0.0 ? clamp(r - (radius - outline_width) + 0.5, 0.0, 1.0) * outline.a : 0.0;
+  float rim = rim_width > 0.0 ? clamp(r - (radius - rim_width) + 0.5, 0.0, 1.0) * outline.a : 0.0;
   float alpha = tint.a * cover * dim;
   color = vec4(mix(tint.rgb, outline.rgb, rim) * alpha, alpha);
 }

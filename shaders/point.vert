@@ -6,10 +6,12 @@ layout(location = 1) in vec4 normal;  // all zero: seen from everywhere; w: part
 layout(location = 2) in vec4 rgba;    // sRGB, straight alpha
 uniform mat4 world_from_model;
 uniform float toward_eye;
-uniform float diameter;               // [pixel]
+uniform float diameter;               // [pixel of marks]
+uniform float outline_width;          // [pixel of marks]
 uniform float facing;                 // +1: points that face the eye, -1: those that do not, 0: all
 flat out vec4 tint;
 flat out float radius;                // [pixel]
+flat out float rim_width;             // [pixel]
 
 // Beside the view, where points are left out without being clipped.
 const vec4 kNowhere = vec4(1.5, 1.5, 0.0, 1.0);
@@ -18,9 +20,10 @@ void main() {
   vec4 p = world_from_model * vec4(position, 1.0);
   vec3 n = mat3(world_from_model) * normal.xyz;
   float toward = dot(n, eye.xyz - p.xyz);
-  float d = diameter * normal.w;
+  float d = diameter * normal.w * eye.w;
   tint = rgba;
   radius = 0.5 * d;
+  rim_width = outline_width * eye.w;
   gl_PointSize = d + 1.0;
   vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
   gl_Position = clip_from_view * vec4(v, 1.0);

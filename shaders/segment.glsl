@@ -1,7 +1,7 @@
 // Straight pieces on the screen, pulled from a buffer: four vertices each, no vertex attributes.
 struct Segment {
   vec3 a;
-  uint normal;  // three signed bytes, all zero: seen from everywhere; last: width in tenths of a pixel
+  uint normal;  // three signed bytes, all zero: seen from everywhere; last: width in tenths of a pixel of marks
   vec3 b;
   uint rgba;    // sRGB, straight alpha
 };
@@ -12,7 +12,7 @@ uniform float toward_eye;  // part of the depth by which it is drawn nearer, wit
 
 uniform float facing;      // +1: segments that face the eye, -1: those that do not, 0: all
 
-float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w; }
+float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w * eye.w; }  // [pixel]
 
 // All four corners of what is not drawn: no area, and nothing to clip. By software one vertex outside the view sends its
 // whole batch through the slow path that clips.

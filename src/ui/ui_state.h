@@ -169,6 +169,7 @@ struct Clicks {
 
 struct UiState {
   SavedState saved;
+  double pixel_scale = 1;  ///< of the interface in this window: the user's times the screen's
 
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode

@@ -251,6 +251,7 @@ void Studio::update_title() {
 void Studio::draw_picture(double seconds) {
   const Clock::time_point began = Clock::now();
   const float scale = ui_.saved.scale * window_->content_scale();
+  ui_.pixel_scale = scale;
   if (ui_.saved.dark != themed_dark_ || scale != themed_scale_) ui::apply_theme(ui_.saved.dark, scale);
   themed_dark_ = ui_.saved.dark;
   themed_scale_ = scale;

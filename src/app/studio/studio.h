@@ -80,6 +80,7 @@ class Studio {
   void export_when_ready();
   [[nodiscard]] bool samples_are_final() const;
   std::vector<std::string> write_export(const ui::ExportFile& wanted);
+  [[nodiscard]] gl::RgbaImage cut_out(int width, int height);
   [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
   void ask_for_file(ui::FileTask task, const std::string& problem);
   void copy_taxels();

@@ -74,6 +74,13 @@ void Studio::export_when_ready() {
 }
 
 /// Returns what the format could not hold.
+/// As the view shows it: its lines and points grow with it.
+gl::RgbaImage Studio::cut_out(int width, int height) {
+  ui::SceneInput scene = ui::scene_input(ui_, input_);
+  if (ui_.view.height > 0) scene.scale *= std::max(1.0, static_cast<double>(height) / ui_.view.height);
+  return renderer_->cut_out(scene, ui_.camera(), width, height);
+}
+
 std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
   const EditSession& edits = session_.edits();
   ui_.view.drawn = false;  // pictures are drawn where the view's was
@@ -93,8 +100,7 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
       if (wanted.width < 1 || wanted.height < 1)
         throw Error(wanted.path,
                     fmt::format("a picture of {} x {} pixels cannot be made", wanted.width, wanted.height));
-      write_png(wanted.path,
-                renderer_->cut_out(ui::scene_input(ui_, input_), ui_.camera(), wanted.width, wanted.height));
+      write_png(wanted.path, cut_out(wanted.width, wanted.height));
       break;
     default: {
       const LayoutFormat* format = layout_format_of(wanted.path);

@@ -127,8 +127,7 @@ void Studio::finish_outputs() {
   if (!options_.screenshot.empty()) save_screenshot(options_.screenshot);
   if (!options_.dump_state.empty()) save_state(options_.dump_state);
   if (!options_.cut_out.empty()) {
-    write_png(options_.cut_out, renderer_->cut_out(ui::scene_input(ui_, input_), ui_.camera(), options_.cut_out_width,
-                                                   options_.cut_out_height));
+    write_png(options_.cut_out, cut_out(options_.cut_out_width, options_.cut_out_height));
   }
 }
 

@@ -8,7 +8,7 @@ namespace taxel::ui {
 namespace {
 
 /// Parts of the width and height at 1280 x 800 and at larger sizes alike.
-constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.20f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f,
+constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.213f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f,
                 kPlot = 0.56f;
 
 /// Where text is large for the window, panels that stand side by side become tabs: heights and widths of text.

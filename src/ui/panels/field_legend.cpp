@@ -96,10 +96,12 @@ float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
 
 void draw_field_legends(const UiState& ui, const FieldNumbers& numbers, const SensorModel& model, float bottom) {
   const float gap = 0.5f * ImGui::GetFontSize();
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (numbers.due) bottom = draw_legend(ui, {"Working out the receptive fields ...", {}}, bottom) - gap;
   if (numbers.coverage) bottom = draw_legend(ui, coverage_legend(*numbers.coverage), bottom) - gap;
   if (numbers.comparison) bottom = draw_legend(ui, comparison_legend(*numbers.comparison), bottom) - gap;
   if (numbers.normals) draw_legend(ui, normals_legend(*numbers.normals, model), bottom);
+  ImGui::PopFont();
 }
 
 }  // namespace taxel::ui

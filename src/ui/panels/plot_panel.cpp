@@ -19,6 +19,8 @@ namespace {
 
 /// A taxel responds when its peak is above this part of the largest.
 constexpr double kResponding = 0.05;
+/// Above and below the upright axis, in heights of text: its name is left out where it would be longer.
+constexpr float kAroundAxis = 3.5f;
 /// Longer traces are thinned for drawing.
 constexpr std::size_t kMostPoints = 4000;
 
@@ -74,12 +76,13 @@ void draw_options(UiState& ui, const ReadingUnit& unit) {
   ImGui::PopStyleVar();
 }
 
-void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit, double largest) {
+void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit, double largest, float height) {
   const SimScene& scene = *input.frame->scene;
   const double end = input.sweep ? 1e3 * (input.scenario.before + input.scenario.past)
                                  : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
   const std::string reading = ui.saved.plot.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
-  ImPlot::SetupAxes(input.sweep ? "travel (mm)" : "time (s)", reading.c_str(),
+  const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(reading.c_str()).x;
+  ImPlot::SetupAxes(input.sweep ? "travel (mm)" : "time (s)", tall ? reading.c_str() : nullptr,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
   ImPlot::SetupAxisLimits(ImAxis_X1, 0, end, ImPlotCond_Always);
@@ -96,7 +99,7 @@ void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, 
   const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
-  spec.LineWeight = selected ? 3.2f : 1.8f;
+  spec.LineWeight = (selected ? 3.2f : 1.8f) * static_cast<float>(ui.pixel_scale);
   const std::string label = fmt::format("{}", id);
   ImPlot::PlotLine(label.c_str(), curves.travel_mm.data(), curves.drawn.data(), static_cast<int>(curves.drawn.size()),
                    spec);
@@ -149,8 +152,9 @@ void draw_plot(UiState& ui, const UiInput& input) {
   const ReadingUnit unit = unit_of(ui, input);
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  if (ImPlot::BeginPlot("##taxels", ImGui::GetContentRegionAvail(), kFlags)) {
-    setup_axes(ui, input, unit, curves.largest);
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  if (ImPlot::BeginPlot("##taxels", size, kFlags)) {
+    setup_axes(ui, input, unit, curves.largest, size.y);
     const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 0.0) : unit.scale;
     const std::size_t first = first_reading(ui, input);
     for (std::size_t k = 0; k < layout.taxels.size() && first + k < curves.readings.size(); ++k) {

@@ -18,10 +18,10 @@ namespace {
 constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2};
 
 constexpr std::array kColumns = {
-    CellColumn{TableColumn::id, "Id", "Names the taxel in files and readings", 3.6f},
-    CellColumn{TableColumn::name, "Name", "", 6.0f},
-    CellColumn{TableColumn::radius, "r", "Radius of the receptive field [mm]", 3.0f},
-    CellColumn{TableColumn::samples, "Samples", "In the receptive field", 4.4f},
+    CellColumn{TableColumn::id, "Id", "Names the taxel in files and readings", 3.3f},
+    CellColumn{TableColumn::name, "Name", "", 6.2f},
+    CellColumn{TableColumn::radius, "r", "Radius of the receptive field [mm]", 2.8f},
+    CellColumn{TableColumn::samples, "Samples", "In the receptive field", 4.0f},
     CellColumn{TableColumn::x, "x", "Centre, frame of the mesh file [mm]", 3.8f},
     CellColumn{TableColumn::y, "y", "Centre, frame of the mesh file [mm]", 3.8f},
     CellColumn{TableColumn::z, "z", "Centre, frame of the mesh file [mm]", 3.8f},

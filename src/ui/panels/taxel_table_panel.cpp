@@ -174,9 +174,9 @@ void setup_columns(const UiState& ui, const Table& table) {
   }
   constexpr auto kStretch = ImGuiTableColumnFlags_WidthStretch;
   const char* unit = ui.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
-  add({TableColumn::id, "Id", "", 0}, kStretch, 0.22f);
-  add({TableColumn::name, "Name", "", 0}, kStretch, 0.34f);
-  add({TableColumn::samples, "Samples", "", 0}, kStretch, 0.24f);
+  add({TableColumn::id, "Id", "", 0}, kStretch, 0.19f);
+  add({TableColumn::name, "Name", "", 0}, kStretch, 0.38f);
+  add({TableColumn::samples, "Samples", "", 0}, kStretch, 0.23f);
   add({TableColumn::reading, unit, "", 0}, kStretch, 0.20f);
 }
 

@@ -56,7 +56,7 @@ void draw_ghost(const UiState& ui, const UiInput& input, ImDrawList& list) {
 void draw_probe_handle(const UiState& ui, const UiInput& input, ImDrawList& list) {
   if (!ui.probe.on || ui.probe.held || !ui.probe.at) return;
   const ImVec2 at = on_screen(ui, shown_pose(ui, input) * *ui.probe.at);
-  const float radius = 8 * ui.saved.scale;
+  const float radius = 8 * static_cast<float>(ui.pixel_scale);
   const Palette& colors = palette(ui.saved.dark);
   list.AddCircle(at, radius, to_u32(colors.panel, 0.8f), 0, 4.0f);
   list.AddCircle(at, radius, to_u32(colors.accent), 0, 2.0f);

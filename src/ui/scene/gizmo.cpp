@@ -2,17 +2,17 @@
 
 namespace taxel::ui {
 
-dvec2 gizmo_center(int width, int height) {
+dvec2 gizmo_center(const dvec2& view) {
   const double inset = kGizmoMargin + kGizmoReach + kGizmoBallRadius;
-  return {std::min(inset, 0.5 * width), std::max(height - inset, 0.5 * height)};
+  return {std::min(inset, 0.5 * view.x), std::max(view.y - inset, 0.5 * view.y)};
 }
 
-std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, int width, int height) {
-  const glm::dmat3 view(camera.view());
-  const dvec2 center = gizmo_center(width, height);
+std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, const dvec2& view) {
+  const glm::dmat3 axes(camera.view());
+  const dvec2 center = gizmo_center(view);
   std::array<GizmoBall, 6> balls;
   for (int axis = 0; axis < 6; ++axis) {
-    const dvec3 d = (axis % 2 == 0 ? 1.0 : -1.0) * view[axis / 2];  // right, up, towards the eye
+    const dvec3 d = (axis % 2 == 0 ? 1.0 : -1.0) * axes[axis / 2];  // right, up, towards the eye
     balls[static_cast<std::size_t>(axis)] = {axis, center + kGizmoReach * dvec2(d.x, -d.y), d.z};
   }
   std::stable_sort(balls.begin(), balls.end(),
@@ -20,10 +20,10 @@ std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, int width, int height
   return balls;
 }
 
-int gizmo_hit(const Camera& camera, double x, double y, int width, int height) {
-  const auto balls = gizmo_balls(camera, width, height);
+int gizmo_hit(const Camera& camera, const dvec2& at, const dvec2& view) {
+  const auto balls = gizmo_balls(camera, view);
   for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
-    if (glm::length(dvec2(x, y) - ball->pixel) <= kGizmoBallRadius) return ball->axis;
+    if (glm::distance(at, ball->pixel) <= kGizmoBallRadius) return ball->axis;
   }
   return -1;
 }

@@ -19,12 +19,13 @@ inline constexpr double kGizmoReach = 34;      ///< from the middle to the balls
 inline constexpr double kGizmoBallRadius = 9;  ///< [pixel]
 inline constexpr double kGizmoMargin = 16;     ///< to the edges of the view [pixel]
 
-dvec2 gizmo_center(int width, int height);
+/// In a view of this size. All pixels are those of scale 1.
+dvec2 gizmo_center(const dvec2& view);
 /// All six, farthest first: the order of drawing.
-std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, int width, int height);
+std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, const dvec2& view);
 
 /// The axis 0..5 under a pixel, the nearest to the eye first; -1 for none.
-int gizmo_hit(const Camera& camera, double x, double y, int width, int height);
+int gizmo_hit(const Camera& camera, const dvec2& at, const dvec2& view);
 /// Turns the camera so that it looks from the end of that axis; target and distance stay.
 void look_from_axis(Camera& camera, int axis);
 

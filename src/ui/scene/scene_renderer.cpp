@@ -92,7 +92,7 @@ struct SceneRenderer::Impl {
   void make_shadows(const SceneInput& input, const MeshList& list, const Ground& floor, const Look& look);
   void make_target(int width, int height, bool clipped);
   void draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background = true);
-  void draw_overlay(const Camera& camera, const Look& look);
+  void draw_overlay(const Camera& camera, const Look& look, double scale);
   void end_frame() {
     cache.end_frame();
     cuts.end_frame();
@@ -124,10 +124,10 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height(), input.clip));
+  bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height(), input.scale, input.clip));
   glEnable(GL_PROGRAM_POINT_SIZE);
   const bool keep_backdrop = background && software && !floor.filled;
-  if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, segments);
+  if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, input.scale, segments);
   meshes.draw_solids(list, look, input.clip.has_value());
   if (occluded) {
     const Aabb object = sensor_bounds(input);
@@ -160,10 +160,10 @@ void SceneRenderer::Impl::make_target(int width, int height, bool clipped) {
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
-void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look) {
+void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look, double scale) {
   const int width = target->width(), height = target->height();
-  bind_frame(pixel_buffer, pixel_frame(width, height));
-  draw_gizmo(segments, points, camera, look, width, height);
+  bind_frame(pixel_buffer, pixel_frame(width, height, scale));
+  draw_gizmo(segments, points, camera, look, dvec2(width, height) / scale);
 }
 
 SceneRenderer::SceneRenderer(const gl::ShaderReader& shaders) : impl_(std::make_unique<Impl>(shaders)) {}
@@ -177,7 +177,7 @@ void SceneRenderer::render(const SceneInput& input, const Camera& camera, int wi
   impl_->make_target(key.width, key.height, input.clip.has_value());
   const Look& colors = look(input.dark);
   impl_->draw_scene(input, camera, colors);
-  impl_->draw_overlay(camera, colors);
+  impl_->draw_overlay(camera, colors, input.scale);
   impl_->target->resolve();
   glFlush();  // a software renderer fills the picture while the panels are laid out
   impl_->end_frame();

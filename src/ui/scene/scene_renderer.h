@@ -72,6 +72,7 @@ struct SceneInput {
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null
   std::vector<dvec3> measure_points;                 ///< of that line, and one that is pointed at
   bool dark = true;
+  double scale = 1;                                    ///< of lines, points and the gizmo, as of the interface
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };
 

@@ -116,6 +116,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   if (ui.mode == Mode::layout && input.editing.project) scene.region = input.editing.project->layout.sampling.region;
   if (ui.mode == Mode::layout && ui.generate.open) scene.ghosts = ui.generate.ghosts;
   scene.dark = ui.saved.dark;
+  scene.scale = ui.pixel_scale;
   return scene;
 }
 
@@ -176,7 +177,8 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   if (handle_tool_mouse(ui, input, x, y, hovered)) return;
   if (ImGui::IsItemActive()) drag_camera(ui);
   if (!hovered) return;
-  const int axis = gizmo_hit(ui.camera(), x, y, ui.view.width, ui.view.height);
+  const int axis =
+      gizmo_hit(ui.camera(), dvec2(x, y) / ui.pixel_scale, dvec2(ui.view.width, ui.view.height) / ui.pixel_scale);
   const bool left = clicked_in_place(ImGuiMouseButton_Left);
   const bool centre = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right);
   if (axis >= 0) {
@@ -188,7 +190,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   }
   const bool resting = !ImGui::IsAnyMouseDown() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip);
   if (!left && !centre && !resting) return;
-  const double reach = kReach * static_cast<double>(ui.saved.scale);
+  const double reach = kReach * ui.pixel_scale;
   const std::optional<Pick> under =
       pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
   if (left) select_under(ui, input, under);

@@ -110,7 +110,7 @@ bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hov
   const ImGuiIO& io = ImGui::GetIO();
   const GestureView view = gesture_view(ui, input);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyCtrl && !io.KeyShift) {
-    const double reach = kReach * static_cast<double>(ui.saved.scale);
+    const double reach = kReach * ui.pixel_scale;
     g.dragging = glm::distance(view.pixel_of(g.frame.center), dvec2(x, y)) < reach;
   }
   const bool moved = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= io.MouseDragThreshold * io.MouseDragThreshold;

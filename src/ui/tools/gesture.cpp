@@ -78,7 +78,7 @@ void watch_press(UiState& ui, const UiInput& input, double x, double y) {
   constexpr double kReach = 12;
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.KeyCtrl || io.KeyShift || ui.selection.empty()) return;
-  const double reach = kReach * static_cast<double>(ui.saved.scale);
+  const double reach = kReach * ui.pixel_scale;
   const auto under = pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
   if (!under || under->taxel < 0 || under->taxel >= input.model->taxel_count()) return;
   const int id = input.model->layout.taxels[static_cast<std::size_t>(under->taxel)].id;

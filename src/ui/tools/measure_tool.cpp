@@ -16,7 +16,7 @@ constexpr double kSnap = 12;  // to taxel centres, at scale 1 [pixels]
 /// The taxel whose centre is near the pointer, or the place of the skin below it.
 std::optional<MeasurePoint> point_at(const UiState& ui, const UiInput& input, double x, double y) {
   const SceneInput scene = scene_input(ui, input);
-  const double reach = kSnap * static_cast<double>(ui.saved.scale);
+  const double reach = kSnap * ui.pixel_scale;
   const auto under = pick(scene, ui.camera(), x, y, ui.view.width, ui.view.height, reach);
   if (under && under->taxel >= 0 && under->taxel < input.model->taxel_count()) {
     const Taxel& taxel = input.model->layout.taxels[static_cast<std::size_t>(under->taxel)];

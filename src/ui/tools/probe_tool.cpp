@@ -48,7 +48,7 @@ std::optional<SurfacePlace> place_at(const UiState& ui, const UiInput& input, do
 bool reaches(const UiState& ui, double x, double y) {
   if (!ui.probe.at) return false;
   const dvec3 pixel = ui.camera().project(*ui.probe.at, ui.view.width, ui.view.height);
-  return pixel.z > 0 && glm::length(dvec2(pixel) - dvec2(x, y)) <= kReach * static_cast<double>(ui.saved.scale);
+  return pixel.z > 0 && glm::length(dvec2(pixel) - dvec2(x, y)) <= kReach * ui.pixel_scale;
 }
 
 double metres_per_pixel(const UiState& ui) {

@@ -204,8 +204,8 @@ TEST_F(PickingTest, ASampleTellsDistanceAngleAndWeightForEachOfItsTaxels) {
 TEST(Gizmo, AClickOnABallLooksFromItsAxis) {
   Camera camera;
   camera.target = {0.1, 0.2, 0.3};
-  for (const GizmoBall& ball : gizmo_balls(camera, kWidth, kHeight)) {
-    const int hit = gizmo_hit(camera, ball.pixel.x, ball.pixel.y, kWidth, kHeight);
+  for (const GizmoBall& ball : gizmo_balls(camera, {kWidth, kHeight})) {
+    const int hit = gizmo_hit(camera, ball.pixel, {kWidth, kHeight});
     EXPECT_EQ(hit, ball.axis);
     Camera turned = camera;
     look_from_axis(turned, hit);
@@ -213,9 +213,9 @@ TEST(Gizmo, AClickOnABallLooksFromItsAxis) {
     EXPECT_GT((ball.positive() ? 1 : -1) * direction[ball.axis / 2], 0.9999);
     EXPECT_EQ(turned.target, camera.target);
     EXPECT_EQ(turned.distance, camera.distance);
-    EXPECT_EQ(gizmo_balls(turned, kWidth, kHeight).back().axis, ball.axis);  // now nearest
+    EXPECT_EQ(gizmo_balls(turned, {kWidth, kHeight}).back().axis, ball.axis);  // now nearest
   }
-  EXPECT_EQ(gizmo_hit(camera, 0.5 * kWidth, 0.5 * kHeight, kWidth, kHeight), -1);
+  EXPECT_EQ(gizmo_hit(camera, {0.5 * kWidth, 0.5 * kHeight}, {kWidth, kHeight}), -1);
 }
 
 }  // namespace

@@ -314,6 +314,37 @@ TEST_F(SceneRendererTest, TheSameInputGivesTheSameBytes) {
   EXPECT_EQ(fresh.picture(), first);
 }
 
+/// Mean difference of the levels of a picture to those of one twice as large, four pixels for one.
+double difference_to_half(const gl::RgbImage& picture, const gl::RgbImage& twice) {
+  const auto level = [](const gl::RgbImage& image, int x, int y, int k) {
+    return static_cast<double>(image.rgb[static_cast<std::size_t>(3 * (y * image.width + x) + k)]);
+  };
+  double sum = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      for (int k = 0; k < 3; ++k) {
+        const double half = 0.25 * (level(twice, 2 * x, 2 * y, k) + level(twice, 2 * x + 1, 2 * y, k) +
+                                    level(twice, 2 * x, 2 * y + 1, k) + level(twice, 2 * x + 1, 2 * y + 1, k));
+        sum += std::abs(half - level(picture, x, y, k));
+      }
+    }
+  }
+  return sum / (3.0 * picture.width * picture.height);
+}
+
+TEST_F(SceneRendererTest, AtTwiceTheScaleEverythingIsTwiceAsLarge) {
+  SceneInput input = test::finger_input(frame_);
+  const Camera camera = test::finger_camera();
+  const gl::RgbImage once = draw(input, camera);
+  renderer_.render(input, camera, 2 * kWidth, 2 * kHeight);
+  const double thin = difference_to_half(once, renderer_.picture());
+  input.scale = 2;
+  renderer_.render(input, camera, 2 * kWidth, 2 * kHeight);
+  const double scaled = difference_to_half(once, renderer_.picture());
+  EXPECT_LT(scaled, 2.5);
+  EXPECT_GT(thin, 2 * scaled) << "lines, points and the gizmo stay as they were";
+}
+
 TEST_F(SceneRendererTest, ACutOutHasTheBodiesAloneAtAnySize) {
   SceneInput input;
   input.document_model = model_;

@@ -83,7 +83,7 @@ TEST(BadInput, NonsenseInEveryFieldIsRefusedInWordsOrHarmless) {
   // The table becomes as wide as all of its columns.
   const Lines begin{kLayoutMode,
                     kIdle,
-                    R"({"event": "mouse_down", "at": [301, 1300]})",
+                    R"({"event": "mouse_down", "at": [321, 1300]})",
                     kIdle,
                     R"({"event": "mouse_move", "at": [760, 1300]})",
                     kIdle,

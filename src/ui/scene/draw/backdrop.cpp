@@ -31,8 +31,8 @@ void Backdrop::fill_background(const gl::Framebuffer& target, const GroundPass& 
 }
 
 void Backdrop::fill(const gl::Framebuffer& target, const GroundPass& pass, const Ground& ground, const Camera& camera,
-                    const Look& look, bool grid, SegmentPass& segments) {
-  const Key key{ground.X_WP.p, ground.X_WP.q, camera, &look, grid, target.width(), target.height()};
+                    const Look& look, bool grid, double scale, SegmentPass& segments) {
+  const Key key{ground.X_WP.p, ground.X_WP.q, camera, &look, grid, scale, target.width(), target.height()};
   const bool rests = key == last_;
   last_ = key;
   if (!rests) {  // while the camera moves, a picture of it would be of use only once

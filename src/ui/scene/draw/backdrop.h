@@ -12,7 +12,7 @@ class Backdrop {
   /// Fills the colour of `target` (bound, of a single sample per pixel) with background and grid. Draws only what
   /// changed; else copies, which costs a software renderer a tenth.
   void fill(const gl::Framebuffer& target, const GroundPass& pass, const Ground& ground, const Camera& camera,
-            const Look& look, bool grid, SegmentPass& segments);
+            const Look& look, bool grid, double scale, SegmentPass& segments);
 
  private:
   struct Key {
@@ -21,6 +21,7 @@ class Backdrop {
     Camera camera;
     const Look* look = nullptr;
     bool grid = false;
+    double scale = 1;
     int width = 0, height = 0;
     bool operator==(const Key&) const = default;
   };

@@ -14,14 +14,14 @@ glm::vec4 viewport_of(int width, int height) {
 
 }  // namespace
 
-FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height,
+FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height, double scale,
                                 const std::optional<ClipPlane>& clip) {
   FrameUniforms u;
   if (clip) u.clip_plane = glm::vec4(glm::vec3(-clip->normal), clip->offset);
   const glm::dmat4 projection = camera.projection(static_cast<double>(width) / height);
   u.view_from_world = glm::mat4(camera.view());
   u.clip_from_view = glm::mat4(projection);
-  u.eye = glm::vec4(glm::vec3(camera.eye()), 1);
+  u.eye = glm::vec4(glm::vec3(camera.eye()), scale);
   u.viewport = viewport_of(width, height);
   u.key_light = glm::vec4(glm::normalize(look.key_direction), look.key);
   u.sky_light = glm::vec4(look.sky, look.headlight);
@@ -30,9 +30,10 @@ FrameUniforms perspective_frame(const Camera& camera, const Look& look, int widt
   return u;
 }
 
-FrameUniforms pixel_frame(int width, int height) {
+FrameUniforms pixel_frame(int width, int height, double scale) {
   FrameUniforms u;
-  u.clip_from_view = glm::ortho(0.0f, static_cast<float>(width), 0.0f, static_cast<float>(height), -1.0f, 1.0f);
+  u.clip_from_view = glm::mat4(glm::ortho(0.0, width / scale, 0.0, height / scale, -1.0, 1.0));
+  u.eye.w = static_cast<float>(scale);
   u.viewport = viewport_of(width, height);
   u.ground_light.w = -2;  // nothing is cut
   return u;

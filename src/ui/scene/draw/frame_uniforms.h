@@ -23,10 +23,11 @@ struct FrameUniforms {
   glm::vec4 clip_plane{0, 0, 0, 1};
 };
 
-FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height,
+/// Widths and diameters of marks are multiplied by `scale`.
+FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height, double scale,
                                 const std::optional<ClipPlane>& clip);
-/// Pixels of a w x h view, y up, z from -1 to 1: for what lies on the screen.
-FrameUniforms pixel_frame(int width, int height);
+/// Pixels of marks in a view of width x height pixels, y up, z from -1 to 1: for what lies on the screen.
+FrameUniforms pixel_frame(int width, int height, double scale);
 
 /// Sends the uniforms and makes all following draws use them.
 void bind_frame(gl::Buffer& buffer, const FrameUniforms& uniforms);

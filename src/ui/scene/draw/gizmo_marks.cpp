@@ -19,14 +19,13 @@ constexpr std::array<Stroke, 8> kStrokes{{{0, {-0.75, -1}, {0.75, 1}},
 
 }  // namespace
 
-void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, int width,
-                int height) {
+void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, const dvec2& view) {
   const std::array<glm::vec3, 3> axis_color{look.axis_x, look.axis_y, look.axis_z};
-  const auto flip = [&](const dvec2& pixel) { return dvec3(pixel.x, height - pixel.y, 0); };  // GL's rows go up
+  const auto flip = [&](const dvec2& pixel) { return dvec3(pixel.x, view.y - pixel.y, 0); };  // GL's rows go up
   MarkState flat;
   flat.depth_test = false;
-  const dvec3 middle = flip(gizmo_center(width, height));
-  for (const GizmoBall& ball : gizmo_balls(camera, width, height)) {
+  const dvec3 middle = flip(gizmo_center(view));
+  for (const GizmoBall& ball : gizmo_balls(camera, view)) {
     const dvec3 p = flip(ball.pixel);
     const auto depth = static_cast<float>(0.5 + 0.5 * ball.toward);
     const glm::vec3 color = axis_color[static_cast<std::size_t>(ball.axis / 2)];

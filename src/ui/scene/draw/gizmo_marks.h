@@ -8,8 +8,7 @@
 
 namespace taxel::ui {
 
-/// Draws over what is there. The frame must be pixel_frame(width, height).
-void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, int width,
-                int height);
+/// Draws over what is there. The frame must be a pixel_frame(), of a view of this size in pixels of marks.
+void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, const dvec2& view);
 
 }  // namespace taxel::ui

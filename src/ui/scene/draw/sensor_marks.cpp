@@ -59,7 +59,7 @@ ModelMarks& SensorMarks::marks_of(const Scene& scene, const SensorView& view) {
 
 void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look& look, int height,
                        SegmentPass& segments, PointPass& points) {
-  const double pixels = 0.5 * height / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
+  const double pixels = 0.5 * height / input.scale / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
   const Scene scene{input, camera, look, pixels, segments, points};
   const std::vector<SensorView> views = sensor_views(input);
   for (const SensorView& view : views) {

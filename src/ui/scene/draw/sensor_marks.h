@@ -27,7 +27,7 @@ class SensorMarks {
     const SceneInput& input;
     const Camera& camera;
     const Look& look;
-    double pixels_per_metre;  // at the camera's target
+    double pixels_per_metre;  // of marks, at the camera's target
     SegmentPass& segments;
     PointPass& points;
   };
