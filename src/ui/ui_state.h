@@ -169,6 +169,7 @@ struct Clicks {
 
 struct UiState {
   SavedState saved;
+  double arranged_scale = 0;  ///< of the interface when its panels were arranged; 0: not yet
   double pixel_scale = 1;  ///< of the interface in this window: the user's times the screen's
 
   Mode mode = Mode::simulate;

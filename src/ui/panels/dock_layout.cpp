@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <utility>
+
 namespace taxel::ui {
 
 namespace {
@@ -51,14 +53,24 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
 
+bool is_compact(ImVec2 size, float line) {
+  return size.x < kCompactWidth * line || size.y < kCompactHeight * line;
+}
+
 void arrange(ImGuiID space, ImVec2 size) {
   ImGui::DockBuilderRemoveNode(space);
   ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
   ImGui::DockBuilderSetNodeSize(space, size);
-  const float line = ImGui::GetFontSize();
-  const bool compact = size.x < kCompactWidth * line || size.y < kCompactHeight * line;
-  compact ? arrange_compactly(space) : arrange_side_by_side(space);
+  is_compact(size, ImGui::GetFontSize()) ? arrange_compactly(space) : arrange_side_by_side(space);
   ImGui::DockBuilderFinish(space);
+}
+
+/// Text has become too large for the arrangement, or small enough for the other one. A window that becomes small keeps
+/// its own, for it may become large again.
+bool scale_wants_another(UiState& ui, ImVec2 size) {
+  const double before = std::exchange(ui.arranged_scale, ui.pixel_scale);
+  const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / ui.pixel_scale);
+  return before > 0 && is_compact(size, line) != is_compact(size, line_before);
 }
 
 }  // namespace
@@ -66,7 +78,9 @@ void arrange(ImGuiID space, ImVec2 size) {
 void draw_dock_space(UiState& ui) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImGuiID space = ImGui::GetID("Taxel Studio");
-  if (ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr) arrange(space, viewport->WorkSize);
+  const bool another = scale_wants_another(ui, viewport->WorkSize);
+  if (another || ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr)
+    arrange(space, viewport->WorkSize);
   ui.reset_arrangement = false;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);

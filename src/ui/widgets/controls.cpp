@@ -177,7 +177,9 @@ void property(const char* name, const std::string& value) {
 void property(const char* name, const std::string& value, const ImVec4& color) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0);
   ImGui::TextDisabled("%s", name);
+  ImGui::PopTextWrapPos();
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   const float room = ImGui::GetContentRegionAvail().x;

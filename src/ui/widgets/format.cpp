@@ -79,4 +79,11 @@ double nice_ceiling(double value) {
   return 10.0 * decade;
 }
 
+int tick_count(float length, float line) {
+  constexpr float kRoom = 1.15f;  // of each, in its height
+  for (const int ticks : {4, 2})
+    if (length >= static_cast<float>(ticks) * kRoom * line) return ticks;
+  return 1;
+}
+
 }  // namespace taxel::ui

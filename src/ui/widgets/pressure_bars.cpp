@@ -33,9 +33,9 @@ float small_width(const std::string& text) {
 }
 
 void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
-  constexpr int kTicks = 4;
-  for (int i = 0; i <= kTicks; ++i) {
-    const double value = axis.top * i / kTicks;
+  const int ticks = tick_count(axis.y_zero - axis.y_top, kSmallText * ImGui::GetFontSize());
+  for (int i = 0; i <= ticks; ++i) {
+    const double value = axis.top * i / ticks;
     const float y = std::floor(axis.y(value));
     list.AddLineH(axis.x0, axis.x1, y, to_u32(colors.line, i == 0 ? 1.0f : 0.6f));
     const std::string text = fmt::format("{:.3g}", axis.unit.scale * value);

@@ -8,6 +8,7 @@
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
@@ -81,9 +82,9 @@ void draw_pressure_legend(const UiState& ui, const LegendPlace& place) {
   list.AddText({lo.x + pad, lo.y + 1.4f * line}, to_u32(colors.dim), "kPa");
   const ImVec2 bar_lo(lo.x + pad, lo.y + 3.0f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.5f * line);
   draw_color_bar(list, bar_lo, bar_hi);
-  constexpr int kTicks = 4;
-  for (int i = 0; i <= kTicks; ++i) {
-    const double t = static_cast<double>(i) / kTicks;
+  const int ticks = tick_count(bar_hi.y - bar_lo.y, line);
+  for (int i = 0; i <= ticks; ++i) {
+    const double t = static_cast<double>(i) / ticks;
     const float y = bar_hi.y + (bar_lo.y - bar_hi.y) * static_cast<float>(t);
     list.AddLineH(bar_hi.x, bar_hi.x + 0.3f * line, std::floor(y), to_u32(colors.dim));
     const std::string text = fmt::format("{:.4g}", 1e-3 * (ui.range.lo + t * (ui.range.hi - ui.range.lo)));
