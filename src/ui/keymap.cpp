@@ -28,6 +28,7 @@ constexpr std::array kBindings = {
     Binding{Action::export_samples, kEverywhere, 0, false, "Export samples (CSV)...", "File", false},
     Binding{Action::export_sheet, kEverywhere, 0, false, "Export sheet to print (HTML)...", "File", false},
     Binding{Action::export_picture, kEverywhere, 0, false, "Export picture (PNG)...", "File", false},
+    Binding{Action::export_frame, kEverywhere, 0, false, "Save this step...", "File", false},
     Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
     Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
 

@@ -35,6 +35,7 @@ enum class Action {
   export_samples,
   export_sheet,
   export_picture,
+  export_frame,
   undo,
   redo,
   copy,

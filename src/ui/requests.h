@@ -22,6 +22,7 @@ enum class FileTask {
   export_samples,
   export_sheet,
   export_picture,
+  export_frame,
   read_points
 };
 

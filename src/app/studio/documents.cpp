@@ -16,6 +16,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
 #include "core/project/project_json.h"
+#include "core/sim/bundle/frame_bundle.h"
 
 namespace taxel::studio {
 
@@ -54,7 +55,7 @@ using Compile = std::function<ShownModel(const SensorBuild&)>;
 /// A document on a mesh, compiled; meanwhile the mesh is looked over.
 Document document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
                      const Compile& compile, const SensorBuild& how) {
-  Document document{kind, file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {}, nullptr};
+  Document document{kind, file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
   if (document.name.empty()) document.name = short_name(file);
   ShownModel shown;
   MeshFindings findings;
@@ -138,6 +139,12 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   return document;
 }
 
+Document load_frame(const std::filesystem::path& file, const SensorBuild& how) {
+  const SimFramePtr frame = read_frame_bundle(file, how);
+  const SensorModelPtr model = frame->scene->sensors.empty() ? nullptr : frame->scene->sensors.front();
+  return {DocumentKind::frame, file.string(), short_name(file), model, nullptr, nullptr, "", {}, nullptr, frame};
+}
+
 }  // namespace
 
 double density_for(double area) {
@@ -151,11 +158,12 @@ DocumentKind document_kind(const std::filesystem::path& file) {
   if (extension == ".json") return DocumentKind::layout;
   if (extension == ".taxelproj") return DocumentKind::project;
   if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
+  if (extension == kFrameBundleExtension) return DocumentKind::frame;
   if (is_mesh_file(file)) return DocumentKind::mesh;
   throw Error(file.string(),
               "cannot be opened: it is no project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf "
-              ".glb) or "
-              "MuJoCo scene (.xml)");
+              ".glb), "
+              "MuJoCo scene (.xml) or saved step (.taxelframe)");
 }
 
 Document load_document(const std::filesystem::path& file, const SensorBuild& how) {
@@ -166,10 +174,12 @@ Document load_document(const std::filesystem::path& file, const SensorBuild& how
       return load_project(file, how);
     case DocumentKind::mesh:
       return load_bare_mesh(file, how);
+    case DocumentKind::frame:
+      return load_frame(file, how);
     case DocumentKind::scene:
       break;
   }
-  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr};
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
 }
 
 Document built_in_fingertip(const SensorBuild& how) {

@@ -1,5 +1,5 @@
-// What can be opened, and how it becomes a compiled layout: projects, layout files, bare meshes, MuJoCo scenes, and the
-// project's own fingertip that travels inside the program.
+// What can be opened, and how it becomes a compiled layout: projects, layout files, bare meshes, MuJoCo scenes, steps
+// that were saved, and the project's own fingertip that travels inside the program.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,11 @@
 #include "app/studio/open_meshes.h"
 #include "core/project/project.h"
 #include "core/sensor/sensor_model.h"
+#include "core/sim/sim_frame.h"
 
 namespace taxel::studio {
 
-enum class DocumentKind { layout, project, mesh, scene };
+enum class DocumentKind { layout, project, mesh, scene, frame };
 
 /// By the file's extension. Throws Error naming the file where it cannot be opened.
 DocumentKind document_kind(const std::filesystem::path& file);
@@ -24,12 +25,13 @@ struct Document {
   std::string file;                ///< empty: built in
   std::string name;                ///< for titles
   SensorModelPtr model;            ///< null for a scene: the simulation compiles its sensors
-  ProjectPtr project;              ///< what is edited; null for a scene
-  OpenMeshPtr mesh;                ///< under its layout; null for a scene
+  ProjectPtr project;              ///< what is edited; null for a scene or a frame
+  OpenMeshPtr mesh;                ///< under its layout; null for a scene or a frame
   std::string problem;             ///< why it can be looked at and edited, but not simulated
   std::vector<std::string> notes;  ///< what the user should know: guessed units, warnings
   /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
+  SimFramePtr frame = nullptr;  ///< a step that was saved, with nothing to simulate; null for all else
 
   /// Shows samples that are yet to be polished.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }

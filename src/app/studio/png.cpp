@@ -31,12 +31,16 @@ std::string bytes_of(int width, int height, int channels, const std::vector<unsi
 
 }  // namespace
 
+std::string png_bytes(const gl::RgbImage& image) {
+  return bytes_of(image.width, image.height, 3, image.rgb);
+}
+
 std::string png_bytes(const gl::RgbaImage& image) {
   return bytes_of(image.width, image.height, 4, image.rgba);
 }
 
 void write_png(const std::filesystem::path& file, const gl::RgbImage& image) {
-  write_file_atomically(file, bytes_of(image.width, image.height, 3, image.rgb));
+  write_file_atomically(file, png_bytes(image));
 }
 
 void write_png(const std::filesystem::path& file, const gl::RgbaImage& image) {

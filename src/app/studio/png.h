@@ -8,6 +8,7 @@
 
 namespace taxel::studio {
 /// The bytes of a PNG file. The same picture gives the same bytes. Throws Error.
+std::string png_bytes(const gl::RgbImage& image);
 std::string png_bytes(const gl::RgbaImage& image);
 /// Written beside and renamed. The same picture gives the same bytes. Throws Error naming the file.
 void write_png(const std::filesystem::path& file, const gl::RgbImage& image);

@@ -102,7 +102,7 @@ void Session::drop_scene() {
   least_load_ = loads_ + 1;
   frame_.reset();
   settled_.reset();
-  playing_ = sweep_ = simulates_document_ = false;
+  playing_ = sweep_ = simulates_document_ = still_ = false;
   replay_.stop();
   loop_.reset();
 }
@@ -131,7 +131,7 @@ void Session::build_scene(Pending pending) {
 }
 
 void Session::set_playing(bool playing) {
-  if (!frame_) return;
+  if (!runs()) return;
   replay_.stop();
   if (playing && frame_->finished) reset();
   playing_ = playing;
@@ -145,7 +145,7 @@ void Session::set_playing(bool playing) {
 }
 
 void Session::reset() {
-  if (!frame_) return;
+  if (!runs()) return;
   replay_.stop();
   playing_ = false;
   unspent_ = 0;
@@ -241,7 +241,7 @@ void Session::accept_document(Document document, SessionNews& news) {
   }
   const bool play = !reloading_ || playing();
   const bool framed = !reloading_;
-  const bool layout_with_taxels = document.model && document.model->taxel_count() > 0;
+  const bool layout_with_taxels = document.model && document.model->taxel_count() > 0 && !document.frame;
   // What one saves, one goes on with; what cannot be simulated can be looked at.
   const bool to_edit = document.kind == DocumentKind::project || !document.problem.empty();
   if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
@@ -253,8 +253,9 @@ void Session::accept_document(Document document, SessionNews& news) {
   drop_scene();
   news.doubtful_mesh = document.kind == DocumentKind::mesh || !document.problem.empty();
   show_document(std::move(document));
+  if (document_->frame) show_saved_step();
   news.another_document = true;
-  news.opened = ui::Mode::layout;
+  news.opened = still_ ? ui::Mode::simulate : ui::Mode::layout;
   news.opened_file = document_->file;
   news.framed = framed;
 }
@@ -307,6 +308,7 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   sweep_ = pending.sweep;
   scenario_ = pending.sweep ? pending.scenario : scenario_;
   simulates_document_ = true;
+  still_ = false;
   warned_.clear();
   unspent_ = 0;
   replay_.stop();

@@ -146,6 +146,8 @@ class Session {
   void tell_stop(const SimFrame& frame, SessionNews& news);
   void build_scene(Pending pending);
   void drop_scene();
+  void show_saved_step();
+  [[nodiscard]] bool runs();
   void note_pressures(const SimFrame& frame, bool another_run);
   /// Waits for a frame for which `done` holds; not by clock only. Throws Error when none comes.
   template <class Done>
@@ -184,6 +186,7 @@ class Session {
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
+  bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
   bool sweep_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
   double speed_ = 1;

@@ -8,6 +8,18 @@
 
 namespace taxel::studio {
 
+/// Of a step that was saved it says why nothing does.
+bool Session::runs() {
+  if (still_) refusal_ = document_->name + " is a single step: there is nothing to run.";
+  return frame_ && !still_;
+}
+
+void Session::show_saved_step() {
+  frame_ = document_->frame;
+  still_ = true;
+  note_pressures(*frame_, true);
+}
+
 /// The step shown when what was asked for last is done.
 std::uint64_t Session::shown_step() const {
   const SimFramePtr& now = settled_ ? settled_ : frame_;
@@ -20,7 +32,7 @@ void Session::show_step(std::uint64_t step) {
 }
 
 void Session::scrub(std::uint64_t step) {
-  if (!frame_) return;
+  if (!runs()) return;
   replay_.stop();
   playing_ = false;
   unspent_ = 0;
@@ -28,7 +40,7 @@ void Session::scrub(std::uint64_t step) {
 }
 
 void Session::step_by(int steps) {
-  if (!frame_) return;
+  if (!runs()) return;
   const SimFramePtr now = settled_ ? settled_ : frame_;
   const auto to = static_cast<std::int64_t>(shown_step()) + steps;
   const bool moves = playing() || replaying();
@@ -44,7 +56,7 @@ void Session::step_once() {
 }
 
 void Session::replay(int direction) {
-  if (!frame_) return;
+  if (!runs()) return;
   const StepRange all = loop_.value_or(StepRange{frame_->history.first, frame_->history.last});
   std::uint64_t from = shown_step();
   if (!loop_ && direction > 0 && from >= all.last) from = all.first;  // once more from the start

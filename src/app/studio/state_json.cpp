@@ -78,10 +78,6 @@ Json overlays_json(const ui::Overlays& o) {
           {"grid", o.grid}};
 }
 
-const char* to_string(SampleQuality quality) {
-  return quality == SampleQuality::preview ? "preview" : "polished";
-}
-
 /// What the overlays about receptive fields say; null where they are off.
 Json field_numbers_json(const ui::FieldNumbers& numbers) {
   Json json = {{"coverage", nullptr}, {"comparison", nullptr}, {"normals", nullptr}};

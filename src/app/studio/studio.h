@@ -76,6 +76,7 @@ class Studio {
   void answer_notice(const ui::AnswerNotice& answer);
   void wrote(const std::string& file, const Project& written);
   void save_project(const std::string& path, bool replace);
+  [[nodiscard]] bool can_export(ui::FileTask task) const;
   void export_file(const ui::ExportFile& wanted);
   void export_when_ready();
   [[nodiscard]] bool samples_are_final() const;

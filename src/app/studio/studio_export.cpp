@@ -13,6 +13,7 @@
 #include "core/layout/taxels_csv.h"
 #include "core/sensor/layout_sheet.h"
 #include "core/sensor/samples_csv.h"
+#include "core/sim/bundle/frame_bundle.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/camera_tool.h"
 
@@ -32,9 +33,14 @@ std::string today() {
 
 }  // namespace
 
+bool Studio::can_export(ui::FileTask task) const {
+  if (task == ui::FileTask::export_picture) return input_.model || input_.frame;
+  if (task == ui::FileTask::export_frame) return input_.frame && !input_.frame->sensors.empty();
+  return session_.edits().is_open();
+}
+
 void Studio::export_file(const ui::ExportFile& wanted) {
-  const bool picture = wanted.task == ui::FileTask::export_picture;
-  if (picture ? !input_.model && !input_.frame : !session_.edits().is_open()) return;
+  if (!can_export(wanted.task)) return;
   if (wanted.path.empty()) return ask_for_file(wanted.task, "");
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
@@ -96,6 +102,11 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
       write_file_atomically(wanted.path, layout_sheet(*input_.model, content));
       break;
     }
+    case ui::FileTask::export_frame:
+      write_file_atomically(wanted.path,
+                            frame_to_bundle(*input_.frame, {{"picture.png", png_bytes(renderer_->picture())},
+                                                            {"state.json", state_to_json(ui_, input_, pace_)}}));
+      break;
     case ui::FileTask::export_picture:
       if (wanted.width < 1 || wanted.height < 1)
         throw Error(wanted.path,

@@ -51,7 +51,8 @@ void Studio::carry_out(const ui::Request& request) {
   } else if (const auto* sweep = std::get_if<ui::RunSweep>(&request)) {
     session_.run_sweep(sweep->scenario);
   } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {
-    if (!session_.simulates_document() && !session_.run_sweep(session_.scenario())) return;
+    const bool idle = !session_.simulates_document() && session_.kind() != DocumentKind::frame;
+    if (idle && !session_.run_sweep(session_.scenario())) return;
     session_.hand_over();
     session_.set_playing(play->playing);
   } else if (std::holds_alternative<ui::StepOnce>(request)) {

@@ -21,6 +21,10 @@ enum class SampleQuality {
   preview,  ///< no two samples close together, all of equal area: a tenth of the time
   polished  ///< spread as evenly as possible, areas of the Voronoi cells
 };
+/// A stable word: "preview", "polished".
+inline const char* to_string(SampleQuality quality) {
+  return quality == SampleQuality::preview ? "preview" : "polished";
+}
 
 /// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count, seed and quality: same bytes, on any
 /// number of threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`, which goes

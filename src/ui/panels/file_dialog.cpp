@@ -35,6 +35,8 @@ Words words_of(FileTask task) {
       return {"Export a sheet to print", "Export", ".html"};
     case FileTask::export_picture:
       return {"Export a picture on a transparent background", "Export", ".png"};
+    case FileTask::export_frame:
+      return {"Save this step, to be opened elsewhere", "Save", ".taxelframe"};
     case FileTask::read_points:
       return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
   }

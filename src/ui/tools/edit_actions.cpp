@@ -105,6 +105,9 @@ bool perform_document(Action action, UiState& ui) {
     case Action::export_picture:
       ui.ask(ExportFile{FileTask::export_picture, "", false, 0, 0});
       return true;
+    case Action::export_frame:
+      ui.ask(ExportFile{FileTask::export_frame, "", false, 0, 0});
+      return true;
     case Action::undo:
       ui.ask(UndoStep{});
       return true;
@@ -236,6 +239,8 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
       return input.editing.project != nullptr;
     case Action::export_picture:
       return input.model != nullptr || input.frame != nullptr;
+    case Action::export_frame:
+      return input.frame != nullptr && !input.frame->sensors.empty();
     case Action::undo:
       return input.editing.undo_depth > 0;
     case Action::redo:

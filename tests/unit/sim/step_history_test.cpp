@@ -4,70 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "core/sim/simulator.h"
 #include "fixtures/counted_new.h"
+#include "fixtures/same_frame.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
 namespace {
 
+using test::expect_same_frame;
+
 constexpr int kBeforeContact = 800;  // steps of the sweep
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-template <class Container>
-bool same_elements(const Container& a, const Container& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0);
-}
-
-void expect_same_surface(const ContactSurface& a, const ContactSurface& b) {
-  EXPECT_TRUE(same_elements(a.vertices, b.vertices));
-  EXPECT_TRUE(same_elements(a.pressure, b.pressure));
-  ASSERT_EQ(a.polygons.size(), b.polygons.size());
-  for (std::size_t i = 0; i < a.polygons.size(); ++i) {
-    const ContactPolygon &p = a.polygons[i], &q = b.polygons[i];
-    EXPECT_EQ(p.first, q.first);
-    EXPECT_EQ(p.count, q.count);
-    EXPECT_TRUE(same_bits(p.normal, q.normal) && same_bits(p.centroid, q.centroid) &&
-                same_bits(p.gradient, q.gradient) && same_bits(p.area, q.area) && same_bits(p.pressure, q.pressure));
-    EXPECT_EQ(std::tie(p.tet, p.tet_b, p.face), std::tie(q.tet, q.tet_b, q.face));
-  }
-  for (std::size_t r = 0; r < kRejections; ++r) {
-    EXPECT_EQ(a.rejected[r].count, b.rejected[r].count);
-    EXPECT_TRUE(same_bits(a.rejected[r].force, b.rejected[r].force));
-  }
-  EXPECT_TRUE(same_elements(a.filtered_vertices, b.filtered_vertices));
-  EXPECT_EQ(a.filtered.size(), b.filtered.size());
-}
-
-void expect_same_frame(const SimFrame& a, const SimFrame& b) {
-  EXPECT_EQ(a.scene, b.scene);
-  EXPECT_EQ(a.step, b.step);
-  EXPECT_TRUE(same_bits(a.time, b.time) && same_bits(a.travel, b.travel));
-  EXPECT_EQ(a.finished, b.finished);
-  EXPECT_TRUE(same_elements(a.geom_poses, b.geom_poses));
-  ASSERT_EQ(a.sensors.size(), b.sensors.size());
-  for (std::size_t s = 0; s < a.sensors.size(); ++s) {
-    const SensorFrameState &x = a.sensors[s], &y = b.sensors[s];
-    EXPECT_TRUE(same_bits(x.X_WM, y.X_WM) && same_bits(x.force_W, y.force_W) &&
-                same_bits(x.uncovered_W, y.uncovered_W));
-    EXPECT_TRUE(same_elements(x.readings, y.readings));
-    ASSERT_EQ(x.surfaces.size(), y.surfaces.size());
-    for (std::size_t i = 0; i < x.surfaces.size(); ++i) expect_same_surface(x.surfaces[i], y.surfaces[i]);
-    ASSERT_EQ(x.hits.size(), y.hits.size());
-    bool same_hits = true;
-    for (std::size_t i = 0; i < x.hits.size(); ++i) {
-      const RayHit &h = x.hits[i], &g = y.hits[i];
-      same_hits = same_hits && h.surface == g.surface && h.polygon == g.polygon && same_bits(h.depth, g.depth) &&
-                  same_bits(h.pressure, g.pressure);
-    }
-    EXPECT_TRUE(same_hits);
-  }
-}
 
 /// A sweep that records what it does.
 struct Recorder {

@@ -96,7 +96,7 @@ std::string npy_text(const NpzWriter::Shape& shape, const std::vector<std::strin
 void add_member(zip_t* archive, const std::string& name, const std::string& bytes) {
   zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
   if (source == nullptr) fail(archive);
-  const zip_int64_t index = zip_file_add(archive, (name + ".npy").c_str(), source, ZIP_FL_ENC_UTF_8);
+  const zip_int64_t index = zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
   if (index < 0) {
     zip_source_free(source);
     fail(archive);
@@ -112,16 +112,16 @@ void add_member(zip_t* archive, const std::string& name, const std::string& byte
 }  // namespace
 
 void NpzWriter::add(const std::string& name, const Shape& shape, std::span<const double> values) {
-  members_.emplace_back(name, npy("<f8", shape, values));
+  members_.emplace_back(name + ".npy", npy("<f8", shape, values));
 }
 void NpzWriter::add(const std::string& name, const Shape& shape, std::span<const std::int64_t> values) {
-  members_.emplace_back(name, npy("<i8", shape, values));
+  members_.emplace_back(name + ".npy", npy("<i8", shape, values));
 }
 void NpzWriter::add(const std::string& name, const std::vector<std::string>& texts) {
-  members_.emplace_back(name, npy_text({texts.size()}, texts));
+  members_.emplace_back(name + ".npy", npy_text({texts.size()}, texts));
 }
 void NpzWriter::add(const std::string& name, const std::string& text) {
-  members_.emplace_back(name, npy_text({}, {text}));
+  members_.emplace_back(name + ".npy", npy_text({}, {text}));
 }
 
 std::string NpzWriter::bytes() const {

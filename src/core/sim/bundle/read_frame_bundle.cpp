@@ -1,0 +1,228 @@
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/layout/layout_json.h"
+#include "core/project/recording/npz.h"
+#include "core/sim/bundle/frame_bundle.h"
+#include "core/sim/history/step_history.h"
+
+namespace taxel {
+namespace {
+
+constexpr std::size_t kAny = NpzReader::kAny;
+
+dvec3 vector_at(const std::vector<double>& flat, std::size_t i) {
+  return {flat[i], flat[i + 1], flat[i + 2]};
+}
+std::vector<dvec3> vectors_of(const NpzReader& in, const std::string& name) {
+  const std::vector<double> flat = in.doubles(name, {kAny, 3});
+  std::vector<dvec3> vectors;
+  for (std::size_t i = 0; i < flat.size(); i += 3) vectors.push_back(vector_at(flat, i));
+  return vectors;
+}
+double number(const NpzReader& in, const std::string& name) {
+  return in.doubles(name, {})[0];
+}
+std::string text(const NpzReader& in, const std::string& name) {
+  const std::vector<std::string> texts = in.texts(name);
+  if (texts.size() != 1) throw Error(in.file(), name, "is no single text");
+  return texts[0];
+}
+
+/// A whole number within [least, end).
+int index_of(const NpzReader& in, const std::string& name, std::int64_t value, std::int64_t least, std::size_t end) {
+  if (value < least || value >= static_cast<std::int64_t>(end))
+    throw Error(in.file(), name,
+                fmt::format("{} is not among {} to {}", value, least, static_cast<std::int64_t>(end) - 1));
+  return static_cast<int>(value);
+}
+std::size_t count(const NpzReader& in, const std::string& name) {
+  constexpr std::size_t kMost = 1'000'000;
+  return static_cast<std::size_t>(index_of(in, name, in.integers(name, {})[0], 0, kMost));
+}
+
+std::vector<TriMeshPtr> read_meshes(const NpzReader& in) {
+  std::vector<TriMeshPtr> meshes;
+  for (std::size_t i = 0; i < count(in, "meshes"); ++i) {
+    const std::string prefix = fmt::format("mesh{}/", i), name = prefix + "faces";
+    std::vector<dvec3> vertices = vectors_of(in, prefix + "vertices");
+    const std::vector<std::int64_t> flat = in.integers(name, {kAny, 3});
+    std::vector<ivec3> faces;
+    for (std::size_t f = 0; f < flat.size(); f += 3) {
+      ivec3 face;
+      for (int k = 0; k < 3; ++k)
+        face[k] = index_of(in, name, flat[f + static_cast<std::size_t>(k)], 0, vertices.size());
+      faces.push_back(face);
+    }
+    meshes.push_back(std::make_shared<const TriMesh>(std::move(vertices), std::move(faces)));
+  }
+  return meshes;
+}
+
+Pose pose_at(const std::vector<double>& positions, const std::vector<double>& quaternions, std::size_t i) {
+  Pose pose;
+  pose.p = vector_at(positions, 3 * i);
+  pose.q.w = quaternions[4 * i];
+  pose.q.x = quaternions[4 * i + 1];
+  pose.q.y = quaternions[4 * i + 2];
+  pose.q.z = quaternions[4 * i + 3];
+  return pose;
+}
+
+void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimScene& scene, SimFrame& frame) {
+  const std::vector<std::string> names = in.texts("geom_names"), bodies = in.texts("geom_bodies");
+  const std::size_t n = names.size();
+  if (bodies.size() != n) throw Error(in.file(), "geom_bodies", "are not as many as geom_names");
+  const std::vector<double> rgba = in.doubles("geom_rgba", {n, 4}), positions = in.doubles("geom_pos", {n, 3}),
+                            quaternions = in.doubles("geom_quat", {n, 4});
+  const std::vector<std::int64_t> plane = in.integers("geom_plane", {n}), sensor = in.integers("geom_sensor", {n}),
+                                  mesh = in.integers("geom_mesh", {n});
+  for (std::size_t g = 0; g < n; ++g) {
+    SceneGeom& geom = scene.geoms.emplace_back();
+    geom.name = names[g];
+    geom.body = bodies[g];
+    for (std::size_t k = 0; k < 4; ++k) geom.rgba[k] = static_cast<float>(rgba[4 * g + k]);
+    geom.plane = plane[g] != 0;
+    geom.sensor = index_of(in, "geom_sensor", sensor[g], -1, scene.sensor_geoms.size());
+    const int number = index_of(in, "geom_mesh", mesh[g], -1, meshes.size());
+    if (number >= 0) geom.mesh = meshes[static_cast<std::size_t>(number)];
+    frame.geom_poses.push_back(pose_at(positions, quaternions, g));
+  }
+}
+
+void read_polygons(const NpzReader& in, const std::string& prefix, ContactSurface& surface) {
+  const std::vector<std::int64_t> polygons = in.integers(prefix + "polygons", {kAny, 5});
+  const std::size_t n = polygons.size() / 5;
+  const std::vector<double> planes = in.doubles(prefix + "planes", {n, 11});
+  for (std::size_t i = 0; i < n; ++i) {
+    ContactPolygon& p = surface.polygons.emplace_back();
+    const std::int64_t* whole = &polygons[5 * i];
+    p.first = index_of(in, prefix + "polygons", whole[0], 0, surface.vertices.size());
+    p.count =
+        index_of(in, prefix + "polygons", whole[1], 3, surface.vertices.size() - static_cast<std::size_t>(p.first) + 1);
+    p.tet = static_cast<int>(whole[2]), p.tet_b = static_cast<int>(whole[3]), p.face = static_cast<int>(whole[4]);
+    p.normal = vector_at(planes, 11 * i);
+    p.area = planes[11 * i + 3];
+    p.centroid = vector_at(planes, 11 * i + 4);
+    p.pressure = planes[11 * i + 7];
+    p.gradient = vector_at(planes, 11 * i + 8);
+  }
+}
+
+ContactSurface read_surface(const NpzReader& in, const std::string& prefix) {
+  ContactSurface surface;
+  for (const dvec3& v : vectors_of(in, prefix + "vertices")) surface.vertices.push_back(v);
+  for (const double p : in.doubles(prefix + "pressure", {surface.vertices.size()})) surface.pressure.push_back(p);
+  read_polygons(in, prefix, surface);
+  const std::vector<double> rejected = in.doubles(prefix + "rejected", {kRejections, 3});
+  for (std::size_t r = 0; r < kRejections; ++r)
+    surface.rejected[r] = {static_cast<int>(rejected[3 * r]), rejected[3 * r + 1], rejected[3 * r + 2]};
+  surface.filtered_vertices = vectors_of(in, prefix + "filtered_vertices");
+  const std::string name = prefix + "filtered";
+  const std::vector<std::int64_t> filtered = in.integers(name, {kAny, 3});
+  for (std::size_t f = 0; f < filtered.size(); f += 3) {
+    const int reason = index_of(in, name, filtered[f], 0, kRejections);
+    const int first = index_of(in, name, filtered[f + 1], 0, surface.filtered_vertices.size() + 1);
+    const int n =
+        index_of(in, name, filtered[f + 2], 0, surface.filtered_vertices.size() - static_cast<std::size_t>(first) + 1);
+    surface.filtered.push_back({static_cast<Rejection>(reason), first, n});
+  }
+  return surface;
+}
+
+std::vector<RayHit> read_hits(const NpzReader& in, const std::string& prefix,
+                              const std::vector<ContactSurface>& surfaces, std::size_t rays) {
+  const std::vector<std::int64_t> of = in.integers(prefix + "hit_rays", {kAny});
+  const std::vector<std::int64_t> where = in.integers(prefix + "hit_surface_polygon", {of.size(), 2});
+  const std::vector<double> values = in.doubles(prefix + "hit_depth_pressure", {of.size(), 2});
+  std::vector<RayHit> hits(rays);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    RayHit& hit = hits[static_cast<std::size_t>(index_of(in, prefix + "hit_rays", of[i], 0, rays))];
+    const std::string name = prefix + "hit_surface_polygon";
+    hit.surface = index_of(in, name, where[2 * i], 0, surfaces.size());
+    hit.polygon =
+        index_of(in, name, where[2 * i + 1], 0, surfaces[static_cast<std::size_t>(hit.surface)].polygons.size());
+    hit.depth = values[2 * i], hit.pressure = values[2 * i + 1];
+  }
+  return hits;
+}
+
+SensorModelPtr read_model(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes,
+                          SensorBuild how) {
+  const Layout layout = parse_layout(text(in, prefix + "layout"), in.file());
+  const int mesh = index_of(in, prefix + "mesh", in.integers(prefix + "mesh", {})[0], 0, meshes.size());
+  const std::string quality = text(in, prefix + "quality");
+  how.quality = quality == to_string(SampleQuality::preview) ? SampleQuality::preview : SampleQuality::polished;
+  return build_sensor_model(layout, meshes[static_cast<std::size_t>(mesh)], layout.mesh.sha256, in.file(), how);
+}
+
+SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, const SensorModel& model) {
+  SensorFrameState state;
+  state.X_WM = pose_at(in.doubles(prefix + "pos", {3}), in.doubles(prefix + "quat", {4}), 0);
+  state.force_W = vectors_of(in, prefix + "force").at(0);
+  state.uncovered_W = vectors_of(in, prefix + "uncovered").at(0);
+  state.readings = in.doubles(prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
+  for (std::size_t k = 0; k < count(in, prefix + "surfaces"); ++k)
+    state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k)));
+  const std::size_t rays = count(in, prefix + "rays");
+  if (rays != model.rays.size())
+    throw Error(in.file(), prefix + "rays",
+                fmt::format("has {} rays, this version makes {} of its layout", rays, model.rays.size()));
+  state.hits = read_hits(in, prefix, state.surfaces, rays);
+  return state;
+}
+
+/// A history of this one step.
+void remember(SimFrame& frame) {
+  StepView view;
+  view.scene = frame.scene;
+  view.step = frame.step, view.time = frame.time, view.travel = frame.travel;
+  view.geom_poses = frame.geom_poses;
+  std::vector<std::vector<std::int32_t>> hit_rays(frame.sensors.size());
+  TraceRow row{frame.time, frame.travel, {}, SampleQuality::polished};
+  for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
+    const SensorFrameState& state = frame.sensors[s];
+    for (std::size_t ray = 0; ray < state.hits.size(); ++ray)
+      if (state.hits[ray].hit()) hit_rays[s].push_back(static_cast<std::int32_t>(ray));
+    SensorView sensor{state.X_WM, state.force_W, state.uncovered_W, state.readings, {}, state.hits, hit_rays[s]};
+    for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
+    view.sensors.push_back(std::move(sensor));
+    row.readings.insert(row.readings.end(), state.readings.begin(), state.readings.end());
+  }
+  StepHistory history;
+  history.record(view, SimState{{}, frame.step, frame.time, frame.travel, false});
+  frame.history = {frame.step, frame.step, 1, history.bytes(), 0, history.limits(), history.lanes()};
+  frame.trace = std::make_shared<const std::vector<TraceRow>>(1, row);
+}
+
+}  // namespace
+
+SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBuild& how) {
+  const NpzReader in(path);
+  if (!in.has("format") || text(in, "format") != "taxel-frame")
+    throw Error(in.file(), "is no frame of a simulation (.taxelframe)");
+  if (const std::int64_t version = in.integers("version", {})[0]; version != 1)
+    throw Error(in.file(), "version", fmt::format("is {}, this program reads version 1", version));
+  const std::vector<TriMeshPtr> meshes = read_meshes(in);
+  auto scene = std::make_shared<SimScene>();
+  auto frame = std::make_shared<SimFrame>();
+  scene->title = text(in, "title");
+  scene->duration = number(in, "duration");
+  scene->timestep = number(in, "timestep");
+  scene->path_W = vectors_of(in, "path");
+  scene->sensor_geoms = in.texts("sensor_geoms");
+  frame->step = static_cast<std::uint64_t>(in.integers("step", {})[0]);
+  frame->time = number(in, "time");
+  frame->travel = number(in, "travel");
+  read_geoms(in, meshes, *scene, *frame);
+  for (std::size_t s = 0; s < scene->sensor_geoms.size(); ++s) {
+    const std::string prefix = fmt::format("sensor{}/", s);
+    scene->sensors.push_back(read_model(in, prefix, meshes, how));
+    frame->sensors.push_back(read_sensor(in, prefix, *scene->sensors.back()));
+  }
+  frame->scene = frame->simulated = std::move(scene);
+  remember(*frame);
+  return frame;
+}
+
+}  // namespace taxel

@@ -1,0 +1,66 @@
+// A step that was saved: another process shows the same one.
+#include <gtest/gtest.h>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+/// The numbers of a state that belong to the step, not to the camera.
+Json of_the_step(const Json& state) {
+  Json out = {{"time", state["simulation"]["time"]},
+              {"travel", state["simulation"]["travel"]},
+              {"sensors", state["simulation"]["sensors"]},
+              {"polygons", Json::array()},
+              {"bars", Json::array()}};
+  for (Json polygon : state["polygons"]) {
+    for (const char* of_the_camera : {"pixel", "depth", "facing", "inside"}) polygon.erase(of_the_camera);
+    out["polygons"].push_back(polygon);
+  }
+  for (const Json& bar : state["bars"]) out["bars"].push_back({bar["taxel"], bar["value"]});
+  return out;
+}
+
+Lines saved_at(double time, const std::string& file) {
+  return joined({{R"({"do": "wait_time", "time": )" + std::to_string(time) + "}", key("Space"), kIdle},
+                 {press("File"), kIdle, press("Save this step..."), kIdle, type(file), kIdle, key("Enter"), kIdle},
+                 {dump("saved.json"), R"({"do": "screenshot", "file": "saved.png"})"}});
+}
+
+TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
+  const StudioProgram studio;
+  const std::string file = (studio.folder() / "press").string();
+  studio.play(saved_at(1.2, file), {kLayoutFile});
+  studio.play({kIdle, dump("opened.json"), R"({"do": "screenshot", "file": "opened.png"})"}, {file + ".taxelframe"});
+  const Json saved = studio.state("saved.json"), opened = studio.state("opened.json");
+  EXPECT_GT(saved["polygons"].size(), 50U);
+  EXPECT_EQ(of_the_step(opened), of_the_step(saved));
+  EXPECT_EQ(opened["mode"], "simulate");
+  const std::string bytes = file_text(file + ".taxelframe");
+  EXPECT_NE(bytes.find("state.json"), std::string::npos);
+  EXPECT_NE(bytes.find("picture.png"), std::string::npos);
+}
+
+TEST(SavedStep, NothingRunsInItAndThatIsSaid) {
+  const StudioProgram studio;
+  const std::string file = (studio.folder() / "press").string();
+  studio.play(saved_at(1.0, file), {kLayoutFile});
+  studio.play(
+      {kIdle, dump("before.json"), key("Space"), kIdle, key("Right"), kIdle, key("Left"), kIdle, dump("after.json")},
+      {file + ".taxelframe"});
+  const Json before = studio.state("before.json"), after = studio.state("after.json");
+  EXPECT_EQ(of_the_step(after), of_the_step(before));
+  EXPECT_NE(after["messages"].dump().find("single step"), std::string::npos);
+  EXPECT_EQ(after["simulation"]["playing"], false);
+}
+
+TEST(SavedStep, ADamagedFileIsRefusedByName) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "broken.taxelframe", "PK nothing");
+  const Outcome outcome = studio.run({kIdle}, {"broken.taxelframe"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("broken.taxelframe"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace taxel::test

@@ -1,0 +1,105 @@
+// A step as a file: another program has the same bits of it, and a damaged file is told by its array.
+#include "core/sim/bundle/frame_bundle.h"
+
+#include <gtest/gtest.h>
+
+#include "core/project/recording/npz.h"
+#include "core/sim/history/step_view.h"
+#include "core/sim/simulator.h"
+#include "fixtures/complaint.h"
+#include "fixtures/same_frame.h"
+#include "fixtures/sweep_model.h"
+#include "fixtures/temp_folder.h"
+
+namespace taxel {
+namespace {
+
+constexpr int kInContact = 1100;  // steps of the sweep
+
+class FrameBundleTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const auto simulator = Simulator::make_sweep(test::fingertip_model(1e6), SweepScenario{});
+    for (int i = 0; i < kInContact; ++i) simulator->step();
+    auto frame = std::make_shared<SimFrame>();
+    fill_frame(simulator->view(), *frame);
+    frame_ = frame;
+  }
+  static void TearDownTestSuite() { frame_.reset(); }
+
+  std::filesystem::path write(const std::string& bytes) const {
+    const std::filesystem::path file = folder_.path() / "press.taxelframe";
+    write_file_atomically(file, bytes);
+    return file;
+  }
+  static SimFramePtr frame_;
+  test::TempFolder folder_;
+};
+SimFramePtr FrameBundleTest::frame_;
+
+TEST_F(FrameBundleTest, OpensWithTheSameBits) {
+  ASSERT_FALSE(frame_->sensors[0].surfaces.at(0).empty());
+  const SimFramePtr opened = read_frame_bundle(write(frame_to_bundle(*frame_)));
+  test::expect_same_frame(*opened, *frame_);
+  const SimScene &a = *opened->scene, &b = *frame_->scene;
+  EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.timestep, b.timestep);
+  EXPECT_EQ(a.path_W, b.path_W);
+  EXPECT_EQ(a.sensor_geoms, b.sensor_geoms);
+  ASSERT_EQ(a.geoms.size(), b.geoms.size());
+  for (std::size_t g = 0; g < a.geoms.size(); ++g) {
+    EXPECT_EQ(a.geoms[g].name, b.geoms[g].name);
+    EXPECT_EQ(a.geoms[g].rgba, b.geoms[g].rgba);
+    EXPECT_EQ(a.geoms[g].sensor, b.geoms[g].sensor);
+    ASSERT_EQ(a.geoms[g].mesh == nullptr, b.geoms[g].mesh == nullptr);
+    if (a.geoms[g].mesh) {
+      EXPECT_EQ(a.geoms[g].mesh->vertices(), b.geoms[g].mesh->vertices());
+    }
+  }
+  EXPECT_EQ(layout_to_json(a.sensors[0]->layout), layout_to_json(b.sensors[0]->layout));
+  ASSERT_EQ(opened->history.lanes->rows(), 1U);
+  EXPECT_EQ(opened->history.first, frame_->step);
+  EXPECT_GT(opened->history.lanes->sensor(0, 0).area, 0);
+}
+
+TEST_F(FrameBundleTest, ASecondGenerationIsTheSameFile) {
+  const std::string bytes = frame_to_bundle(*frame_);
+  EXPECT_EQ(frame_to_bundle(*read_frame_bundle(write(bytes))), bytes);
+}
+
+TEST_F(FrameBundleTest, OtherFilesTravelAlong) {
+  const std::string bytes = frame_to_bundle(*frame_, {{"state.json", "{\"a\": 1}\n"}});
+  EXPECT_NE(bytes.find("{\"a\": 1}\n"), std::string::npos);
+  EXPECT_EQ(read_frame_bundle(write(bytes))->step, frame_->step);
+}
+
+TEST_F(FrameBundleTest, WhatIsNoneIsRefusedByName) {
+  const auto said_of = [&](const std::string& bytes) {
+    return test::complaint_of([&] { (void)read_frame_bundle(write(bytes)); });
+  };
+  EXPECT_NE(said_of("nothing").find("press.taxelframe"), std::string::npos);
+  const std::string bytes = frame_to_bundle(*frame_);
+  EXPECT_NE(said_of(bytes.substr(0, bytes.size() / 2)), "");
+  NpzWriter other;
+  other.add("time", std::string("now"));
+  EXPECT_NE(said_of(other.bytes()).find("is no frame of a simulation"), std::string::npos);
+  NpzWriter newer;
+  const std::int64_t two = 2;
+  newer.add("format", std::string("taxel-frame"));
+  newer.add("version", {}, std::span<const std::int64_t>(&two, 1));
+  EXPECT_NE(said_of(newer.bytes()).find("version: is 2"), std::string::npos);
+}
+
+/// A number inside of the archive that is out of range names its array.
+TEST_F(FrameBundleTest, HitsOfPolygonsThatAreNotThereAreRefused) {
+  SimFrame broken = *frame_;
+  SensorFrameState& sensor = broken.sensors[0];
+  const auto hit = std::find_if(sensor.hits.begin(), sensor.hits.end(), [](const RayHit& h) { return h.hit(); });
+  ASSERT_NE(hit, sensor.hits.end());
+  hit->polygon = 1'000'000;
+  const std::string said = test::complaint_of([&] { (void)read_frame_bundle(write(frame_to_bundle(broken))); });
+  EXPECT_NE(said.find("sensor0/hit_surface_polygon: 1000000 is not among 0 to"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace taxel
