@@ -39,7 +39,10 @@ ParsedOptions parse_options(int argc, char** argv) {
       "Project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or MuJoCo scene (.xml); "
       "without one the fingertip sweep");
   app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
-  app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
+  CLI::Option* const script =
+      app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
+  app.add_flag("--live", o.live, "The simulation follows the clock while the script plays: no two runs are the same")
+      ->needs(script);
   app.add_option("--screenshot", o.screenshot, "Write the last picture as PNG");
   app.add_option("--cut-out", o.cut_out, "Write the last 3-D view alone as PNG with a transparent background");
   app.add_option("--cut-out-size", cut_out_size, "Its size in pixels")->default_str("2400x1800");

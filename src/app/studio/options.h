@@ -20,10 +20,12 @@ struct Options {
   int frames = 0;  ///< 0: until the script ends or the window is closed
   bool list_bindings = false, version = false;
 
-  /// Frames follow the script, not the clock.
-  [[nodiscard]] bool by_clock() const { return !headless && script.empty(); }
+  bool live = false;  ///< a script's events come as a hand's do, while the simulation runs by the clock
+
+  /// Frames follow the clock, not the script.
+  [[nodiscard]] bool by_clock() const { return live || (!headless && script.empty()); }
   /// Settings are read and written, and unsaved edits are kept.
-  [[nodiscard]] bool keeps_state() const { return by_clock() || !state_dir.empty(); }
+  [[nodiscard]] bool keeps_state() const { return (by_clock() && script.empty()) || !state_dir.empty(); }
 };
 
 /// Exit status instead where the program should stop right away (help, bad usage).

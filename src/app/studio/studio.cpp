@@ -104,10 +104,12 @@ double Studio::waiting_time() const {
 }
 
 void Studio::run_by_clock() {
+  const ScriptStage stage = script_stage();
   bool drew = false;
   for (int frame = 0; !quit_ && (options_.frames == 0 || frame < options_.frames);) {
     const bool newer = std::exchange(drew, false) && session_.playing();  // a frame is likely to lie ready
-    const std::vector<InputEvent> events = window_->take_events(newer ? 0 : waiting_time());
+    std::vector<InputEvent> events = window_->take_events(newer || script_ ? 0 : waiting_time());
+    if (script_) events = script_->before_frame(stage);  // instead of the window's own
     if (!events.empty()) pictures_due_ = kSettlingPictures;
     take(events);
     if (!input_taken()) pictures_due_ = kSettlingPictures;
@@ -116,7 +118,8 @@ void Studio::run_by_clock() {
     if (take_preview()) pictures_due_ = kSettlingPictures;
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
     if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
-    const bool counted = options_.frames > 0;  // a number of pictures was asked for, whether anything moves or not
+    // Pictures were asked for, whether anything moves or not.
+    const bool counted = options_.frames > 0 || script_;
     if (news.new_frame || news.new_reading || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
     if (pictures_due_ == 0) {
       last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
@@ -124,9 +127,11 @@ void Studio::run_by_clock() {
     }
     --pictures_due_;
     draw_picture(std::max(1e-4, seconds_between(last_picture_at_, Clock::now())));
+    if (script_) script_->after_frame(stage);
     window_->show();
     drew = true;
     ++frame;
+    if (script_ && script_->finished() && options_.headless) break;
   }
 }
 

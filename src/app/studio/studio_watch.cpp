@@ -123,7 +123,8 @@ void Studio::answer_notice(const ui::AnswerNotice& answer) {
       steps.emplace_back(projected_onto(*compared->skin, edits.project()->layout));
     const bool same = compared->mesh == edits.mesh();
     edits.add_mesh(compared->ref, compared->mesh);
-    steps.emplace_back(ReplaceMesh{compared->ref, same ? *edits.project()->layout.sampling.region : std::vector<int>{}});
+    steps.emplace_back(
+        ReplaceMesh{compared->ref, same ? *edits.project()->layout.sampling.region : std::vector<int>{}});
     edits.edit_together(steps);
   });
 }

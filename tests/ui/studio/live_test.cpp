@@ -1,0 +1,63 @@
+// Edits while the simulation runs by the clock, all threads at once: for the sanitizers above all. The variable
+// TAXEL_LIVE_SECONDS makes it longer.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+double seconds_wanted() {
+  const char* text = std::getenv("TAXEL_LIVE_SECONDS");
+  return text != nullptr ? std::atof(text) : 2.0;
+}
+
+/// Lets so many pictures pass.
+struct Beat {
+  int frame = 0;
+  std::string operator()(int pictures) {
+    frame += pictures;
+    return R"({"frame": )" + std::to_string(frame) + R"(, "event": "mouse_move", "at": [640, 300]})";
+  }
+};
+
+/// One round: a taxel is moved, resized, undone; fields are mapped; a probe is pressed; steps are scrubbed; it runs on.
+Lines round(int number, Beat& pause) {
+  const std::string id = std::to_string(number % 12), radius = std::to_string(4 + number % 4);
+  return joined(
+      {{kLayoutMode, pause(3), key("A"), pause(2), key("F"), pause(1), type(radius), pause(1), key("Enter"), pause(2)},
+       {key("x"), pause(1), pause(3), key("Escape"), pause(1), key("z", kCtrl), pause(2)},
+       {key("2", kCtrl), pause(2), key("Space"), pause(4), key("Left"), pause(1), key("Left"), pause(1), key("End"),
+        pause(1), key("Space"), pause(3)},
+       {key("y", kCtrl), pause(2), key("z", kCtrl), pause(2), key("Backspace"), pause(2), key("Space"), pause(6),
+        R"({"event": "mouse_down", "at": [640, 300]})", pause(1), R"({"event": "mouse_move", "at": [700, 320]})",
+        pause(1), R"({"event": "mouse_up"})", pause(1)}});
+}
+
+TEST(Live, EditsWhileTheSimulationRuns) {
+  const StudioProgram studio;
+  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); };
+  int rounds = 0;
+  do {
+    Lines script{kIdle};
+    Beat pause;
+    for (int i = 0; i < 4; ++i) {
+      const Lines more = round(rounds++, pause);
+      script.insert(script.end(), more.begin(), more.end());
+    }
+    script.insert(script.end(), {kLayoutMode, kIdle, dump("state.json")});
+    studio.play(script, {"--live", kLayoutFile});
+    const Json state = studio.state("state.json");
+    EXPECT_EQ(state["document"]["layout"]["taxels"].size(), 12U);
+    EXPECT_GT(state["simulation"]["step"], 0);
+    for (const Json& message : state["messages"]) EXPECT_NE(message["severity"], "error") << message.dump();
+  } while (seconds() < seconds_wanted());
+  RecordProperty("rounds", rounds);
+}
+
+}  // namespace
+}  // namespace taxel::test
