@@ -1,0 +1,87 @@
+#include "core/sensor/explain/counterfactual.h"
+
+namespace taxel {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+const PressureField* field_of(const SensorModel& model) {
+  const auto* soft = std::get_if<SoftBody>(&model.body->geometry);
+  return soft != nullptr ? soft->field.get() : nullptr;
+}
+
+/// Copies every surface and lets `change` have it.
+template <class Change>
+OtherSurfaces changed(std::span<const ContactSurface* const> surfaces, const Change& change) {
+  OtherSurfaces out;
+  out.surfaces.resize(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    out.pointers.push_back(nullptr);
+    if (surfaces[i] == nullptr) continue;
+    out.surfaces[i] = *surfaces[i];
+    change(out.surfaces[i]);
+    out.pointers[i] = &out.surfaces[i];
+  }
+  return out;
+}
+
+}  // namespace
+
+bool is_inverted(const SensorModel& model, int tet) {
+  const PressureField* field = field_of(model);
+  if (field == nullptr || tet < 0 || field->report().inverted == 0) return false;
+  const Tet& t = field->tets()[index(tet)];
+  for (int corner = 0; corner < 4; ++corner) {
+    if (!field->is_skin(t, corner)) continue;
+    dvec3 middle(0);
+    for (int i = 0; i < 4; ++i)
+      if (i != corner) middle += field->vertices()[index(t.vertices[i])] / 3.0;
+    const SurfacePoint at = model.skin->closest_point(middle);
+    return glm::dot(t.normal[index(corner)], model.skin->mesh().face_normals()[index(at.face)]) > 0;
+  }
+  return false;
+}
+
+bool field_is_suspect(const SensorModel& model) {
+  const PressureField* field = field_of(model);
+  return field != nullptr && (model.layout.material.field == FieldKind::star || field->report().inverted > 0);
+}
+
+bool between_soft_bodies(const ContactSurface& surface) {
+  if (surface.empty()) return false;
+  const ContactPolygon& first = surface.polygons.front();
+  if (first.tet_b >= 0) return true;
+  if (first.face >= 0) return false;
+  constexpr double kOnePlane = 1e-6;  // between normals
+  return std::any_of(surface.polygons.begin(), surface.polygons.end(), [&](const ContactPolygon& p) {
+    return glm::length(glm::cross(p.normal, first.normal)) > kOnePlane;
+  });
+}
+
+OtherSurfaces without_inverted(const SensorModel& model, std::span<const ContactSurface* const> surfaces) {
+  return changed(surfaces, [&](ContactSurface& surface) {
+    std::erase_if(surface.polygons, [&](const ContactPolygon& p) { return is_inverted(model, p.tet); });
+  });
+}
+
+OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const ContactSurface* const> surfaces) {
+  const PressureField* field = field_of(model);
+  const double stiffness = field != nullptr ? field->report().stiffness_mean : 0.0;
+  const double thickness = field != nullptr && model.layout.material.field == FieldKind::pad
+                               ? field->report().thickness
+                               : std::numeric_limits<double>::infinity();
+  return changed(surfaces, [&](ContactSurface& surface) {
+    for (ContactPolygon& p : surface.polygons) {
+      const SignedPoint at = model.skin->signed_point(p.centroid);
+      const double depth = std::max(0.0, -at.signed_distance);
+      dvec3 inward = -model.skin->mesh().face_normals()[index(at.point.face)];
+      if (depth > 0) inward = (p.centroid - at.point.position) / depth;
+      p.pressure = stiffness * std::min(depth, thickness);
+      p.gradient = depth < thickness ? stiffness * inward : dvec3(0);
+    }
+  });
+}
+
+}  // namespace taxel
