@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/rng.h"
 #include "core/hydro/intersect.h"
 #include "core/mesh/primitives.h"
 #include "core/sensor/explain/explanation.h"
+#include "fixtures/pad_meshes.h"
 
 namespace taxel::test {
 
@@ -76,26 +76,50 @@ inline HydroBodyPtr rigid_box(const dvec3& half) {
   return make_body(shape, {}, "box");
 }
 
-/// A capsule along z of radius 7 mm, 40 mm long; each vertex moved outward by up to +-`bump`.
-inline TriMeshPtr bumpy_capsule(double bump, std::uint64_t seed, double edge = 0.002) {
-  const TriMesh smooth = make_capsule(0.007, 0.013, edge);
-  std::vector<dvec3> vertices = smooth.vertices();
-  const CounterRng rng(seed);
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    vertices[v] += bump * (2 * rng.uniform(v) - 1) * smooth.vertex_normals()[v];
-  return std::make_shared<const TriMesh>(std::move(vertices), smooth.faces());
+/// A finger along z of radius 7 mm, 40 mm long.
+inline TriMeshPtr finger_mesh(double edge = 0.002) {
+  return std::make_shared<const TriMesh>(make_capsule(0.007, 0.013, edge));
+}
+inline TriMeshPtr egg_mesh() {
+  return std::make_shared<const TriMesh>(make_ellipsoid(dvec3(0.007, 0.007, 0.018), 0.0015));
 }
 
-/// Five taxels in a row along z on the side +x of a capsule.
-inline Layout capsule_layout(FieldKind field, double density) {
+inline TriMesh round_ring(double radius, double tube) {
+  return make_torus(radius, tube, 64, 32);
+}
+
+/// A finger of radius 6 mm bent to most of a half circle of radius 18 mm about (-18 mm, 0, 0): its inner side is turned
+/// toward its centroid.
+inline TriMeshPtr hook_mesh() {
+  const TriMesh straight = make_capsule(0.006, 0.020, 0.0015);
+  std::vector<dvec3> vertices = straight.vertices();
+  constexpr double kBend = 0.018;
+  for (dvec3& v : vertices)
+    v = {(kBend + v.x) * std::cos(v.z / kBend) - kBend, v.y, (kBend + v.x) * std::sin(v.z / kBend)};
+  return std::make_shared<const TriMesh>(std::move(vertices), straight.faces());
+}
+
+inline Layout layout_of(FieldKind field, double density, SampleWeights weights = SampleWeights::voronoi,
+                        std::uint64_t seed = 42) {
   Layout layout;
-  layout.mesh.file = "capsule";
+  layout.mesh.file = "case";
   layout.material.field = field;
   layout.sampling.density = density;
-  layout.sampling.weights = SampleWeights::voronoi;
-  for (int i = 0; i < 5; ++i)
-    layout.taxels.push_back({i + 1, "", dvec3(0.007, 0, 0.005 * (i - 2)), dvec3(1, 0, 0), 0.004, {}});
+  layout.sampling.weights = weights;
+  layout.sampling.seed = seed;
   return layout;
+}
+
+/// A taxel at the skin's point nearest to p.
+inline void add_taxel(Layout& layout, const TriMeshPtr& mesh, const dvec3& p, double radius) {
+  const SurfacePoint s = MeshIndex(mesh).closest_point(p);
+  const int id = static_cast<int>(layout.taxels.size()) + 1;
+  layout.taxels.push_back(
+      {id, "", s.position, mesh->face_normals()[static_cast<std::size_t>(s.face)], radius, {}});
+}
+/// Five taxels in a row along z on the side +x of the finger.
+inline void add_row(Layout& layout, const TriMeshPtr& mesh) {
+  for (int i = -2; i <= 2; ++i) add_taxel(layout, mesh, dvec3(0.007, 0, 0.005 * i), 0.004);
 }
 
 inline SensorModelPtr preview_model(const Layout& layout, const TriMeshPtr& mesh) {
@@ -104,10 +128,38 @@ inline SensorModelPtr preview_model(const Layout& layout, const TriMeshPtr& mesh
   return build_sensor_model(layout, mesh, "", layout.mesh.file, how);
 }
 
-/// A ball led along z on the side +x of the capsule, `depth` below its radius.
-inline std::vector<Pose> along_side(double ball, double depth, double from, double step, int count, double y = 0) {
+/// Led in a straight line.
+inline std::vector<Pose> led(const dquat& q, const dvec3& from, const dvec3& step, int count) {
   std::vector<Pose> path;
-  for (int i = 0; i < count; ++i) path.push_back({{1, 0, 0, 0}, dvec3(0.007 + ball - depth, y, from + step * i)});
+  for (int i = 0; i < count; ++i) path.push_back({q, from + static_cast<double>(i) * step});
+  return path;
+}
+/// A ball along z on the side +x of the finger.
+inline std::vector<Pose> along_finger(double ball, double depth, double from, double step, int count) {
+  return led({1, 0, 0, 0}, dvec3(0.007 + ball - depth, 0, from), dvec3(0, 0, step), count);
+}
+/// A ball pressed at the skin's point nearest to p, against its normal.
+inline Pose tap(const TriMeshPtr& mesh, const dvec3& p, double ball, double depth) {
+  const SurfacePoint s = MeshIndex(mesh).closest_point(p);
+  return {{1, 0, 0, 0}, s.position + (ball - depth) * mesh->face_normals()[static_cast<std::size_t>(s.face)]};
+}
+/// Two taps, before and behind a taxel at p in the direction `across`.
+inline std::vector<Pose> two_taps(const TriMeshPtr& mesh, const dvec3& p, const dvec3& across, double ball,
+                                  double depth) {
+  return {tap(mesh, p - across, ball, depth), tap(mesh, p + across, ball, depth)};
+}
+/// Taps, each as deep as it takes for a force.
+inline std::vector<Pose> equal_taps(const LabelledCase& c, const TriMeshPtr& mesh, const std::vector<dvec3>& at,
+                                        double ball, double force) {
+  std::vector<Pose> path;
+  for (const dvec3& p : at) {
+    double low = 0, high = 0.0018;
+    for (int i = 0; i < 30; ++i) {
+      const double depth = 0.5 * (low + high);
+      (c.force(tap(mesh, p, ball, depth)) < force ? low : high) = depth;
+    }
+    path.push_back(tap(mesh, p, ball, high));
+  }
   return path;
 }
 

@@ -12,36 +12,31 @@ const PressureField* field_of(const SensorModel& model) {
   return soft != nullptr ? soft->field.get() : nullptr;
 }
 
-/// Copies every surface and lets `change` have it.
-template <class Change>
-OtherSurfaces changed(std::span<const ContactSurface* const> surfaces, const Change& change) {
-  OtherSurfaces out;
-  out.surfaces.resize(surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    out.pointers.push_back(nullptr);
-    if (surfaces[i] == nullptr) continue;
-    out.surfaces[i] = *surfaces[i];
-    change(out.surfaces[i]);
-    out.pointers[i] = &out.surfaces[i];
-  }
-  return out;
-}
-
 }  // namespace
 
-bool is_inverted(const SensorModel& model, int tet) {
+InvertedTets::InvertedTets(const SensorModel& model) : skin_(model.skin) {
   const PressureField* field = field_of(model);
-  if (field == nullptr || tet < 0 || field->report().inverted == 0) return false;
-  const Tet& t = field->tets()[index(tet)];
-  for (int corner = 0; corner < 4; ++corner) {
-    if (!field->is_skin(t, corner)) continue;
-    dvec3 middle(0);
-    for (int i = 0; i < 4; ++i)
-      if (i != corner) middle += field->vertices()[index(t.vertices[i])] / 3.0;
-    const SurfacePoint at = model.skin->closest_point(middle);
-    return glm::dot(t.normal[index(corner)], model.skin->mesh().face_normals()[index(at.face)]) > 0;
+  if (field == nullptr || field->report().inverted == 0) return;
+  tets_.resize(field->tets().size());
+  faces_.resize(index(skin_->mesh().face_count()));
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    const Tet& tet = field->tets()[t];
+    for (int corner = 0; corner < 4; ++corner) {
+      if (!field->is_skin(tet, corner)) continue;
+      dvec3 middle(0);
+      for (int i = 0; i < 4; ++i)
+        if (i != corner) middle += field->vertices()[index(tet.vertices[i])] / 3.0;
+      const int face = skin_->closest_point(middle).face;
+      if (!(glm::dot(tet.normal[index(corner)], skin_->mesh().face_normals()[index(face)]) > 0)) continue;
+      tets_[t] = true;
+      faces_[index(face)] = true;
+    }
   }
-  return false;
+}
+
+bool InvertedTets::concern(const ContactPolygon& polygon) const {
+  if (tets_.empty() || polygon.tet < 0) return false;
+  return tets_[index(polygon.tet)] || faces_[index(skin_->closest_point(polygon.centroid).face)];
 }
 
 bool field_is_suspect(const SensorModel& model) {
@@ -60,20 +55,19 @@ bool between_soft_bodies(const ContactSurface& surface) {
   });
 }
 
-OtherSurfaces without_inverted(const SensorModel& model, std::span<const ContactSurface* const> surfaces) {
-  return changed(surfaces, [&](ContactSurface& surface) {
-    std::erase_if(surface.polygons, [&](const ContactPolygon& p) { return is_inverted(model, p.tet); });
-  });
-}
-
 OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const ContactSurface* const> surfaces) {
   const PressureField* field = field_of(model);
   const double stiffness = field != nullptr ? field->report().stiffness_mean : 0.0;
   const double thickness = field != nullptr && model.layout.material.field == FieldKind::pad
                                ? field->report().thickness
                                : std::numeric_limits<double>::infinity();
-  return changed(surfaces, [&](ContactSurface& surface) {
-    for (ContactPolygon& p : surface.polygons) {
+  OtherSurfaces out;
+  out.surfaces.resize(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    out.pointers.push_back(surfaces[i] != nullptr ? &out.surfaces[i] : nullptr);
+    if (surfaces[i] == nullptr) continue;
+    out.surfaces[i] = *surfaces[i];
+    for (ContactPolygon& p : out.surfaces[i].polygons) {
       const SignedPoint at = model.skin->signed_point(p.centroid);
       const double depth = std::max(0.0, -at.signed_distance);
       dvec3 inward = -model.skin->mesh().face_normals()[index(at.point.face)];
@@ -81,7 +75,8 @@ OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const Cont
       p.pressure = stiffness * std::min(depth, thickness);
       p.gradient = depth < thickness ? stiffness * inward : dvec3(0);
     }
-  });
+  }
+  return out;
 }
 
 }  // namespace taxel

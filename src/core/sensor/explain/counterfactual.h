@@ -17,9 +17,19 @@ struct OtherSurfaces {
   std::vector<const ContactSurface*> pointers;  ///< to them; null where those were null
 };
 
-/// Whether a tet of the sensor's field lies on the outer side of the skin that it belongs to: the pressure there counts
-/// beside that of the tets it overlaps. Tets without a face in the skin, and numbers of none, are not.
-bool is_inverted(const SensorModel& model, int tet);
+/// Where tets of a sensor's field are inside out: they lie on the outer side of the skin face that they belong to, and
+/// the pressure below that face is that of other tets which reach across.
+class InvertedTets {
+ public:
+  InvertedTets() = default;
+  explicit InvertedTets(const SensorModel& model);
+  /// Whether a polygon of the sensor's surfaces lies in one, or below a face of one. Frame M.
+  [[nodiscard]] bool concern(const ContactPolygon& polygon) const;
+
+ private:
+  std::shared_ptr<const MeshIndex> skin_;
+  std::vector<bool> tets_, faces_;  // empty where none is inverted
+};
 
 /// Whether the sensor's field may change a reading by itself: a star, or one with inverted tets.
 bool field_is_suspect(const SensorModel& model);
@@ -27,9 +37,6 @@ bool field_is_suspect(const SensorModel& model);
 /// Whether both bodies of a contact are soft: the surface then moves with the field. True for polygons with tets of
 /// both, and for those on no face of a rigid mesh that do not lie in one plane.
 bool between_soft_bodies(const ContactSurface& surface);
-
-/// The same polygons without those in inverted tets.
-OtherSurfaces without_inverted(const SensorModel& model, std::span<const ContactSurface* const> surfaces);
 
 /// The same polygons under a field of the same stiffness everywhere: p = k min(depth, H), the depth below the skin, k
 /// the mean stiffness of the sensor's own field, H the thickness of a pad, unlimited for a star. Of each polygon

@@ -70,17 +70,17 @@ double reading_of(const SensorModel& model, int taxel, Surfaces surfaces) {
   return reading.values[index(taxel)];
 }
 
-/// Exact readings of a field that is not the sensor's own. None where one of them does not exist.
-std::optional<Readings> read_both(const SensorModel& model, int taxel, const OtherSurfaces& before,
-                                  const OtherSurfaces& now) {
-  const ExactReading a = exact_reading(model, taxel, before.pointers), b = exact_reading(model, taxel, now.pointers);
-  if (!a.value || !b.value) return std::nullopt;
-  return Readings{*a.value, *b.value};
+/// What polygons that inverted tets concern bring to an exact reading.
+double inverted_part(const ExactReading& exact, const SensorStep& step, const InvertedTets& inverted) {
+  double sum = 0;
+  for (const PolygonPart& part : exact.parts)
+    if (inverted.concern(step.surfaces[index(part.surface)]->polygons[index(part.polygon)])) sum += part.value;
+  return sum;
 }
 
-bool meets_inverted(const std::vector<PolygonBehind>& polygons) {
-  return std::any_of(polygons.begin(), polygons.end(),
-                     [](const PolygonBehind& p) { return p.inverted && (p.samples > 0 || p.exact_share > 0); });
+bool is_soft_contact(const SensorStep& step) {
+  return std::any_of(step.surfaces.begin(), step.surfaces.end(),
+                     [](const ContactSurface* s) { return s != nullptr && between_soft_bodies(*s); });
 }
 
 double force_of(const SensorStep& step) {
@@ -94,12 +94,14 @@ struct Explainer::Kept {
   SensorModelPtr model;
   std::optional<ConvergenceModels> levels;
   std::string no_levels;
+  InvertedTets inverted;
 
   /// The other numbers of samples of a model, as far as they can be made.
   void keep(const SensorModelPtr& wanted, Progress* progress) {
     if (wanted == model) return;
     levels.reset();
     no_levels.clear();
+    inverted = InvertedTets(*wanted);
     try {
       levels = make_convergence_models(wanted, cache, progress);
     } catch (const Error& e) {
@@ -125,9 +127,22 @@ struct Explainer::Kept {
     read(now, of_taxel.now, of_taxel.samples);
     if (before != nullptr) read(*before, of_taxel.before, of_taxel.samples);
   }
+  void add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
+                VerdictInput& in) const;
   void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
              Explanation& out) const;
 };
+
+/// What the two contacts would read under even stiffness, and the parts that inverted tets concern.
+void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
+                               VerdictInput& in) const {
+  const ExactReading was = exact_reading(*model, taxel, with_even_stiffness(*model, before.surfaces).pointers);
+  const ExactReading is = exact_reading(*model, taxel, with_even_stiffness(*model, now.surfaces).pointers);
+  if (!was.value || !is.value) return;
+  in.even = {*was.value, *is.value};
+  in.even_inverted = {inverted_part(was, before, inverted), inverted_part(is, now, inverted)};
+  in.exact_inverted = {inverted_part(*out.exact_before, before, inverted), inverted_part(out.exact, now, inverted)};
+}
 
 /// The verdict, by what the same two contacts would read otherwise.
 void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
@@ -137,18 +152,8 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
   in.limits = limits, in.sampled = change.reading, in.force = change.force;
   if (out.exact.value && out.exact_before->value) in.exact = {*out.exact_before->value, *out.exact.value};
   if (in.exact && field_is_suspect(*model)) {
-    const auto soft = [](const SensorStep& step) {
-      return std::any_of(step.surfaces.begin(), step.surfaces.end(),
-                         [](const ContactSurface* s) { return s != nullptr && between_soft_bodies(*s); });
-    };
-    in.soft_contact = soft(now) || soft(before);
-    if (!in.soft_contact)
-      in.even = read_both(*model, taxel, with_even_stiffness(*model, before.surfaces),
-                          with_even_stiffness(*model, now.surfaces));
-    const auto polygons_before = polygons_behind(*model, taxel, before, out.samples_before, *out.exact_before);
-    if (meets_inverted(out.polygons) || meets_inverted(polygons_before))
-      in.without_inverted = read_both(*model, taxel, without_inverted(*model, before.surfaces),
-                                      without_inverted(*model, now.surfaces));
+    in.soft_contact = is_soft_contact(now) || is_soft_contact(before);
+    if (!in.soft_contact) add_even(taxel, now, before, out, in);
   }
   Verdict& verdict = change.verdict;
   verdict = decide(in);
@@ -180,7 +185,7 @@ Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const Sen
   kept_->read_levels(taxel, now, before, out);
   if (progress != nullptr) progress->check(0.5);
   out.exact = exact_reading(*model, taxel, now.surfaces);
-  out.polygons = polygons_behind(*model, taxel, now, out.samples, out.exact);
+  out.polygons = polygons_behind(*model, taxel, now, out.samples, out.exact, kept_->inverted);
   out.budget = budget_of(*model, taxel, now);
   if (before == nullptr) return out;
   out.samples_before = samples_behind(*model, *before->hits, taxel);

@@ -25,7 +25,7 @@ struct SensorStep {
 struct PolygonBehind {
   int surface = 0, polygon = 0;
   int tet = -1, tet_b = -1, face = -1;      ///< as ContactPolygon
-  bool inverted = false;                    ///< the tet is inside out
+  bool inverted = false;                    ///< its tet, or that of the skin above it, is inside out
   double area = 0;                          ///< [m^2]
   double lowest = 0, mean = 0, highest = 0; ///< pressure [Pa]
   double force_share = 0;                   ///< of the integral of p0 over all surfaces

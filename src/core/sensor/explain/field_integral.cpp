@@ -31,7 +31,9 @@ FieldIntegral::FieldIntegral(FieldRays rays) : rays_(std::move(rays)), how_(rays
 
 FieldIntegral::Leaf FieldIntegral::measure(const Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
-  Leaf leaf{triangle, {}, 0, std::numeric_limits<double>::infinity(), {}, {}};
+  Leaf leaf;
+  leaf.triangle = triangle;
+  leaf.least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < kNodes; ++i) {
     const EmbeddedPoint& q = kTriangleDegree5[i];
     const dvec3 x = q.u * a + q.v * b + (1 - q.u - q.v) * c;
@@ -49,7 +51,26 @@ FieldIntegral::Leaf FieldIntegral::measure(const Triangle& triangle) {
     leaf.sums.whole += q.weight * whole, leaf.sums.coarse_whole += q.coarse * whole;
   }
   if (!(leaf.least <= leaf.largest)) leaf.least = 0;
+  leaf.hidden = hidden_in(leaf);
   return leaf;
+}
+
+/// All nodes may lie on one side of an edge where rays begin to hit, the corners farther out: a tenth of what is pressed
+/// there may then be missed, or be too much.
+double FieldIntegral::hidden_in(const Leaf& leaf) {
+  constexpr double kMissedPart = 0.1;
+  const auto hits = std::count_if(leaf.hits.begin(), leaf.hits.end(), [](const RayHit& hit) { return hit.hit(); });
+  if (hits != 0 && hits != static_cast<std::ptrdiff_t>(kNodes)) return 0.0;  // the nodes tell
+  double hidden = 0;
+  for (const dvec3& corner : leaf.triangle.corners) {
+    const double w = rays_.weight(leaf.triangle.face, corner);
+    if (!rays_.inside()) continue;
+    const RayHit hit = rays_.cast(leaf.triangle.face, corner);
+    ++cast_;
+    if (hit.hit() == (hits != 0)) continue;
+    hidden = std::max(hidden, (how_ == Aggregate::mean ? 1.0 : w) * std::max(hit.pressure, leaf.least));
+  }
+  return kMissedPart * hidden * leaf.triangle.area;
 }
 
 void FieldIntegral::add(const Triangle& triangle) {
@@ -73,7 +94,7 @@ void FieldIntegral::add(const Triangle& triangle) {
 double FieldIntegral::error_of(const Leaf& leaf) const {
   const Sums& s = leaf.sums;
   const double reading = how_ == Aggregate::weighted_sum || !(sum_.whole > 0) ? 0.0 : sum_.value / sum_.whole;
-  return std::abs(s.value - s.coarse_value) + reading * std::abs(s.whole - s.coarse_whole);
+  return std::abs(s.value - s.coarse_value) + reading * std::abs(s.whole - s.coarse_whole) + leaf.hidden;
 }
 
 void FieldIntegral::take_sums(const Leaf& leaf, double sign) {

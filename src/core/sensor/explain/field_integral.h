@@ -30,12 +30,14 @@ class FieldIntegral {
     Triangle triangle;
     Sums sums;
     double largest = 0, least = 0;       ///< pressure among the nodes inside the field [Pa]
+    double hidden = 0;                   ///< of sums.value, what may lie between the nodes and the corners
     std::array<double, kNodes> parts{};  ///< of sums.value, by node
     std::array<RayHit, kNodes> hits;
   };
 
   void add(const Triangle& triangle);
   [[nodiscard]] Leaf measure(const Triangle& triangle);
+  [[nodiscard]] double hidden_in(const Leaf& leaf);
   void refine(std::size_t leaf);
   [[nodiscard]] double error_of(const Leaf& leaf) const;
   void take_sums(const Leaf& leaf, double sign);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/sensor/explain/counterfactual.h"
 
 namespace taxel {
 namespace {
@@ -11,12 +10,12 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-PolygonBehind describe(const SensorModel& model, const ContactSurface& surface, int s, int p) {
+PolygonBehind describe(const InvertedTets& inverted, const ContactSurface& surface, int s, int p) {
   const ContactPolygon& polygon = surface.polygons[index(p)];
   PolygonBehind row;
   row.surface = s, row.polygon = p;
   row.tet = polygon.tet, row.tet_b = polygon.tet_b, row.face = polygon.face;
-  row.inverted = is_inverted(model, polygon.tet);
+  row.inverted = inverted.concern(polygon);
   row.area = polygon.area;
   row.mean = polygon.pressure;  // of a linear pressure, that at the centroid
   row.lowest = std::numeric_limits<double>::infinity();
@@ -47,7 +46,8 @@ void add_served(const SensorModel& model, const std::vector<RayHit>& hits, const
 }  // namespace
 
 std::vector<PolygonBehind> polygons_behind(const SensorModel& model, int taxel, const SensorStep& step,
-                                           const std::vector<TaxelSampleReading>& behind, const ExactReading& exact) {
+                                           const std::vector<TaxelSampleReading>& behind, const ExactReading& exact,
+                                           const InvertedTets& inverted) {
   std::vector<PolygonBehind> rows;
   std::vector<std::size_t> first;  // row of each surface's first polygon
   double pressed = 0;
@@ -55,7 +55,7 @@ std::vector<PolygonBehind> polygons_behind(const SensorModel& model, int taxel, 
     first.push_back(rows.size());
     if (step.surfaces[s] == nullptr) continue;
     for (std::size_t p = 0; p < step.surfaces[s]->polygons.size(); ++p) {
-      rows.push_back(describe(model, *step.surfaces[s], static_cast<int>(s), static_cast<int>(p)));
+      rows.push_back(describe(inverted, *step.surfaces[s], static_cast<int>(s), static_cast<int>(p)));
       pressed += rows.back().area * rows.back().mean;
     }
   }

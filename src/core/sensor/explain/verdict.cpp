@@ -8,10 +8,10 @@
 namespace taxel {
 namespace {
 
-/// Changes of `other`, in the measure of `exact`.
-double scaled_change(const Readings& exact, const Readings& other) {
-  const double sum = other.before + other.now;
-  return sum > 0 ? (exact.before + exact.now) / sum * other.change() : 0.0;
+/// By what readings of an even field are multiplied, so that their mean is that of the sensor's own.
+double even_scale(const VerdictInput& in) {
+  const double sum = in.even->before + in.even->now;
+  return sum > 0 ? (in.exact->before + in.exact->now) / sum : 0.0;
 }
 
 std::string percent(double value, const ExplainLimits& limits) {
@@ -26,9 +26,8 @@ std::string moved(double change, const ExplainLimits& limits) {
 std::string cure(const Verdict& v, const ExplainLimits& limits) {
   std::string text;
   if (v.needed && v.needed->samples > 0)
-    text = fmt::format(" {} {:.0f} samples ({:.3g} times as many) keep{} it below the limit.",
-                       v.needed->measured ? "Read with" : "About", v.needed->samples, v.needed->factor,
-                       v.needed->measured ? ", they" : "");
+    text = fmt::format(" {} {:.0f} samples, {:.3g} times as many, it stays below the limit.",
+                       v.needed->measured ? "Read with" : "With about", v.needed->samples, v.needed->factor);
   else if (v.needed)
     text = " No number of samples that can be made keeps it below the limit.";
   if (v.voronoi_noise)
@@ -43,7 +42,7 @@ Verdict decide(const VerdictInput& in) {
   v.limit = in.limits.jump * in.limits.largest;
   v.change = in.sampled.change();
   const double exact = in.exact ? in.exact->change() : v.change;
-  const double contact = in.even && in.exact ? scaled_change(*in.exact, *in.even) : exact;
+  const double contact = in.even && in.exact ? even_scale(in) * in.even->change() : exact;
   v.noise = v.change - exact;
   v.field = exact - contact;
   v.contact = contact;
@@ -56,10 +55,12 @@ Verdict decide(const VerdictInput& in) {
   if (noise >= field && noise >= rest) {
     v.cause = Cause::sampling_noise;
   } else if (field >= rest) {
-    // Whose departure from even stiffness goes away with the inverted tets?
-    const double clean =
-        in.without_inverted ? sign * (scaled_change(*in.exact, *in.without_inverted) - v.contact) : field;
-    v.cause = std::abs(clean) < 0.5 * field ? Cause::inverted_tets : Cause::star_field;
+    // Whose departure from even stiffness is it?
+    const double inverted =
+        in.exact_inverted && in.even_inverted
+            ? sign * (in.exact_inverted->change() - even_scale(in) * in.even_inverted->change())
+            : 0.0;
+    v.cause = inverted >= 0.5 * field ? Cause::inverted_tets : Cause::star_field;
   } else {
     v.cause = v.force_stays ? Cause::redistribution : Cause::contact;
   }
@@ -82,8 +83,8 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
           reading, exactly, moved(v.contact, in.limits));
     case Cause::inverted_tets:
       return fmt::format(
-          "Inverted tets: {}{}, and under even stiffness it {}. Tets that are inside out count beside those that they "
-          "overlap; a pad has none.",
+          "Inverted tets: {}{}, and under even stiffness it {}. Tets of the skin there are inside out, and others "
+          "reach across; a pad has none.",
           reading, exactly, moved(v.contact, in.limits));
     case Cause::redistribution:
     case Cause::contact:

@@ -12,7 +12,7 @@ enum class Cause {
   none,            ///< the reading did not jump
   sampling_noise,  ///< the samples, where the exact integral goes on smoothly
   star_field,      ///< the stiffness of a star, which differs from tet to tet
-  inverted_tets,   ///< tets that lie outside of the skin they belong to, and count beside others
+  inverted_tets,   ///< tets that lie outside of the skin they belong to, and leave it to others
   redistribution,  ///< the contact: pressure moved while the sensor's force stayed
   contact          ///< the contact: the sensor's force changed as well
 };
@@ -62,7 +62,8 @@ struct VerdictInput {
   Readings sampled;
   std::optional<Readings> exact;            ///< none: there is no exact integral
   std::optional<Readings> even;             ///< exact, under even stiffness; only where the field is suspect
-  std::optional<Readings> without_inverted; ///< exact, without inverted tets; only where the taxel met some
+  /// The parts of `exact` and `even` that polygons bring which inverted tets concern.
+  std::optional<Readings> exact_inverted, even_inverted;
   bool soft_contact = false;                ///< the field is suspect, but `even` cannot tell
   Readings force;                           ///< magnitude, of the whole sensor [N]
 };
