@@ -58,7 +58,7 @@ int run(const Options& options, Console& console) {
     if (how.value != Aggregate::force) aggregate(*model, report.hits, how.value, report.readings.back().second);
   }
   for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, report.hits.all(), k));
-  if (options.convergence) report.convergence = read_convergence(*model, surfaces, cache);
+  if (options.convergence) report.convergence = read_convergence(make_convergence_models(model, cache), surfaces);
   console.result(console.json() ? read_json(report) : read_text(report));
   return kDone;
 }

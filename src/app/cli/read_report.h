@@ -7,7 +7,7 @@
 
 #include "core/project/contact_case.h"
 #include "core/sensor/convergence.h"
-#include "core/sensor/explain.h"
+#include "core/sensor/explain/samples_behind.h"
 #include "core/sensor/reading.h"
 
 namespace taxel::cli {

@@ -23,10 +23,16 @@ struct Convergence {
   [[nodiscard]] double difference(std::size_t taxel) const { return values[2][taxel] - values[kAsked][taxel]; }
 };
 
-/// Reads `surfaces` (frame M, of contacts with model.body) with fewer and with more samples. Only samples, receptive
-/// fields and rays are made; skin and body, and samples that are known already, come from the cache that `model` was
-/// built with. Throws Error where there would be more than kMaxSamples, Cancelled through `progress`.
-Convergence read_convergence(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
-                             SensorCache& cache, Progress* progress = nullptr);
+/// The same sensor with fewer and with more samples, by factor; that of kAsked is `model` itself.
+using ConvergenceModels = std::array<SensorModelPtr, Convergence::kFactors.size()>;
+
+/// Only samples, receptive fields and rays are made; skin and body, and samples that are known already, come from the
+/// cache that `model` was built with. Throws Error where there would be more than kMaxSamples, Cancelled through
+/// `progress`.
+ConvergenceModels make_convergence_models(const SensorModelPtr& model, SensorCache& cache,
+                                          Progress* progress = nullptr);
+
+/// Reads `surfaces` (frame M, of contacts with the sensor's body) with each of them.
+Convergence read_convergence(const ConvergenceModels& models, std::span<const ContactSurface* const> surfaces);
 
 }  // namespace taxel

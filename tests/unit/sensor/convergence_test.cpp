@@ -32,7 +32,7 @@ struct Plate {
   }
   [[nodiscard]] Convergence read(SensorCache& cache) const {
     const ContactSurface* list[] = {&surface};
-    return read_convergence(*build(1.0, &cache), list, cache);
+    return read_convergence(make_convergence_models(build(1.0, &cache), cache), list);
   }
 };
 
@@ -81,7 +81,7 @@ TEST(Convergence, MakesNothingTwice) {
   SensorCache cache;
   const SensorModelPtr model = plate.build(1.0, &cache);
   const ContactSurface* list[] = {&plate.surface};
-  read_convergence(*model, list, cache);
+  read_convergence(make_convergence_models(model, cache), list);
   const SensorSkinPtr skin = cache.skin(plate.mesh, Shells::outer);
   EXPECT_EQ(skin->sensed, model->skin);
   EXPECT_EQ(cache.body(plate.mesh, plate.layout.material, ""), model->body);
@@ -104,7 +104,7 @@ TEST(Convergence, TooManySamplesAreNamed) {
   auto denser = std::make_shared<SensorModel>(*model);
   denser->layout.sampling.density = 4e9;
   try {
-    read_convergence(*denser, {}, cache);
+    make_convergence_models(denser, cache);
     FAIL();
   } catch (const Error& e) {
     EXPECT_STREQ(e.what(), "/sampling/density: 4 times the samples are 1.792e+07, the limit is 10000000");

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/primitives.h"
-#include "core/sensor/explain.h"
+#include "core/sensor/explain/samples_behind.h"
 #include "unit/sensor/random_surface.h"
 
 namespace taxel {

@@ -1,4 +1,4 @@
-#include "core/sensor/explain.h"
+#include "core/sensor/explain/samples_behind.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,202 @@
+#include "core/sensor/explain/explanation.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/hydro/traction.h"
+#include "core/sensor/explain/counterfactual.h"
+#include "core/sensor/explain/polygons_behind.h"
+#include "core/sensor/explain/samples_needed.h"
+
+namespace taxel {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+using Surfaces = std::span<const ContactSurface* const>;
+
+dvec3 elastic_force_W(const SensorStep& step) {
+  dvec3 force(0);
+  for (const ContactSurface* surface : step.surfaces)
+    if (surface != nullptr) force += step.X_WM.rotate(pressure_wrench(*surface).force);
+  return force;
+}
+
+ForceBudget budget_of(const SensorModel& model, int taxel, const SensorStep& step) {
+  ForceBudget budget;
+  budget.surfaces_W = elastic_force_W(step);
+  for (const ContactSurface* surface : step.surfaces) {
+    if (surface == nullptr) continue;
+    for (const ContactPolygon& p : surface->polygons) budget.pressed += p.area * p.pressure;
+  }
+  ForceIntegral integral;
+  ForceReading force;
+  integral.integrate(model, FieldWeights(model.layout, *model.skin), step.surfaces, {}, force);
+  dvec3 sum(0);
+  for (const dvec3& f : force.normal) sum += f;
+  budget.taxels_W = step.X_WM.rotate(sum);
+  budget.taxel_W = step.X_WM.rotate(force.normal[index(taxel)]);
+  budget.covered = force.covered;
+  budget.uncovered = force.uncovered;
+  budget.net_W = step.force_W;
+  return budget;
+}
+
+/// What samples that began to hit, ceased to, or went on brought to the change of a reading.
+void count_samples(const Explanation& e, StepChange& change) {
+  for (std::size_t i = 0; i < e.samples.size(); ++i) {
+    const TaxelSampleReading &now = e.samples[i], &before = e.samples_before[i];
+    if (!now.hit && !before.hit) continue;
+    SampleChange& kind = !before.hit ? change.began : !now.hit ? change.ceased : change.stayed;
+    ++kind.count;
+    kind.change += now.share * change.reading.now - before.share * change.reading.before;
+  }
+}
+
+/// The same samples, each counted by the part of the skin that is nearest to it.
+SensorModelPtr with_voronoi_weights(const SensorModel& model) {
+  auto other = std::make_shared<SensorModel>(model);
+  other->layout.sampling.weights = SampleWeights::voronoi;
+  other->fields = make_receptive_fields(other->layout, other->samples, *other->skin);
+  other->readout_table = make_readout_table(*other);
+  return other;
+}
+
+double reading_of(const SensorModel& model, int taxel, Surfaces surfaces) {
+  SensorReading reading;
+  read_sensor(model, surfaces, reading);
+  return reading.values[index(taxel)];
+}
+
+/// What polygons that inverted tets concern bring to an exact reading.
+double inverted_part(const ExactReading& exact, const SensorStep& step, const InvertedTets& inverted) {
+  double sum = 0;
+  for (const PolygonPart& part : exact.parts)
+    if (inverted.concern(step.surfaces[index(part.surface)]->polygons[index(part.polygon)])) sum += part.value;
+  return sum;
+}
+
+bool is_soft_contact(const SensorStep& step) {
+  return std::any_of(step.surfaces.begin(), step.surfaces.end(),
+                     [](const ContactSurface* s) { return s != nullptr && between_soft_bodies(*s); });
+}
+
+double force_of(const SensorStep& step) {
+  return glm::length(step.force_W ? *step.force_W : elastic_force_W(step));
+}
+
+}  // namespace
+
+struct Explainer::Kept {
+  SensorCache cache;
+  SensorModelPtr model;
+  std::optional<ConvergenceModels> levels;
+  std::string no_levels;
+  InvertedTets inverted;
+
+  /// The other numbers of samples of a model, as far as they can be made.
+  void keep(const SensorModelPtr& wanted, Progress* progress) {
+    if (wanted == model) return;
+    levels.reset();
+    no_levels.clear();
+    inverted = InvertedTets(*wanted);
+    try {
+      levels = make_convergence_models(wanted, cache, progress);
+    } catch (const Error& e) {
+      no_levels = e.what();
+    }
+    model = wanted;
+  }
+  void read_levels(int taxel, const SensorStep& now, const SensorStep* before, Explanation& out) const {
+    if (!levels) {
+      out.no_levels = no_levels;
+      return;
+    }
+    const auto read = [&](const SensorStep& step, std::array<double, 3>& values, std::array<int, 3>& samples) {
+      const Convergence found = read_convergence(*levels, step.surfaces);
+      samples = found.samples;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = found.values[i][index(taxel)];
+        if (out.aggregate == Aggregate::weighted_sum && samples[i] > 0)
+          values[i] *= static_cast<double>(samples[Convergence::kAsked]) / samples[i];
+      }
+    };
+    SampleLevels& of_taxel = out.levels.emplace();
+    read(now, of_taxel.now, of_taxel.samples);
+    if (before != nullptr) read(*before, of_taxel.before, of_taxel.samples);
+  }
+  void add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
+                VerdictInput& in) const;
+  void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
+             Explanation& out) const;
+};
+
+/// What the two contacts would read under even stiffness, and the parts that inverted tets concern.
+void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
+                               VerdictInput& in) const {
+  const ExactReading was = exact_reading(*model, taxel, with_even_stiffness(*model, before.surfaces).pointers);
+  const ExactReading is = exact_reading(*model, taxel, with_even_stiffness(*model, now.surfaces).pointers);
+  if (!was.value || !is.value) return;
+  in.even = {*was.value, *is.value};
+  in.even_inverted = {inverted_part(was, before, inverted), inverted_part(is, now, inverted)};
+  in.exact_inverted = {inverted_part(*out.exact_before, before, inverted), inverted_part(out.exact, now, inverted)};
+}
+
+/// The verdict, by what the same two contacts would read otherwise.
+void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
+                            Explanation& out) const {
+  StepChange& change = *out.change;
+  VerdictInput in;
+  in.limits = limits, in.sampled = change.reading, in.force = change.force;
+  if (out.exact.value && out.exact_before->value) in.exact = {*out.exact_before->value, *out.exact.value};
+  if (in.exact && field_is_suspect(*model)) {
+    in.soft_contact = is_soft_contact(now) || is_soft_contact(before);
+    if (!in.soft_contact) add_even(taxel, now, before, out, in);
+  }
+  Verdict& verdict = change.verdict;
+  verdict = decide(in);
+  if (verdict.cause == Cause::sampling_noise) {
+    // What the noise may be for the whole change to stay below the limit, or half of that where the rest is as large.
+    const double allowed = std::max(verdict.limit - std::abs(in.exact->change()), 0.5 * verdict.limit);
+    if (out.levels) verdict.needed = samples_needed(*out.levels, *in.exact, allowed);
+    if (model->layout.sampling.weights == SampleWeights::equal) {
+      const SensorModelPtr voronoi = with_voronoi_weights(*model);
+      verdict.voronoi_noise = std::abs(reading_of(*voronoi, taxel, now.surfaces) -
+                                       reading_of(*voronoi, taxel, before.surfaces) - in.exact->change());
+    }
+  }
+  verdict.text = verdict_text(verdict, in);
+}
+
+Explainer::Explainer() : kept_(std::make_unique<Kept>()) {}
+Explainer::~Explainer() = default;
+
+Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const SensorStep& now, const SensorStep* before,
+                               const ExplainLimits& limits, Progress* progress) {
+  Explanation out;
+  out.samples = samples_behind(*model, *now.hits, taxel);
+  const Taxel& of = model->layout.taxels[index(taxel)];
+  out.taxel = taxel, out.id = of.id, out.name = of.name;
+  out.aggregate = model->layout.readout.aggregate;
+  out.time = now.time, out.reading = now.readings[index(taxel)];
+  kept_->keep(model, progress);
+  kept_->read_levels(taxel, now, before, out);
+  if (progress != nullptr) progress->check(0.5);
+  out.exact = exact_reading(*model, taxel, now.surfaces);
+  out.polygons = polygons_behind(*model, taxel, now, out.samples, out.exact, kept_->inverted);
+  out.budget = budget_of(*model, taxel, now);
+  if (before == nullptr) return out;
+  out.samples_before = samples_behind(*model, *before->hits, taxel);
+  out.exact_before = exact_reading(*model, taxel, before->surfaces);
+  StepChange& change = out.change.emplace();
+  change.time_before = before->time;
+  change.reading = {before->readings[index(taxel)], out.reading};
+  change.force = {force_of(*before), force_of(now)};
+  count_samples(out, change);
+  kept_->judge(taxel, now, *before, limits, out);
+  return out;
+}
+
+}  // namespace taxel

@@ -1,0 +1,65 @@
+// The rays of one taxel from any point of the skin, as the samples there would have them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/layout/field_weights.h"
+#include "core/sensor/cast_rays.h"
+
+namespace taxel {
+
+/// Of one taxel on one contact. Keeps references: to be used at once.
+class FieldRays {
+ public:
+  FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces);
+
+  /// The first hit of the ray from a point of a face of the sensed skin, within its allowed depth.
+  [[nodiscard]] RayHit cast(int face, const dvec3& point) const;
+  /// w there, 0 outside of the field [m^2].
+  [[nodiscard]] double weight(int face, const dvec3& point);
+  /// Whether the field holds the point, where w may be 0.
+  [[nodiscard]] bool inside() const { return !at_.weights.empty(); }  ///< of the last weight()
+
+  struct Start {
+    int face = -1;
+    dvec3 point{0};
+  };
+  /// The sampled skin's point nearest to p, where the field holds it.
+  [[nodiscard]] std::optional<Start> nearest_start(const dvec3& p) const;
+
+  /// A face of the sampled skin that the field may reach.
+  struct Face {
+    int face = -1;
+    std::array<dvec3, 3> corners;
+    double area = 0;
+  };
+  [[nodiscard]] std::vector<Face> faces() const;
+  /// Whether the field reaches into the ball, as far as straight distances tell.
+  [[nodiscard]] bool reaches(const dvec3& center, double radius) const;
+  /// Whether rays from a triangle of that face may meet a surface.
+  [[nodiscard]] bool may_hit(int face, const std::array<dvec3, 3>& corners) const;
+
+  [[nodiscard]] double smallest_radius() const { return smallest_radius_; }
+  [[nodiscard]] double smallest_contact() const { return smallest_contact_; }  ///< diagonal of a surface's box [m]
+  [[nodiscard]] bool omit_misses() const { return model_.layout.readout.misses == Misses::omit; }
+  [[nodiscard]] const SensorModel& model() const { return model_; }
+
+ private:
+  [[nodiscard]] dvec3 direction(int face) const;
+
+  const SensorModel& model_;
+  const Taxel& taxel_;
+  SensorSkin skin_;
+  std::vector<FieldDisc> discs_;
+  FieldWeights weights_;  // of this taxel alone
+  std::vector<int> disc_numbers_;
+  FieldWeights::AtPoint at_;
+  SurfaceCaster caster_;
+  std::vector<Aabb> boxes_;
+  double smallest_radius_ = 0, smallest_contact_ = 0;
+};
+
+}  // namespace taxel

@@ -1,0 +1,106 @@
+#include "core/sensor/explain/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taxel {
+namespace {
+
+/// By what readings of an even field are multiplied, so that their mean is that of the sensor's own.
+double even_scale(const VerdictInput& in) {
+  const double sum = in.even->before + in.even->now;
+  return sum > 0 ? (in.exact->before + in.exact->now) / sum : 0.0;
+}
+
+std::string percent(double value, const ExplainLimits& limits) {
+  return fmt::format("{:.3g} %", limits.largest > 0 ? 100 * std::abs(value) / limits.largest : 0.0);
+}
+
+/// "rose by 12 %", of the largest reading.
+std::string moved(double change, const ExplainLimits& limits) {
+  return fmt::format("{} by {}", change < 0 ? "fell" : "rose", percent(change, limits));
+}
+
+std::string cure(const Verdict& v, const ExplainLimits& limits) {
+  std::string text;
+  if (v.needed && v.needed->samples > 0)
+    text = fmt::format(" {} {:.0f} samples, {:.3g} times as many, it stays below the limit.",
+                       v.needed->measured ? "Read with" : "With about", v.needed->samples, v.needed->factor);
+  else if (v.needed)
+    text = " No number of samples that can be made keeps it below the limit.";
+  if (v.voronoi_noise)
+    text += fmt::format(" The same samples with Voronoi weights leave {} of it.", percent(*v.voronoi_noise, limits));
+  return text;
+}
+
+}  // namespace
+
+Verdict decide(const VerdictInput& in) {
+  Verdict v;
+  v.limit = in.limits.jump * in.limits.largest;
+  v.change = in.sampled.change();
+  const double exact = in.exact ? in.exact->change() : v.change;
+  const double contact = in.even && in.exact ? even_scale(in) * in.even->change() : exact;
+  v.noise = v.change - exact;
+  v.field = exact - contact;
+  v.contact = contact;
+  v.force_stays =
+      std::abs(in.force.change()) <= in.limits.equal_force * std::max(std::abs(in.force.before), std::abs(in.force.now));
+  if (!(std::abs(v.change) > v.limit)) return v;
+
+  const double sign = v.change < 0 ? -1 : 1;
+  const double noise = sign * v.noise, field = sign * v.field, rest = sign * v.contact;
+  if (noise >= field && noise >= rest) {
+    v.cause = Cause::sampling_noise;
+  } else if (field >= rest) {
+    // Whose departure from even stiffness is it?
+    const double inverted =
+        in.exact_inverted && in.even_inverted
+            ? sign * (in.exact_inverted->change() - even_scale(in) * in.even_inverted->change())
+            : 0.0;
+    v.cause = inverted >= 0.5 * field ? Cause::inverted_tets : Cause::star_field;
+  } else {
+    v.cause = v.force_stays ? Cause::redistribution : Cause::contact;
+  }
+  return v;
+}
+
+std::string verdict_text(const Verdict& v, const VerdictInput& in) {
+  const std::string reading = "the reading " + moved(v.change, in.limits) + " of the sensor's largest";
+  const std::string exactly =
+      in.exact ? ", the exact integral of the same contact " + moved(in.exact->change(), in.limits) : std::string();
+  switch (v.cause) {
+    case Cause::none:
+      return fmt::format("No jump: {}, the limit is {:.3g} %.", reading, 100 * in.limits.jump);
+    case Cause::sampling_noise:
+      return fmt::format("Sampling noise: {}{}.", reading, exactly) + cure(v, in.limits);
+    case Cause::star_field:
+      return fmt::format(
+          "Pressure field: {}{}, and under even stiffness it {}. The tets of the star field are of unequal stiffness; "
+          "a pad is even.",
+          reading, exactly, moved(v.contact, in.limits));
+    case Cause::inverted_tets:
+      return fmt::format(
+          "Inverted tets: {}{}, and under even stiffness it {}. Tets of the skin there are inside out, and others "
+          "reach across; a pad has none.",
+          reading, exactly, moved(v.contact, in.limits));
+    case Cause::redistribution:
+    case Cause::contact:
+      break;
+  }
+  const double larger = std::max(in.force.before, in.force.now);
+  const std::string force =
+      v.force_stays ? fmt::format("the force on the sensor stayed at {:.3g} N", in.force.now)
+                    : fmt::format("the force on the sensor went from {:.3g} to {:.3g} N ({:+.3g} %)", in.force.before,
+                                  in.force.now, larger > 0 ? 100 * in.force.change() / larger : 0.0);
+  std::string text = fmt::format("{}: {}{}; {}.", v.cause == Cause::contact ? "The contact itself" : "Redistribution",
+                                 reading, exactly, force);
+  if (v.cause == Cause::redistribution) text += " The pressure moved to other places.";
+  if (!in.exact) text += " Samples and contact cannot be told apart: there is no exact integral.";
+  if (in.soft_contact) text += " Whether the field took part cannot be told: both bodies are soft.";
+  return text;
+}
+
+}  // namespace taxel

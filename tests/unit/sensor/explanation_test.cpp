@@ -1,0 +1,190 @@
+// The parts of an explanation agree with each other and with what is known otherwise.
+#include "core/sensor/explain/explanation.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/sensor/explain/counterfactual.h"
+#include "core/sensor/explain/samples_needed.h"
+#include "unit/sensor/labelled_case.h"
+
+namespace taxel {
+namespace {
+
+struct TwoSteps {
+  test::LabelledCase c;
+  std::unique_ptr<test::CaseStep> before, now;
+  ExplainLimits limits{0.1, 0.02, 2e3};
+  explicit TwoSteps(Aggregate how, SampleWeights weights = SampleWeights::equal) {
+    const TriMeshPtr mesh = test::finger_mesh();
+    Layout layout = test::layout_of(FieldKind::pad, 2e6, weights);
+    layout.readout.aggregate = how;
+    test::add_row(layout, mesh);
+    c.model = test::preview_model(layout, mesh);
+    c.other = test::rigid_ball(0.003);
+    const auto path = test::along_finger(0.003, 0.001, 0.0, 0.0008, 2);
+    before = c.sense(path[0], 1.0), now = c.sense(path[1], 1.1);
+  }
+  [[nodiscard]] Explanation explain(int taxel) const {
+    return Explainer().explain(c.model, taxel, now->step, &before->step, limits);
+  }
+};
+
+TEST(Explanation, PartsAddUpForEveryAggregate) {
+  for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean, Aggregate::nearest,
+                              Aggregate::max, Aggregate::force}) {
+    const TwoSteps two(how);
+    const Explanation e = two.explain(2);
+    const StepChange& change = *e.change;
+    EXPECT_EQ(e.reading, two.now->reading.values[2]);
+    EXPECT_EQ(change.reading.before, two.before->reading.values[2]);
+    const double unit = std::max(e.reading, change.reading.before);
+    EXPECT_GT(unit, 0.0);
+    EXPECT_NEAR(change.began.change + change.ceased.change + change.stayed.change, change.reading.change(),
+                1e-9 * unit);
+    const Verdict& v = change.verdict;
+    EXPECT_NEAR(v.noise + v.field + v.contact, v.change, 1e-9 * unit);
+    double share = 0, force = 0, exact = 0;
+    int samples = 0;
+    for (const PolygonBehind& p : e.polygons) {
+      share += p.share, force += p.force_share, exact += p.exact_share, samples += p.samples;
+      EXPECT_LE(p.lowest, p.mean * (1 + 1e-9));
+      EXPECT_GE(p.highest, p.mean * (1 - 1e-9));
+      const bool served = std::find(p.taxels.begin(), p.taxels.end(), e.id) != p.taxels.end();
+      EXPECT_EQ(served, p.samples > 0);
+    }
+    EXPECT_NEAR(share, 1.0, 1e-9);
+    EXPECT_NEAR(force, 1.0, 1e-9);
+    EXPECT_EQ(samples, static_cast<int>(std::count_if(e.samples.begin(), e.samples.end(),
+                                                      [](const TaxelSampleReading& s) { return s.hit; })));
+    EXPECT_NEAR(exact, e.exact.parts.empty() ? 0.0 : 1.0, 1e-9);
+    EXPECT_EQ(e.levels->now[1], e.reading);
+    EXPECT_EQ(e.levels->before[1], change.reading.before);
+  }
+}
+
+// A force takes no samples: the exact one is itself, at every number of them.
+TEST(Explanation, AForceHasNoNoise) {
+  const Explanation e = TwoSteps(Aggregate::force).explain(2);
+  EXPECT_EQ(*e.exact.value, e.reading);
+  EXPECT_EQ(e.change->verdict.noise, 0.0);
+  for (const double v : e.levels->now) EXPECT_EQ(v, e.reading);
+}
+
+TEST(Explanation, TheBudgetIsTheContactsForce) {
+  const TwoSteps two(Aggregate::weighted_mean);
+  Explanation e = two.explain(2);
+  const ForceBudget& b = e.budget;
+  EXPECT_NEAR(b.covered + b.uncovered, b.pressed, 1e-9 * b.pressed);
+  EXPECT_NEAR(glm::length(b.surfaces_W), two.c.force(test::along_finger(0.003, 0.001, 0.0, 0.0008, 2)[1]), 1e-12);
+  EXPECT_LE(glm::length(b.taxel_W), glm::length(b.taxels_W));
+  EXPECT_FALSE(b.net_W.has_value());
+}
+
+TEST(Explanation, WithoutAStepBeforeTellsOfOneAlone) {
+  const TwoSteps two(Aggregate::weighted_mean);
+  const Explanation e = Explainer().explain(two.c.model, 1, two.now->step, nullptr, two.limits);
+  EXPECT_FALSE(e.change.has_value());
+  EXPECT_TRUE(e.samples_before.empty());
+  EXPECT_THROW(Explainer().explain(two.c.model, 9, two.now->step, nullptr, two.limits), Error);
+}
+
+// A question asked twice, or after others, has the same answer.
+TEST(Explanation, DoesNotDependOnWhatWasAskedBefore) {
+  const TwoSteps two(Aggregate::weighted_mean);
+  Explainer explainer;
+  explainer.explain(two.c.model, 0, two.before->step, nullptr, two.limits);
+  const Explanation a = explainer.explain(two.c.model, 2, two.now->step, &two.before->step, two.limits);
+  const Explanation b = two.explain(2);
+  EXPECT_EQ(a.change->verdict.text, b.change->verdict.text);
+  EXPECT_EQ(*a.exact.value, *b.exact.value);
+  EXPECT_EQ(a.levels->now, b.levels->now);
+}
+
+// Errors of n^-1 reach a tenth at ten times the last number.
+TEST(SamplesNeeded, FollowsTheMeasuredRate) {
+  SampleLevels levels{{100, 400, 1600}, {16, 4, 1}, {0, 0, 0}};
+  const Readings exact{0, 0};
+  SamplesNeeded needed = samples_needed(levels, exact, 0.1);
+  EXPECT_FALSE(needed.measured);
+  EXPECT_NEAR(needed.samples, 16000, 1);
+  EXPECT_NEAR(needed.factor, 40, 0.01);
+  needed = samples_needed(levels, exact, 2.0);
+  EXPECT_TRUE(needed.measured);
+  EXPECT_EQ(needed.samples, 1600);
+  EXPECT_EQ(samples_needed(levels, exact, 20.0).samples, 100);
+  levels.now = {4, 4, 4};  // it does not fall: held at n^-1/4
+  EXPECT_NEAR(samples_needed(levels, exact, 2.0).samples, 1600 * 16, 1);
+  EXPECT_EQ(samples_needed(levels, exact, 1e-6).samples, 0.0);
+}
+
+// So many samples as it says do what it says.
+TEST(SamplesNeeded, KeepsItsWord) {
+  const TriMeshPtr mesh = test::finger_mesh();
+  Layout layout = test::layout_of(FieldKind::pad, 1e6, SampleWeights::equal, 1);
+  test::add_row(layout, mesh);
+  test::LabelledCase c;
+  c.model = test::preview_model(layout, mesh);
+  c.other = test::rigid_ball(0.0015);
+  c.path = test::along_finger(0.0015, 0.0004, -0.008, 0.0001, 160);
+  const Explanation e = c.explain_largest_jump();
+  const Verdict& v = e.change->verdict;
+  ASSERT_EQ(v.cause, Cause::sampling_noise);
+  ASSERT_TRUE(v.needed && v.needed->measured);
+  layout.sampling.density *= v.needed->factor;
+  c.model = test::preview_model(layout, mesh);
+  const auto at = [&](double time) { return c.sense(c.path[static_cast<std::size_t>(std::lround(time * 1000))]); };
+  const auto before = at(e.change->time_before), now = at(e.time);
+  const auto k = static_cast<std::size_t>(e.taxel);
+  EXPECT_LT(std::abs(now->reading.values[k] - before->reading.values[k]), v.limit);
+}
+
+// Under even stiffness a sphere of a star, whose depth is even already, reads as before, to the order of its facets.
+TEST(Counterfactual, EvenStiffnessOfAnEvenStar) {
+  const auto mesh = std::make_shared<const TriMesh>(make_sphere(0.01, 0.0015));
+  Layout layout = test::layout_of(FieldKind::star, 2e6);
+  test::add_taxel(layout, mesh, dvec3(0.01, 0, 0), 0.004);
+  test::LabelledCase c;
+  c.model = test::preview_model(layout, mesh);
+  c.other = test::rigid_ball(0.004);
+  const auto step = c.sense({{1, 0, 0, 0}, dvec3(0.0132, 0.0005, 0)});
+  ASSERT_TRUE(field_is_suspect(*c.model));
+  EXPECT_FALSE(between_soft_bodies(step->surface));
+  const OtherSurfaces even = with_even_stiffness(*c.model, step->step.surfaces);
+  const double own = *exact_reading(*c.model, 0, step->step.surfaces).value;
+  EXPECT_NEAR(*exact_reading(*c.model, 0, even.pointers).value, own, 0.03 * own);
+}
+
+TEST(Counterfactual, FindsTheInsideOfATorus) {
+  const auto mesh = std::make_shared<const TriMesh>(test::round_ring(0.014, 0.006));
+  Layout layout = test::layout_of(FieldKind::star, 1e5);
+  test::add_taxel(layout, mesh, dvec3(0.02, 0, 0), 0.004);
+  const SensorModelPtr model = test::preview_model(layout, mesh);
+  const InvertedTets inverted(*model);
+  for (int i = 0; i < 36; ++i) {
+    const double angle = (10 * i) * kPi / 180;  // of the tube, 0 outside; the tangent plane holds the centre at 115.4
+    ContactPolygon polygon;
+    polygon.tet = 0;
+    polygon.centroid = dvec3(0.014 + 0.0055 * std::cos(angle), 0, 0.0055 * std::sin(angle));
+    EXPECT_EQ(inverted.concern(polygon), std::cos(angle) < -6.0 / 14) << i;
+  }
+}
+
+TEST(Counterfactual, KnowsTwoSoftBodies) {
+  ContactSurface surface;
+  EXPECT_FALSE(between_soft_bodies(surface));
+  surface.polygons.resize(2);
+  surface.polygons[0].normal = surface.polygons[1].normal = dvec3(0, 0, 1);
+  EXPECT_FALSE(between_soft_bodies(surface));  // a plane
+  surface.polygons[1].normal = glm::normalize(dvec3(0.1, 0, 1));
+  EXPECT_TRUE(between_soft_bodies(surface));
+  surface.polygons[0].face = 3;
+  EXPECT_FALSE(between_soft_bodies(surface));
+  surface.polygons[0].tet_b = 1;
+  EXPECT_TRUE(between_soft_bodies(surface));
+}
+
+}  // namespace
+}  // namespace taxel
