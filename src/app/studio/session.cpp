@@ -43,6 +43,7 @@ void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
 Session::Session(bool by_clock, std::function<void()> wake)
     : by_clock_(by_clock),
       measure_(wake),
+      explain_(wake),
       probe_(wake),
       edits_(cache_, wake, [this](const SensorModelPtr& model) { probe_.press_now(model); }) {
   simulation_.set_clock_driven(by_clock);
@@ -98,6 +99,7 @@ void Session::drop_scene() {
   least_load_ = loads_ + 1;
   frame_.reset();
   settled_.reset();
+  explain_wish_.reset();
   playing_ = sweep_ = simulates_document_ = false;
   replay_.stop();
   loop_.reset();
@@ -187,6 +189,7 @@ SessionNews Session::update(bool hurry) {
   replay_by_clock();
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
+  take_explanation(news);
   return news;
 }
 
@@ -341,6 +344,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.model = document_ ? document_->model : nullptr;
   input.probe = pressed_;
   input.measured = measured_;
+  input.explained = explained_;
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

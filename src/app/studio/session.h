@@ -10,6 +10,7 @@
 
 #include "app/studio/autosave.h"
 #include "app/studio/edit_session.h"
+#include "app/studio/explain_worker.h"
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
 #include "app/studio/probe_worker.h"
@@ -59,6 +60,8 @@ class Session {
   void press(std::optional<ui::ProbeWish> wish);
   /// Measures between two points; none: nothing.
   void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
+  /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
+  void explain(std::optional<ui::ExplainWish> wish);
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -88,7 +91,8 @@ class Session {
   void fill(ui::UiInput& input, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
-    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy();
+    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
+           !explain_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -120,6 +124,7 @@ class Session {
   void take_edited(SessionNews& news);
   void accept_reload(const Document& document, SessionNews& news);
   void take_reading(SessionNews& news);
+  void take_explanation(SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -154,6 +159,9 @@ class Session {
   Loader loader_{cache_};
   MeasureWorker measure_;
   ui::MeasuredPtr measured_;
+  ExplainWorker explain_;
+  std::optional<ui::ExplainWish> explain_wish_;
+  ui::ExplainedPtr explained_;
   ProbeWorker probe_;
   std::optional<ui::ProbeWish> probe_wish_;
   ui::PressedProbePtr pressed_;                                     ///< of the model that is shown
