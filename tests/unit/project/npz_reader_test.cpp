@@ -22,7 +22,9 @@ fs::path scratch(const std::string& name) {
 Recording full_recording() {
   Recording r;
   r.timestep = 0.002;
-  r.objects = {"box", "p\xc3\xa4" "d"};
+  r.objects = {"box",
+               "p\xc3\xa4"
+               "d"};
   for (int s = 0; s < 2; ++s)
     r.sensors.push_back({s == 0 ? "finger" : "thumb", {7, 3}, {"tip", ""}, "{\"x\": 1}", "Pa", 1ULL << 63});
   r.sensors[1].calibrated_unit.emplace("V");
@@ -32,7 +34,10 @@ Recording full_recording() {
   for (int i = 0; i < 3; ++i) {
     RecordedRow row{2 * i, i / 3.0, 1e-4 * i, {}, {Pose{dquat(0, 1, 0, 0), dvec3(i, 2, 3)}, Pose{}}};
     for (int s = 0; s < 2; ++s)
-      row.sensors.push_back({dvec3(0.1 + 0.2, -1e-300, i), std::nextafter(1.0, 2.0), 17 + s, {1e22 * i, std::sqrt(2.0)},
+      row.sensors.push_back({dvec3(0.1 + 0.2, -1e-300, i),
+                             std::nextafter(1.0, 2.0),
+                             17 + s,
+                             {1e22 * i, std::sqrt(2.0)},
                              Pose{dquat(0.6, 0.8, 0, 0), dvec3(s, i, 0.1)}});
     row.sensors[1].calibrated = {0.5 * i, -1.0 / 3.0};
     row.sensors[1].shear = {dvec2(i, 1), dvec2(0, -2)};
