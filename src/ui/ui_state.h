@@ -20,6 +20,7 @@
 #include "ui/scene/scene_labels.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
+#include "ui/tools/explain_state.h"
 #include "ui/tools/generate_state.h"
 #include "ui/tools/layout_problems.h"
 #include "ui/tools/measure_state.h"
@@ -36,7 +37,7 @@ namespace taxel::ui {
 /// Which panels are open; their names are the titles of their windows.
 struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
-  bool messages = false, help = false;
+  bool messages = false, help = false, explain = false;
   bool mesh_report = false;
 };
 
@@ -184,6 +185,7 @@ struct UiState {
   PaletteState palette;
   ProbeState probe;
   MeasureState measure;
+  ExplainState explain;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
@@ -228,6 +230,7 @@ struct UiInput {
   MeasuredPtr measured;             ///< between the measure's points; null: not yet
   ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are wished
   PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
+  ExplainedPtr explained;           ///< of the step shown, or one before; null: none is asked for, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in
   bool simulates_document = false;  ///< the running scene was built around `model`

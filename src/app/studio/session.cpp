@@ -44,6 +44,7 @@ Session::Session(bool by_clock, std::function<void()> wake)
     : by_clock_(by_clock),
       measure_(wake),
       fields_(wake),
+      explain_(wake),
       probe_(wake),
       edits_(cache_, wake, [this](const SensorModelPtr& model) {
         probe_.press_now(model);
@@ -102,6 +103,7 @@ void Session::drop_scene() {
   least_load_ = loads_ + 1;
   frame_.reset();
   settled_.reset();
+  explain_wish_.reset();
   playing_ = sweep_ = simulates_document_ = still_ = false;
   replay_.stop();
   loop_.reset();
@@ -192,6 +194,7 @@ SessionNews Session::update(bool hurry) {
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
   take_fields(news);
+  take_explanation(news);
   return news;
 }
 
@@ -349,6 +352,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.probe = pressed_;
   input.measured = measured_;
   input.fields = shown_fields_;
+  input.explained = explained_;
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

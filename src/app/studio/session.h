@@ -10,6 +10,7 @@
 
 #include "app/studio/autosave.h"
 #include "app/studio/edit_session.h"
+#include "app/studio/explain_worker.h"
 #include "app/studio/field_worker.h"
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
@@ -62,6 +63,8 @@ class Session {
   void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
   /// Works out the receptive fields of what this mode shows, for the pictures to come.
   void show_fields(ui::Mode mode, ui::FieldMap map) { field_mode_ = mode, field_map_ = map; }
+  /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
+  void explain(std::optional<ui::ExplainWish> wish);
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -92,7 +95,7 @@ class Session {
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
-           !fields_.busy();
+           !fields_.busy() && !explain_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -125,6 +128,7 @@ class Session {
   void accept_reload(const Document& document, SessionNews& news);
   void take_reading(SessionNews& news);
   void take_fields(SessionNews& news);
+  void take_explanation(SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -165,6 +169,9 @@ class Session {
   ui::ShownFieldsPtr shown_fields_;
   ui::Mode field_mode_ = ui::Mode::simulate;
   ui::FieldMap field_map_ = ui::FieldMap::none;
+  ExplainWorker explain_;
+  std::optional<ui::ExplainWish> explain_wish_;
+  ui::ExplainedPtr explained_;
   ProbeWorker probe_;
   std::optional<ui::ProbeWish> probe_wish_;
   ui::PressedProbePtr pressed_;                                     ///< of the model that is shown

@@ -37,6 +37,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("normal_angles", s.overlays.normal_angles);
   visit("path", s.overlays.path);
   visit("grid", s.overlays.grid);
+  visit("ghost", s.overlays.ghost);
   visit("panel_outliner", s.panels.outliner);
   visit("panel_taxels", s.panels.taxels);
   visit("panel_inspector", s.panels.inspector);
@@ -44,6 +45,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_plot", s.panels.plot);
   visit("panel_timeline", s.panels.timeline);
   visit("panel_section", s.panels.section);
+  visit("panel_explain", s.panels.explain);
   visit("panel_messages", s.panels.messages);
   visit("panel_mesh_report", s.panels.mesh_report);
   visit("tour_seen", s.tour_seen);

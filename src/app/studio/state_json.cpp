@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/editing_json.h"
+#include "app/studio/explain_json.h"
 #include "app/studio/script_player.h"
 #include "app/studio/time_json.h"
 #include "app/studio/tools_json.h"
@@ -275,6 +276,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["fields"] = field_numbers_json(ui.view.numbers);
   json["bars"] = bars_json(ui);
   json["timeline"] = Json::parse(timeline_to_json(ui));
+  json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},
                     {"left_double", ui.clicks.left_double},

@@ -38,6 +38,10 @@ struct LoadSceneCommand {
 struct ScrubCommand {
   std::uint64_t step = 0;
 };
+/// Whether frames carry the step before the one that they show.
+struct FollowStepBeforeCommand {
+  bool on = false;
+};
 struct BreakpointsCommand {
   Breakpoints breakpoints;
 };
@@ -47,7 +51,7 @@ struct StepHistoryLimitsCommand {
 struct QuitCommand {};
 
 using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
-                                StepHistoryLimitsCommand, QuitCommand>;
+                                ReplaceModelCommand, LoadSceneCommand, ScrubCommand, FollowStepBeforeCommand,
+                                BreakpointsCommand, StepHistoryLimitsCommand, QuitCommand>;
 
 }  // namespace taxel

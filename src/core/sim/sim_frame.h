@@ -65,6 +65,14 @@ struct HistoryState {
   std::shared_ptr<const HistoryLanes> lanes;  ///< all of them, up to the newest or a little before; never null
 };
 
+/// The step before the one that a frame shows, as it was recorded.
+struct StepBefore {
+  std::shared_ptr<const SimScene> scene;
+  std::uint64_t step = 0;
+  double time = 0;  ///< [s]
+  std::vector<SensorFrameState> sensors;
+};
+
 struct SimFrame {
   std::shared_ptr<const SimScene> scene;
   std::uint64_t step = 0;
@@ -83,6 +91,8 @@ struct SimFrame {
   bool recorded = false;              ///< a step of the past is shown; the newest is history.last
   std::shared_ptr<const SimScene> simulated;  ///< of the newest step: another than `scene` where its layout changed
   HistoryState history;
+  /// Where it is asked for (FollowStepBeforeCommand), the simulation does not run by itself, and it is kept; else null.
+  std::shared_ptr<const StepBefore> before;
   Breakpoints breakpoints;
   std::optional<Jump> stop;        ///< the breakpoint that was met, until the simulation goes on
   std::uint64_t runs = 0;          ///< times that the simulation began at its start

@@ -51,6 +51,7 @@ struct SimThread::Impl {
   std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
+  bool follows_before = false;            // frames carry the step before
   std::optional<Jump> stop;
   SimState state;  // scratch
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
@@ -94,6 +95,7 @@ struct SimThread::Impl {
   void burst();
   void publish(bool even_if_recent);
   void copy_rows(double now, bool even_if_recent);
+  [[nodiscard]] std::shared_ptr<const StepBefore> step_before() const;
 
   [[nodiscard]] bool stepping() const { return playing && by_clock && simulator != nullptr; }
 };
@@ -222,6 +224,8 @@ void SimThread::Impl::scrub(std::uint64_t step) {
 void SimThread::Impl::execute_on_history(const SimCommand& command) {
   if (const auto* to = std::get_if<ScrubCommand>(&command)) {
     scrub(to->step);
+  } else if (const auto* follow = std::get_if<FollowStepBeforeCommand>(&command)) {
+    follows_before = follow->on;
   } else if (const auto* breakpoints = std::get_if<BreakpointsCommand>(&command)) {
     history.set_breakpoints(breakpoints->breakpoints);
   } else if (const auto* limits = std::get_if<StepHistoryLimitsCommand>(&command)) {
@@ -309,6 +313,18 @@ void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
   if (other_rows || other_steps) last_trace = now;
 }
 
+/// As the history has it.
+std::shared_ptr<const StepBefore> SimThread::Impl::step_before() const {
+  if (history.empty()) return nullptr;
+  const std::uint64_t shown = scrubbed.value_or(history.last());
+  if (shown == 0 || !history.contains(shown - 1)) return nullptr;
+  SimFrame frame;
+  history.fill_frame(shown - 1, frame);
+  auto before = std::make_shared<StepBefore>();
+  *before = {frame.scene, frame.step, frame.time, std::move(frame.sensors)};
+  return before;
+}
+
 /// Posts a frame when there is something new, at most every kFrameInterval unless told otherwise.
 void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
@@ -329,6 +345,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
                     record_time.mean_seconds(),
                     history.limits(),
                     lanes};
+  if (follows_before && !stepping()) frame->before = step_before();
   frame->breakpoints = history.breakpoints();
   frame->stop = stop;
   frame->playing = playing;

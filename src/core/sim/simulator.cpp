@@ -10,6 +10,7 @@
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
 #include "core/sim/model/scene_view.h"
+#include "core/sim/plugin/pair_surface.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
 #include "core/sim/scene/sweep_scene.h"
@@ -340,6 +341,35 @@ void Simulator::restore_state(const SimState& state) {
 Pose Simulator::pose_of_geom(int geom) const {
   const Impl& s = *impl_;
   return geom_pose(s.m(), s.d(), s.drawn.at(static_cast<std::size_t>(geom)));
+}
+
+PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sensors,
+                                   std::span<const Pose> X_WG) const {
+  const Impl& s = *impl_;
+  PosedContact out;
+  IntersectWorkspace workspace;
+  const HydroInstance& self = s.sensor(sensor);
+  for (const TouchedGeom& touched : self.touched()) {
+    ContactSurface& surface = out.surfaces.emplace_back();
+    if (touched.body == nullptr) continue;
+    const auto other = std::find(s.instances.begin(), s.instances.end(), touched.role.sensor);
+    if (other != s.instances.end()) {
+      const auto o = static_cast<std::size_t>(other - s.instances.begin());
+      intersect_sensors(self, s.sensor(o), touched.role.mirrored, sensors[sensor], sensors[o], surface, workspace);
+      continue;
+    }
+    const auto drawn = std::find(s.drawn.begin(), s.drawn.end(), touched.geom);
+    if (drawn == s.drawn.end() && s.m().body_weldid[s.m().geom_bodyid[touched.geom]] != 0)
+      throw Error(s.title, fmt::format("geom \"{}\" moves and is not recorded: it is invisible",
+                                       geom_name(s.m(), touched.geom)));
+    const Pose pose = drawn == s.drawn.end() ? geom_pose(s.m(), s.d(), touched.geom)
+                                             : X_WG[static_cast<std::size_t>(drawn - s.drawn.begin())];
+    intersect(*self.model()->body, *touched.body, sensors[sensor], pose, surface, workspace);
+  }
+  std::vector<const ContactSurface*> all;
+  for (const ContactSurface& surface : out.surfaces) all.push_back(&surface);
+  read_sensor(*self.model(), all, out.reading);
+  return out;
 }
 
 void Simulator::export_scene(const std::filesystem::path& folder) const {

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/project/scenario.h"
+#include "core/sensor/reading.h"
 #include "core/sim/history/step_view.h"
 #include "core/sim/sensor_times.h"
 
@@ -24,6 +26,12 @@ struct SimRow {
   std::vector<std::vector<dvec2>> shear;      ///< per sensor and taxel; empty without readout.shear
   std::vector<dvec3> uncovered_W;             ///< per sensor: see SensorRecord::uncovered_W
   std::vector<Pose> sensor_poses;             ///< X_WM per sensor
+};
+
+/// One sensor's contact where it and all else lie in given poses.
+struct PosedContact {
+  std::vector<ContactSurface> surfaces;  ///< frame M, of all that the sensor touches
+  SensorReading reading;                 ///< without motions: no shear
 };
 
 class Simulator {
@@ -67,6 +75,12 @@ class Simulator {
   void restore_state(const SimState& state);
   [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
+
+  /// The contact of a sensor of scene()->sensors as a recorded row has it, computed as a step does: the same poses give
+  /// the same bits. `sensors`: X_WM of all sensors; `X_WG`: of all geoms of scene()->geoms. Throws Error for a geom
+  /// that the sensor touches which moves and is not among them.
+  [[nodiscard]] PosedContact contact_at(std::size_t sensor, std::span<const Pose> sensors,
+                                        std::span<const Pose> X_WG) const;
 
   /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
   void export_scene(const std::filesystem::path& folder) const;

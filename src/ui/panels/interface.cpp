@@ -4,6 +4,7 @@
 #include "ui/panels/brush_card.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/explain_panel.h"
 #include "ui/panels/file_dialog.h"
 #include "ui/panels/file_notices.h"
 #include "ui/panels/generate_panel.h"
@@ -55,6 +56,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.plot) draw_plot_panel(ui, input);
   if (shown.section) draw_section(ui, input);
   if (shown.timeline && ui.mode == Mode::simulate) draw_timeline_panel(ui, input);
+  if (shown.explain && ui.mode == Mode::simulate) draw_explain_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 

@@ -32,6 +32,7 @@ struct Overlays {
   bool rays = true;                // [Y]
   bool contact_surface = true;     // [C]
   bool contact_edges = false;
+  bool ghost = true;               // of the step before's surface, while a reading is explained
   bool filtered_polygons = false;  // what the overlap has and the surface left out
   bool samples = true;             // [P]
   bool sample_normals = false;     // [N]
@@ -68,6 +69,8 @@ struct SceneInput {
   FaceSet region;                    ///< painted faces of the document's mesh, ascending
   ShownFieldsPtr fields;             ///< what of receptive fields is worked out elsewhere; null: not yet, or nothing
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
+  std::shared_ptr<const StepBefore> before;          ///< whose surfaces are drawn as ghosts; may be null
+  int marked_surface = -1, marked_polygon = -1;      ///< of the selected sensor: outlined; -1: none
   std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null
   std::vector<dvec3> measure_points;                 ///< of that line, and one that is pointed at

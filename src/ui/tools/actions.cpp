@@ -34,6 +34,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.overlays.contact_surface;
     case Action::toggle_contact_edges:
       return &saved.overlays.contact_edges;
+    case Action::toggle_ghost:
+      return &saved.overlays.ghost;
     case Action::toggle_filtered:
       return &saved.overlays.filtered_polygons;
     case Action::toggle_samples:
@@ -70,6 +72,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.plot;
     case Action::toggle_timeline:
       return &saved.panels.timeline;
+    case Action::toggle_explain:
+      return &saved.panels.explain;
     case Action::toggle_section:
       return &saved.panels.section;
     case Action::toggle_messages:
@@ -284,6 +288,7 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::play_backwards:
     case Action::loop_range:
     case Action::break_on_jump:
+    case Action::explain:
       return has_history(input);
     case Action::mode_layout:
     case Action::close_document:

@@ -8,6 +8,7 @@
 #include "ui/scene/gizmo.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/brush.h"
+#include "ui/tools/explain_tool.h"
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
@@ -77,6 +78,8 @@ bool clicked_in_place(ImGuiMouseButton button) {
 
 void select_under(UiState& ui, const UiInput& input, const std::optional<Pick>& under) {
   if (under && under->sensor >= 0 && ui.mode == Mode::simulate) ui.selection.sensor = under->sensor;
+  if (under && under->polygon >= 0 && under->taxel < 0 && ui.mode == Mode::simulate)
+    return inspect_polygon(ui, {under->surface, under->polygon});
   const bool shift = ImGui::GetIO().KeyShift;
   const SensorModelPtr model = input.shown_model(ui);
   if (under && under->taxel >= 0 && model && under->taxel < model->taxel_count()) {
@@ -99,6 +102,13 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
     scene.measured = input.measured;
     for (const MeasurePoint& point : ui.measure.points) scene.measure_points.push_back(point.at);
     if (ui.measure.hover) scene.measure_points.push_back(ui.measure.hover->at);
+  }
+  if (ui.mode == Mode::simulate && ui.saved.panels.explain) {
+    if (input.frame && ui.saved.overlays.ghost) scene.before = input.frame->before;
+    if (ui.explain.polygon) {
+      scene.marked_surface = ui.explain.polygon->surface;
+      scene.marked_polygon = ui.explain.polygon->polygon;
+    }
   }
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;

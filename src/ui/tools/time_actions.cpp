@@ -1,4 +1,5 @@
 #include "ui/tools/time_actions.h"
+#include "ui/tools/explain_tool.h"
 
 namespace taxel::ui {
 
@@ -40,6 +41,9 @@ bool perform_in_time(Action action, UiState& ui, const UiInput& input) {
       return true;
     case Action::loop_range:
       toggle_loop(ui, input);
+      return true;
+    case Action::explain:
+      explain_reading(ui, input);
       return true;
     case Action::break_on_jump: {
       Breakpoints breakpoints = input.frame->breakpoints;

@@ -31,8 +31,7 @@ struct PressedPlate {
     layout.taxels = {{7, "", kCenter, dvec3(0, 0, 1), kRadius, {}}};
     model = test::preview_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.010, 0.002))));
     const double a = 0.01, z = 0.001;
-    add_polygon(surface, {dvec3(from, -a, z), dvec3(a, -a, z), dvec3(a, a, z), dvec3(from, a, z)}, 2e4,
-                kSlope);
+    add_polygon(surface, {dvec3(from, -a, z), dvec3(a, -a, z), dvec3(a, a, z), dvec3(from, a, z)}, 2e4, kSlope);
   }
   [[nodiscard]] ExactReading read() const {
     const ContactSurface* list[] = {&surface, nullptr};

@@ -114,8 +114,7 @@ inline Layout layout_of(FieldKind field, double density, SampleWeights weights =
 inline void add_taxel(Layout& layout, const TriMeshPtr& mesh, const dvec3& p, double radius) {
   const SurfacePoint s = MeshIndex(mesh).closest_point(p);
   const int id = static_cast<int>(layout.taxels.size()) + 1;
-  layout.taxels.push_back(
-      {id, "", s.position, mesh->face_normals()[static_cast<std::size_t>(s.face)], radius, {}});
+  layout.taxels.push_back({id, "", s.position, mesh->face_normals()[static_cast<std::size_t>(s.face)], radius, {}});
 }
 /// Five taxels in a row along z on the side +x of the finger.
 inline void add_row(Layout& layout, const TriMeshPtr& mesh) {
@@ -150,7 +149,7 @@ inline std::vector<Pose> two_taps(const TriMeshPtr& mesh, const dvec3& p, const 
 }
 /// Taps, each as deep as it takes for a force.
 inline std::vector<Pose> equal_taps(const LabelledCase& c, const TriMeshPtr& mesh, const std::vector<dvec3>& at,
-                                        double ball, double force) {
+                                    double ball, double force) {
   std::vector<Pose> path;
   for (const dvec3& p : at) {
     double low = 0, high = 0.0018;

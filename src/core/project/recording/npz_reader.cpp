@@ -105,8 +105,7 @@ NpzReader::Array NpzReader::parse(const std::string& name, const std::string& by
   constexpr std::size_t kPrefix = 10;
   if (bytes.size() < kPrefix || bytes.compare(0, 8, std::string("\x93NUMPY\x01\x00", 8)) != 0)
     throw Error(file_, name, "is no array in NPY 1.0");
-  const std::size_t header =
-      static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
+  const std::size_t header = static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
   if (bytes.size() < kPrefix + header) throw Error(file_, name, "is broken off");
   const std::string_view dictionary(bytes.data() + kPrefix, header);
   Array array;

@@ -32,6 +32,7 @@ struct Look {
   glm::vec4 unused_sample;
   glm::vec4 ray_hit, ray_miss;
   glm::vec4 path, force, selection;
+  glm::vec4 ghost;  ///< of the step before
   glm::vec4 wire;
 };
 

@@ -18,6 +18,7 @@ constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the sc
 constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
 constexpr int kMostSeenThrough = 300;                       // taxels
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7;
+constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
 constexpr double kForceScale = 0.012;  // [m/N]
 constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
@@ -72,6 +73,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     const bool selected = view.selected_taxel >= 0;
     if (input.overlays.rays && !selected) draw_rays(scene, view);
     draw_contact(scene, view);
+    if (input.overlays.contact_surface) draw_explained(scene, view);
     if (input.overlays.filtered_polygons) draw_filtered(scene, view);
     if (input.overlays.rays && selected) draw_rays(scene, view);
   }
@@ -170,6 +172,29 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
   state.toward_eye = kBeforeContact;
   state.depth_write = false;
   scene.segments.draw_lines(edges, state);
+}
+
+/// The surfaces of the step before as thin lines, where they were; the marked polygon of now boldly.
+void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
+  const SceneInput& input = scene.input;
+  if (const StepBefore* before = input.before.get();
+      before != nullptr && static_cast<std::size_t>(view.index) < before->sensors.size()) {
+    const SensorFrameState& was = before->sensors[static_cast<std::size_t>(view.index)];
+    Segments lines;
+    for (const ContactSurface& surface : was.surfaces)
+      append_edges(surface, kGhostWidth, pack(scene.look.ghost), lines);
+    scene.segments.draw_lines(lines, {.world_from_model = matrix(was.X_WM), .toward_eye = kBeforeContact});
+  }
+  if (view.index != input.selected_sensor || input.marked_polygon < 0) return;
+  const auto s = static_cast<std::size_t>(input.marked_surface), p = static_cast<std::size_t>(input.marked_polygon);
+  if (s >= view.state->surfaces.size() || p >= view.state->surfaces[s].polygons.size()) return;
+  const ContactSurface& surface = view.state->surfaces[s];
+  Segments under, outline;
+  append_edges(surface, surface.polygons[p], kMarkedWidth + 2, pack(scene.look.mark_outline), under);
+  append_edges(surface, surface.polygons[p], kMarkedWidth, pack(scene.look.selection), outline);
+  const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeContact};
+  scene.segments.draw_lines(under, state);
+  scene.segments.draw_lines(outline, state);
 }
 
 /// Before everything else, for what is left out lies on the skin or is a sliver.

@@ -40,6 +40,7 @@ class SensorMarks {
   void draw_rings(const Scene& scene, const SensorView& view, bool towards);
   void draw_fields(const Scene& scene, const SensorView& view);
   void draw_contact(const Scene& scene, const SensorView& view);
+  void draw_explained(const Scene& scene, const SensorView& view);
   void draw_filtered(const Scene& scene, const SensorView& view);
   void draw_rays(const Scene& scene, const SensorView& view);
   void draw_taxels(const Scene& scene, const SensorView& view, bool towards);

@@ -18,14 +18,15 @@ void append_triangles(const ContactSurface& surface, std::vector<SurfaceVertex>&
   }
 }
 
+void append_edges(const ContactSurface& surface, const ContactPolygon& polygon, float width, std::uint32_t rgba,
+                  Segments& out) {
+  const auto vertex = [&](int i) { return surface.vertices[static_cast<std::size_t>(polygon.first + i)]; };
+  for (int i = 0; i < polygon.count; ++i)
+    out.push_back(segment(vertex(i), vertex(i + 1 < polygon.count ? i + 1 : 0), width, rgba));
+}
+
 void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba, Segments& out) {
-  const auto vertex = [&](int i) { return surface.vertices[static_cast<std::size_t>(i)]; };
-  for (const ContactPolygon& polygon : surface.polygons) {
-    for (int i = 0; i < polygon.count; ++i) {
-      const int next = i + 1 < polygon.count ? i + 1 : 0;
-      out.push_back(segment(vertex(polygon.first + i), vertex(polygon.first + next), width, rgba));
-    }
-  }
+  for (const ContactPolygon& polygon : surface.polygons) append_edges(surface, polygon, width, rgba, out);
 }
 
 void append_rim(const ContactSurface& surface, const PressureRange& range, Segments& out) {

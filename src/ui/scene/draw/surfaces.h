@@ -20,7 +20,9 @@ struct SurfaceVertex {
 
 /// Fans of all polygons as plain triangles; the pressure, linear on each polygon, stays exact under interpolation.
 void append_triangles(const ContactSurface& surface, std::vector<SurfaceVertex>& out);
-/// The outline of each polygon.
+/// The outline of one polygon, or of each.
+void append_edges(const ContactSurface& surface, const ContactPolygon& polygon, float width, std::uint32_t rgba,
+                  Segments& out);
 void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba, Segments& out);
 /// The rim, where a soft body's pressure ends at nothing, as lines in the colours of their pressures: drawn before the
 /// triangles, which cover their inner half, they smooth its steps.

@@ -1,0 +1,195 @@
+// taxel explain: where a recorded reading comes from, and why it changed.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/explain_report.h"
+#include "core/project/explanation_json.h"
+#include "core/project/recording/npz.h"
+#include "core/sim/history/breakpoints.h"
+#include "core/sim/plugin/plugin_folder.h"
+#include "core/sim/simulator.h"
+
+namespace taxel::cli {
+namespace {
+
+struct Options {
+  std::string run, sensor, plugins;
+  int taxel = 0;
+  double time = 0;
+  Breakpoints limits;
+};
+
+/// A recording, the scene it was made in, and which sensor is asked about.
+struct Run {
+  std::string file;
+  Recording recording;
+  std::unique_ptr<Simulator> simulator;
+  std::size_t sensor = 0, taxel = 0;
+};
+
+std::size_t sensor_of(const Run& run, const std::string& geom) {
+  const std::vector<RecordedSensor>& sensors = run.recording.sensors;
+  std::string names;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i].geom == geom) return i;
+    names += (i > 0 ? ", " : "") + sensors[i].geom;
+  }
+  if (geom.empty() && sensors.size() == 1) return 0;
+  if (sensors.empty()) throw Error(run.file, "sensor_geoms", "names no sensor");
+  throw Error(run.file, geom.empty() ? "has several sensors: name one by --sensor: " + names
+                                     : fmt::format("has no sensor \"{}\", but {}", geom, names));
+}
+
+std::size_t taxel_of(const Run& run, int id) {
+  const std::vector<int>& ids = run.recording.sensors[run.sensor].taxel_ids;
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found == ids.end())
+    throw Error(run.file, fmt::format("has no taxel {}, its ids are {}", id, fmt::join(ids, ", ")));
+  return static_cast<std::size_t>(found - ids.begin());
+}
+
+/// The scene beside the recording, which must be the one that was recorded.
+void load_scene(Run& run) {
+  const std::filesystem::path scene = std::filesystem::path(run.file).parent_path() / "scene.xml";
+  if (!std::filesystem::exists(scene))
+    throw Error(scene.string(),
+                "is missing: the contact is computed anew from the scene that lies beside the recording");
+  run.simulator = Simulator::load(scene);
+  const SimScene& made = *run.simulator->scene();
+  const auto differs = [&](const std::string& what) {
+    throw Error(scene.string(), "is not the recorded scene: " + what);
+  };
+  if (made.sensors.size() != run.recording.sensors.size())
+    differs(fmt::format("it has {} sensors, the recording {}", made.sensors.size(), run.recording.sensors.size()));
+  for (std::size_t i = 0; i < made.sensors.size(); ++i) {
+    const RecordedSensor& recorded = run.recording.sensors[i];
+    if (made.sensor_geoms[i] != recorded.geom)
+      differs(
+          fmt::format("sensor {} lies on \"{}\", in the recording on \"{}\"", i, made.sensor_geoms[i], recorded.geom));
+    std::vector<int> ids;
+    for (const Taxel& taxel : made.sensors[i]->layout.taxels) ids.push_back(taxel.id);
+    if (ids != recorded.taxel_ids) differs(fmt::format("the taxels of \"{}\" are others", recorded.geom));
+  }
+  std::vector<std::string> objects;
+  for (const SceneGeom& geom : made.geoms)
+    if (geom.sensor < 0) objects.push_back(geom.name);
+  if (objects != run.recording.objects) differs("its geoms are others");
+}
+
+/// The row that is nearest in time; of equal ones the first.
+std::size_t row_at(const Run& run, double time) {
+  const std::vector<RecordedRow>& rows = run.recording.rows;
+  if (rows.empty()) throw Error(run.file, "time", "has no rows");
+  const auto nearer = [&](const RecordedRow& a, const RecordedRow& b) {
+    return std::abs(a.time - time) < std::abs(b.time - time);
+  };
+  const double last = rows.back().time, step = run.recording.timestep;
+  if (time < rows.front().time - step || time > last + step)
+    throw Error(run.file, fmt::format("ends at {:.6g} s and begins at {:.6g} s, asked for is {:.6g} s", last,
+                                      rows.front().time, time));
+  return static_cast<std::size_t>(std::min_element(rows.begin(), rows.end(), nearer) - rows.begin());
+}
+
+/// A row with its contact computed anew from its poses.
+struct RebuiltRow {
+  PosedContact contact;
+  SensorStep step;
+};
+
+std::unique_ptr<RebuiltRow> rebuild(const Run& run, std::size_t number) {
+  const RecordedRow& row = run.recording.rows[number];
+  std::vector<Pose> sensors, geoms;
+  for (const SensorRecord& record : row.sensors) sensors.push_back(record.X_WM);
+  std::size_t object = 0;
+  for (const SceneGeom& geom : run.simulator->scene()->geoms)
+    geoms.push_back(geom.sensor < 0 ? row.objects[object++] : Pose{});
+  auto out = std::make_unique<RebuiltRow>();
+  out->contact = run.simulator->contact_at(run.sensor, sensors, geoms);
+  out->step.time = row.time;
+  out->step.X_WM = sensors[run.sensor];
+  for (const ContactSurface& surface : out->contact.surfaces) out->step.surfaces.push_back(&surface);
+  out->step.hits = &out->contact.reading.hits.all();
+  out->step.readings = out->contact.reading.values;
+  out->step.force_W = row.sensors[run.sensor].force_W;
+  return out;
+}
+
+/// What the recording says of the taxel must be what the contact reads now; else another program, or other files.
+void compare(const Run& run, std::size_t row, const RebuiltRow& rebuilt, Console& console) {
+  constexpr double kSame = 1e-6;  // scenes of `taxel run` hold rounded numbers
+  const double recorded = run.recording.rows[row].sensors[run.sensor].readings[run.taxel];
+  const double now = rebuilt.step.readings[run.taxel];
+  if (std::abs(recorded - now) > kSame * std::max(std::abs(recorded), std::abs(now)))
+    console.warn(
+        fmt::format("{}: the row at {:.6g} s recorded {:.8g}, its contact reads {:.8g} now: the scene's files or "
+                    "the program are others than were recorded with",
+                    run.file, run.recording.rows[row].time, recorded, now));
+}
+
+/// The largest reading up to the row, as a breakpoint of the window counts it.
+double largest_until(const Run& run, std::size_t last, const Breakpoints& limits) {
+  double largest = run.recording.sensors[run.sensor].force ? limits.least_force : limits.least_pressure;
+  for (std::size_t r = 0; r <= last; ++r)
+    for (const double reading : run.recording.rows[r].sensors[run.sensor].readings)
+      largest = std::max(largest, std::abs(reading));
+  return largest;
+}
+
+int run(const Options& options, Console& console) {
+  if (!options.plugins.empty()) load_plugin_folder(options.plugins);
+  Run run;
+  run.file = recording_file(options.run).string();
+  run.recording = read_recording(options.run);
+  run.sensor = sensor_of(run, options.sensor);
+  run.taxel = taxel_of(run, options.taxel);
+  const std::size_t row = row_at(run, options.time);
+  load_scene(run);
+  const auto now = rebuild(run, row);
+  const auto before = row > 0 ? rebuild(run, row - 1) : nullptr;
+  compare(run, row, *now, console);
+  if (before != nullptr) compare(run, row - 1, *before, console);
+  const ExplainLimits limits{options.limits.jump, options.limits.equal_force, largest_until(run, row, options.limits)};
+  const Explanation found =
+      Explainer().explain(run.simulator->scene()->sensors[run.sensor], static_cast<int>(run.taxel), now->step,
+                          before != nullptr ? &before->step : nullptr, limits);
+  console.result(console.json() ? explanation_to_json(found) : explain_text(found));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& parent, CommonOptions& common) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = add_command(
+      parent, common, "explain",
+      "Why a recorded reading is what it is: its samples and polygons, the exact integral, what changed since the row "
+      "before, and whether the contact or the method did it",
+      "taxel explain result --taxel 3 --time 1.25");
+  app->add_option("RUN", options->run,
+                  "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must lie beside it")
+      ->required()
+      ->option_text("(required)");
+  app->add_option("--taxel", options->taxel, "Id of the taxel")->required()->type_name("ID");
+  app->add_option("--time", options->time, "The row nearest to this time [s]")
+      ->required()
+      ->check(finite())
+      ->type_name("S");
+  app->add_option("--sensor", options->sensor, "Geom of the sensor, where the recording has several")
+      ->type_name("GEOM");
+  app->add_option("--jump", options->limits.jump,
+                  "A change from row to row is a jump above this part of the sensor's largest reading so far")
+      ->check(positive())
+      ->capture_default_str();
+  app->add_option("--equal-force", options->limits.equal_force,
+                  "The force stays where it changes by at most this part of itself")
+      ->check(not_negative())
+      ->capture_default_str();
+  app->add_option("--plugins", options->plugins, "Load the plugin libraries of this folder first, as for `taxel run`")
+      ->type_name("DIR");
+  return {app, [options](Console& console) { return run(*options, console); }};
+}
+
+}  // namespace taxel::cli

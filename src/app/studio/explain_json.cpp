@@ -1,0 +1,23 @@
+#include "app/studio/explain_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/project/explanation_json.h"
+#include "ui/tools/explain_tool.h"
+
+namespace taxel::studio {
+
+std::string explain_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+  using Json = nlohmann::ordered_json;
+  const Explanation* found = ui::shown_explanation(ui, input);
+  if (found == nullptr) return "null";
+  Json json = Json::parse(explanation_to_json(*found));
+  json["step"] = input.frame->step;
+  json["step_before"] = input.frame->before ? Json(input.frame->before->step) : Json(nullptr);
+  json["ghost"] = ui.view.input.before != nullptr;
+  json["selected_polygon"] = nullptr;
+  if (ui.explain.polygon) json["selected_polygon"] = {ui.explain.polygon->surface, ui.explain.polygon->polygon};
+  return json.dump();
+}
+
+}  // namespace taxel::studio

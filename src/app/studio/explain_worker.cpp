@@ -1,0 +1,85 @@
+#include "app/studio/explain_worker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace taxel::studio {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+SensorStep step_of(const SensorFrameState& state, double time) {
+  SensorStep step;
+  step.time = time;
+  step.X_WM = state.X_WM;
+  for (const ContactSurface& surface : state.surfaces) step.surfaces.push_back(&surface);
+  step.hits = &state.hits;
+  step.readings = state.readings;
+  step.force_W = state.force_W;
+  return step;
+}
+
+/// The step before, where the same layout read it.
+const SensorFrameState* state_before(const SimFrame& frame, int sensor) {
+  const StepBefore* before = frame.before.get();
+  if (before == nullptr || index(sensor) >= before->sensors.size() ||
+      before->scene->sensors[index(sensor)] != frame.scene->sensors[index(sensor)])
+    return nullptr;
+  return &before->sensors[index(sensor)];
+}
+
+/// As the breakpoints count it.
+double largest_until(const SimFrame& frame, int sensor, Aggregate aggregate) {
+  const Breakpoints& limits = frame.breakpoints;
+  const double least = aggregate == Aggregate::force ? limits.least_force : limits.least_pressure;
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  if (lanes == nullptr || lanes->rows() == 0) return least;
+  return std::max(least, lanes->sensor(lanes->row_of(frame.step), index(sensor)).largest_reading);
+}
+
+}  // namespace
+
+bool ExplainWorker::Job::operator==(const Job& other) const {
+  const SimFrame &a = *frame, &b = *other.frame;
+  return wish == other.wish && a.step == b.step && a.runs == b.runs && a.scene == b.scene &&
+         (a.before == nullptr) == (b.before == nullptr) && a.breakpoints == b.breakpoints;
+}
+
+ExplainWorker::ExplainWorker(std::function<void()> wake)
+    : worker_([this](const Job& job, Progress& progress) { return attempt(job, progress); }, std::move(wake),
+              Overtaken::cancel) {}
+
+void ExplainWorker::explain(const SimFramePtr& frame, const std::optional<ui::ExplainWish>& wish) {
+  const bool there = frame && wish && index(wish->sensor) < frame->sensors.size();
+  worker_.ask(there ? std::optional(Job{frame, *wish}) : std::nullopt);
+}
+
+ui::ExplainedPtr ExplainWorker::attempt(const Job& job, Progress& progress) {
+  auto out = std::make_shared<ui::ExplainedStep>();
+  out->wish = job.wish;
+  out->step = job.frame->step;
+  try {
+    const SimFrame& frame = *job.frame;
+    const SensorModelPtr& model = frame.scene->sensors[index(job.wish.sensor)];
+    const std::vector<Taxel>& taxels = model->layout.taxels;
+    const auto taxel =
+        std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == job.wish.taxel; });
+    const SensorStep now = step_of(frame.sensors[index(job.wish.sensor)], frame.time);
+    std::optional<SensorStep> before;
+    if (const SensorFrameState* state = state_before(frame, job.wish.sensor))
+      before = step_of(*state, frame.before->time);
+    const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
+                               largest_until(frame, job.wish.sensor, model->layout.readout.aggregate)};
+    const int number = taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
+    out->explanation = explainer_.explain(model, number, now, before ? &*before : nullptr, limits, &progress);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    out->problem = error.what();
+  }
+  return out;
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "core/base/error.h"
+#include "core/project/recording/npz.h"
+
+namespace taxel {
+namespace {
+
+dvec3 vector_at(const std::vector<double>& values, std::size_t i) {
+  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
+Pose pose_at(const std::vector<double>& pos, const std::vector<double>& quat, std::size_t i) {
+  return {{quat[4 * i], quat[4 * i + 1], quat[4 * i + 2], quat[4 * i + 3]}, vector_at(pos, i)};
+}
+
+std::string text_of(const NpzReader& npz, const std::string& name) {
+  const std::vector<std::string> texts = npz.texts(name);
+  if (texts.size() != 1) throw Error(npz.file(), name, "must be one text");
+  return texts.front();
+}
+
+/// The unit of the readings as `units` (JSON text) says.
+std::string unit_of_readings(const NpzReader& npz) {
+  const std::string units = text_of(npz, "units"), key = "\"readings\": \"";
+  const std::size_t at = units.find(key);
+  if (at == std::string::npos) throw Error(npz.file(), "units", "says nothing of \"readings\"");
+  return units.substr(at + key.size(), units.find('"', at + key.size()) - at - key.size());
+}
+
+void read_rows(const NpzReader& npz, Recording& recording) {
+  const std::vector<double> time = npz.doubles("time", {NpzReader::kAny});
+  const std::size_t n = time.size();
+  const std::vector<double> travel = npz.doubles("travel", {n});
+  const std::vector<std::int64_t> step = npz.integers("step", {n});
+  recording.objects = npz.texts("object_names");
+  const std::size_t m = recording.objects.size();
+  const std::vector<double> pos = npz.doubles("object_pos", {n, m, 3}), quat = npz.doubles("object_quat", {n, m, 4});
+  for (std::size_t r = 0; r < n; ++r) {
+    RecordedRow& row = recording.rows.emplace_back();
+    row.step = step[r], row.time = time[r], row.travel = travel[r];
+    for (std::size_t o = 0; o < m; ++o) row.objects.push_back(pose_at(pos, quat, r * m + o));
+  }
+}
+
+void read_tangents(const NpzReader& npz, const std::string& prefix, RecordedSensor& sensor) {
+  const std::vector<double> values = npz.doubles(prefix + "tangents", {sensor.taxel_ids.size(), 2, 3});
+  for (std::size_t k = 0; k < sensor.taxel_ids.size(); ++k)
+    sensor.tangents.push_back({vector_at(values, 2 * k), vector_at(values, 2 * k + 1)});
+}
+
+RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& prefix, const std::string& geom) {
+  RecordedSensor sensor;
+  sensor.geom = geom;
+  for (const std::int64_t id : npz.integers(prefix + "taxel_ids", {NpzReader::kAny}))
+    sensor.taxel_ids.push_back(static_cast<int>(id));
+  sensor.taxel_names = npz.texts(prefix + "taxel_names");
+  if (sensor.taxel_names.size() != sensor.taxel_ids.size())
+    throw Error(npz.file(), prefix + "taxel_names", "has not one name per id");
+  sensor.layout_json = text_of(npz, prefix + "layout");
+  sensor.seed = std::bit_cast<std::uint64_t>(npz.integers(prefix + "seed", {}).front());
+  sensor.force = npz.has(prefix + "uncovered");
+  sensor.shear = npz.has(prefix + "shear");
+  if (sensor.shear) read_tangents(npz, prefix, sensor);
+  if (npz.has(prefix + "calibrated_unit")) sensor.calibrated_unit = text_of(npz, prefix + "calibrated_unit");
+  return sensor;
+}
+
+void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording& recording) {
+  const RecordedSensor& sensor = recording.sensors.back();
+  const std::size_t n = recording.rows.size(), k = sensor.taxel_ids.size();
+  const auto optional = [&](bool there, const char* name, const NpzReader::Shape& shape) {
+    return there ? npz.doubles(prefix + name, shape) : std::vector<double>();
+  };
+  const std::vector<double> force = npz.doubles(prefix + "force", {n, 3}), area = npz.doubles(prefix + "area", {n}),
+                            readings = npz.doubles(prefix + "readings", {n, k}),
+                            pos = npz.doubles(prefix + "sensor_pos", {n, 3}),
+                            quat = npz.doubles(prefix + "sensor_quat", {n, 4}),
+                            calibrated = optional(sensor.calibrated_unit.has_value(), "calibrated", {n, k}),
+                            shear = optional(sensor.shear, "shear", {n, k, 2}),
+                            uncovered = optional(sensor.force, "uncovered", {n, 3});
+  const std::vector<std::int64_t> polygons = npz.integers(prefix + "polygons", {n});
+  const auto row_of = [&](const std::vector<double>& values, std::size_t r) {
+    return values.empty() ? std::vector<double>()
+                          : std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(r * k),
+                                                values.begin() + static_cast<std::ptrdiff_t>((r + 1) * k));
+  };
+  for (std::size_t r = 0; r < n; ++r) {
+    SensorRecord record;
+    record.force_W = vector_at(force, r);
+    record.area = area[r];
+    record.polygons = static_cast<int>(polygons[r]);
+    record.readings = row_of(readings, r);
+    record.X_WM = pose_at(pos, quat, r);
+    record.calibrated = row_of(calibrated, r);
+    for (std::size_t i = 0; !shear.empty() && i < k; ++i)
+      record.shear.push_back({shear[2 * (r * k + i)], shear[2 * (r * k + i) + 1]});
+    if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, r);
+    recording.rows[r].sensors.push_back(std::move(record));
+  }
+}
+
+}  // namespace
+
+std::filesystem::path recording_file(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? path / "readings.npz" : path;
+}
+
+Recording read_recording(const std::filesystem::path& path) {
+  const NpzReader npz(recording_file(path));
+  Recording recording;
+  read_rows(npz, recording);
+  const std::vector<std::string> geoms = npz.texts("sensor_geoms");
+  const std::string unit = unit_of_readings(npz);
+  for (const std::string& geom : geoms) {
+    const std::string prefix = geoms.size() > 1 ? geom + "/" : "";
+    recording.sensors.push_back(read_sensor_columns(npz, prefix, geom));
+    recording.sensors.back().reading_unit = unit;
+    read_sensor_rows(npz, prefix, recording);
+  }
+  const std::vector<double> pos = npz.doubles("mocap_pos", {NpzReader::kAny, 3});
+  const std::vector<double> quat = npz.doubles("mocap_quat", {pos.size() / 3, 4});
+  for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_at(pos, quat, i));
+  recording.timestep = npz.doubles("timestep", {}).front();
+  return recording;
+}
+
+}  // namespace taxel

@@ -1,0 +1,102 @@
+// `taxel explain` on recordings: the numbers of the recording, a verdict, and refusals that name what is wrong.
+#include <cmath>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// A sweep with few samples: its readings jump.
+fs::path coarse_sweep() {
+  return shared_sweep({"--density", "5e5", "--past", "0.002"});
+}
+
+struct LargestJump {
+  int taxel = 0;
+  double time = 0, before = 0, after = 0;
+};
+LargestJump largest_jump(const fs::path& run) {
+  const Table table = read_csv(run / "readings.csv");
+  LargestJump jump;
+  for (int id = 0; id < 12; ++id) {
+    const std::vector<double>& r = table.at("taxel_" + std::to_string(id));
+    for (std::size_t i = 1; i < r.size(); ++i)
+      if (std::abs(r[i] - r[i - 1]) > std::abs(jump.after - jump.before))
+        jump = {id, table.at("time")[i], r[i - 1], r[i]};
+  }
+  return jump;
+}
+
+Json explain(const fs::path& run, int taxel, double time) {
+  return taxel_json({"explain", run.string(), "--taxel", std::to_string(taxel), "--time", std::to_string(time)});
+}
+
+TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
+  const fs::path run = coarse_sweep();
+  const LargestJump jump = largest_jump(run);
+  const Json found = explain(run, jump.taxel, jump.time);
+  EXPECT_EQ(found["taxel"]["id"], jump.taxel);
+  EXPECT_EQ(found["reading"].get<double>(), jump.after);  // to the last bit
+  EXPECT_EQ(found["change"]["before"].get<double>(), jump.before);
+  EXPECT_NEAR(found["time"].get<double>(), jump.time, 1e-12);
+  EXPECT_EQ(found["verdict"]["cause"], "sampling_noise");
+  EXPECT_GT(found["verdict"]["samples_needed"]["factor"].get<double>(), 1.0);
+  const Json& v = found["verdict"];
+  EXPECT_NEAR(v["noise"].get<double>() + v["field"].get<double>() + v["contact"].get<double>(),
+              jump.after - jump.before, 1e-6);
+  double share = 0, polygons = 0;
+  for (const Json& s : found["samples"]) share += s["share"].get<double>();
+  for (const Json& p : found["polygons"]) polygons += p["share"].get<double>();
+  EXPECT_NEAR(share, 1, 1e-9);
+  EXPECT_NEAR(polygons, 1, 1e-9);
+  EXPECT_EQ(found["convergence"]["values"][1].get<double>(), jump.after);
+  // The exact integral is nearer to what four times the samples read than the few samples are.
+  const double exact = found["exact"]["value"], four = found["convergence"]["values"][2];
+  EXPECT_LT(std::abs(four - exact), std::abs(found["convergence"]["values"][0].get<double>() - exact));
+}
+
+TEST(Explain, TextSaysTheVerdictFirst) {
+  const fs::path run = coarse_sweep();
+  const LargestJump jump = largest_jump(run);
+  const Outcome out = taxel({"explain", (run / "readings.npz").string(), "--taxel", std::to_string(jump.taxel),
+                             "--time", std::to_string(jump.time)});
+  EXPECT_EQ(out.status, 0);
+  EXPECT_EQ(out.err, "");
+  EXPECT_EQ(out.out.rfind("Sampling noise: ", 0), 0U) << out.out.substr(0, 200);
+  for (const char* part : {"polygons serve the taxel", "samples hit, now or before", "force on the sensor, world [N]"})
+    EXPECT_NE(out.out.find(part), std::string::npos) << part;
+  // Nothing jumps by half of the largest reading.
+  const Json calm = taxel_json({"explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time",
+                                std::to_string(jump.time), "--jump", "0.5"});
+  EXPECT_EQ(calm["verdict"]["cause"], "none");
+  const Json first = explain(run, 3, 0);
+  EXPECT_TRUE(first["verdict"].is_null());
+}
+
+TEST(Explain, RefusesWhatItCannotExplain) {
+  const fs::path run = coarse_sweep(), npz = run / "readings.npz";
+  const auto refused = [&](const fs::path& of, const std::vector<std::string>& more, const std::string& line) {
+    std::vector<std::string> arguments{"explain", of.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refusal(taxel(arguments), line);
+  };
+  refused(run, {"--taxel", "77", "--time", "1"},
+          "taxel: " + npz.string() + ": has no taxel 77, its ids are 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11");
+  refused(run, {"--taxel", "3", "--time", "1", "--sensor", "thumb"},
+          "taxel: " + npz.string() + ": has no sensor \"thumb\", but finger");
+  refused(run, {"--taxel", "3", "--time", "99"},
+          "taxel: " + npz.string() + ": ends at 1.4 s and begins at 0 s, asked for is 99 s");
+  const fs::path folder = test_folder();
+  refused(folder, {"--taxel", "3", "--time", "1"},
+          "taxel: " + (folder / "readings.npz").string() + ": cannot be read as .npz: No such file");
+  fs::copy(npz, folder);
+  refused(folder, {"--taxel", "3", "--time", "1"},
+          "taxel: " + (folder / "scene.xml").string() +
+              ": is missing: the contact is computed anew from the scene that lies beside the recording");
+  write_text(folder / "broken.npz", file_text(npz).substr(0, 3000));
+  EXPECT_EQ(taxel({"explain", (folder / "broken.npz").string(), "--taxel", "3", "--time", "1"}).status, 2);
+}
+
+}  // namespace
+}  // namespace taxel::test

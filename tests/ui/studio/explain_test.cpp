@@ -1,0 +1,139 @@
+// The Explain panel through the program: a bar that is clicked is explained, polygons are selected in view, table and
+// scatter alike, and `taxel explain` says the same.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+/// Our fingertip with few samples, whose readings jump.
+std::vector<std::string> coarse_layout(const StudioProgram& studio) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 5e5;
+  write_text(studio.folder() / "coarse.taxels.json", layout.dump());
+  return {"coarse.taxels.json"};
+}
+
+std::string wait_time(double time) {
+  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
+}
+std::string middle_of(const Json& rect) {
+  return Json({0.5 * (rect[0].get<double>() + rect[2].get<double>()),
+               0.5 * (rect[1].get<double>() + rect[3].get<double>())})
+      .dump();
+}
+const Json* bar_of(const Json& state, int id) {
+  for (const Json& bar : state["bars"])
+    if (bar["taxel"] == id) return &bar;
+  return nullptr;
+}
+
+/// Paused in the step in which a taxel jumped, explained.
+const Lines kExplained{key("="), key("="), key("b", kShift),      wait_time(1.3), kIdle, key("e"),
+                       kIdle,    kIdle,    dump("explained.json")};
+
+TEST(Explain, TheTaxelThatJumpedIsExplainedWhereItJumped) {
+  const StudioProgram studio;
+  studio.play(kExplained, coarse_layout(studio));
+  const Json state = studio.state("explained.json"), &stop = state["simulation"]["history"]["stop"];
+  ASSERT_TRUE(stop.is_object()) << state["simulation"]["history"].dump();
+  const Json& found = state["explain"];
+  ASSERT_TRUE(found.is_object());
+  EXPECT_EQ(found["taxel"]["id"], stop["taxel"]);
+  EXPECT_EQ(found["step"], stop["step"]);
+  EXPECT_EQ(found["step_before"].get<int>(), stop["step"].get<int>() - 1);
+  EXPECT_EQ(found["reading"], stop["after"]);
+  EXPECT_EQ(found["change"]["before"], stop["before"]);
+  EXPECT_NE(found["verdict"]["cause"], "none");
+  EXPECT_NEAR(std::abs(found["verdict"]["change"].get<double>()) / found["verdict"]["limit"].get<double>(),
+              stop["part"].get<double>() / 0.1, 1e-9)
+      << "the limit is the breakpoint's";
+  EXPECT_TRUE(found["ghost"].get<bool>());
+  EXPECT_EQ(state["selection"]["taxel"], stop["taxel"]);
+}
+
+TEST(Explain, FollowsAClickedBarAndScrubbing) {
+  const StudioProgram studio;
+  const auto layout = coarse_layout(studio);
+  const Lines start{key("="), key("="), wait_time(1.3), key("Space"), kIdle, dump("plain.json")};
+  studio.play(start, layout);
+  const Json plain = studio.state("plain.json");
+  EXPECT_TRUE(plain["explain"].is_null());
+  const Json* bar = bar_of(plain, 4);
+  ASSERT_NE(bar, nullptr);
+  studio.play(joined({start,
+                      {click(middle_of((*bar)["rect"])), key("e"), kIdle, kIdle, dump("bar.json"), key("Left"), kIdle,
+                       kIdle, dump("back.json"), key("e"), key("Right"), kIdle, kIdle, dump("again.json")}}),
+              layout);
+  const Json at = studio.state("bar.json"), back = studio.state("back.json"), again = studio.state("again.json");
+  EXPECT_EQ(at["explain"]["taxel"]["id"], 4);
+  EXPECT_EQ(at["explain"]["reading"], at["simulation"]["readings"][4]);
+  EXPECT_EQ(back["explain"]["step"].get<int>(), at["explain"]["step"].get<int>() - 1);
+  EXPECT_EQ(back["explain"]["reading"], at["explain"]["change"]["before"]);
+  EXPECT_EQ(again["explain"], at["explain"]) << "the same step is explained the same";
+}
+
+TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
+  const StudioProgram studio;
+  const auto layout = coarse_layout(studio);
+  studio.play(kExplained, layout);
+  const Json state = studio.state("explained.json");
+  const Json* target = nullptr;
+  for (const Json& polygon : state["polygons"])
+    if (polygon["inside"].get<bool>() && polygon["facing"].get<bool>() &&
+        (target == nullptr || polygon["area"] > (*target)["area"]))
+      target = &polygon;
+  ASSERT_NE(target, nullptr) << state["polygons"].dump().substr(0, 400);
+  studio.play(joined({kExplained,
+                      {click((*target)["pixel"].dump()), kIdle, dump("view.json"),
+                       R"({"do": "screenshot", "file": "v.png"})"}}),
+              layout);
+  const Json view = studio.state("view.json");
+  ASSERT_TRUE(view["explain"]["selected_polygon"].is_array());
+  EXPECT_EQ(view["selection"], state["selection"]) << "the taxel stays";
+  const Json row = view["explain"]["polygons"][0];
+  const std::string label = "Polygon " + std::to_string(row["surface"].get<int>()) + "/";
+  std::string first;
+  for (const Json& widget : view["widgets"])
+    if (first.empty() && widget["label"].get<std::string>().rfind(label, 0) == 0) first = widget["label"];
+  ASSERT_FALSE(first.empty());
+  studio.play(joined({kExplained, {press(first), kIdle, dump("table.json")}}), layout);
+  const Json selected = studio.state("table.json")["explain"]["selected_polygon"];
+  EXPECT_EQ("Polygon " + std::to_string(selected[0].get<int>()) + "/" + std::to_string(selected[1].get<int>()), first);
+}
+
+TEST(Explain, ASwitchTakesTheGhostAway) {
+  const StudioProgram studio;
+  studio.play(joined({kExplained, {press("Ghost of the step before"), kIdle, kIdle, dump("without.json")}}),
+              coarse_layout(studio));
+  EXPECT_FALSE(studio.state("without.json")["explain"]["ghost"].get<bool>());
+}
+
+#ifdef TAXEL_PROGRAM
+// A recording of every step, explained by the command line: the same object to the last digit.
+TEST(Explain, SaysTheSameAsTheCommandLine) {
+  const StudioProgram studio;
+  studio.play(kExplained, coarse_layout(studio));
+  Json window = studio.state("explained.json")["explain"];
+  ASSERT_TRUE(window.is_object());
+  const Outcome swept = run_program(TAXEL_PROGRAM,
+                                    {"sweep", "--layout", "coarse.taxels.json", "--past", "0.002", "--record-every",
+                                     "0.00001", "--out", "run", "--quiet"},
+                                    studio.folder());
+  ASSERT_EQ(swept.status, 0) << swept.err;
+  const Outcome said = run_program(TAXEL_PROGRAM,
+                                   {"explain", "run", "--taxel", std::to_string(window["taxel"]["id"].get<int>()),
+                                    "--time", std::to_string(window["time"].get<double>()), "--json"},
+                                   studio.folder());
+  ASSERT_EQ(said.status, 0) << said.err;
+  for (const char* own : {"step", "step_before", "ghost", "selected_polygon"}) window.erase(own);
+  EXPECT_EQ(Json::parse(said.out), window);
+}
+#endif
+
+}  // namespace
+}  // namespace taxel::test
