@@ -9,6 +9,7 @@
 #include "core/sensor/sensor_model.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/history/lanes.h"
+#include "core/sim/scene_controls.h"
 
 namespace taxel {
 
@@ -44,10 +45,19 @@ struct BreakpointsCommand {
 struct StepHistoryLimitsCommand {
   StepHistoryLimits limits;
 };
+/// Nothing happens while a step of the past is shown. What is set between two steps is no step: the recorded ones stay
+/// as they were, and the next one goes on from it.
+struct EditSceneCommand {
+  SceneEdit edit;
+};
+/// The run begins anew, at a keyframe of the scene; pauses.
+struct LoadKeyframeCommand {
+  int keyframe = 0;
+};
 struct QuitCommand {};
 
 using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
                                 ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
-                                StepHistoryLimitsCommand, QuitCommand>;
+                                StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, QuitCommand>;
 
 }  // namespace taxel

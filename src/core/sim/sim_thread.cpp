@@ -88,6 +88,7 @@ struct SimThread::Impl {
   void begin_run();
   void go_on_from_shown();
   void scrub(std::uint64_t step);
+  bool execute_on_scene(const SimCommand& command);
   void execute_on_history(const SimCommand& command);
   bool step_once();
   void add_trace_row();
@@ -230,6 +231,19 @@ void SimThread::Impl::execute_on_history(const SimCommand& command) {
   }
 }
 
+/// What a hand sets. Returns whether the command was one of these.
+bool SimThread::Impl::execute_on_scene(const SimCommand& command) {
+  if (const auto* edit = std::get_if<EditSceneCommand>(&command)) {
+    if (simulator != nullptr && !scrubbed && error.empty()) simulator->edit(edit->edit);
+  } else if (const auto* key = std::get_if<LoadKeyframeCommand>(&command)) {
+    if (simulator != nullptr && simulator->load_keyframe(key->keyframe)) begin_run();
+    set_playing(false);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void SimThread::Impl::set_playing(bool on) {
   playing = on;
   pacing.restart(seconds_since_epoch(), speed);
@@ -291,7 +305,7 @@ void SimThread::Impl::execute(const SimCommand& command) {
     replace_model(*replace);
   } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
     load([&] { return Simulator::load(scene->file); });
-  } else {
+  } else if (!execute_on_scene(command)) {
     execute_on_history(command);
   }
 }
@@ -318,6 +332,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->scene = frame->simulated = std::make_shared<const SimScene>();
   if (simulator != nullptr) {
     scrubbed ? history.fill_frame(*scrubbed, *frame) : simulator->fill_frame(*frame);
+    if (scrubbed) frame->controls = simulator->controls_of(history.state(*scrubbed));
     frame->simulated = simulator->scene();
     frame->warnings = simulator->warnings();
   }

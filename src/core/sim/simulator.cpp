@@ -8,39 +8,16 @@
 
 #include "core/base/error.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/model/controls.h"
 #include "core/sim/model/instability.h"
+#include "core/sim/model/perturbation.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
-#include "core/sim/scene/sweep_scene.h"
+#include "core/sim/scene/sweep_path.h"
 
 namespace taxel {
 namespace {
-
-/// The sweep's clock: where the mocap body is in each step, and which steps are recorded.
-struct SweepPath {
-  SweepScene scene;
-  double steps_per_metre = 1;
-  double steps_per_row = 1;
-  std::uint64_t last_step = 0;
-
-  SweepPath(SweepScene s, const SweepScenario& scenario)
-      : scene(std::move(s)),
-        steps_per_metre(whole(1.0 / (scenario.speed * scenario.timestep))),
-        steps_per_row(whole(scenario.record_every * steps_per_metre)),
-        last_step(static_cast<std::uint64_t>(std::ceil(whole(scene.distance * steps_per_metre)))) {}
-
-  /// A number that is meant to be whole, freed of its rounding.
-  static double whole(double x) {
-    const double nearest = std::round(x);
-    return std::abs(x - nearest) <= 1e-9 * nearest ? nearest : x;
-  }
-  [[nodiscard]] double travel(std::uint64_t step) const {
-    return std::min(scene.distance, static_cast<double>(step) / steps_per_metre);
-  }
-  /// Rows that are due up to and including this step, less one.
-  [[nodiscard]] double rows(std::uint64_t step) const { return std::floor(static_cast<double>(step) / steps_per_row); }
-};
 
 /// MuJoCo's log would land in the user's working folder; what it says reaches the user through our own messages.
 void quiet_mujoco() {
@@ -67,6 +44,7 @@ struct Simulator::Impl {
   std::shared_ptr<const SimScene> shown;  // what does not change
   int mocap = -1;                         // the first mocap body's number, -1: none
   dvec3 mocap_start{0};
+  Perturbation hand;
 
   std::uint64_t steps = 0;      // made so far
   double time = 0, travel = 0;  // of the state evaluated last
@@ -83,7 +61,9 @@ struct Simulator::Impl {
   void look();
   void check_stability() const;
   void check_sensors() const;
-  void back_to_start();
+  void start_at(int keyframe);
+  void back_to_start() { start_at(-1); }
+  bool move(const Perturb& asked);
 };
 
 Simulator::Simulator() : impl_(std::make_unique<Impl>()) {}
@@ -109,6 +89,7 @@ void Simulator::Impl::describe() {
   scene->title = title;
   scene->geoms = drawable_geoms(m(), drawn);
   scene->timestep = m().opt.timestep;
+  scene->controls = scene_controls(m());
   for (std::size_t i = 0; i < instances.size(); ++i) {
     scene->sensors.push_back(sensor(i).model());
     scene->sensor_geoms.push_back(geom_name(m(), sensor(i).config().geom));
@@ -151,10 +132,13 @@ void Simulator::Impl::check_stability() const {
     throw Error(title, fmt::format("the simulation became unstable at {:.6g} s, {}", time, what));
 }
 
-void Simulator::Impl::back_to_start() {
-  mj_resetData(&m(), &d());
+/// At its start, or at a keyframe.
+void Simulator::Impl::start_at(int keyframe) {
+  keyframe < 0 ? mj_resetData(&m(), &d()) : mj_resetDataKeyframe(&m(), &d(), keyframe);
+  hand.let_go();
   steps = 0;
-  time = travel = 0;
+  time = d().time;
+  travel = 0;
   row_due = false;
   if (sweep) place_mocap(0);
   look();
@@ -198,7 +182,9 @@ void Simulator::step() {
     s.travel = s.mocap >= 0 ? glm::distance(mocap_pos(), s.mocap_start) : 0.0;
     s.row_due = true;
   }
+  s.hand.push(s.m(), s.d());
   mj_step(&s.m(), &s.d());
+  s.hand.release(s.d());
   ++s.steps;
   s.check_stability();
   s.check_sensors();
@@ -206,6 +192,38 @@ void Simulator::step() {
 
 void Simulator::reset() {
   impl_->back_to_start();
+}
+
+bool Simulator::load_keyframe(int keyframe) {
+  if (keyframe < 0 || keyframe >= impl_->m().nkey) return false;
+  impl_->start_at(keyframe);
+  return true;
+}
+
+/// Returns whether geoms may lie elsewhere now.
+bool Simulator::Impl::move(const Perturb& asked) {
+  const bool held = asked.kind != Perturb::Kind::none && asked.geom >= 0;
+  if (!held || static_cast<std::size_t>(asked.geom) >= drawn.size()) {
+    hand.let_go();
+    return false;
+  }
+  const int geom = drawn[static_cast<std::size_t>(asked.geom)], body = m().geom_bodyid[geom];
+  const Pose X_WB = body_pose(d(), body);
+  return hand.follow(m(), d(), asked, body, X_WB.inverse() * (geom_pose(m(), d(), geom) * asked.point_G));
+}
+
+void Simulator::edit(const SceneEdit& edit) {
+  struct Apply {
+    Impl& s;
+    bool operator()(const SetControl& e) const { return set_control(s.m(), s.d(), e); }
+    bool operator()(const SetJoint& e) const { return set_joint(s.m(), s.d(), e); }
+    bool operator()(const SetMocap& e) const { return set_mocap(s.m(), s.d(), e); }
+    bool operator()(const SetEquality& e) const { return set_equality(s.m(), s.d(), e); }
+    bool operator()(const Perturb& e) const { return s.move(e); }
+  };
+  if (!std::visit(Apply{*impl_}, edit)) return;
+  impl_->time = impl_->d().time;
+  impl_->look();
 }
 
 void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model) {
@@ -313,6 +331,13 @@ StepView Simulator::view() const {
 
 void Simulator::fill_frame(SimFrame& frame) const {
   taxel::fill_frame(view(), frame);
+  frame.controls = control_values(impl_->m(), impl_->d());
+  frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
+  frame.held = held_points(impl_->m(), impl_->d());
+}
+
+ControlValues Simulator::controls_of(const SimState& state) const {
+  return control_values(impl_->m(), state.integration);
 }
 
 void Simulator::save_state(SimState& state) const {
@@ -331,6 +356,7 @@ void Simulator::restore_state(const SimState& state) {
     throw Error(s.title, "the state is another scene's");
   mj_setState(&s.m(), &s.d(), state.integration.data(), mjSTATE_INTEGRATION);
   for (mjWarningStat& warning : s.d().warning) warning.number = 0;
+  s.hand.let_go();
   s.steps = state.step;
   s.time = state.time;
   s.travel = state.travel;

@@ -53,6 +53,10 @@ class Simulator {
   /// All sensors that read by `replaced` read the present state anew, by `model`. Throws Error where it has another
   /// number of taxels; the sensors then stay as they are.
   void replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model);
+  /// Sets what a hand asks for, between two steps; what moves is seen at once, and sensed.
+  void edit(const SceneEdit& edit);
+  /// Goes to a keyframe, as a start of its own. False: the scene has none of that number.
+  bool load_keyframe(int keyframe);
   void reset();                         ///< back to the start, bit for bit
   [[nodiscard]] bool finished() const;  ///< the scenario's path has been run
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
@@ -65,6 +69,7 @@ class Simulator {
   /// Goes back to a state of this simulator. The sensors still show what they sensed last: the next step() is as it
   /// was.
   void restore_state(const SimState& state);
+  [[nodiscard]] ControlValues controls_of(const SimState& state) const;  ///< in a state of this simulator
   [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 

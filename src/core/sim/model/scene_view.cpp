@@ -49,6 +49,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     SceneGeom geom;
     geom.name = geom_name(m, g);
     geom.body = body_name(m, m.geom_bodyid[g]);
+    geom.body_index = m.geom_bodyid[g];
     geom.mesh = drawn_mesh(m, g);
     if (geom.mesh == nullptr) continue;
     geom.rgba = {rgba[0], rgba[1], rgba[2], rgba[3]};
