@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/project/edit.h"
 #include "core/project/history.h"
@@ -22,7 +23,9 @@ enum class FileTask {
   export_samples,
   export_sheet,
   export_picture,
-  read_points
+  read_points,
+  attach_layout,
+  save_scene
 };
 
 /// What can be done about an open file that somebody else has changed.
@@ -106,6 +109,19 @@ struct ExportFile {
   bool replace = false;
   int width = 0, height = 0;  ///< of a picture [pixels]
 };
+/// A layout on geoms of the open scene, which is compiled anew; its file stays as it is. Empty: asks for the layout.
+struct AttachLayout {
+  std::vector<std::string> geoms;
+  std::string path;
+};
+struct DetachLayout {
+  std::string geom;
+};
+/// The open scene with all its sensors declared. Empty: asks.
+struct SaveScene {
+  std::string path;
+  bool replace = false;
+};
 struct DialogClosed {};  ///< without a file
 enum class UnsavedAnswer { save, discard, cancel };
 struct AnswerUnsaved {
@@ -132,7 +148,7 @@ struct Request
                    RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
                    SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
                    CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
-                   ExportFile, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview,
+                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview,
                    ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Request(const Request&);

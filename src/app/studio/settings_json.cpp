@@ -37,9 +37,11 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("normal_angles", s.overlays.normal_angles);
   visit("path", s.overlays.path);
   visit("grid", s.overlays.grid);
+  visit("constraints", s.overlays.constraints);
   visit("panel_outliner", s.panels.outliner);
   visit("panel_taxels", s.panels.taxels);
   visit("panel_inspector", s.panels.inspector);
+  visit("panel_controls", s.panels.controls);
   visit("panel_bars", s.panels.bars);
   visit("panel_plot", s.panels.plot);
   visit("panel_timeline", s.panels.timeline);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/editing_json.h"
+#include "app/studio/scene_json.h"
 #include "app/studio/script_player.h"
 #include "app/studio/time_json.h"
 #include "app/studio/tools_json.h"
@@ -75,7 +76,8 @@ Json overlays_json(const ui::Overlays& o) {
           {"coverage", o.coverage},
           {"normal_angles", o.normal_angles},
           {"path", o.path},
-          {"grid", o.grid}};
+          {"grid", o.grid},
+          {"constraints", o.constraints}};
 }
 
 const char* to_string(SampleQuality quality) {
@@ -273,6 +275,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["recovery"] = ui.recovery;
   json.update(Json::parse(editing_to_json(ui, input)));
   json["simulation"] = simulation_json(ui, input);
+  json["scene"] = Json::parse(scene_to_json(ui, input));
   json.update(Json::parse(tools_to_json(ui, input)));
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

@@ -76,6 +76,8 @@ class Studio {
   void answer_notice(const ui::AnswerNotice& answer);
   void wrote(const std::string& file, const Project& written);
   void save_project(const std::string& path, bool replace);
+  void save_scene(const ui::SaveScene& wanted);
+  bool carry_out_in_scene(const ui::Request& request);
   void export_file(const ui::ExportFile& wanted);
   void export_when_ready();
   [[nodiscard]] bool samples_are_final() const;

@@ -51,6 +51,13 @@ struct SceneControls {
   std::string integrator;  ///< as MJCF says it
 };
 
+/// A layout on a geom of a scene that does not declare it.
+struct SceneAttachment {
+  std::string geom;    ///< its name, or "geom 7" for one without
+  std::string layout;  ///< file
+  bool operator==(const SceneAttachment&) const = default;
+};
+
 /// How all that stands, in the state from which the next step goes on.
 struct ControlValues {
   std::vector<double> controls, joints;  ///< parallel to actuators and joints

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/project/scenario.h"
 #include "core/sensor/sensor_model.h"
@@ -31,9 +32,16 @@ struct LoadSweepCommand {
 struct ReplaceModelCommand {
   SensorModelPtr replaced, model;
 };
+/// MJCF with its own sensors, and layouts attached to others of its geoms.
 struct LoadSceneCommand {
   std::string file;
-};  ///< MJCF with its own sensors
+  std::vector<SceneAttachment> attachments = {};
+};
+/// Writes the scene that runs, with all its sensors declared, as an MJCF file; what it needs beside it, in a folder of
+/// the same name. SimFrame::saved tells of it.
+struct SaveSceneCommand {
+  std::string file;
+};
 /// Pauses, and shows a step of the history, or the nearest that is kept. Where the simulation runs on, it does so from
 /// that step, and what came after it is forgotten.
 struct ScrubCommand {
@@ -57,7 +65,7 @@ struct LoadKeyframeCommand {
 struct QuitCommand {};
 
 using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                ReplaceModelCommand, LoadSceneCommand, ScrubCommand, BreakpointsCommand,
+                                ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, BreakpointsCommand,
                                 StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, QuitCommand>;
 
 }  // namespace taxel

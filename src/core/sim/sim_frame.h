@@ -68,6 +68,12 @@ struct HistoryState {
   std::shared_ptr<const HistoryLanes> lanes;  ///< all of them, up to the newest or a little before; never null
 };
 
+/// The scene was written to a file, or could not be.
+struct SavedScene {
+  std::uint64_t number = 0;  ///< counts
+  std::string file, error;   ///< error empty: it was
+};
+
 struct SimFrame {
   std::shared_ptr<const SimScene> scene;
   std::uint64_t step = 0;
@@ -95,6 +101,7 @@ struct SimFrame {
   std::uint64_t commands = 0;      ///< executed so far
   std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused
   std::uint64_t replacements = 0;  ///< likewise models to replace
+  SavedScene saved;                ///< last
   bool failed = false;  ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
   std::string error;    ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };

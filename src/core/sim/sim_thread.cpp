@@ -49,6 +49,7 @@ struct SimThread::Impl {
   std::string error;    // why stepping stopped
   std::string refused;  // why the last scene or model was not taken; the one before goes on
   std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
+  SavedScene saved;
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   std::optional<Jump> stop;
@@ -238,6 +239,14 @@ bool SimThread::Impl::execute_on_scene(const SimCommand& command) {
   } else if (const auto* key = std::get_if<LoadKeyframeCommand>(&command)) {
     if (simulator != nullptr && simulator->load_keyframe(key->keyframe)) begin_run();
     set_playing(false);
+  } else if (const auto* save = std::get_if<SaveSceneCommand>(&command)) {
+    saved = {saved.number + 1, save->file, ""};
+    try {
+      if (simulator == nullptr) throw Error(save->file, "there is no scene to write");
+      simulator->save_scene(save->file);
+    } catch (const std::exception& e) {
+      saved.error = e.what();
+    }
   } else {
     return false;
   }
@@ -304,7 +313,7 @@ void SimThread::Impl::execute(const SimCommand& command) {
   } else if (const auto* replace = std::get_if<ReplaceModelCommand>(&command)) {
     replace_model(*replace);
   } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
-    load([&] { return Simulator::load(scene->file); });
+    load([&] { return Simulator::load(scene->file, scene->attachments); });
   } else if (!execute_on_scene(command)) {
     execute_on_history(command);
   }
@@ -353,6 +362,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->trace = trace;
   frame->runs = runs;
   frame->commands = commands;
+  frame->saved = saved;
   frame->loads = loads;
   frame->replacements = replacements;
   frame->failed = !error.empty();

@@ -54,7 +54,7 @@ struct Simulator::Impl {
   [[nodiscard]] mjData& d() const { return *data; }
   [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
 
-  void make_data(const SensorModelPtr& handed_over);
+  void make_data();
   void read_by(Aggregate aggregate);
   void describe();
   void place_mocap(double travelled);
@@ -69,12 +69,14 @@ struct Simulator::Impl {
 Simulator::Simulator() : impl_(std::make_unique<Impl>()) {}
 Simulator::~Simulator() = default;
 
-void Simulator::Impl::make_data(const SensorModelPtr& handed_over) {
+void Simulator::Impl::make_data() {
   data.reset(mj_makeData(compiled.model.get()));
   if (data == nullptr) throw Error(title, "MuJoCo cannot make the simulation data");
   instances = sensor_instances(m());
-  if (handed_over != nullptr)
-    for (const int i : instances) find_sensor(*data, i)->hand_over(m(), handed_over);
+  for (const int i : instances) {
+    const auto handed = compiled.handed.find(instance_name(m(), i));
+    if (handed != compiled.handed.end()) find_sensor(*data, i)->hand_over(m(), handed->second);
+  }
 }
 
 void Simulator::Impl::read_by(Aggregate aggregate) {
@@ -151,20 +153,22 @@ std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, co
   s.title = "fingertip sweep: " + model->layout.name;
   s.sweep.emplace(build_sweep_scene(*model, scenario), scenario);
   s.compiled = compile_scene(s.sweep->scene.hosted_xml, s.sweep->scene.files.files, s.title);
-  s.make_data(model);
+  for (const int i : sensor_instances(s.m())) s.compiled.handed[instance_name(s.m(), i)] = model;
+  s.make_data();
   s.describe();
   s.back_to_start();
   return simulator;
 }
 
-std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene, const std::string& layout,
-                                           const std::string& geom, std::optional<Aggregate> aggregate) {
+std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
+                                           const std::vector<SceneAttachment>& attachments,
+                                           std::optional<Aggregate> aggregate) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
   s.title = scene.string();
-  s.compiled = load_scene(scene, layout, geom);
-  s.make_data(nullptr);
+  s.compiled = load_scene(scene, attachments);
+  s.make_data();
   if (aggregate) s.read_by(*aggregate);
   s.describe();
   s.back_to_start();
@@ -258,7 +262,7 @@ const std::shared_ptr<const SimScene>& Simulator::scene() const {
 }
 
 std::vector<std::string> Simulator::warnings() const {
-  std::vector<std::string> all;
+  std::vector<std::string> all = impl_->compiled.notes;
   for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
     const HydroInstance& sensor = impl_->sensor(i);
     for (const std::string& text : sensor.warnings()) all.push_back("sensor \"" + sensor.config().name + "\": " + text);
@@ -370,7 +374,13 @@ Pose Simulator::pose_of_geom(int geom) const {
 
 void Simulator::export_scene(const std::filesystem::path& folder) const {
   const Impl& s = *impl_;
-  write_scene(folder, s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
+  write_scene(folder / "scene.xml", s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
+}
+
+void Simulator::save_scene(const std::filesystem::path& file) const {
+  const Impl& s = *impl_;
+  write_scene(file, s.sweep ? s.sweep->scene.files
+                            : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
 }
 
 dvec3 Simulator::mocap_pos() const {

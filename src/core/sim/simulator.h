@@ -30,11 +30,11 @@ class Simulator {
  public:
   /// The sweep around any compiled layout. The scene uses `others = {"box"}`.
   static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const SweepScenario& scenario);
-  /// Any MJCF with the sensors it declares; `layout` with `geom` attaches one more (both empty: none). `aggregate`,
-  /// where given, goes over that of every layout.
+  /// Any MJCF with the sensors it declares, and layouts attached to others of its geoms. `aggregate`, where given, goes
+  /// over that of every layout.
   /// Throws Error that names the file and MuJoCo's reason.
-  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene, const std::string& layout = "",
-                                         const std::string& geom = "",
+  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene,
+                                         const std::vector<SceneAttachment>& attachments = {},
                                          std::optional<Aggregate> aggregate = std::nullopt);
   ~Simulator();
   Simulator(const Simulator&) = delete;
@@ -75,6 +75,8 @@ class Simulator {
 
   /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
   void export_scene(const std::filesystem::path& folder) const;
+  /// The same as FILE.xml with what it needs in a folder FILE_files beside it.
+  void save_scene(const std::filesystem::path& file) const;
   [[nodiscard]] dvec3 mocap_pos() const;
   [[nodiscard]] dquat mocap_quat() const;
 

@@ -24,6 +24,7 @@ std::string number_in_unit(double reading, const ReadingUnit& unit);  ///< "12.3
 std::string grouped(long long count);                                 ///< "12 345"
 /// value * 10^exponent as one would write it: 4.2 by -3 is the number that is nearest to 0.0042.
 double shifted_decimal(double value, int exponent);
+bool contains_word(const std::string& text, const std::string& word);  ///< in any case
 double nice_ceiling(double value);  ///< least of 1, 1.5, 2, 3, 4, 5, 6, 8 times 10^n that is >= value
 
 }  // namespace taxel::ui

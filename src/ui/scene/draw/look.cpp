@@ -48,6 +48,9 @@ const Look kDark{
     .path = rgba(0xFF3B46, 1.0f),
     .force = rgba(0xFFFFFF, 1.0f),
     .selection = rgba(0xFFFFFF, 1.0f),
+    .hand = rgba(0xFFB020, 1.0f),
+    .weld = rgba(0xC792EA, 1.0f),
+    .connection = rgba(0x5CCFE6, 1.0f),
     .wire = rgba(0xE9DDD2, 0.28f),
 };
 
@@ -85,6 +88,9 @@ const Look kLight{
     .path = rgba(0xE01B2A, 1.0f),
     .force = rgba(0x14181E, 1.0f),
     .selection = rgba(0x14181E, 1.0f),
+    .hand = rgba(0xB35C00, 1.0f),
+    .weld = rgba(0x7A3FA0, 1.0f),
+    .connection = rgba(0x0B6E88, 1.0f),
     .wire = rgba(0x4A3C34, 0.30f),
 };
 
