@@ -107,8 +107,8 @@ class Session {
   struct Pending {
     Document document;
     bool sweep = false;
-    SweepScenario scenario;
-    std::vector<SceneAttachment> attachments;
+    SweepScenario scenario = {};
+    std::vector<SceneAttachment> attachments = {};
     bool play = false, framed = true;
     bool another = false;    ///< not the document that is open
     bool shown = true;       ///< in SIMULATE, as soon as it stands
