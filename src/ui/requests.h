@@ -148,8 +148,8 @@ struct Request
                    RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
                    SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
                    CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
-                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview,
-                   ReadPoints, TakeScreenshot, Quit> {
+                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
+                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Request(const Request&);
   Request& operator=(const Request&);

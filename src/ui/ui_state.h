@@ -241,11 +241,11 @@ struct UiInput {
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
   SweepScenario scenario;
-  bool sweep = false;    ///< the running scene is a sweep
-  bool is_scene = false;  ///< the document is a MuJoCo scene
+  bool sweep = false;                     ///< the running scene is a sweep
+  bool is_scene = false;                  ///< the document is a MuJoCo scene
   std::vector<SceneAttachment> attached;  ///< layouts on its geoms that its file does not declare
-  bool playing = false;  ///< the simulation, or recorded steps
-  int replay = 0;        ///< direction in which recorded steps are played; 0: they are not
+  bool playing = false;                   ///< the simulation, or recorded steps
+  int replay = 0;                         ///< direction in which recorded steps are played; 0: they are not
   std::optional<StepRange> loop;
   double speed = 1;
   std::vector<double> peaks;  ///< largest reading of each taxel of the selected sensor since the start [Pa]

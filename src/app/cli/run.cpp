@@ -30,8 +30,7 @@ int run(const Options& options, Console& console) {
   if (!options.out.empty()) folder.emplace(options.out);
 
   const auto start = std::chrono::steady_clock::now();
-  const std::unique_ptr<Simulator> simulator =
-      Simulator::load(options.scene, attachments, options.aggregate);
+  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, attachments, options.aggregate);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SimScene& scene = *simulator->scene();
   if (scene.sensors.empty()) {

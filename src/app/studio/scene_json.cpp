@@ -45,7 +45,8 @@ std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["actuators"] = named(controls.actuators, frame.controls.controls);
   json["joints"] = named(controls.joints, frame.controls.joints);
   json["keyframes"] = Json::array();
-  for (const SceneKeyframe& key : controls.keyframes) json["keyframes"].push_back({{"name", key.name}, {"time", key.time}});
+  for (const SceneKeyframe& key : controls.keyframes)
+    json["keyframes"].push_back({{"name", key.name}, {"time", key.time}});
   json["mocaps"] = Json::array();
   for (std::size_t i = 0; i < frame.controls.mocaps.size(); ++i) {
     const Pose& X_WB = frame.controls.mocaps[i];

@@ -18,10 +18,8 @@ void Session::send(SimCommand command) {
 /// The document stays, and so do cameras and pause; the run begins anew.
 void Session::build_with(std::vector<SceneAttachment> attachments) {
   Document document = *document_;
-  build_scene({.document = std::move(document),
-               .attachments = std::move(attachments),
-               .play = playing(),
-               .framed = false});
+  build_scene(
+      {.document = std::move(document), .attachments = std::move(attachments), .play = playing(), .framed = false});
 }
 
 void Session::attach(const std::vector<std::string>& geoms, const std::string& layout) {

@@ -65,7 +65,8 @@ void Studio::watch_files() {
 void Studio::tell_change(const std::string& file, FileChange change) {
   const bool scene = session_.kind() == DocumentKind::scene;
   const bool document = file == session_.file() && session_.kind() != DocumentKind::mesh;
-  if (change == FileChange::changed && !document && !scene) return comparison_.start(session_.edits().project()->layout);
+  if (change == FileChange::changed && !document && !scene)
+    return comparison_.start(session_.edits().project()->layout);
   if (change == FileChange::deleted) {
     if (document && session_.edits().is_open()) session_.edits().mark_unsaved();
     const char* const rest = scene      ? "The scene stays open as it was read."
@@ -74,11 +75,10 @@ void Studio::tell_change(const std::string& file, FileChange change) {
     return add_notice({file, fmt::format("{} was deleted or moved. {}", name_of(file), rest), {}});
   }
   if (document && hash_of(file) == document_hash_) return;  // only touched
-  const char* const rest = scene
-                               ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
-                               : "Reading it again is a step that undo takes back.";
-  add_notice({file, fmt::format("{} was changed by another program. {}", name_of(file), rest),
-              {ui::FileOffer::reload}});
+  const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
+                                 : "Reading it again is a step that undo takes back.";
+  add_notice(
+      {file, fmt::format("{} was changed by another program. {}", name_of(file), rest), {ui::FileOffer::reload}});
 }
 
 void Studio::tell_mesh(ComparedMesh compared) {
@@ -127,7 +127,8 @@ void Studio::answer_notice(const ui::AnswerNotice& answer) {
       steps.emplace_back(projected_onto(*compared->skin, edits.project()->layout));
     const bool same = compared->mesh == edits.mesh();
     edits.add_mesh(compared->ref, compared->mesh);
-    steps.emplace_back(ReplaceMesh{compared->ref, same ? *edits.project()->layout.sampling.region : std::vector<int>{}});
+    steps.emplace_back(
+        ReplaceMesh{compared->ref, same ? *edits.project()->layout.sampling.region : std::vector<int>{}});
     edits.edit_together(steps);
   });
 }

@@ -70,12 +70,12 @@ struct ControlValues {
 struct Perturb {
   enum class Kind { none, pull, turn };
   Kind kind = Kind::none;
-  int geom = -1;                ///< in SimScene::geoms, on which it was grabbed
-  dvec3 point_G{0};             ///< where
-  std::uint64_t grip = 0;       ///< another number: it is taken hold of anew, where it is then
-  dvec3 moved_W{0};             ///< by the hand since [m]
-  dquat turned_W{1, 0, 0, 0};   ///< likewise
-  bool running = true;          ///< steps are being made
+  int geom = -1;               ///< in SimScene::geoms, on which it was grabbed
+  dvec3 point_G{0};            ///< where
+  std::uint64_t grip = 0;      ///< another number: it is taken hold of anew, where it is then
+  dvec3 moved_W{0};            ///< by the hand since [m]
+  dquat turned_W{1, 0, 0, 0};  ///< likewise
+  bool running = true;         ///< steps are being made
 };
 
 struct SetControl {
@@ -101,8 +101,8 @@ using SceneEdit = std::variant<SetControl, SetJoint, SetMocap, SetEquality, Pert
 struct PerturbShown {
   Perturb::Kind kind = Perturb::Kind::none;
   int body = -1;
-  dvec3 grabbed_W{0};  ///< the point that was grabbed, and
-  dvec3 hand_W{0};     ///< where the hand has it
+  dvec3 grabbed_W{0};             ///< the point that was grabbed, and
+  dvec3 hand_W{0};                ///< where the hand has it
   dquat hand_turn_W{1, 0, 0, 0};  ///< from the body's orientation to the hand's
 };
 

@@ -64,8 +64,9 @@ struct LoadKeyframeCommand {
 };
 struct QuitCommand {};
 
-using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, BreakpointsCommand,
-                                StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, QuitCommand>;
+using SimCommand =
+    std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
+                 ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, BreakpointsCommand,
+                 StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, QuitCommand>;
 
 }  // namespace taxel

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/sim/model/geometry.h"
 #include "core/sim/model/controls.h"
+#include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
 #include "core/sim/model/perturbation.h"
 #include "core/sim/model/scene_view.h"
@@ -379,8 +379,8 @@ void Simulator::export_scene(const std::filesystem::path& folder) const {
 
 void Simulator::save_scene(const std::filesystem::path& file) const {
   const Impl& s = *impl_;
-  write_scene(file, s.sweep ? s.sweep->scene.files
-                            : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
+  write_scene(file,
+              s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
 }
 
 dvec3 Simulator::mocap_pos() const {

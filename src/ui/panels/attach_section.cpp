@@ -36,7 +36,8 @@ void draw_sensors(UiState& ui, const UiInput& input) {
       ui.selection = {static_cast<int>(i), {}, ui.selection.body};
     if (attached != nullptr) tooltip(attached->layout);
     ImGui::SameLine();
-    ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(), attached != nullptr ? "attached" : "declared");
+    ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(),
+                        attached != nullptr ? "attached" : "declared");
     if (attached == nullptr) continue;
     ImGui::SameLine();
     if (button(ui, fmt::format("Detach##{}", geom).c_str())) ui.ask(DetachLayout{geom});
@@ -75,16 +76,19 @@ void draw_geoms(UiState& ui, const SimScene& scene) {
   ImGui::EndChild();
 }
 
-}  // namespace
-
-void draw_attach_section(UiState& ui, const UiInput& input) {
-  if (!header(ui, "Sensors")) return;
+void draw_attach(UiState& ui, const UiInput& input) {
   const SimScene& scene = *input.frame->scene;
   std::erase_if(ui.controls.geoms, [&](const std::string& name) {
     return std::none_of(scene.geoms.begin(), scene.geoms.end(),
                         [&](const SceneGeom& geom) { return geom.name == name && geom.sensor < 0; });
   });
-  draw_sensors(ui, input);
+  if (!ImGui::TreeNodeEx("Attach a layout##section", scene.sensors.empty() || !ui.controls.geoms.empty()
+                                                         ? ImGuiTreeNodeFlags_DefaultOpen
+                                                         : ImGuiTreeNodeFlags_None)) {
+    ui.widgets.note_item("Attach a layout");
+    return;
+  }
+  ui.widgets.note_item("Attach a layout");
   draw_geoms(ui, scene);
   const std::size_t chosen = ui.controls.geoms.size();
   ImGui::BeginDisabled(chosen == 0);
@@ -92,8 +96,21 @@ void draw_attach_section(UiState& ui, const UiInput& input) {
       chosen > 1 ? fmt::format("Attach a layout to {} geoms...###Attach", chosen) : "Attach a layout...###Attach";
   if (button(ui, label.c_str(), ImVec2(-1, 0))) ui.ask(AttachLayout{ui.controls.geoms, ""});
   ImGui::EndDisabled();
+  ImGui::TreePop();
+}
+
+void draw_save(UiState& ui) {
   if (button(ui, "Save scene as...", ImVec2(-1, 0))) ui.ask(SaveScene{});
   tooltip("A copy with its sensors declared, as any program with MuJoCo and the plugin reads it");
+}
+
+}  // namespace
+
+void draw_attach_section(UiState& ui, const UiInput& input) {
+  if (!header(ui, "Sensors")) return;
+  draw_sensors(ui, input);
+  draw_attach(ui, input);
+  draw_save(ui);
 }
 
 }  // namespace taxel::ui

@@ -22,7 +22,8 @@ void arrange_compactly(ImGuiID space) {
   ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, &center);
   ImGui::DockBuilderDockWindow(kViewTitle, center);
   for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
-  for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle}) ImGui::DockBuilderDockWindow(title, right);
+  for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle})
+    ImGui::DockBuilderDockWindow(title, right);
   for (const char* title : {kBarsTitle, kPlotTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
     ImGui::DockBuilderDockWindow(title, bottom);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));

@@ -44,7 +44,7 @@ struct Overlays {
   bool path = true;              // red line
   bool grid = true;
   bool constraints = true;  // points that welds and connections hold together
-  bool all_rays = false;  // else only those of the selected taxel (of all responding ones when none is)
+  bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
   bool operator==(const Overlays&) const = default;
 };
 

@@ -144,12 +144,14 @@ Aabb scene_box(const UiState& ui, const UiInput& input) {
     include_mesh(box, *scene.sensors[i]->mesh, input.frame->sensors[i].X_WM);
   }
   for (const dvec3& p : scene.path_W) box.include(p);
-  if (!box.empty()) return box;
+  if (!scene.path_W.empty()) return box;
+  const Aabb sensors = box;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
     if (!scene.geoms[i].plane && scene.geoms[i].mesh)
       include_mesh(box, *scene.geoms[i].mesh, input.frame->geom_poses[i]);
   }
-  return box;
+  constexpr double kMuchLarger = 5;  // a room around a hand
+  return !sensors.empty() && box.diagonal() > kMuchLarger * sensors.diagonal() ? sensors : box;
 }
 
 Aabb selection_box(const UiState& ui, const UiInput& input) {

@@ -172,7 +172,8 @@ MirrorPlane mirror_plane_of(const Layout& layout, const Aabb& bounds) {
 }
 
 bool perform_edit(Action action, UiState& ui, const UiInput& input) {
-  if (perform_selection(action, ui, input) || perform_document(action, ui, input.is_scene) || perform_gesture(action, ui, input)) {
+  if (perform_selection(action, ui, input) || perform_document(action, ui, input.is_scene) ||
+      perform_gesture(action, ui, input)) {
     return true;
   }
   const std::vector<int>& ids = ui.selection.taxels;

@@ -8,8 +8,8 @@
 namespace taxel::ui {
 
 struct PerturbState {
-  int geom = -1;     ///< of SimScene::geoms, on which the selected body was clicked
-  dvec3 point_G{0};  ///< where
+  int geom = -1;                             ///< of SimScene::geoms, on which the selected body was clicked
+  dvec3 point_G{0};                          ///< where
   Perturb::Kind kind = Perturb::Kind::none;  ///< while a button holds it
   std::uint64_t grip = 0;                    ///< counts how often it was taken hold of
   dvec2 start{0};                            ///< of the pointer then [pixels of the view]

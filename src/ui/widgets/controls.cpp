@@ -217,8 +217,8 @@ bool property_field(UiState& ui, const char* name, double* value, double shown_p
   return changed;
 }
 
-bool property_slider(UiState& ui, const std::string& name, const std::string& noted, double* value,
-                     double shown_per_si, const char* format, const ControlRange& range) {
+bool property_slider(UiState& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
+                     const char* format, const ControlRange& range) {
   begin_property(name.c_str());
   ImGui::SetNextItemWidth(-1);
   double shown = *value * shown_per_si;

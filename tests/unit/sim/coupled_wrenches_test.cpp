@@ -60,7 +60,8 @@ TEST(CoupledWrenches, SolveTheEquationOfRealSurfaces) {
     for (int trial = 0; trial < 12; ++trial) {
       std::vector<Contact> contacts;
       for (std::size_t i = 0; i < pairs; ++i)
-        contacts.push_back(touch(*ball, *floor, Pose{{1, 0, 0, 0}, {0, 0, 0.0185 + 0.0002 * static_cast<double>(i)}}, {}));
+        contacts.push_back(
+            touch(*ball, *floor, Pose{{1, 0, 0, 0}, {0, 0, 0.0185 + 0.0002 * static_cast<double>(i)}}, {}));
       const auto law = [&](std::size_t i, const Twist& V) { return traction(contacts[i].surface, properties, V); };
       const std::size_t n = 6 * pairs;
       std::vector<double> B(n * n), A(n * n);

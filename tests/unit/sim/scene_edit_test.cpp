@@ -1,4 +1,5 @@
-// What a hand sets between two steps: controls, joints, mocap bodies, equalities, keyframes, and a body that is dragged.
+// What a hand sets between two steps: controls, joints, mocap bodies, equalities, keyframes, and a body that is
+// dragged.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"

@@ -104,8 +104,7 @@ dvec3 anchor(const mjModel& m, const mjData& d, int equality, int side) {
 SceneControls scene_controls(const mjModel& m) {
   SceneControls controls;
   for (int b = 0; b < m.nbody; ++b)
-    controls.bodies.push_back(
-        {body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0});
+    controls.bodies.push_back({body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0});
   for (int a = 0; a < m.nu; ++a)
     controls.actuators.push_back({object_name(m, mjOBJ_ACTUATOR, a, "actuator"),
                                   range_of(m.actuator_ctrllimited[a] != 0, m.actuator_ctrlrange + 2 * a)});
@@ -131,8 +130,8 @@ ControlValues control_values(const mjModel& m, std::span<const mjtNum> integrati
 }
 
 ControlValues control_values(const mjModel& m, const mjData& d) {
-  ControlValues values = values_of(m, span_of(d.ctrl, m.nu), span_of(d.qpos, m.nq),
-                                   span_of(d.mocap_pos, 3 * m.nmocap), span_of(d.mocap_quat, 4 * m.nmocap));
+  ControlValues values = values_of(m, span_of(d.ctrl, m.nu), span_of(d.qpos, m.nq), span_of(d.mocap_pos, 3 * m.nmocap),
+                                   span_of(d.mocap_quat, 4 * m.nmocap));
   values.equalities.assign(d.eq_active, d.eq_active + m.neq);
   return values;
 }

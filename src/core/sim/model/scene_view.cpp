@@ -4,10 +4,6 @@
 #include "core/sim/model/geometry.h"
 
 namespace taxel {
-namespace {
-
-/// Triangles of a shape, fine enough to look round; null for what is not drawn. A signed distance function shows the
-/// mesh that MuJoCo made of it.
 TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
   const dvec3 size(m.geom_size[3 * geom], m.geom_size[3 * geom + 1], m.geom_size[3 * geom + 2]);
   const double edge = 0.2 * size.x;
@@ -36,8 +32,6 @@ TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
       return nullptr;
   }
 }
-
-}  // namespace
 
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms) {
   std::vector<SceneGeom> drawn;

@@ -38,7 +38,11 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
   CompiledScene scene;
   std::array<char, 2048> reason{};
   scene.spec.reset(mj_parseXML(file.c_str(), vfs, reason.data(), static_cast<int>(reason.size())));
-  if (scene.spec == nullptr) throw Error(name, one_line(reason.data()));
+  if (scene.spec == nullptr) {
+    const std::string why = one_line(reason.data());
+    const bool plugin = why.find("plugin") != std::string::npos && why.find("not found") != std::string::npos;
+    throw Error(name, why + (plugin ? "; plugin libraries are loaded with --plugins FOLDER" : ""));
+  }
   return scene;
 }
 
@@ -95,8 +99,7 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
   std::map<std::string, SensorModelPtr> models;
   std::error_code ignored;
   for (const SceneAttachment& one : attachments) {
-    if (one.layout.empty() || one.geom.empty())
-      throw Error(scene, "a layout and the geom to attach it to go together");
+    if (one.layout.empty() || one.geom.empty()) throw Error(scene, "a layout and the geom to attach it to go together");
     if (std::any_of(added.begin(), added.end(), [&](const AddedSensor& other) { return other.geom == one.geom; }))
       throw Error(scene, fmt::format("two layouts are attached to geom \"{}\": a geom takes one", one.geom));
     SensorModelPtr& model = models[one.layout];

@@ -55,9 +55,9 @@ std::string old_keys(const OldFields& fields, const std::string& geom) {
   for (const auto& [name, field] : fields.geoms) {
     if (name == geom) continue;
     others += (others.empty() ? "" : " ") + name;
-    materials += fmt::format(R"({}"{}": {{"modulus": {}, "dissipation": {}, "friction": {}}})",
-                             materials.empty() ? "" : ", ", name, field.modulus,
-                             field.modulus > 0 ? field.dissipation : 0.0, field.friction);
+    materials +=
+        fmt::format(R"({}"{}": {{"modulus": {}, "dissipation": {}, "friction": {}}})", materials.empty() ? "" : ", ",
+                    name, field.modulus, field.modulus > 0 ? field.dissipation : 0.0, field.friction);
   }
   if (others.empty()) return "";
   return fmt::format(R"(<config key="others" value="{}"/><config key="materials" value="{}"/>)", xml_escaped(others),

@@ -20,8 +20,8 @@ using Renamed = std::map<std::pair<std::string, std::string>, std::string>;
 
 /// Reads the files of all assets of one kind. `addresses`: of their resolved paths in the model.
 void copy_assets(const CompiledScene& scene, mjtObj type, const std::string& tag, const int* addresses,
-                 const std::function<const mjString*(mjsElement*)>& file_of, const std::string& beside,
-                 SceneFiles& out, Renamed& renamed) {
+                 const std::function<const mjString*(mjsElement*)>& file_of, const std::string& beside, SceneFiles& out,
+                 Renamed& renamed) {
   mjSpec* spec = scene.spec.get();
   for (mjsElement* e = mjs_firstElement(spec, type); e != nullptr; e = mjs_nextElement(spec, e)) {
     const int id = mjs_getId(e);
@@ -41,11 +41,13 @@ Renamed copy_all_assets(const CompiledScene& scene, const std::string& beside, S
   copy_assets(
       scene, mjOBJ_MESH, "mesh", m.mesh_pathadr, [](auto* e) { return mjs_asMesh(e)->file; }, beside, out, renamed);
   copy_assets(
-      scene, mjOBJ_HFIELD, "hfield", m.hfield_pathadr, [](auto* e) { return mjs_asHField(e)->file; }, beside, out, renamed);
+      scene, mjOBJ_HFIELD, "hfield", m.hfield_pathadr, [](auto* e) { return mjs_asHField(e)->file; }, beside, out,
+      renamed);
   copy_assets(
       scene, mjOBJ_SKIN, "skin", m.skin_pathadr, [](auto* e) { return mjs_asSkin(e)->file; }, beside, out, renamed);
   copy_assets(
-      scene, mjOBJ_TEXTURE, "texture", m.tex_pathadr, [](auto* e) { return mjs_asTexture(e)->file; }, beside, out, renamed);
+      scene, mjOBJ_TEXTURE, "texture", m.tex_pathadr, [](auto* e) { return mjs_asTexture(e)->file; }, beside, out,
+      renamed);
   return renamed;
 }
 
