@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/project/edit.h"
 #include "core/project/history.h"
@@ -23,7 +24,9 @@ enum class FileTask {
   export_sheet,
   export_picture,
   export_frame,
-  read_points
+  read_points,
+  attach_layout,
+  save_scene
 };
 
 /// What can be done about an open file that somebody else has changed.
@@ -107,6 +110,19 @@ struct ExportFile {
   bool replace = false;
   int width = 0, height = 0;  ///< of a picture [pixels]
 };
+/// A layout on geoms of the open scene, which is compiled anew; its file stays as it is. Empty: asks for the layout.
+struct AttachLayout {
+  std::vector<std::string> geoms;
+  std::string path;
+};
+struct DetachLayout {
+  std::string geom;
+};
+/// The open scene with all its sensors declared. Empty: asks.
+struct SaveScene {
+  std::string path;
+  bool replace = false;
+};
 struct DialogClosed {};  ///< without a file
 enum class UnsavedAnswer { save, discard, cancel };
 struct AnswerUnsaved {
@@ -133,8 +149,8 @@ struct Request
                    RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
                    SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
                    CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
-                   ExportFile, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview,
-                   ReadPoints, TakeScreenshot, Quit> {
+                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
+                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Request(const Request&);
   Request& operator=(const Request&);

@@ -11,6 +11,7 @@ namespace taxel::ui {
 struct Selection {
   int sensor = 0;           ///< of the simulation
   std::vector<int> taxels;  ///< ids, each once, in the order in which they were selected: the last is the active one
+  int body = -1;            ///< of the simulation, as SceneControls::bodies numbers them; -1: none
   bool operator==(const Selection&) const = default;
 
   [[nodiscard]] bool empty() const { return taxels.empty(); }
@@ -18,7 +19,7 @@ struct Selection {
   /// The taxel that single numbers are about.
   [[nodiscard]] std::optional<int> active() const;
 
-  void clear() { taxels.clear(); }
+  void clear() { taxels.clear(); }  ///< of taxels
   void set(int id) { taxels = {id}; }
   void add(int id);  ///< which becomes the active one
   void remove(int id);

@@ -26,6 +26,7 @@
 #include "ui/tools/measure_state.h"
 #include "ui/tools/model_summary.h"
 #include "ui/tools/palette_state.h"
+#include "ui/tools/perturb_state.h"
 #include "ui/tools/probe_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
@@ -37,6 +38,7 @@ namespace taxel::ui {
 /// Which panels are open; their names are the titles of their windows.
 struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
+  bool controls = true;
   bool messages = false, help = false, explain = false;
   bool mesh_report = false;
 };
@@ -164,6 +166,13 @@ struct Timeline {
   std::optional<std::uint64_t> loops_from;  ///< a drag marks a range that begins, or ends, here
 };
 
+/// What the panel of controls remembers.
+struct ControlsState {
+  std::vector<std::string> geoms;  ///< chosen, to attach a layout to
+  std::string filter;              ///< part of a geom's name, any case
+  bool wants_focus = false;        ///< another scene was opened
+};
+
 struct Clicks {
   int left = 0, left_double = 0, right = 0, right_double = 0;
 };
@@ -186,6 +195,8 @@ struct UiState {
   ProbeState probe;
   MeasureState measure;
   ExplainState explain;
+  PerturbState perturb;
+  ControlsState controls;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
@@ -236,9 +247,11 @@ struct UiInput {
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
   SweepScenario scenario;
-  bool sweep = false;    ///< the running scene is a sweep
-  bool playing = false;  ///< the simulation, or recorded steps
-  int replay = 0;        ///< direction in which recorded steps are played; 0: they are not
+  bool sweep = false;                     ///< the running scene is a sweep
+  bool is_scene = false;                  ///< the document is a MuJoCo scene
+  std::vector<SceneAttachment> attached;  ///< layouts on its geoms that its file does not declare
+  bool playing = false;                   ///< the simulation, or recorded steps
+  int replay = 0;                         ///< direction in which recorded steps are played; 0: they are not
   std::optional<StepRange> loop;
   double speed = 1;
   std::vector<double> peaks;  ///< largest reading of each taxel of the selected sensor since the start [Pa]

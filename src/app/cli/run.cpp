@@ -14,20 +14,23 @@ namespace taxel::cli {
 namespace {
 
 struct Options {
-  std::string scene, layout, geom, plugins, out;
+  std::string scene, plugins, out;
+  std::vector<std::string> layouts, geoms;
   std::optional<Aggregate> aggregate;
   double seconds = 1.0;
 };
 
 int run(const Options& options, Console& console) {
-  if (options.layout.empty() != options.geom.empty()) throw Error("run", "--layout and --geom are given together");
+  if (options.layouts.size() != options.geoms.size())
+    throw Error("run", "--layout and --geom are given together, each as often as the other");
+  std::vector<SceneAttachment> attachments;
+  for (std::size_t i = 0; i < options.geoms.size(); ++i) attachments.push_back({options.geoms[i], options.layouts[i]});
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
 
   const auto start = std::chrono::steady_clock::now();
-  const std::unique_ptr<Simulator> simulator =
-      Simulator::load(options.scene, options.layout, options.geom, options.aggregate);
+  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, attachments, options.aggregate);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SimScene& scene = *simulator->scene();
   if (scene.sensors.empty()) {
@@ -59,8 +62,14 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
       parent, common, "run", "Any MuJoCo scene, with the sensors it declares or a layout attached to a geom",
       "taxel run scene.xml --layout finger.taxels.json --geom fingertip --seconds 2 --out result");
   app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->option_text("(required)");
-  app->add_option("--layout", options->layout, "Attach this layout (*.taxels.json) ...")->type_name("FILE");
-  app->add_option("--geom", options->geom, "... to the geom of this name")->type_name("NAME");
+  app->add_option("--layout", options->layouts, "Attach this layout (*.taxels.json) ...")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  app->add_option("--geom", options->geoms, "... to the geom of this name; both may be given again, in pairs")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
   add_aggregate(*app, options->aggregate);
   app->add_option("--plugins", options->plugins,
                   "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed "

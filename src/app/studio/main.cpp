@@ -9,6 +9,7 @@
 #include "app/studio/options.h"
 #include "app/studio/studio.h"
 #include "app/version/version.h"
+#include "core/sim/plugin/plugin_folder.h"
 #include "ui/keymap.h"
 
 int main(int argc, char** argv) {
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
+    if (!options.plugins.empty()) taxel::load_plugin_folder(options.plugins);
     taxel::studio::Studio studio(options);
     return studio.run() ? 0 : 2;
   } catch (const std::exception& error) {

@@ -52,6 +52,8 @@ ParsedOptions parse_options(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--plugins", o.plugins, "Load the plugin libraries of this folder first, for scenes that need them")
+      ->type_name("DIR");
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
   app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");

@@ -9,7 +9,7 @@ namespace taxel::studio {
 struct Options {
   std::string file;  ///< empty: the fingertip sweep
   bool headless = false;
-  std::string script, screenshot, dump_state, shader_dir;
+  std::string script, screenshot, dump_state, shader_dir, plugins;
   std::string state_dir;  ///< of settings and autosave; empty: the user's own, or none where frames follow a script
   double autosave_every = 30;  ///< [s]
   bool empty = false;          ///< opens nothing

@@ -105,6 +105,7 @@ void Session::drop_scene() {
   settled_.reset();
   explain_wish_.reset();
   playing_ = sweep_ = simulates_document_ = still_ = false;
+  attached_.clear();
   replay_.stop();
   loop_.reset();
 }
@@ -126,7 +127,7 @@ void Session::build_scene(Pending pending) {
   if (pending_->sweep) {
     simulation_.send(LoadSweepCommand{pending_->document.model, pending_->scenario});
   } else {
-    simulation_.send(LoadSceneCommand{pending_->document.file});
+    simulation_.send(LoadSceneCommand{pending_->document.file, pending_->attachments});
   }
   if (by_clock_) return;
   settle([&](const SimFrame& frame) { return frame.loads >= loads_; });
@@ -250,7 +251,14 @@ void Session::accept_document(Document document, SessionNews& news) {
   if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
     const bool sweep = layout_with_taxels;
     const SweepScenario scenario = sweep ? scenario_ : SweepScenario{};
-    build_scene({std::move(document), sweep, scenario, play, framed, true});
+    const bool again = reloading_ && document_ && document.file == document_->file;
+    build_scene({.document = std::move(document),
+                 .sweep = sweep,
+                 .scenario = scenario,
+                 .attachments = again ? attached_ : std::vector<SceneAttachment>{},
+                 .play = play,
+                 .framed = framed,
+                 .another = !again});
     return;
   }
   drop_scene();
@@ -281,6 +289,7 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   if (!stands || frame->loads < least_load_) return;
   tell_warnings(*frame, news);
   tell_stop(*frame, news);
+  tell_saved(*frame, news);
   if (!frame->recorded) note_pressures(*frame, frame->runs != noted_run_);
   if (frame->finished || frame->failed || frame->stop) playing_ = false;
   frame_ = std::move(frame);
@@ -306,8 +315,9 @@ void Session::tell_warnings(const SimFrame& frame, SessionNews& news) {
 void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   Pending pending = std::move(*pending_);
   pending_.reset();
-  if (!pending.document.model && !frame.scene->sensors.empty()) pending.document.model = frame.scene->sensors.front();
+  attached_ = std::move(pending.attachments);
   if (pending.another) show_document(std::move(pending.document));
+  take_sensors(frame);
   sweep_ = pending.sweep;
   scenario_ = pending.sweep ? pending.scenario : scenario_;
   simulates_document_ = true;
@@ -358,6 +368,8 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.simulates_document = simulates_document_;
   input.scenario = scenario_;
   input.sweep = sweep_;
+  input.is_scene = document_ && document_->kind == DocumentKind::scene;
+  input.attached = attached_;
   input.playing = (playing() && !(frame_ && frame_->finished)) || replaying();
   input.replay = replay_.direction();
   input.loop = loop_;

@@ -26,6 +26,7 @@ struct SessionNews {
   std::vector<std::pair<Severity, std::string>> messages;
   std::optional<ui::Mode> opened;  ///< another document or scene is shown, best in this mode
   bool another_document = false;   ///< not the same one in another scene
+  std::string saved_scene;         ///< file that was written
   std::string opened_file;         ///< where it came from; empty: built in
   bool framed = false;             ///< the cameras should turn to it (not after a reload)
   bool new_frame = false;
@@ -83,6 +84,11 @@ class Session {
   void set_history_limits(const StepHistoryLimits& limits);
   void reset();
   void set_speed(double factor);
+  void send(SimCommand command);  ///< to the running scene: what a hand sets there
+  /// A layout on geoms of the open scene, which is compiled anew, paused or running as before.
+  void attach(const std::vector<std::string>& geoms, const std::string& layout);
+  void detach(const std::string& geom);
+  void save_scene(const std::string& file);
 
   /// Takes what worker and simulation have ready. Not by clock it waits for them, but shows a preview for some
   /// pictures, long enough for a script to act on it, unless it is to `hurry`.
@@ -108,7 +114,8 @@ class Session {
   struct Pending {
     Document document;
     bool sweep = false;
-    SweepScenario scenario;
+    SweepScenario scenario = {};
+    std::vector<SceneAttachment> attachments = {};
     bool play = false, framed = true;
     bool another = false;    ///< not the document that is open
     bool shown = true;       ///< in SIMULATE, as soon as it stands
@@ -149,6 +156,9 @@ class Session {
   void replay_by_clock();
   void tell_stop(const SimFrame& frame, SessionNews& news);
   void build_scene(Pending pending);
+  void build_with(std::vector<SceneAttachment> attachments);
+  void take_sensors(const SimFrame& frame);
+  void tell_saved(const SimFrame& frame, SessionNews& news);
   void drop_scene();
   void show_saved_step();
   [[nodiscard]] bool runs();
@@ -194,6 +204,8 @@ class Session {
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
   bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
+  std::vector<SceneAttachment> attached_;  ///< to the open scene
+  std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   bool sweep_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
   double speed_ = 1;

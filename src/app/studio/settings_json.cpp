@@ -38,9 +38,11 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("path", s.overlays.path);
   visit("grid", s.overlays.grid);
   visit("ghost", s.overlays.ghost);
+  visit("constraints", s.overlays.constraints);
   visit("panel_outliner", s.panels.outliner);
   visit("panel_taxels", s.panels.taxels);
   visit("panel_inspector", s.panels.inspector);
+  visit("panel_controls", s.panels.controls);
   visit("panel_bars", s.panels.bars);
   visit("panel_plot", s.panels.plot);
   visit("panel_timeline", s.panels.timeline);

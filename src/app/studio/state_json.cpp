@@ -8,6 +8,7 @@
 
 #include "app/studio/editing_json.h"
 #include "app/studio/explain_json.h"
+#include "app/studio/scene_json.h"
 #include "app/studio/script_player.h"
 #include "app/studio/time_json.h"
 #include "app/studio/tools_json.h"
@@ -76,7 +77,8 @@ Json overlays_json(const ui::Overlays& o) {
           {"coverage", o.coverage},
           {"normal_angles", o.normal_angles},
           {"path", o.path},
-          {"grid", o.grid}};
+          {"grid", o.grid},
+          {"constraints", o.constraints}};
 }
 
 /// What the overlays about receptive fields say; null where they are off.
@@ -270,6 +272,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["recovery"] = ui.recovery;
   json.update(Json::parse(editing_to_json(ui, input)));
   json["simulation"] = simulation_json(ui, input);
+  json["scene"] = Json::parse(scene_to_json(ui, input));
   json.update(Json::parse(tools_to_json(ui, input)));
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

@@ -196,6 +196,9 @@ void Studio::act_on(const SessionNews& news) {
     ui::leave_measure(ui_);
     ui_.clip.reset();
     ui_.probe.sized = false;
+    ui_.perturb = {};
+    ui_.controls = {};
+    ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (news.resized) turn_cameras_ = true;
   if (news.reloaded) {
@@ -205,6 +208,8 @@ void Studio::act_on(const SessionNews& news) {
   }
   if (news.doubtful_mesh) ui_.saved.panels.mesh_report = is_doubtful(session_.edits().mesh());
   if (news.opened) {
+    ui_.selection.body = -1;  // bodies may have other numbers now
+    ui_.perturb = {};
     ui_.mode = *news.opened;
     ui_.edited_sweep = session_.scenario();
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());

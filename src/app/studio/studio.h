@@ -77,6 +77,8 @@ class Studio {
   void wrote(const std::string& file, const Project& written);
   void save_project(const std::string& path, bool replace);
   [[nodiscard]] bool can_export(ui::FileTask task) const;
+  void save_scene(const ui::SaveScene& wanted);
+  bool carry_out_in_scene(const ui::Request& request);
   void export_file(const ui::ExportFile& wanted);
   void export_when_ready();
   [[nodiscard]] bool samples_are_final() const;

@@ -45,6 +45,8 @@ bool Studio::carry_out_save(const ui::Request& request) {
     save_project(save->path, save->replace);
   } else if (std::holds_alternative<ui::SaveProjectAs>(request)) {
     ask_for_file(ui::FileTask::save_project, "");
+  } else if (const auto* scene = std::get_if<ui::SaveScene>(&request)) {
+    save_scene(*scene);
   } else if (const auto* wanted = std::get_if<ui::ExportFile>(&request)) {
     export_file(*wanted);
   } else if (std::holds_alternative<ui::DialogClosed>(request)) {
@@ -112,6 +114,15 @@ void Studio::save_project(const std::string& path, bool replace) {
   remember_recent(ui_.saved, file);
   ui::add_message(ui_, Severity::note, "Saved " + file, ImGui::GetTime());
   if (held_) ui_.ask(*std::exchange(held_, std::nullopt));
+}
+
+void Studio::save_scene(const ui::SaveScene& wanted) {
+  if (session_.kind() != DocumentKind::scene || !session_.frame()) return;
+  if (wanted.path.empty()) return ask_for_file(ui::FileTask::save_scene, "");
+  std::error_code ignored;
+  if (std::filesystem::equivalent(wanted.path, session_.file(), ignored))
+    return ask_for_file(ui::FileTask::save_scene, "That is the scene that is open, which stays as it is.");
+  if (may_write(wanted.path, ui::FileTask::save_scene, wanted.replace)) session_.save_scene(wanted.path);
 }
 
 void Studio::start_autosave() {

@@ -57,7 +57,7 @@ void Studio::carry_out(const ui::Request& request) {
     session_.set_playing(play->playing);
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
     session_.step_by(1);
-  } else if (carry_out_in_time(request)) {
+  } else if (carry_out_in_time(request) || carry_out_in_scene(request)) {
     return;
   } else if (std::holds_alternative<ui::ResetSimulation>(request)) {
     session_.reset();
@@ -87,6 +87,19 @@ bool Studio::carry_out_in_time(const ui::Request& request) {
     session_.set_breakpoints(breakpoints->breakpoints);
   } else if (const auto* limits = std::get_if<ui::SetHistoryLimits>(&request)) {
     session_.set_history_limits(limits->limits);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool Studio::carry_out_in_scene(const ui::Request& request) {
+  if (const auto* command = std::get_if<ui::SendCommand>(&request)) {
+    session_.send(command->command);
+  } else if (const auto* attach = std::get_if<ui::AttachLayout>(&request)) {
+    attach->path.empty() ? ask_for_file(ui::FileTask::attach_layout, "") : session_.attach(attach->geoms, attach->path);
+  } else if (const auto* detach = std::get_if<ui::DetachLayout>(&request)) {
+    session_.detach(detach->geom);
   } else {
     return false;
   }

@@ -46,6 +46,7 @@ bool Studio::has_notice(const std::string& file) const {
 void Studio::watch_files() {
   std::vector<std::string> files;
   if (!session_.file().empty() && session_.kind() != DocumentKind::mesh) files.push_back(session_.file());
+  for (const SceneAttachment& attached : input_.attached) files.push_back(attached.layout);
   if (session_.edits().is_open()) {
     const std::string& mesh = session_.edits().project()->layout.mesh.file;
     if (mesh != built_in_mesh().name) files.push_back(mesh);
@@ -62,19 +63,22 @@ void Studio::watch_files() {
 }
 
 void Studio::tell_change(const std::string& file, FileChange change) {
+  const bool scene = session_.kind() == DocumentKind::scene;
   const bool document = file == session_.file() && session_.kind() != DocumentKind::mesh;
-  if (change == FileChange::changed && !document) return comparison_.start(session_.edits().project()->layout);
+  if (change == FileChange::changed && !document && !scene)
+    return comparison_.start(session_.edits().project()->layout);
   if (change == FileChange::deleted) {
     if (document && session_.edits().is_open()) session_.edits().mark_unsaved();
-    const char* const rest = document ? "Nothing is lost: saving writes it again."
-                                      : "It stays open; saving or exporting writes it beside the new file.";
+    const char* const rest = scene      ? "The scene stays open as it was read."
+                             : document ? "Nothing is lost: saving writes it again."
+                                        : "It stays open; saving or exporting writes it beside the new file.";
     return add_notice({file, fmt::format("{} was deleted or moved. {}", name_of(file), rest), {}});
   }
-  if (hash_of(file) == document_hash_) return;  // only touched
-  add_notice({file,
-              fmt::format("{} was changed by another program. Reading it again is a step that undo takes back.",
-                          name_of(file)),
-              {ui::FileOffer::reload}});
+  if (document && hash_of(file) == document_hash_) return;  // only touched
+  const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
+                                 : "Reading it again is a step that undo takes back.";
+  add_notice(
+      {file, fmt::format("{} was changed by another program. {}", name_of(file), rest), {ui::FileOffer::reload}});
 }
 
 void Studio::tell_mesh(ComparedMesh compared) {

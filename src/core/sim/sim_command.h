@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/project/scenario.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/history/lanes.h"
+#include "core/sim/scene_controls.h"
 
 namespace taxel {
 
@@ -30,9 +32,16 @@ struct LoadSweepCommand {
 struct ReplaceModelCommand {
   SensorModelPtr replaced, model;
 };
+/// MJCF with its own sensors, and layouts attached to others of its geoms.
 struct LoadSceneCommand {
   std::string file;
-};  ///< MJCF with its own sensors
+  std::vector<SceneAttachment> attachments = {};
+};
+/// Writes the scene that runs, with all its sensors declared, as an MJCF file; what it needs beside it, in a folder of
+/// the same name. SimFrame::saved tells of it.
+struct SaveSceneCommand {
+  std::string file;
+};
 /// Pauses, and shows a step of the history, or the nearest that is kept. Where the simulation runs on, it does so from
 /// that step, and what came after it is forgotten.
 struct ScrubCommand {
@@ -48,10 +57,20 @@ struct BreakpointsCommand {
 struct StepHistoryLimitsCommand {
   StepHistoryLimits limits;
 };
+/// Nothing happens while a step of the past is shown. What is set between two steps is no step: the recorded ones stay
+/// as they were, and the next one goes on from it.
+struct EditSceneCommand {
+  SceneEdit edit;
+};
+/// The run begins anew, at a keyframe of the scene; pauses.
+struct LoadKeyframeCommand {
+  int keyframe = 0;
+};
 struct QuitCommand {};
 
-using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
-                                ReplaceModelCommand, LoadSceneCommand, ScrubCommand, FollowStepBeforeCommand,
-                                BreakpointsCommand, StepHistoryLimitsCommand, QuitCommand>;
+using SimCommand =
+    std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
+                 ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, FollowStepBeforeCommand,
+                 BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, QuitCommand>;
 
 }  // namespace taxel

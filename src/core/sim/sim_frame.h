@@ -13,6 +13,7 @@
 #include "core/sensor/sensor_model.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/history/lanes.h"
+#include "core/sim/scene_controls.h"
 
 namespace taxel {
 
@@ -20,6 +21,7 @@ namespace taxel {
 struct SceneGeom {
   std::string name;
   std::string body;
+  int body_index = 0;  ///< in SceneControls::bodies
   TriMeshPtr mesh;
   std::array<float, 4> rgba{0.6f, 0.6f, 0.6f, 1.0f};
   bool plane = false;
@@ -43,6 +45,7 @@ struct SimScene {
   std::vector<dvec3> path_W;              ///< where the finger's lowest point is led: drawn as a red line; may be empty
   double duration = 0;                    ///< scenario length [s]; 0: endless
   double timestep = 0;                    ///< [s]
+  SceneControls controls;
 };
 
 /// One sensor in one step.
@@ -73,6 +76,12 @@ struct StepBefore {
   std::vector<SensorFrameState> sensors;
 };
 
+/// The scene was written to a file, or could not be.
+struct SavedScene {
+  std::uint64_t number = 0;  ///< counts
+  std::string file, error;   ///< error empty: it was
+};
+
 struct SimFrame {
   std::shared_ptr<const SimScene> scene;
   std::uint64_t step = 0;
@@ -84,6 +93,9 @@ struct SimFrame {
   double measured_speed = 0;     ///< reached lately
   std::vector<Pose> geom_poses;  ///< X_WG parallel to scene->geoms
   std::vector<SensorFrameState> sensors;
+  ControlValues controls;                 ///< of scene->controls
+  std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown, and
+  std::vector<HeldPoints> held;           ///< likewise
   std::shared_ptr<const std::vector<TraceRow>>
       trace;                          ///< all rows so far (copied when a row is added, at most 30 times a second)
   std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()
@@ -99,6 +111,7 @@ struct SimFrame {
   std::uint64_t commands = 0;      ///< executed so far
   std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused
   std::uint64_t replacements = 0;  ///< likewise models to replace
+  SavedScene saved;                ///< last
   bool failed = false;  ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
   std::string error;    ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };

@@ -49,6 +49,7 @@ struct SimThread::Impl {
   std::string error;    // why stepping stopped
   std::string refused;  // why the last scene or model was not taken; the one before goes on
   std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
+  SavedScene saved;
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   bool follows_before = false;            // frames carry the step before
@@ -89,6 +90,7 @@ struct SimThread::Impl {
   void begin_run();
   void go_on_from_shown();
   void scrub(std::uint64_t step);
+  bool execute_on_scene(const SimCommand& command);
   void execute_on_history(const SimCommand& command);
   bool step_once();
   void add_trace_row();
@@ -234,6 +236,27 @@ void SimThread::Impl::execute_on_history(const SimCommand& command) {
   }
 }
 
+/// What a hand sets. Returns whether the command was one of these.
+bool SimThread::Impl::execute_on_scene(const SimCommand& command) {
+  if (const auto* edit = std::get_if<EditSceneCommand>(&command)) {
+    if (simulator != nullptr && !scrubbed && error.empty()) simulator->edit(edit->edit);
+  } else if (const auto* key = std::get_if<LoadKeyframeCommand>(&command)) {
+    if (simulator != nullptr && simulator->load_keyframe(key->keyframe)) begin_run();
+    set_playing(false);
+  } else if (const auto* save = std::get_if<SaveSceneCommand>(&command)) {
+    saved = {saved.number + 1, save->file, ""};
+    try {
+      if (simulator == nullptr) throw Error(save->file, "there is no scene to write");
+      simulator->save_scene(save->file);
+    } catch (const std::exception& e) {
+      saved.error = e.what();
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void SimThread::Impl::set_playing(bool on) {
   playing = on;
   pacing.restart(seconds_since_epoch(), speed);
@@ -294,8 +317,8 @@ void SimThread::Impl::execute(const SimCommand& command) {
   } else if (const auto* replace = std::get_if<ReplaceModelCommand>(&command)) {
     replace_model(*replace);
   } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
-    load([&] { return Simulator::load(scene->file); });
-  } else {
+    load([&] { return Simulator::load(scene->file, scene->attachments); });
+  } else if (!execute_on_scene(command)) {
     execute_on_history(command);
   }
 }
@@ -334,6 +357,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->scene = frame->simulated = std::make_shared<const SimScene>();
   if (simulator != nullptr) {
     scrubbed ? history.fill_frame(*scrubbed, *frame) : simulator->fill_frame(*frame);
+    if (scrubbed) frame->controls = simulator->controls_of(history.state(*scrubbed));
     frame->simulated = simulator->scene();
     frame->warnings = simulator->warnings();
   }
@@ -355,6 +379,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->trace = trace;
   frame->runs = runs;
   frame->commands = commands;
+  frame->saved = saved;
   frame->loads = loads;
   frame->replacements = replacements;
   frame->failed = !error.empty();

@@ -7,41 +7,18 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
+#include "core/sim/model/perturbation.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/pair_surface.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
-#include "core/sim/scene/sweep_scene.h"
+#include "core/sim/scene/sweep_path.h"
 
 namespace taxel {
 namespace {
-
-/// The sweep's clock: where the mocap body is in each step, and which steps are recorded.
-struct SweepPath {
-  SweepScene scene;
-  double steps_per_metre = 1;
-  double steps_per_row = 1;
-  std::uint64_t last_step = 0;
-
-  SweepPath(SweepScene s, const SweepScenario& scenario)
-      : scene(std::move(s)),
-        steps_per_metre(whole(1.0 / (scenario.speed * scenario.timestep))),
-        steps_per_row(whole(scenario.record_every * steps_per_metre)),
-        last_step(static_cast<std::uint64_t>(std::ceil(whole(scene.distance * steps_per_metre)))) {}
-
-  /// A number that is meant to be whole, freed of its rounding.
-  static double whole(double x) {
-    const double nearest = std::round(x);
-    return std::abs(x - nearest) <= 1e-9 * nearest ? nearest : x;
-  }
-  [[nodiscard]] double travel(std::uint64_t step) const {
-    return std::min(scene.distance, static_cast<double>(step) / steps_per_metre);
-  }
-  /// Rows that are due up to and including this step, less one.
-  [[nodiscard]] double rows(std::uint64_t step) const { return std::floor(static_cast<double>(step) / steps_per_row); }
-};
 
 /// MuJoCo's log would land in the user's working folder; what it says reaches the user through our own messages.
 void quiet_mujoco() {
@@ -68,6 +45,7 @@ struct Simulator::Impl {
   std::shared_ptr<const SimScene> shown;  // what does not change
   int mocap = -1;                         // the first mocap body's number, -1: none
   dvec3 mocap_start{0};
+  Perturbation hand;
 
   std::uint64_t steps = 0;      // made so far
   double time = 0, travel = 0;  // of the state evaluated last
@@ -77,25 +55,29 @@ struct Simulator::Impl {
   [[nodiscard]] mjData& d() const { return *data; }
   [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
 
-  void make_data(const SensorModelPtr& handed_over);
+  void make_data();
   void read_by(Aggregate aggregate);
   void describe();
   void place_mocap(double travelled);
   void look();
   void check_stability() const;
   void check_sensors() const;
-  void back_to_start();
+  void start_at(int keyframe);
+  void back_to_start() { start_at(-1); }
+  bool move(const Perturb& asked);
 };
 
 Simulator::Simulator() : impl_(std::make_unique<Impl>()) {}
 Simulator::~Simulator() = default;
 
-void Simulator::Impl::make_data(const SensorModelPtr& handed_over) {
+void Simulator::Impl::make_data() {
   data.reset(mj_makeData(compiled.model.get()));
   if (data == nullptr) throw Error(title, "MuJoCo cannot make the simulation data");
   instances = sensor_instances(m());
-  if (handed_over != nullptr)
-    for (const int i : instances) find_sensor(*data, i)->hand_over(m(), handed_over);
+  for (const int i : instances) {
+    const auto handed = compiled.handed.find(instance_name(m(), i));
+    if (handed != compiled.handed.end()) find_sensor(*data, i)->hand_over(m(), handed->second);
+  }
 }
 
 void Simulator::Impl::read_by(Aggregate aggregate) {
@@ -110,6 +92,7 @@ void Simulator::Impl::describe() {
   scene->title = title;
   scene->geoms = drawable_geoms(m(), drawn);
   scene->timestep = m().opt.timestep;
+  scene->controls = scene_controls(m());
   for (std::size_t i = 0; i < instances.size(); ++i) {
     scene->sensors.push_back(sensor(i).model());
     scene->sensor_geoms.push_back(geom_name(m(), sensor(i).config().geom));
@@ -152,10 +135,13 @@ void Simulator::Impl::check_stability() const {
     throw Error(title, fmt::format("the simulation became unstable at {:.6g} s, {}", time, what));
 }
 
-void Simulator::Impl::back_to_start() {
-  mj_resetData(&m(), &d());
+/// At its start, or at a keyframe.
+void Simulator::Impl::start_at(int keyframe) {
+  keyframe < 0 ? mj_resetData(&m(), &d()) : mj_resetDataKeyframe(&m(), &d(), keyframe);
+  hand.let_go();
   steps = 0;
-  time = travel = 0;
+  time = d().time;
+  travel = 0;
   row_due = false;
   if (sweep) place_mocap(0);
   look();
@@ -168,20 +154,22 @@ std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, co
   s.title = "fingertip sweep: " + model->layout.name;
   s.sweep.emplace(build_sweep_scene(*model, scenario), scenario);
   s.compiled = compile_scene(s.sweep->scene.hosted_xml, s.sweep->scene.files.files, s.title);
-  s.make_data(model);
+  for (const int i : sensor_instances(s.m())) s.compiled.handed[instance_name(s.m(), i)] = model;
+  s.make_data();
   s.describe();
   s.back_to_start();
   return simulator;
 }
 
-std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene, const std::string& layout,
-                                           const std::string& geom, std::optional<Aggregate> aggregate) {
+std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
+                                           const std::vector<SceneAttachment>& attachments,
+                                           std::optional<Aggregate> aggregate) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
   s.title = scene.string();
-  s.compiled = load_scene(scene, layout, geom);
-  s.make_data(nullptr);
+  s.compiled = load_scene(scene, attachments);
+  s.make_data();
   if (aggregate) s.read_by(*aggregate);
   s.describe();
   s.back_to_start();
@@ -199,7 +187,9 @@ void Simulator::step() {
     s.travel = s.mocap >= 0 ? glm::distance(mocap_pos(), s.mocap_start) : 0.0;
     s.row_due = true;
   }
+  s.hand.push(s.m(), s.d());
   mj_step(&s.m(), &s.d());
+  s.hand.release(s.d());
   ++s.steps;
   s.check_stability();
   s.check_sensors();
@@ -207,6 +197,38 @@ void Simulator::step() {
 
 void Simulator::reset() {
   impl_->back_to_start();
+}
+
+bool Simulator::load_keyframe(int keyframe) {
+  if (keyframe < 0 || keyframe >= impl_->m().nkey) return false;
+  impl_->start_at(keyframe);
+  return true;
+}
+
+/// Returns whether geoms may lie elsewhere now.
+bool Simulator::Impl::move(const Perturb& asked) {
+  const bool held = asked.kind != Perturb::Kind::none && asked.geom >= 0;
+  if (!held || static_cast<std::size_t>(asked.geom) >= drawn.size()) {
+    hand.let_go();
+    return false;
+  }
+  const int geom = drawn[static_cast<std::size_t>(asked.geom)], body = m().geom_bodyid[geom];
+  const Pose X_WB = body_pose(d(), body);
+  return hand.follow(m(), d(), asked, body, X_WB.inverse() * (geom_pose(m(), d(), geom) * asked.point_G));
+}
+
+void Simulator::edit(const SceneEdit& edit) {
+  struct Apply {
+    Impl& s;
+    bool operator()(const SetControl& e) const { return set_control(s.m(), s.d(), e); }
+    bool operator()(const SetJoint& e) const { return set_joint(s.m(), s.d(), e); }
+    bool operator()(const SetMocap& e) const { return set_mocap(s.m(), s.d(), e); }
+    bool operator()(const SetEquality& e) const { return set_equality(s.m(), s.d(), e); }
+    bool operator()(const Perturb& e) const { return s.move(e); }
+  };
+  if (!std::visit(Apply{*impl_}, edit)) return;
+  impl_->time = impl_->d().time;
+  impl_->look();
 }
 
 void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model) {
@@ -241,7 +263,7 @@ const std::shared_ptr<const SimScene>& Simulator::scene() const {
 }
 
 std::vector<std::string> Simulator::warnings() const {
-  std::vector<std::string> all;
+  std::vector<std::string> all = impl_->compiled.notes;
   for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
     const HydroInstance& sensor = impl_->sensor(i);
     for (const std::string& text : sensor.warnings()) all.push_back("sensor \"" + sensor.config().name + "\": " + text);
@@ -314,6 +336,13 @@ StepView Simulator::view() const {
 
 void Simulator::fill_frame(SimFrame& frame) const {
   taxel::fill_frame(view(), frame);
+  frame.controls = control_values(impl_->m(), impl_->d());
+  frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
+  frame.held = held_points(impl_->m(), impl_->d());
+}
+
+ControlValues Simulator::controls_of(const SimState& state) const {
+  return control_values(impl_->m(), state.integration);
 }
 
 void Simulator::save_state(SimState& state) const {
@@ -332,6 +361,7 @@ void Simulator::restore_state(const SimState& state) {
     throw Error(s.title, "the state is another scene's");
   mj_setState(&s.m(), &s.d(), state.integration.data(), mjSTATE_INTEGRATION);
   for (mjWarningStat& warning : s.d().warning) warning.number = 0;
+  s.hand.let_go();
   s.steps = state.step;
   s.time = state.time;
   s.travel = state.travel;
@@ -374,7 +404,13 @@ PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sen
 
 void Simulator::export_scene(const std::filesystem::path& folder) const {
   const Impl& s = *impl_;
-  write_scene(folder, s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
+  write_scene(folder / "scene.xml", s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
+}
+
+void Simulator::save_scene(const std::filesystem::path& file) const {
+  const Impl& s = *impl_;
+  write_scene(file,
+              s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
 }
 
 dvec3 Simulator::mocap_pos() const {

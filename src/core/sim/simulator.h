@@ -38,11 +38,11 @@ class Simulator {
  public:
   /// The sweep around any compiled layout. The scene uses `others = {"box"}`.
   static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const SweepScenario& scenario);
-  /// Any MJCF with the sensors it declares; `layout` with `geom` attaches one more (both empty: none). `aggregate`,
-  /// where given, goes over that of every layout.
+  /// Any MJCF with the sensors it declares, and layouts attached to others of its geoms. `aggregate`, where given, goes
+  /// over that of every layout.
   /// Throws Error that names the file and MuJoCo's reason.
-  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene, const std::string& layout = "",
-                                         const std::string& geom = "",
+  static std::unique_ptr<Simulator> load(const std::filesystem::path& scene,
+                                         const std::vector<SceneAttachment>& attachments = {},
                                          std::optional<Aggregate> aggregate = std::nullopt);
   ~Simulator();
   Simulator(const Simulator&) = delete;
@@ -61,6 +61,10 @@ class Simulator {
   /// All sensors that read by `replaced` read the present state anew, by `model`. Throws Error where it has another
   /// number of taxels; the sensors then stay as they are.
   void replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model);
+  /// Sets what a hand asks for, between two steps; what moves is seen at once, and sensed.
+  void edit(const SceneEdit& edit);
+  /// Goes to a keyframe, as a start of its own. False: the scene has none of that number.
+  bool load_keyframe(int keyframe);
   void reset();                         ///< back to the start, bit for bit
   [[nodiscard]] bool finished() const;  ///< the scenario's path has been run
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
@@ -73,6 +77,7 @@ class Simulator {
   /// Goes back to a state of this simulator. The sensors still show what they sensed last: the next step() is as it
   /// was.
   void restore_state(const SimState& state);
+  [[nodiscard]] ControlValues controls_of(const SimState& state) const;  ///< in a state of this simulator
   [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 
@@ -84,6 +89,8 @@ class Simulator {
 
   /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
   void export_scene(const std::filesystem::path& folder) const;
+  /// The same as FILE.xml with what it needs in a folder FILE_files beside it.
+  void save_scene(const std::filesystem::path& file) const;
   [[nodiscard]] dvec3 mocap_pos() const;
   [[nodiscard]] dquat mocap_quat() const;
 

@@ -24,7 +24,8 @@ void arrange_compactly(ImGuiID space) {
   ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, &center);
   ImGui::DockBuilderDockWindow(kViewTitle, center);
   for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
-  for (const char* title : {kInspectorTitle, kGenerateTitle, kExplainTitle}) ImGui::DockBuilderDockWindow(title, right);
+  for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle})
+    ImGui::DockBuilderDockWindow(title, right);
   for (const char* title : {kBarsTitle, kPlotTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
     ImGui::DockBuilderDockWindow(title, bottom);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
@@ -44,6 +45,7 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kOutlinerTitle, outliner);
   ImGui::DockBuilderDockWindow(kTaxelsTitle, taxels);
   ImGui::DockBuilderDockWindow(kInspectorTitle, right);
+  ImGui::DockBuilderDockWindow(kControlsTitle, right);
   ImGui::DockBuilderDockWindow(kGenerateTitle, right);
   ImGui::DockBuilderDockWindow(kExplainTitle, right);
   ImGui::DockBuilderDockWindow(kBarsTitle, bars);

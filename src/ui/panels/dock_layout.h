@@ -9,6 +9,7 @@ inline constexpr const char* kViewTitle = "View";
 inline constexpr const char* kOutlinerTitle = "Outliner";
 inline constexpr const char* kTaxelsTitle = "Taxels";
 inline constexpr const char* kInspectorTitle = "Inspector";
+inline constexpr const char* kControlsTitle = "Controls";
 inline constexpr const char* kGenerateTitle = "Generate";
 inline constexpr const char* kBarsTitle = "Pressure bars";
 inline constexpr const char* kPlotTitle = "Taxels over travel";

@@ -39,6 +39,10 @@ Words words_of(FileTask task) {
       return {"Save this step, to be opened elsewhere", "Save", ".taxelframe"};
     case FileTask::read_points:
       return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
+    case FileTask::attach_layout:
+      return {"Attach a layout to the chosen geoms", "Attach", ""};
+    case FileTask::save_scene:
+      return {"Save the scene with its sensors", "Save", ".xml"};
   }
   return {"", "", ""};
 }
@@ -79,6 +83,7 @@ void ask_for(UiState& ui, const std::string& path) {
   const FileDialog& dialog = ui.dialog;
   if (dialog.task == FileTask::open) return ui.ask(OpenFile{path});
   if (dialog.task == FileTask::read_points) return ui.ask(ReadPoints{path});
+  if (dialog.task == FileTask::attach_layout) return ui.ask(AttachLayout{ui.controls.geoms, path});
   const std::string extension = words_of(dialog.task).extension;
   // A layout goes out in any format that its name asks for.
   const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path));
@@ -86,6 +91,8 @@ void ask_for(UiState& ui, const std::string& path) {
   const bool replace = whole == dialog.exists;
   if (dialog.task == FileTask::save_project) {
     ui.ask(SaveProject{whole, replace});
+  } else if (dialog.task == FileTask::save_scene) {
+    ui.ask(SaveScene{whole, replace});
   } else {
     ui.ask(ExportFile{dialog.task, whole, replace, dialog.width, dialog.height});
   }

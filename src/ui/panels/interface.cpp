@@ -2,6 +2,7 @@
 
 #include "ui/panels/bars_panel.h"
 #include "ui/panels/brush_card.h"
+#include "ui/panels/controls_panel.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/explain_panel.h"
@@ -52,6 +53,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.outliner) draw_outliner(ui, input);
   if (shown.taxels) draw_taxel_table(ui, input);
   if (shown.inspector) draw_inspector(ui, input);
+  if (shown.controls && ui.mode == Mode::simulate) draw_controls_panel(ui, input);
   if (shown.bars) draw_bars_panel(ui, input);
   if (shown.plot) draw_plot_panel(ui, input);
   if (shown.section) draw_section(ui, input);

@@ -10,6 +10,7 @@
 #include "ui/scene/draw/gizmo_marks.h"
 #include "ui/scene/draw/gpu_mesh.h"
 #include "ui/scene/draw/ground.h"
+#include "ui/scene/draw/hand_marks.h"
 #include "ui/scene/draw/mesh_pass.h"
 #include "ui/scene/draw/sensor_marks.h"
 
@@ -146,6 +147,7 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   if (input.overlays.wireframe) meshes.draw_wires(list, look, segments, clipped);
   if (clipped) cuts.draw(list.skins, look.cut_alpha, *input.clip, camera, look, segments);
   sensors.draw(input, camera, look, target->height(), segments, points);
+  draw_hand_marks(input, camera, look, segments, points);
   set_clipped(false);
 }
 

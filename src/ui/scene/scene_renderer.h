@@ -45,7 +45,8 @@ struct Overlays {
   bool normal_angles = false;    // taxel normals coloured by their angle to the skin's
   bool path = true;              // red line
   bool grid = true;
-  bool all_rays = false;  // else only those of the selected taxel (of all responding ones when none is)
+  bool constraints = true;  // points that welds and connections hold together
+  bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
   bool operator==(const Overlays&) const = default;
 };
 
@@ -63,6 +64,7 @@ struct SceneInput {
   Overlays overlays;
   PressureRange range;
   int selected_sensor = 0;
+  int selected_body = -1;            ///< as SceneControls::bodies numbers them; -1: none
   int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
   std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending

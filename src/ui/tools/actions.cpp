@@ -11,6 +11,7 @@
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/tools/time_actions.h"
 #include "ui/widgets/keyboard_focus.h"
@@ -60,6 +61,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.overlays.path;
     case Action::toggle_grid:
       return &saved.overlays.grid;
+    case Action::toggle_constraints:
+      return &saved.overlays.constraints;
     case Action::toggle_outliner:
       return &saved.panels.outliner;
     case Action::toggle_taxel_table:
@@ -76,6 +79,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.explain;
     case Action::toggle_section:
       return &saved.panels.section;
+    case Action::toggle_controls:
+      return &saved.panels.controls;
     case Action::toggle_messages:
       return &saved.panels.messages;
     case Action::toggle_mesh_report:
@@ -102,6 +107,7 @@ void escape(UiState& ui) {
     leave_probe(ui);
   } else {
     ui.selection.clear();
+    deselect_body(ui);
   }
 }
 

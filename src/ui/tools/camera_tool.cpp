@@ -12,6 +12,7 @@
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
 
 namespace taxel::ui {
@@ -113,6 +114,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;
   scene.selected_sensor = ui.selection.sensor;
+  scene.selected_body = ui.mode == Mode::simulate ? ui.selection.body : -1;
   if (const SensorModelPtr model = input.shown_model(ui)) {
     scene.selected_taxel = active_index(ui.selection, model->layout);
     scene.selected_taxels = selected_indices(ui.selection, model->layout);
@@ -154,12 +156,14 @@ Aabb scene_box(const UiState& ui, const UiInput& input) {
     include_mesh(box, *scene.sensors[i]->mesh, input.frame->sensors[i].X_WM);
   }
   for (const dvec3& p : scene.path_W) box.include(p);
-  if (!box.empty()) return box;
+  if (!scene.path_W.empty()) return box;
+  const Aabb sensors = box;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
     if (!scene.geoms[i].plane && scene.geoms[i].mesh)
       include_mesh(box, *scene.geoms[i].mesh, input.frame->geom_poses[i]);
   }
-  return box;
+  constexpr double kMuchLarger = 5;  // a room around a hand
+  return !sensors.empty() && box.diagonal() > kMuchLarger * sensors.diagonal() ? sensors : box;
 }
 
 Aabb selection_box(const UiState& ui, const UiInput& input) {
@@ -185,6 +189,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   if (handle_probe_mouse(ui, input, x, y, hovered) || handle_measure_mouse(ui, input, x, y, hovered)) return;
   if (hovered && io.MouseWheel != 0) turn_wheel(ui, input, static_cast<double>(io.MouseWheel));
   if (handle_tool_mouse(ui, input, x, y, hovered)) return;
+  if (handle_perturb_mouse(ui, input, x, y, hovered)) return;
   if (ImGui::IsItemActive()) drag_camera(ui);
   if (!hovered) return;
   const int axis =
@@ -198,12 +203,14 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   if (left && (io.KeyCtrl || ui.tool.tool == Tool::place) && can_edit(ui, input)) {
     return place_taxel(ui, input, x, y);
   }
+  const bool body = ui.mode == Mode::simulate && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   const bool resting = !ImGui::IsAnyMouseDown() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip);
-  if (!left && !centre && !resting) return;
+  if (!left && !centre && !resting && !body) return;
   const double reach = kReach * ui.pixel_scale;
   const std::optional<Pick> under =
       pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
   if (left) select_under(ui, input, under);
+  if (body) select_body(ui, input, under);
   if (centre && under) ui.camera().target = under->position_W;
   if (resting) ui.hovered = under;
 }

@@ -82,13 +82,13 @@ bool perform_selection(Action action, UiState& ui, const UiInput& input) {
   }
 }
 
-bool perform_document(Action action, UiState& ui) {
+bool perform_document(Action action, UiState& ui, bool scene) {
   switch (action) {
     case Action::save:
       ui.ask(SaveProject{});
       return true;
     case Action::save_as:
-      ui.ask(SaveProjectAs{});
+      scene ? ui.ask(SaveScene{}) : ui.ask(SaveProjectAs{});
       return true;
     case Action::export_layout:
       ui.ask(ExportFile{FileTask::export_layout, "", false, 0, 0});
@@ -175,7 +175,8 @@ MirrorPlane mirror_plane_of(const Layout& layout, const Aabb& bounds) {
 }
 
 bool perform_edit(Action action, UiState& ui, const UiInput& input) {
-  if (perform_selection(action, ui, input) || perform_document(action, ui) || perform_gesture(action, ui, input)) {
+  if (perform_selection(action, ui, input) || perform_document(action, ui, input.is_scene) ||
+      perform_gesture(action, ui, input)) {
     return true;
   }
   const std::vector<int>& ids = ui.selection.taxels;
@@ -230,8 +231,9 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
     }
     case Action::select_none:
       return !ui.selection.empty();
-    case Action::save:
     case Action::save_as:
+      return input.editing.project != nullptr || input.is_scene;
+    case Action::save:
     case Action::export_layout:
     case Action::export_taxels:
     case Action::export_samples:

@@ -1,9 +1,10 @@
 #include "ui/tools/taxel_order.h"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 #include <set>
+
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
@@ -13,11 +14,6 @@ std::vector<int> ids_of(const Layout& layout) {
   std::vector<int> ids;
   for (const Taxel& taxel : layout.taxels) ids.push_back(taxel.id);
   return ids;
-}
-
-bool contains_word(const std::string& text, const std::string& word) {
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 bool passes(const std::string& filter, const Taxel& taxel, const LayoutProblems& problems) {

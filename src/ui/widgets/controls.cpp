@@ -219,6 +219,18 @@ bool property_field(UiState& ui, const char* name, double* value, double shown_p
   return changed;
 }
 
+bool property_slider(UiState& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
+                     const char* format, const ControlRange& range) {
+  begin_property(name.c_str());
+  ImGui::SetNextItemWidth(-1);
+  double shown = *value * shown_per_si;
+  const double lo = range[0] * shown_per_si, hi = range[1] * shown_per_si;
+  const bool changed = ImGui::SliderScalar(("##" + noted).c_str(), ImGuiDataType_Double, &shown, &lo, &hi, format);
+  ui.widgets.note_item(noted, true);
+  if (changed) *value = shown / shown_per_si;
+  return changed;
+}
+
 void tooltip(const std::string& text) {
   if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) ImGui::SetTooltip("%s", text.c_str());
 }

@@ -38,6 +38,10 @@ void begin_property(const char* name, const std::string& tip = "");
 bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
                     double hi);
 
+/// A row whose value is a slider, noted as `noted`; true when it was moved. Shown as value * shown_per_si.
+bool property_slider(UiState& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
+                     const char* format, const ControlRange& range);
+
 void tooltip(const std::string& text);  ///< for the last item, when hovered
 /// Small dim text.
 void caption(const char* text);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -67,6 +69,11 @@ double shifted_decimal(double value, int exponent) {
   double result = 0;
   std::from_chars(shifted.data(), shifted.data() + shifted.size(), result);
   return result;
+}
+
+bool contains_word(const std::string& text, const std::string& word) {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 double nice_ceiling(double value) {

@@ -26,6 +26,7 @@ std::string grouped(long long count);                                 ///< "12 3
 double shifted_decimal(double value, int exponent);
 /// Parts of an upright axis of this length whose ends have room for numbers as high as a line: 4, 2 or 1.
 int tick_count(float length, float line);
+bool contains_word(const std::string& text, const std::string& word);  ///< in any case
 double nice_ceiling(double value);  ///< least of 1, 1.5, 2, 3, 4, 5, 6, 8 times 10^n that is >= value
 
 }  // namespace taxel::ui

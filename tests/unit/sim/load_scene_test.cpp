@@ -54,7 +54,7 @@ TEST_F(LoadScene, WithItsOwnSensors) {
 
 TEST_F(LoadScene, AnAttachedLayoutCarriesTheBallInPlaceOfMujocosContact) {
   const std::filesystem::path scene = write(kBall);
-  const auto simulator = Simulator::load(scene, layout(), "ball");
+  const auto simulator = Simulator::load(scene, {{"ball", layout()}});
   for (int n = 0; n < 1000; ++n) simulator->step();
   const SimRow row = simulator->row();
   // the mesh of this icosphere at MuJoCo's default density
@@ -70,7 +70,7 @@ TEST_F(LoadScene, ExclusionTakesAwayNoOtherContact) {
   scene.replace(scene.find("mesh='ball'/>"), 13,
                 "mesh='ball'/><geom name='leg' type='sphere' size='.005' pos='.03 0 -.0145'/>");
   register_sensor_plugin();
-  const CompiledScene compiled = load_scene(write(scene), layout(), "ball");
+  const CompiledScene compiled = load_scene(write(scene), {{"ball", layout()}});
   const DataHandle data(mj_makeData(compiled.model.get()));
   mj_step(compiled.model.get(), data.get());
   bool leg_touches = false, box_excluded = true;
@@ -92,7 +92,7 @@ TEST_F(LoadScene, TheSceneGoesOnWhereItFindsItsFilesFromAnywhere) {
   const std::filesystem::path scene = write("<compiler meshdir='meshes'/>" + std::string(kBall));
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(s.folder.parent_path());
-  const std::string error = error_of([&] { Simulator::load(s.folder.filename() / "scene.xml", layout(), "ball"); });
+  const std::string error = error_of([&] { Simulator::load(s.folder.filename() / "scene.xml", {{"ball", layout()}}); });
   std::filesystem::current_path(before);
   EXPECT_EQ(error, "no error");
 }
@@ -114,7 +114,7 @@ TEST_F(LoadScene, AMovedCopyRepeatsBitForBit) {
 }
 
 TEST_F(LoadScene, AMovedCopyOfAnAttachedLayoutRunsToo) {
-  const auto original = Simulator::load(write(kBall), layout(), "ball");
+  const auto original = Simulator::load(write(kBall), {{"ball", layout()}});
   original->export_scene(s.folder / "copy");
   const auto copy = Simulator::load(s.folder / "copy/scene.xml");
   for (int n = 0; n < 200; ++n) {
@@ -135,12 +135,12 @@ TEST_F(LoadScene, MistakesNameTheFileAndTheReason) {
   EXPECT_TRUE(has(error, "globe") || has(error, "type")) << error;
   EXPECT_EQ(error.find('\n'), std::string::npos);
   write(kBall);
-  error = error_of([&] { Simulator::load(scene, layout(), "bull"); });
+  error = error_of([&] { Simulator::load(scene, {{"bull", layout()}}); });
   EXPECT_TRUE(error.starts_with(scene + ": ")) << error;
   EXPECT_TRUE(has(error, "geom") && has(error, "\"bull\"")) << error;
-  error = error_of([&] { Simulator::load(scene, (s.folder / "nothing.json").string(), "ball"); });
+  error = error_of([&] { Simulator::load(scene, {{"ball", (s.folder / "nothing.json").string()}}); });
   EXPECT_TRUE(has(error, "nothing.json")) << error;
-  error = error_of([&] { Simulator::load(scene, layout(), ""); });
+  error = error_of([&] { Simulator::load(scene, {{"", layout()}}); });
   EXPECT_TRUE(has(error, "go together")) << error;
 }
 

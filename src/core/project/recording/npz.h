@@ -64,38 +64,6 @@ class NpzReader {
   std::map<std::string, Array> arrays_;
 };
 
-/// The arrays of an archive that NpzWriter, or NumPy without compression, wrote. Asked for an array, it throws Error
-/// naming file and array where there is none, or one of another type.
-class NpzReader {
- public:
-  using Shape = NpzWriter::Shape;
-  /// Throws Error where the file cannot be read, is no zip archive, or holds an array that is broken off.
-  explicit NpzReader(const std::filesystem::path& path);
-  [[nodiscard]] bool has(const std::string& name) const { return arrays_.contains(name); }
-  [[nodiscard]] const Shape& shape(const std::string& name) const { return at(name).shape; }
-  /// `shape` as it must be; a dimension of any size is kAny.
-  static constexpr std::size_t kAny = static_cast<std::size_t>(-1);
-  [[nodiscard]] std::vector<double> doubles(const std::string& name, const Shape& shape) const;
-  [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name, const Shape& shape) const;
-  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;  ///< of no or one dimension, as UTF-8
-  [[nodiscard]] const std::string& file() const { return file_; }
-
- private:
-  struct Array {
-    std::string type;  ///< as NPY spells it: "<f8"
-    Shape shape;
-    std::string data;
-    std::size_t count = 1;
-  };
-  [[nodiscard]] const Array& at(const std::string& name) const;
-  [[nodiscard]] Array parse(const std::string& name, const std::string& bytes) const;
-  template <class T>
-  [[nodiscard]] std::vector<T> numbers(const std::string& name, const std::string& type, const Shape& shape) const;
-
-  std::string file_;
-  std::map<std::string, Array> arrays_;
-};
-
 /// Arrays over n rows: time, travel (n), step (n, index into the mocap arrays), object_pos (n, m, 3), object_quat (n,
 /// m, 4) of the m geoms named in object_names; per sensor force (n, 3), area, polygons (n), readings (n, taxels),
 /// sensor_pos (n, 3), sensor_quat (n, 4), taxel_ids, taxel_names, layout (JSON text), seed, and where the layout has a

@@ -5,24 +5,14 @@
 #include "core/base/error.h"
 #include "core/mesh/height_field.h"
 #include "core/mesh/weld.h"
+#include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/model/sdf_mesh.h"
 
 namespace taxel {
-namespace {
-
-dvec3 vec3(const mjtNum* p) {
-  return {p[0], p[1], p[2]};
-}
-dquat quat(const mjtNum* q) {
-  return {q[0], q[1], q[2], q[3]};
-}
-
 std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind) {
   const char* name = mj_id2name(&m, type, id);
   return name != nullptr && *name != '\0' ? name : kind + std::string(" ") + std::to_string(id);
 }
-
-}  // namespace
 
 std::string geom_name(const mjModel& m, int geom) {
   return object_name(m, mjOBJ_GEOM, geom, "geom");
@@ -31,11 +21,13 @@ std::string body_name(const mjModel& m, int body) {
   return object_name(m, mjOBJ_BODY, body, "body");
 }
 
+Pose body_pose(const mjData& d, int body) {
+  return {quat(d.xquat + 4 * body), vec3(d.xpos + 3 * body)};
+}
+
 Pose geom_pose(const mjModel& m, const mjData& d, int geom) {
-  const int body = m.geom_bodyid[geom];
-  const Pose X_WB{quat(d.xquat + 4 * body), vec3(d.xpos + 3 * body)};
   const Pose X_BG{quat(m.geom_quat + 4 * geom), vec3(m.geom_pos + 3 * geom)};
-  return X_WB * X_BG;
+  return body_pose(d, m.geom_bodyid[geom]) * X_BG;
 }
 
 Pose mesh_file_pose(const mjModel& m, int geom) {

@@ -11,9 +11,14 @@
 
 namespace taxel {
 
+/// The name of any object, or "KIND 7" for one without.
+std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind);
 /// The geom's name, or "geom 7" for one without.
 std::string geom_name(const mjModel& m, int geom);
 std::string body_name(const mjModel& m, int body);
+
+/// X_WB of a body in the state last evaluated.
+Pose body_pose(const mjData& d, int body);
 
 /// X_WG in the state last evaluated, from the quaternions of body and geom. The contact is computed from exactly these
 /// numbers, so whoever records them can compute it again, bit for bit.

@@ -4,10 +4,6 @@
 #include "core/sim/model/geometry.h"
 
 namespace taxel {
-namespace {
-
-/// Triangles of a shape, fine enough to look round; null for what is not drawn. A signed distance function shows the
-/// mesh that MuJoCo made of it.
 TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
   const dvec3 size(m.geom_size[3 * geom], m.geom_size[3 * geom + 1], m.geom_size[3 * geom + 2]);
   const double edge = 0.2 * size.x;
@@ -37,8 +33,6 @@ TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
   }
 }
 
-}  // namespace
-
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms) {
   std::vector<SceneGeom> drawn;
   geoms.clear();
@@ -49,6 +43,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     SceneGeom geom;
     geom.name = geom_name(m, g);
     geom.body = body_name(m, m.geom_bodyid[g]);
+    geom.body_index = m.geom_bodyid[g];
     geom.mesh = drawn_mesh(m, g);
     if (geom.mesh == nullptr) continue;
     geom.rgba = {rgba[0], rgba[1], rgba[2], rgba[3]};

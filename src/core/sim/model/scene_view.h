@@ -9,6 +9,10 @@
 
 namespace taxel {
 
+/// Triangles of a geom's surface, frame G, fine enough to look round; null for what is not drawn. A signed distance
+/// function shows the mesh that MuJoCo made of it.
+TriMeshPtr drawn_mesh(const mjModel& m, int geom);
+
 /// Every geom that is not fully transparent, in model order; `geoms` gets its number in the model.
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms);
 

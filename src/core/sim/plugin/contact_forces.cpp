@@ -9,9 +9,6 @@
 namespace taxel {
 namespace {
 
-constexpr int kMaxRounds = 20;
-constexpr double kRoundTolerance = 1e-6;
-
 using Active = ContactForceWorkspace::Active;
 
 std::size_t size(int n) {
@@ -95,27 +92,80 @@ void add_response(const mjModel& m, const Active& a, const Wrench& w, double sig
     mju_addToScl(work.acceleration.data(), a.MinvJ.data() + i * size(m.nv), sign * wrench[i], m.nv);
 }
 
-/// Solves one pair with all others held; returns the relative change of its wrench.
-double solve_pair(const mjModel& m, ContactForceWorkspace& work, Active& a) {
-  PairState& pair = state_of(a);
-  add_response(m, a, pair.wrench, -1, work);
+/// The pair's twist at the end of the step with the acceleration that `work` has.
+Twist end_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a) {
+  const PairState& pair = state_of(a);
   std::array<double, 6> rate{};
   mju_mulMatVec(rate.data(), a.J.data(), work.acceleration.data(), 6, m.nv);
   const double h = m.opt.timestep;
-  a.step.timestep = h;
-  a.step.V_free = {pair.V.linear + h * dvec3(rate[0], rate[1], rate[2]),
-                   pair.V.angular + h * dvec3(rate[3], rate[4], rate[5])};
-  const PairProperties& properties = a.instance->touched()[a.pair].properties;
-  const ImplicitWrench solved =
-      solve_implicit_wrench(a.step, [&](const Twist& V) { return a.points.evaluate(properties, V); });
+  return {pair.V.linear + h * dvec3(rate[0], rate[1], rate[2]), pair.V.angular + h * dvec3(rate[3], rate[4], rate[5])};
+}
+
+Traction law_of(const Active& a, const Twist& V) {
+  return a.points.evaluate(a.instance->touched()[a.pair].properties, V);
+}
+
+void keep(Active& a, const Wrench& wrench, const Twist& V_end) {
+  PairState& pair = state_of(a);
+  pair.wrench = wrench;
+  pair.V_rub = V_end;
+  a.step.V_start = V_end;
+}
+
+/// A pair that shares no bodies with others.
+void solve_alone(const mjModel& m, ContactForceWorkspace& work, Active& a) {
+  add_response(m, a, state_of(a).wrench, -1, work);
+  a.step.timestep = m.opt.timestep;
+  a.step.V_free = end_twist(m, work, a);
+  const ImplicitWrench solved = solve_implicit_wrench(a.step, [&](const Twist& V) { return law_of(a, V); });
   add_response(m, a, solved.wrench, 1, work);
-  const dvec3 change = solved.wrench.force - pair.wrench.force;
-  const dvec3 turn = (solved.wrench.torque - pair.wrench.torque) / a.step.length;
-  const double whole = glm::length(solved.wrench.force) + glm::length(solved.wrench.torque) / a.step.length;
-  pair.wrench = solved.wrench;
-  pair.V_rub = solved.V_end;
-  a.step.V_start = solved.V_end;
-  return whole > 0 ? (glm::length(change) + glm::length(turn)) / whole : 0.0;
+  keep(a, solved.wrench, solved.V_end);
+}
+
+/// J_i M^-1 J_j^T
+Matrix6 response(const mjModel& m, const Active& i, const Active& j) {
+  Matrix6 A{};
+  const std::size_t nv = size(m.nv);
+  for (std::size_t r = 0; r < 6; ++r)
+    for (std::size_t c = 0; c < 6; ++c) A[r][c] = mju_dot(i.J.data() + r * nv, j.MinvJ.data() + c * nv, m.nv);
+  return A;
+}
+
+bool moves(const Matrix6& A) {
+  return std::any_of(A.begin(), A.end(), [](const auto& row) {
+    return std::any_of(row.begin(), row.end(), [](double x) { return x != 0; });
+  });
+}
+
+/// Pairs whose wrenches move each other's bodies, directly or through others, get one group.
+void group_pairs(const mjModel& m, std::span<Active> active) {
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    active[i].group = i;
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::size_t theirs = active[j].group, ours = active[i].group;
+      if (theirs == ours || !moves(response(m, active[i], active[j]))) continue;
+      for (Active& a : active)
+        if (a.group == ours) a.group = theirs;
+    }
+  }
+}
+
+/// The members of a group at once.
+void solve_together(const mjModel& m, ContactForceWorkspace& work) {
+  const std::vector<std::size_t>& members = work.members;
+  for (const std::size_t k : members) add_response(m, work.active[k], state_of(work.active[k]).wrench, -1, work);
+  CoupledWrenches& coupled = work.coupled;
+  coupled.begin(members.size(), m.opt.timestep);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    Active& a = work.active[members[i]];
+    coupled.pair(i) = {a.step.V_start, end_twist(m, work, a), a.step.length, {}, {}};
+  }
+  for (std::size_t i = 0; i < members.size(); ++i)
+    for (std::size_t j = 0; j < members.size(); ++j)
+      coupled.set_inverse_inertia(i, j, response(m, work.active[members[i]], work.active[members[j]]));
+  coupled.solve([&](std::size_t i, const Twist& V) { return law_of(work.active[members[i]], V); });
+  for (std::size_t i = 0; i < members.size(); ++i)
+    keep(work.active[members[i]], coupled.pair(i).wrench, coupled.pair(i).V_end);
 }
 
 void apply(const mjModel& m, mjData& d, Active& a) {
@@ -186,10 +236,13 @@ void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* 
   const std::span<Active> active(work.active.data(), work.active_count);
   free_acceleration(m, d, late_forces, work);
   for (const Active& a : active) add_response(m, a, a.instance->latest().pairs[a.pair].wrench, 1, work);
-  for (int round = 0; round < kMaxRounds; ++round) {
-    double change = 0;
-    for (Active& a : active) change = std::max(change, solve_pair(m, work, a));
-    if (active.size() == 1 || change < kRoundTolerance) break;
+  group_pairs(m, active);
+  for (std::size_t group = 0; group < active.size(); ++group) {
+    work.members.clear();
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k].group == group) work.members.push_back(k);
+    if (work.members.size() == 1) solve_alone(m, work, active[work.members.front()]);
+    if (work.members.size() > 1) solve_together(m, work);
   }
   for (Active& a : active) {
     check_step(m, a);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/hydro/traction_points.h"
+#include "core/sim/plugin/coupled_wrenches.h"
 #include "core/sim/plugin/hydro_instance.h"
 #include "core/sim/plugin/implicit_wrench.h"
 
@@ -22,11 +23,14 @@ struct ContactForceWorkspace {
     ImplicitStep step;
     std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the sensor at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
+    std::size_t group = 0;      ///< pairs whose wrenches move each other's bodies have the same
   };
   TractionPoints felt_only;  ///< of a pair that is sensed and not applied
   std::vector<Active> active;
   std::size_t active_count = 0;
   std::vector<mjtNum> force, acceleration, jacobian;
+  std::vector<std::size_t> members;  ///< of a group
+  CoupledWrenches coupled;
 };
 
 /// Evaluates the instances that apply forces, solves for all wrenches with the velocities of the end of the step, keeps
@@ -34,7 +38,7 @@ struct ContactForceWorkspace {
 /// then. `late_forces` (nv values) are the generalized forces that MuJoCo computes only later, taken from the step
 /// before: constraints and actuators.
 ///
-/// Pairs that share bodies are solved one after the other until none changes by more than 1e-6 (at most 20 rounds).
+/// Pairs whose wrenches move each other's bodies are solved together (coupled_wrenches.h).
 /// Bodies asleep get no force; bodies of touching pairs are kept from falling asleep.
 void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances,
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work);

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
 #include "core/base/stopwatch.h"
 #include "core/hydro/body_cache.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/plugin_table.h"
 
 namespace taxel {
@@ -36,6 +39,26 @@ OtherMaterial other_material(const mjModel& m, const SensorConfig& config, int g
   if (!other.has_friction) other.material.friction = m.geom_friction[3 * geom];
   if (!other.has_field) other.material.field = type == ShapeType::mesh ? FieldKind::pad : FieldKind::medial_axis;
   return other;
+}
+
+/// How far the vertices of each mesh lie from the other one, at most [m].
+double distance_apart(const TriMesh& of_geom, const TriMesh& of_layout, const Pose& X_GM) {
+  const auto farthest = [](const TriMesh& from, const TriMesh& to, const Pose& X_to_from) {
+    const MeshIndex index(std::make_shared<const TriMesh>(to));
+    const RigidTransform X(X_to_from);
+    double most = 0;
+    for (const dvec3& v : from.vertices()) most = std::max(most, index.closest_point(X(v)).distance);
+    return most;
+  };
+  return std::max(farthest(of_geom, of_layout, X_GM.inverse()), farthest(of_layout, of_geom, X_GM));
+}
+
+/// Whether the file of the geom's mesh has another hash than this, where both are known.
+bool another_file(const mjModel& m, int geom, const std::string& sha256) {
+  const int path = m.mesh_pathadr[m.geom_dataid[geom]];
+  std::error_code ignored;
+  if (sha256.empty() || path < 0 || !std::filesystem::is_regular_file(m.paths + path, ignored)) return false;
+  return sha256_hex(read_file(m.paths + path)) != sha256;
 }
 
 void check_one_soft(const HydroBody& sensor, const HydroBody& other, const std::string& name) {
@@ -177,24 +200,22 @@ void HydroInstance::link_all(const mjModel& m, mjData& d) {
 }
 
 void HydroInstance::compare_with_model(const mjModel& m) {
-  const int geom = config_.geom, mesh = m.geom_dataid[geom];
-  if (m.geom_type[geom] != mjGEOM_MESH || mesh < 0) {
-    warnings_.push_back("geom \"" + geom_name(m, geom) +
-                        "\" has no mesh: the layout's mesh is taken in the geom's own frame");
-    return;
-  }
-  const RigidTransform X_MG(X_GM_.inverse());
-  const MeshIndex index(model_->mesh);
-  double worst = 0;
-  for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
-    const float* v = m.mesh_vert + 3 * (m.mesh_vertadr[mesh] + i);
-    worst = std::max(worst, index.closest_point(X_MG(dvec3(v[0], v[1], v[2]))).distance);
-  }
-  const double size = model_->mesh->bounds().diagonal();
-  if (worst > 1e-5 * size)  // single precision and MuJoCo's re-centring stay below 1e-6
+  const int geom = config_.geom;
+  const bool meshed = m.geom_type[geom] == mjGEOM_MESH && m.geom_dataid[geom] >= 0;
+  const TriMeshPtr shown = drawn_mesh(m, geom);
+  const double apart = shown != nullptr ? distance_apart(*shown, *model_->mesh, X_GM_) : 0.0;
+  const std::string name = geom_name(m, geom);
+  if (!meshed) {
     warnings_.push_back(fmt::format(
-        "the mesh of geom \"{}\" is not the layout's: a vertex lies {:.3g} m off it (the layout's mesh counts)",
-        geom_name(m, geom), worst));
+        "geom \"{}\" has no mesh: the layout's mesh is taken in the geom's own frame, where the surfaces lie up to "
+        "{:.3g} mm apart (the layout's mesh counts)",
+        name, 1e3 * apart));
+  } else if (apart > 1e-5 * model_->mesh->bounds().diagonal()) {  // single precision and re-centring stay below 1e-6
+    warnings_.push_back(fmt::format(
+        "the mesh of geom \"{}\" is not the layout's{}: the surfaces lie up to {:.3g} mm apart (the layout's mesh "
+        "counts)",
+        name, another_file(m, geom, model_->layout.mesh.sha256) ? ", the hash of its file differs" : "", 1e3 * apart));
+  }
 }
 
 void HydroInstance::clear_pairs(Evaluation& e) const {

@@ -114,12 +114,17 @@ SensorConfig read_sensor_config(const mjModel& m, int instance) {
 
 std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom) {
   std::vector<std::filesystem::path> folders;
-  const int mesh = m.geom_dataid[geom];
-  if (m.geom_type[geom] == mjGEOM_MESH && mesh >= 0 && m.mesh_pathadr[mesh] >= 0) {
+  const auto add = [&](const std::filesystem::path& folder) {
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+  };
+  const auto add_folder_of = [&](int mesh) {
+    if (mesh < 0 || m.mesh_pathadr[mesh] < 0) return;
     const std::filesystem::path file = m.paths + m.mesh_pathadr[mesh];
-    folders.push_back(file.has_parent_path() ? file.parent_path() : ".");
-  }
-  if (folders.empty() || folders.front() != ".") folders.emplace_back(".");
+    add(file.has_parent_path() ? file.parent_path() : ".");
+  };
+  if (m.geom_type[geom] == mjGEOM_MESH) add_folder_of(m.geom_dataid[geom]);
+  for (int mesh = 0; mesh < m.nmesh; ++mesh) add_folder_of(mesh);
+  add(".");
   return folders;
 }
 

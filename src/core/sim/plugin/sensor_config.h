@@ -53,7 +53,7 @@ int sensor_dimension(const mjModel& m, int instance);
 int sensor_dimension(const std::vector<Output>& output, int taxels);
 
 /// Folders in which a layout named by a relative path is looked for: that of the geom's mesh file, which stands beside
-/// the scene as a rule, then the working directory.
+/// the scene as a rule, those of the scene's other mesh files, then the working directory.
 std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom);
 
 /// Parses the key `materials`. Throws Error(file, JSON pointer, message).

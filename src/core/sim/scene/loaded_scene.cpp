@@ -7,6 +7,7 @@
 
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/old_fields.h"
 #include "core/sim/scene/xml_attributes.h"
 
 namespace taxel {
@@ -33,12 +34,15 @@ void compile(CompiledScene& scene, const mjVFS* vfs, const std::string& name) {
   if (scene.model == nullptr) throw Error(name, one_line(mjs_getError(scene.spec.get())));
 }
 
-CompiledScene parse_and_compile(const std::string& file, const mjVFS* vfs, const std::string& name) {
+CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::string& name) {
   CompiledScene scene;
   std::array<char, 2048> reason{};
   scene.spec.reset(mj_parseXML(file.c_str(), vfs, reason.data(), static_cast<int>(reason.size())));
-  if (scene.spec == nullptr) throw Error(name, one_line(reason.data()));
-  compile(scene, vfs, name);
+  if (scene.spec == nullptr) {
+    const std::string why = one_line(reason.data());
+    const bool plugin = why.find("plugin") != std::string::npos && why.find("not found") != std::string::npos;
+    throw Error(name, why + (plugin ? "; plugin libraries are loaded with --plugins FOLDER" : ""));
+  }
   return scene;
 }
 
@@ -63,10 +67,9 @@ std::string spec_body_name(mjSpec* spec, int body) {
   return "";
 }
 
-/// Takes MuJoCo's own contact away from the pairs of the attached sensor (the last instance).
-void exclude_contacts(CompiledScene& scene) {
+/// Takes MuJoCo's own contact away from the pairs of a sensor that was added.
+void exclude_contacts(CompiledScene& scene, const SensorConfig& config) {
   const mjModel& m = *scene.model;
-  const SensorConfig config = read_sensor_config(m, sensor_instances(m).back());
   const int sensor_body = m.geom_bodyid[config.geom];
   std::vector<int> bodies;
   for (const int geom : config.others) {
@@ -80,39 +83,152 @@ void exclude_contacts(CompiledScene& scene) {
   }
 }
 
+/// A sensor to be added to a scene.
+struct AddedSensor {
+  std::string instance, geom, keys;  ///< keys: further ones, as MJCF
+  SensorModelPtr model;
+};
+
+std::string instance_on(const std::string& geom) {
+  return "taxels of " + geom;
+}
+
+/// Layouts are read and compiled once each, however many geoms they are attached to.
+std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::vector<SceneAttachment>& attachments) {
+  std::vector<AddedSensor> added;
+  std::map<std::string, SensorModelPtr> models;
+  std::error_code ignored;
+  for (const SceneAttachment& one : attachments) {
+    if (one.layout.empty() || one.geom.empty()) throw Error(scene, "a layout and the geom to attach it to go together");
+    if (std::any_of(added.begin(), added.end(), [&](const AddedSensor& other) { return other.geom == one.geom; }))
+      throw Error(scene, fmt::format("two layouts are attached to geom \"{}\": a geom takes one", one.geom));
+    SensorModelPtr& model = models[one.layout];
+    if (model == nullptr) model = load_sensor_model(fs::absolute(one.layout, ignored));
+    if (model->taxel_count() == 0) throw Error(one.layout, "/taxels", "has none: there is nothing to read");
+    added.push_back({instance_on(one.geom), one.geom, "", model});
+  }
+  return added;
+}
+
+/// The scene with the sensors. The text pretends to lie beside the scene, so that relative names keep their meaning.
+std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& added) {
+  std::string instances, sensors;
+  for (const AddedSensor& one : added) {
+    const std::string name = xml_escaped(one.instance);
+    instances += fmt::format(
+        R"(<instance name="{}"><config key="taxels" value="{}"/><config key="geom" value="{}"/>{}</instance>)", name,
+        one.model->taxel_count(), xml_escaped(one.geom), one.keys);
+    sensors += fmt::format(R"(<plugin name="{0}" plugin="{1}" instance="{0}"/>)", name, kPluginName);
+  }
+  return fmt::format(R"(<mujoco><include file="{}"/><extension><plugin plugin="{}">{}</plugin></extension>)"
+                     R"(<sensor>{}</sensor></mujoco>)",
+                     xml_escaped(file.filename().string()), kPluginName, instances, sensors);
+}
+
+/// The number in "geom 7"; -1: it is no such name.
+int unnamed_geom(const std::string& name) {
+  const std::string word = "geom ";
+  const bool number = name.starts_with(word) && name.size() > word.size() && name.size() < word.size() + 8 &&
+                      name.find_first_not_of("0123456789", word.size()) == std::string::npos;
+  return number ? std::stoi(name.substr(word.size())) : -1;
+}
+
+/// Names the geoms that have none, so that a sensor can say which one it is on. Bodies stand in a model as they do in
+/// the scene, depth first, and so do their geoms.
+void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
+  std::vector<mjsElement*> geoms;
+  mjsBody* world = mjs_findBody(spec, "world");
+  for (mjsElement* e = mjs_firstChild(world, mjOBJ_GEOM, 1); e != nullptr; e = mjs_nextChild(world, e, 1))
+    geoms.push_back(e);
+  for (const AddedSensor& one : added) {
+    const int geom = unnamed_geom(one.geom);
+    if (geom < 0 || static_cast<std::size_t>(geom) >= geoms.size()) continue;
+    mjsElement* e = geoms[static_cast<std::size_t>(geom)];
+    if (*mjs_getString(mjs_getName(e)) == '\0') mjs_setName(e, one.geom.c_str());
+  }
+}
+
+void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>& added, const std::string& name) {
+  for (const int i : sensor_instances(m)) {
+    const SensorConfig declared = read_sensor_config(m, i);
+    for (const AddedSensor& one : added) {
+      if (declared.geom_name == one.geom && declared.name != one.instance)
+        throw Error(name, fmt::format("geom \"{}\" has a sensor already, \"{}\": a geom takes one layout", one.geom,
+                                      declared.name));
+    }
+  }
+}
+
+/// Those that the fields of a scene of the predecessor's ask for, and what its fields say of the sensors added.
+void add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, CompiledScene& scene) {
+  const OldFields fields = old_fields(m);
+  std::vector<std::string> sensing;
+  for (const int i : sensor_instances(m)) sensing.push_back(read_sensor_config(m, i).geom_name);
+  for (AddedSensor& one : added) {
+    one.keys = old_keys(fields, one.geom);
+    sensing.push_back(one.geom);
+  }
+  for (const auto& [name, field] : fields.geoms) {
+    if (!(field.modulus > 0) || std::find(sensing.begin(), sensing.end(), name) != sensing.end()) continue;
+    SensorModelPtr model = old_sensor(m, mj_name2id(&m, mjOBJ_GEOM, name.c_str()), field);
+    if (model != nullptr) {
+      added.push_back({instance_on(name), name, old_keys(fields, name), std::move(model)});
+    } else {
+      scene.notes.push_back(fmt::format(
+          "geom \"{}\" is soft by its field \"cs::{}\", but no box: attach a layout to it to have its contact", name,
+          name));
+    }
+  }
+}
+
+bool has_old_fields(mjSpec* spec) {
+  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_NUMERIC); e != nullptr; e = mjs_nextElement(spec, e))
+    if (std::string(mjs_getString(mjs_getName(e))).starts_with("cs::")) return true;
+  return false;
+}
+
 }  // namespace
 
 CompiledScene compile_scene(const std::string& xml, const std::vector<SceneFile>& files, const std::string& name) {
   Vfs vfs;
   vfs.add("scene.xml", xml);
   for (const SceneFile& file : files) vfs.add(file.name, file.bytes);
-  return parse_and_compile("scene.xml", vfs.get(), name);
+  CompiledScene scene = parsed("scene.xml", vfs.get(), name);
+  compile(scene, vfs.get(), name);
+  return scene;
 }
 
-CompiledScene load_scene(const fs::path& scene_file, const std::string& layout, const std::string& geom) {
+CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAttachment>& attachments) {
   const std::string name = scene_file.string();
   std::error_code ignored;
   const fs::path file = fs::absolute(scene_file, ignored).lexically_normal();
   if (!fs::is_regular_file(file, ignored)) throw Error(name, "no such file");
-  if (layout.empty() != geom.empty()) throw Error(name, "a layout and the geom to attach it to go together");
-  if (layout.empty()) return parse_and_compile(file.string(), nullptr, name);
-  // The overlay pretends to lie beside the scene, so that relative names in the scene keep their meaning.
+  std::vector<AddedSensor> added = attached_sensors(name, attachments);
+  CompiledScene scene = parsed(file.string(), nullptr, name);
+  const bool old = has_old_fields(scene.spec.get());
+  if (added.empty() || old) compile(scene, nullptr, name);
+  if (old) add_old_sensors(*scene.model, added, scene);
+  if (added.empty()) return scene;
   const fs::path overlay = file.parent_path() / (file.stem().string() + "+taxels.xml");
-  const std::string xml =
-      fmt::format(R"(<mujoco>
-  <include file="{}"/>
-  <extension><plugin plugin="{}"><instance name="attached taxels">
-    <config key="layout" value="{}"/><config key="geom" value="{}"/>
-  </instance></plugin></extension>
-  <sensor><plugin name="taxels" plugin="{}" instance="attached taxels"/></sensor>
-</mujoco>
-)",
-                  xml_escaped(file.filename().string()), kPluginName,
-                  xml_escaped(fs::absolute(layout, ignored).string()), xml_escaped(geom), kPluginName);
   Vfs vfs;
-  vfs.add(overlay.string(), xml);
-  CompiledScene scene = parse_and_compile(overlay.string(), vfs.get(), name);
-  exclude_contacts(scene);
+  vfs.add(overlay.string(), overlay_xml(file, added));
+  std::vector<std::string> notes = std::move(scene.notes);
+  scene = parsed(overlay.string(), vfs.get(), name);
+  scene.notes = std::move(notes);
+  name_geoms(scene.spec.get(), added);
+  compile(scene, vfs.get(), name);
+  check_one_sensor_per_geom(*scene.model, added, name);
+  for (const int i : sensor_instances(*scene.model)) {
+    const SensorConfig config = read_sensor_config(*scene.model, i);
+    const auto one = std::find_if(added.begin(), added.end(),
+                                  [&](const AddedSensor& sensor) { return sensor.instance == config.name; });
+    if (one == added.end()) continue;
+    const int unnamed = unnamed_geom(one->geom);
+    if (unnamed >= 0 && unnamed != config.geom)
+      throw Error(name, fmt::format("geom {} cannot be told from others: name it in the scene", unnamed));
+    scene.handed[config.name] = one->model;
+    if (config.apply) exclude_contacts(scene, config);
+  }
   compile(scene, vfs.get(), name);
   return scene;
 }

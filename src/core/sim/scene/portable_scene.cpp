@@ -20,7 +20,8 @@ using Renamed = std::map<std::pair<std::string, std::string>, std::string>;
 
 /// Reads the files of all assets of one kind. `addresses`: of their resolved paths in the model.
 void copy_assets(const CompiledScene& scene, mjtObj type, const std::string& tag, const int* addresses,
-                 const std::function<const mjString*(mjsElement*)>& file_of, SceneFiles& out, Renamed& renamed) {
+                 const std::function<const mjString*(mjsElement*)>& file_of, const std::string& beside, SceneFiles& out,
+                 Renamed& renamed) {
   mjSpec* spec = scene.spec.get();
   for (mjsElement* e = mjs_firstElement(spec, type); e != nullptr; e = mjs_nextElement(spec, e)) {
     const int id = mjs_getId(e);
@@ -29,22 +30,24 @@ void copy_assets(const CompiledScene& scene, mjtObj type, const std::string& tag
     std::string& name = renamed[{tag, file}];
     if (!name.empty()) continue;
     const std::filesystem::path path = scene.model->paths + addresses[id];
-    name = fmt::format("{}_{}{}", tag, id, path.extension().string());
+    name = beside + fmt::format("{}_{}{}", tag, id, path.extension().string());
     out.files.push_back({name, read_file(path)});
   }
 }
 
-Renamed copy_all_assets(const CompiledScene& scene, SceneFiles& out) {
+Renamed copy_all_assets(const CompiledScene& scene, const std::string& beside, SceneFiles& out) {
   const mjModel& m = *scene.model;
   Renamed renamed;
   copy_assets(
-      scene, mjOBJ_MESH, "mesh", m.mesh_pathadr, [](auto* e) { return mjs_asMesh(e)->file; }, out, renamed);
+      scene, mjOBJ_MESH, "mesh", m.mesh_pathadr, [](auto* e) { return mjs_asMesh(e)->file; }, beside, out, renamed);
   copy_assets(
-      scene, mjOBJ_HFIELD, "hfield", m.hfield_pathadr, [](auto* e) { return mjs_asHField(e)->file; }, out, renamed);
+      scene, mjOBJ_HFIELD, "hfield", m.hfield_pathadr, [](auto* e) { return mjs_asHField(e)->file; }, beside, out,
+      renamed);
   copy_assets(
-      scene, mjOBJ_SKIN, "skin", m.skin_pathadr, [](auto* e) { return mjs_asSkin(e)->file; }, out, renamed);
+      scene, mjOBJ_SKIN, "skin", m.skin_pathadr, [](auto* e) { return mjs_asSkin(e)->file; }, beside, out, renamed);
   copy_assets(
-      scene, mjOBJ_TEXTURE, "texture", m.tex_pathadr, [](auto* e) { return mjs_asTexture(e)->file; }, out, renamed);
+      scene, mjOBJ_TEXTURE, "texture", m.tex_pathadr, [](auto* e) { return mjs_asTexture(e)->file; }, beside, out,
+      renamed);
   return renamed;
 }
 
@@ -60,30 +63,55 @@ std::string saved_xml(const mjSpec* spec) {
   }
 }
 
-/// Writes the layouts with their meshes; value of the key `layout` -> name of the copy.
-std::map<std::string, std::string> copy_layouts(const CompiledScene& scene, const mjData& data, SceneFiles& out) {
-  std::map<std::string, std::string> layouts;
+/// Of the layouts that were written.
+struct CopiedLayouts {
+  std::map<std::string, std::string> files;  ///< name of an instance -> layout
+  std::string assets;  ///< MJCF: meshes that stand there only to lead from the scene to the layouts beside them
+};
+
+/// Writes the layouts with their meshes. The plugin looks for layouts beside meshes, of which a primitive has none.
+CopiedLayouts copy_layouts(const CompiledScene& scene, const mjData& data, const std::string& beside, SceneFiles& out) {
+  CopiedLayouts copied;
+  std::map<std::pair<std::string, const SensorModel*>, std::string> known;
   for (const int instance : sensor_instances(*scene.model)) {
     const HydroInstance* sensor = find_sensor(data, instance);
     if (sensor == nullptr || sensor->model() == nullptr) continue;
-    std::string& name = layouts[sensor->config().layout];
-    if (!name.empty()) continue;
-    name = fmt::format("sensor_{}.taxels.json", instance);
-    const std::string mesh_name = fmt::format("sensor_{}.obj", instance), mesh = obj_text(*sensor->model()->mesh);
-    Layout layout = sensor->model()->layout;
-    layout.mesh = {mesh_name, dvec3(1), sha256_hex(mesh)};
-    out.files.push_back({mesh_name, mesh});
-    out.files.push_back({name, layout_to_json(layout)});
+    const SensorConfig& config = sensor->config();
+    std::string& name = known[{config.layout, config.layout.empty() ? sensor->model().get() : nullptr}];
+    const std::string mesh_name = fmt::format("sensor_{}.obj", instance);
+    if (name.empty()) {
+      name = fmt::format("sensor_{}.taxels.json", instance);
+      const std::string mesh = obj_text(*sensor->model()->mesh);
+      Layout layout = sensor->model()->layout;
+      layout.mesh = {mesh_name, dvec3(1), sha256_hex(mesh)};
+      out.files.push_back({beside + mesh_name, mesh});
+      out.files.push_back({beside + name, layout_to_json(layout)});
+      if (scene.model->geom_type[config.geom] != mjGEOM_MESH)
+        copied.assets += fmt::format(R"(<mesh name="sensor {} of taxels" file="{}" inertia="shell"/>)", instance,
+                                     xml_escaped(beside + mesh_name));
+    }
+    copied.files[config.name] = name;
   }
-  return layouts;
+  return copied;
+}
+
+/// The text with more assets.
+std::string with_assets(std::string xml, const std::string& assets) {
+  const std::string end = "</asset>";
+  const std::size_t at = xml.find(end);
+  if (assets.empty()) return xml;
+  if (at != std::string::npos) return xml.insert(at, assets);
+  return xml.insert(xml.find("<worldbody"), "<asset>" + assets + end);
 }
 
 }  // namespace
 
-SceneFiles portable_scene(const CompiledScene& scene, const mjData& data) {
+SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const std::string& folder) {
   SceneFiles out;
-  const Renamed renamed = copy_all_assets(scene, out);
-  const std::map<std::string, std::string> layouts = copy_layouts(scene, data, out);
+  const std::string beside = folder.empty() ? "" : folder + "/";
+  const Renamed renamed = copy_all_assets(scene, beside, out);
+  const CopiedLayouts layouts = copy_layouts(scene, data, beside, out);
+  std::string instance;  // in which the text is
   const auto change = [&](const XmlAttribute& a) -> std::optional<std::string> {
     if (a.tag == "compiler" && (a.name == "meshdir" || a.name == "texturedir" || a.name == "assetdir")) return "";
     if (a.tag == "texture" && a.name.starts_with("file") && a.name != "file")
@@ -92,13 +120,15 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data) {
       const auto found = renamed.find({a.tag, a.value});
       if (found != renamed.end()) return found->second;
     }
-    if (a.tag == "config" && a.name == "value" && a.previous == "layout") {
-      const auto found = layouts.find(a.value);
-      if (found != layouts.end()) return found->second;
+    if (a.tag == "instance" && a.name == "name") instance = a.value;
+    const auto layout = layouts.files.find(instance);
+    if (a.tag == "config" && layout != layouts.files.end()) {
+      if (a.name == "key" && a.value == "taxels") return "layout";  // that was handed over
+      if (a.name == "value" && (a.previous == "layout" || a.previous == "taxels")) return layout->second;
     }
     return std::nullopt;
   };
-  out.xml = change_attributes(saved_xml(scene.spec.get()), change);
+  out.xml = with_assets(change_attributes(saved_xml(scene.spec.get()), change), layouts.assets);
   return out;
 }
 

@@ -17,7 +17,8 @@ struct SceneFiles {
   std::vector<SceneFile> files;
 };
 
-/// Writes scene.xml and its files into `folder`, which is made where it is missing. Throws Error naming the file.
-void write_scene(const std::filesystem::path& folder, const SceneFiles& scene);
+/// Writes the MJCF file and, beside it, its files; folders are made where they are missing. Throws Error naming the
+/// file.
+void write_scene(const std::filesystem::path& xml_file, const SceneFiles& scene);
 
 }  // namespace taxel

@@ -49,6 +49,9 @@ const Look kDark{
     .force = rgba(0xFFFFFF, 1.0f),
     .selection = rgba(0xFFFFFF, 1.0f),
     .ghost = rgba(0xD0D8E4, 0.55f),
+    .hand = rgba(0xFFB020, 1.0f),
+    .weld = rgba(0xC792EA, 1.0f),
+    .connection = rgba(0x5CCFE6, 1.0f),
     .wire = rgba(0xE9DDD2, 0.28f),
 };
 
@@ -87,6 +90,9 @@ const Look kLight{
     .force = rgba(0x14181E, 1.0f),
     .selection = rgba(0x14181E, 1.0f),
     .ghost = rgba(0x30363F, 0.55f),
+    .hand = rgba(0xB35C00, 1.0f),
+    .weld = rgba(0x7A3FA0, 1.0f),
+    .connection = rgba(0x0B6E88, 1.0f),
     .wire = rgba(0x4A3C34, 0.30f),
 };
 

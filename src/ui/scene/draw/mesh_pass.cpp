@@ -6,7 +6,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f;
+constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f, kSelectedWidth = 3.0f;
 constexpr float kSeenThrough = 0.3f;      // of the alpha of lines that shine through
 constexpr std::size_t kMostCasts = 3000;  // edges of an outline, above which none is asked what stands before it
 constexpr double kGrazing = 0.03;         // of the skin's size: how far before its outline a ray may touch it
@@ -17,6 +17,12 @@ constexpr double kShadowHeight = 0.14;    // of the sensors' size, at which thei
 bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
   const double distance = glm::length(p - eye), nearer = distance - kGrazing * skin.mesh().bounds().diagonal();
   return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
+}
+
+/// Outlines the item where it is of the selected body.
+void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& input, const Look& look) {
+  item.selected = input.selected_body >= 0 && geom.body_index == input.selected_body;
+  if (item.selected) item.outline = look.selection;
 }
 
 }  // namespace
@@ -37,9 +43,12 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
   const SimScene& scene = *input.frame->scene;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
     const SceneGeom& geom = scene.geoms[i];
+    const auto sensor = static_cast<std::size_t>(std::max(geom.sensor, 0));
+    if (geom.sensor >= 0 && sensor < skins.size()) mark_selected(skins[sensor], geom, input, look);
     if (!geom.mesh || geom.plane || geom.sensor >= 0) continue;
     const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
     list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline});
+    mark_selected(list.solids.back(), geom, input, look);
   }
   return list;
 }
@@ -148,6 +157,7 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
     const VisibleEdges visible = visible_edges(mesh, edges, eye);
     const std::uint32_t full = pack(item.outline);
     const std::uint32_t dim = pack(glm::vec4(glm::vec3(item.outline), kSeenThrough * item.outline.a));
+    const float width = item.selected ? kSelectedWidth : kOutlineWidth;
     Segments lines;
     const auto vertex = [&](int v) { return mesh.vertices()[static_cast<std::size_t>(v)]; };
     for (const int i : visible.creases) {
@@ -159,7 +169,7 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
       const MeshEdge& e = edges[static_cast<std::size_t>(i)];
       const bool behind = item.transparent != nullptr &&
                           (many || lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b))));
-      lines.push_back(segment(vertex(e.a), vertex(e.b), kOutlineWidth, behind ? dim : full));
+      lines.push_back(segment(vertex(e.a), vertex(e.b), width, behind ? dim : full));
     }
     segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
   }

@@ -19,6 +19,7 @@ struct MeshItem {
   bool sensor = false;                     ///< casts the sensors' shadow, so does not receive it
   const MeshIndex* transparent = nullptr;  ///< the skin itself where it is; null: solid
   bool casts = true;                       ///< shadows at all
+  bool selected = false;                   ///< its outline is bolder
 };
 
 /// What decides where a body is, for what stays while it rests.

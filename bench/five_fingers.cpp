@@ -1,0 +1,34 @@
+// A hand of five fingertips with 60 taxels that holds a mesh: how many times real time one step of 1 ms runs.
+#include <benchmark/benchmark.h>
+
+#include "core/sim/simulator.h"
+
+namespace taxel {
+namespace {
+
+void BM_five_fingers(benchmark::State& state) {
+  const auto simulator = Simulator::load(std::string(TAXEL_SOURCE_DIR) + "/assets/scenes/five_fingers.xml");
+  for (int n = 0; n < 300; ++n) simulator->step();  // until the grip is held still
+  const SensorTimes before = simulator->sensor_times();
+  std::size_t steps = 0;
+  for (auto _ : state) {
+    simulator->step();
+    ++steps;
+  }
+  const SensorTimes after = simulator->sensor_times();
+  const auto mean = [&](double from, double to) { return 1e6 * (to - from) / static_cast<double>(steps); };
+  state.counters["surfaces_us"] = mean(before.surfaces, after.surfaces);
+  state.counters["forces_us"] = mean(before.forces, after.forces);
+  state.counters["readings_us"] = mean(before.readings, after.readings);
+  int polygons = 0;
+  for (const int each : simulator->row().polygons) polygons += each;
+  state.counters["polygons"] = polygons;
+  state.counters["times_real_time"] =
+      benchmark::Counter(static_cast<double>(steps) * simulator->scene()->timestep, benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_five_fingers)->Unit(benchmark::kMicrosecond)->MinTime(2);
+
+}  // namespace
+}  // namespace taxel
+
+BENCHMARK_MAIN();

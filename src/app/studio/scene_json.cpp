@@ -1,0 +1,79 @@
+#include "app/studio/scene_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/vector_json.h"
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json turn_json(const dquat& q) {
+  return {q.w, q.x, q.y, q.z};
+}
+
+/// Names beside their values, in SI.
+template <class Items, class Values>
+Json named(const Items& items, const Values& values) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < items.size() && i < values.size(); ++i)
+    json.push_back({{"name", items[i].name}, {"value", static_cast<double>(values[i])}});
+  return json;
+}
+
+Json hand_json(const SimFrame& frame) {
+  if (!frame.perturbed) return nullptr;
+  const PerturbShown& hand = *frame.perturbed;
+  return {{"turns", hand.kind == Perturb::Kind::turn},
+          {"body", hand.body},
+          {"grabbed", numbers<Json>(hand.grabbed_W)},
+          {"at", numbers<Json>(hand.hand_W)},
+          {"turn", turn_json(hand.hand_turn_W)}};
+}
+
+}  // namespace
+
+std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!input.frame || !input.frame->scene) return "null";
+  const SimFrame& frame = *input.frame;
+  const SceneControls& controls = frame.scene->controls;
+  Json json = Json::object();
+  const auto body = static_cast<std::size_t>(ui.selection.body);
+  json["body"] = ui.selection.body >= 0 && body < controls.bodies.size() ? Json(controls.bodies[body].name) : nullptr;
+  json["actuators"] = named(controls.actuators, frame.controls.controls);
+  json["joints"] = named(controls.joints, frame.controls.joints);
+  json["keyframes"] = Json::array();
+  for (const SceneKeyframe& key : controls.keyframes)
+    json["keyframes"].push_back({{"name", key.name}, {"time", key.time}});
+  json["mocaps"] = Json::array();
+  for (std::size_t i = 0; i < frame.controls.mocaps.size(); ++i) {
+    const Pose& X_WB = frame.controls.mocaps[i];
+    json["mocaps"].push_back(
+        {{"body", controls.mocaps[i]}, {"position", numbers<Json>(X_WB.p)}, {"quaternion", turn_json(X_WB.q)}});
+  }
+  json["equalities"] = named(controls.equalities, frame.controls.equalities);
+  json["held"] = Json::array();
+  for (const HeldPoints& held : frame.held)
+    json["held"].push_back({{"a", numbers<Json>(held.a_W)}, {"b", numbers<Json>(held.b_W)}, {"weld", held.weld}});
+  json["hand"] = hand_json(frame);
+  json["gravity"] = numbers<Json>(controls.gravity);
+  json["timestep"] = frame.scene->timestep;
+  json["geoms"] = Json::array();
+  for (std::size_t g = 0; g < frame.scene->geoms.size() && g < frame.geom_poses.size(); ++g) {
+    const SceneGeom& geom = frame.scene->geoms[g];
+    json["geoms"].push_back({{"name", geom.name},
+                             {"body", geom.body},
+                             {"sensor", geom.sensor},
+                             {"position", numbers<Json>(frame.geom_poses[g].p)},
+                             {"quaternion", turn_json(frame.geom_poses[g].q)}});
+  }
+  json["attached"] = Json::array();
+  for (const SceneAttachment& one : input.attached)
+    json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
+  json["chosen"] = ui.controls.geoms;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace taxel::studio

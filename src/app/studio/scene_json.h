@@ -1,0 +1,14 @@
+// What a hand can set in the running scene, as the state of the window tells it.
+#pragma once
+
+#include <string>
+
+#include "ui/ui_state.h"
+
+namespace taxel::studio {
+
+/// {"body": ..., "actuators": [{"name", "value"}], "joints": ..., "keyframes": ..., "mocaps": ..., "equalities": ...,
+/// "hand": ..., "attached": ...}; null without a simulation.
+std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input);
+
+}  // namespace taxel::studio

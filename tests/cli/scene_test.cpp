@@ -1,0 +1,102 @@
+// `taxel run` on scenes as they come: the predecessor's, a whole hand, and such that cannot run.
+#include <cmath>
+
+#include "cli/taxel_program.h"
+#include "fixtures/finger_scene_xml.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// The scenes of the predecessor as they were published: what lies on the foam weighs on it.
+TEST(Scenes, OldScenesRunUnmodifiedAndTheForceIsTheWeight) {
+  const fs::path real = TAXEL_REAL_DATA;
+  if (!fs::exists(real / "myrmex_box_world.xml")) GTEST_SKIP() << real << " is absent";
+  const fs::path folder = test_folder();
+  // the box has MuJoCo's default density, the others say their mass
+  const std::vector<std::pair<std::string, double>> scenes{{"myrmex_box_world.xml", 1000 * 0.2 * 0.2 * 0.2},
+                                                           {"myrmex_plate_world.xml", 0.375},
+                                                           {"myrmex_spot_world.xml", 0.375}};
+  for (const auto& [scene, mass] : scenes) {
+    const Json run = taxel_json({"run", (real / scene).string(), "--seconds", "1.6", "--out", scene + ".out"}, folder);
+    EXPECT_EQ(run["sensors"][0]["geom"], "myrmex_foam") << scene;
+    const Table table = read_csv(folder / (scene + ".out") / "readings.csv");
+    const std::vector<double>& force = table.at("force_z");
+    double mean = 0;
+    const std::size_t last = 200;
+    for (std::size_t i = force.size() - last; i < force.size(); ++i) mean += force[i] / static_cast<double>(last);
+    EXPECT_NEAR(mean, -9.81 * mass, 0.02 * 9.81 * mass) << scene;
+    double pressure = 0;
+    for (const auto& [name, column] : table)
+      if (name.starts_with("taxel_")) pressure += column.back();
+    EXPECT_GT(pressure, 0) << scene;
+  }
+}
+
+TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
+  const fs::path folder = test_folder(), scene = fs::path(TAXEL_SOURCE_DIR) / "assets/scenes/five_fingers.xml";
+  const Json run = taxel_json({"run", scene.string(), "--seconds", "1", "--out", "out"}, folder);
+  ASSERT_EQ(run["sensors"].size(), 5U);
+  const Table table = read_csv(folder / "out" / "readings.csv");
+  dvec3 sum(0);
+  for (const Json& sensor : run["sensors"]) {
+    const std::string geom = sensor["geom"];
+    const std::size_t last = table.at(geom + "/area").size() - 1;
+    const dvec3 force(table.at(geom + "/force_x")[last], table.at(geom + "/force_y")[last],
+                      table.at(geom + "/force_z")[last]);
+    EXPECT_GT(table.at(geom + "/area")[last], 1e-5) << geom;
+    EXPECT_GT(glm::length(force), 0.1) << geom;
+    double largest = 0;
+    for (int taxel = 0; taxel < 12; ++taxel)
+      largest = std::max(largest, table.at(geom + "/taxel_" + std::to_string(taxel))[last]);
+    EXPECT_GT(largest, 500) << geom;
+    sum += force;
+  }
+  // held still: the fingers bear its weight, and their forces across cancel
+  EXPECT_NEAR(sum.z, -9.81 * 0.04, 0.02 * 9.81 * 0.04);
+  EXPECT_LT(std::hypot(sum.x, sum.y), 0.02);
+}
+
+TEST(Scenes, WhatCannotRunIsSaidWithFileBodyAndNumber) {
+  const fs::path folder = test_folder();
+  write_text(folder / "primitive.xml", "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>");
+  expect_refusal(taxel({"run", "primitive.xml"}, folder),
+                 "taxel: primitive.xml: declares no taxel.sensor; attach a layout with --layout and --geom");
+  write_text(folder / "no_plugin.xml",
+             "<mujoco><extension><plugin plugin='mujoco.sdf.torus'><instance name='t'/></plugin></extension>"
+             "<worldbody><geom size='1'/></worldbody></mujoco>");
+  EXPECT_NE(taxel({"run", "no_plugin.xml"}, folder).err.find("loaded with --plugins FOLDER"), std::string::npos);
+
+  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
+  changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "fingertip.obj"},
+                                         {"op": "replace", "path": "/sampling/density", "value": 1e6}])"));
+  const std::vector<std::string> attach{"--layout", "changed.taxels.json", "--geom", "tip"};
+  const auto run = [&](std::vector<std::string> more, const std::string& scene) {
+    write_text(folder / "scene.xml", scene);
+    std::vector<std::string> arguments{"run", "scene.xml", "--seconds", "0.3"};
+    arguments.insert(arguments.end(), attach.begin(), attach.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return taxel(arguments, folder);
+  };
+  const std::string floor = finger_scene(finger_body("tip", 0, true, "<freejoint/>"));
+  expect_refusal(run(attach, floor), "taxel: scene.xml: two layouts are attached to geom \"tip\": a geom takes one");
+  // a finger of a few grams on a soft pad, in steps that are far too long
+  std::string slow = floor;
+  slow.insert(slow.find("<asset>"), "<option timestep='0.02'/>");
+  const std::string told = run({}, slow).err;
+  EXPECT_NE(told.find("is too stiff for the time step of 0.02 s"), std::string::npos) << told;
+  EXPECT_NE(told.find("the largest stable step is 0.0"), std::string::npos) << told;
+  // an unstable joint
+  std::string wild = floor;
+  wild.insert(
+      wild.find("</worldbody>"),
+      "<body name='rocket' pos='1 0 1'><joint type='slide' axis='0 0 1' stiffness='-1e7'/><geom size='.1'/></body>");
+  wild.insert(wild.find("<asset>"), "<option gravity='0 0 -1'/>");
+  const Outcome unstable = run({}, wild);
+  EXPECT_EQ(unstable.status, 2);
+  EXPECT_NE(unstable.err.find("became unstable at"), std::string::npos) << unstable.err;
+  EXPECT_NE(unstable.err.find("body \"rocket\""), std::string::npos) << unstable.err;
+}
+
+}  // namespace
+}  // namespace taxel::test
