@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cli/taxel_program.h"
+#include "core/base/math.h"
 #include "fixtures/finger_scene_xml.h"
 
 namespace taxel::test {

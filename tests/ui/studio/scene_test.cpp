@@ -9,7 +9,12 @@ namespace taxel::test {
 namespace {
 
 std::string mouse(const std::string& event, const Json& at, const std::string& button, const Json& mods) {
-  return Json{{"event", event}, {"at", at}, {"button", button}, {"mods", mods}}.dump();
+  Json line{{"event", event}, {"at", at}};
+  if (event != "mouse_move") {
+    line["button"] = button;
+    line["mods"] = mods;
+  }
+  return line.dump();
 }
 std::string world(double x, double y, double z) {
   return Json{{"world", {x, y, z}}}.dump();

@@ -126,7 +126,7 @@ TEST_F(OldScene, ALayoutForAnotherMeshIsToldWithItsHashAndHowFarTheSurfacesAre) 
   write_layout(s.folder / "other.taxels.json", layout);
   const auto simulator = load(kTwoBalls, {{"ball", (s.folder / "other.taxels.json").string()}});
   ASSERT_EQ(simulator->warnings().size(), 1U);
-  const std::string& warning = simulator->warnings()[0];
+  const std::string warning = simulator->warnings()[0];
   EXPECT_TRUE(has(warning, "the hash of its file differs")) << warning;
   EXPECT_TRUE(has(warning, "up to 1 mm apart")) << warning;  // corners of one lie 1 mm off the other
 }

@@ -101,14 +101,11 @@ void CoupledWrenches::image_of(const Vector& v, const Law& law) {
     double sum = free_[i];
     for (std::size_t k = 0; k < n; ++k) sum += A[k] * elastic_[k];
     image_[i] = sum;
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      for (std::size_t c = 0; c < 6; ++c) {
-        const std::size_t j = 6 * p + c;
-        double entry = i == j ? 1 : 0;
-        for (std::size_t k = 0; k < 6; ++k) entry += A[6 * p + k] * S_[36 * p + 6 * k + c];
-        M_[i * n + j] = entry;
-      }
-    }
+    double* row = &M_[i * n];
+    std::fill_n(row, n, 0.0);
+    row[i] = 1;
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t c = 0; c < 6; ++c) row[k / 6 * 6 + c] += A[k] * S_[6 * k + c];
   }
   eliminate();
 }
