@@ -32,9 +32,10 @@ const Json* bar_of(const Json& state, int id) {
   return nullptr;
 }
 
-/// Paused in the step in which a taxel jumped, explained.
-const Lines kExplained{key("="), key("="), key("b", kShift),      wait_time(1.3), kIdle, key("e"),
-                       kIdle,    kIdle,    dump("explained.json")};
+/// Paused in the step in which a taxel jumped by 1 %, explained.
+const Lines kExplained{
+    key("="),       key("="), press("Jump"), key("a", kCtrl), type("1"), key("Enter"),          key("b", kShift),
+    wait_time(1.3), kIdle,    key("e"),      kIdle,           kIdle,     dump("explained.json")};
 
 TEST(Explain, TheTaxelThatJumpedIsExplainedWhereItJumped) {
   const StudioProgram studio;
@@ -50,7 +51,7 @@ TEST(Explain, TheTaxelThatJumpedIsExplainedWhereItJumped) {
   EXPECT_EQ(found["change"]["before"], stop["before"]);
   EXPECT_NE(found["verdict"]["cause"], "none");
   EXPECT_NEAR(std::abs(found["verdict"]["change"].get<double>()) / found["verdict"]["limit"].get<double>(),
-              stop["part"].get<double>() / 0.1, 1e-9)
+              stop["part"].get<double>() / 0.01, 1e-9)
       << "the limit is the breakpoint's";
   EXPECT_TRUE(found["ghost"].get<bool>());
   EXPECT_EQ(state["selection"]["taxel"], stop["taxel"]);
@@ -127,7 +128,7 @@ TEST(Explain, SaysTheSameAsTheCommandLine) {
   ASSERT_EQ(swept.status, 0) << swept.err;
   const Outcome said = run_program(TAXEL_PROGRAM,
                                    {"explain", "run", "--taxel", std::to_string(window["taxel"]["id"].get<int>()),
-                                    "--time", std::to_string(window["time"].get<double>()), "--json"},
+                                    "--time", std::to_string(window["time"].get<double>()), "--jump", "0.01", "--json"},
                                    studio.folder());
   ASSERT_EQ(said.status, 0) << said.err;
   for (const char* own : {"step", "step_before", "ghost", "selected_polygon"}) window.erase(own);

@@ -48,7 +48,7 @@ const Look kDark{
     .path = rgba(0xFF3B46, 1.0f),
     .force = rgba(0xFFFFFF, 1.0f),
     .selection = rgba(0xFFFFFF, 1.0f),
-    .ghost = rgba(0xD0D8E4, 0.55f),
+    .ghost = rgba(0xD0D8E4, 0.22f),
     .wire = rgba(0xE9DDD2, 0.28f),
 };
 
@@ -86,7 +86,7 @@ const Look kLight{
     .path = rgba(0xE01B2A, 1.0f),
     .force = rgba(0x14181E, 1.0f),
     .selection = rgba(0x14181E, 1.0f),
-    .ghost = rgba(0x30363F, 0.55f),
+    .ghost = rgba(0x30363F, 0.25f),
     .wire = rgba(0x4A3C34, 0.30f),
 };
 
