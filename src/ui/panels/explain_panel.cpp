@@ -16,7 +16,7 @@ namespace {
 
 /// With its sign.
 std::string change_text(double change, const ReadingUnit& unit) {
-  return fmt::format("{}{}", change < 0 ? "-" : "+", in_unit(std::abs(change), unit));
+  return fmt::format("{:+.3g} {}", unit.scale * change, unit.text);
 }
 
 std::string newtons(double force) {
@@ -77,11 +77,11 @@ void draw_change(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
   property("by the field", change_text(c.verdict.field, unit));
   property("by the contact", change_text(c.verdict.contact, unit));
   const auto samples = [&](const char* name, const SampleChange& s) {
-    property(name, fmt::format("{}: {}", s.count, change_text(s.change, unit)));
+    property(name, fmt::format("{} samples, {}", s.count, change_text(s.change, unit)));
   };
-  samples("Samples that began", c.began);
-  samples("that ceased", c.ceased);
-  samples("that stayed", c.stayed);
+  samples("Began to hit", c.began);
+  samples("Ceased", c.ceased);
+  samples("Stayed", c.stayed);
   property("Force", fmt::format("{} to {}", newtons(c.force.before), newtons(c.force.now)));
   end_properties();
 }

@@ -90,13 +90,15 @@ void draw_convergence(UiState& ui, const Explanation& e) {
   const double exact = e.exact.value ? unit.scale * *e.exact.value : y[1];
   lo = std::min(lo, exact), hi = std::max(hi, exact);
   const double room = std::max(0.15 * (hi - lo), 0.02 * std::max(hi, 1e-9));
-  caption(fmt::format("Read with {}, {} and {} samples; the line is the exact integral", e.levels->samples[0],
-                      e.levels->samples[1], e.levels->samples[2])
-              .c_str());
+  caption("Reading by number of samples; the line is the exact one");
   if (!begin_plot("##convergence")) return;
   ImPlot::SetupAxes(nullptr, unit.text, kAxisFlags, kAxisFlags);
   ImPlot::SetupAxisScale(ImAxis_X1, ImPlotScale_Log10);
   ImPlot::SetupAxisLimits(ImAxis_X1, 0.7 * std::max(1.0, x[0]), 1.4 * std::max(1.0, x[2]), ImPlotCond_Always);
+  std::array<std::string, 3> counts;
+  std::array<const char*, 3> labels{};
+  for (std::size_t i = 0; i < counts.size(); ++i) labels[i] = (counts[i] = grouped(e.levels->samples[i])).c_str();
+  ImPlot::SetupAxisTicks(ImAxis_X1, x.data(), static_cast<int>(x.size()), labels.data());
   ImPlot::SetupAxisLimits(ImAxis_Y1, lo - room, hi + room, ImPlotCond_Always);
   ImPlot::SetupFinish();
   if (e.exact.value) plot_level("##exact", exact, colors.path);

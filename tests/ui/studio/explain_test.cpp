@@ -32,13 +32,17 @@ const Json* bar_of(const Json& state, int id) {
   return nullptr;
 }
 
-/// Paused in the step in which a taxel jumped, explained.
-const Lines kExplained{key("="), key("="), key("b", kShift),      wait_time(1.3), kIdle, key("e"),
-                       kIdle,    kIdle,    dump("explained.json")};
+const Lines kExplain{key("e"), kIdle, kIdle, dump("explained.json")};
+/// Paused in the step in which a taxel jumped by 1 %, and explained.
+const Lines kJumped = joined({{key("="), key("="), press("Jump"), key("a", kCtrl), type("1"), key("Enter"),
+                               key("b", kShift), R"({"frame": 200, "do": "wait_idle"})"},
+                              kExplain});
+/// Paused in the midst of the contact, and explained.
+const Lines kInContact = joined({{key("="), key("="), wait_time(1.3), key("Space"), kIdle}, kExplain});
 
 TEST(Explain, TheTaxelThatJumpedIsExplainedWhereItJumped) {
   const StudioProgram studio;
-  studio.play(kExplained, coarse_layout(studio));
+  studio.play(kJumped, coarse_layout(studio));
   const Json state = studio.state("explained.json"), &stop = state["simulation"]["history"]["stop"];
   ASSERT_TRUE(stop.is_object()) << state["simulation"]["history"].dump();
   const Json& found = state["explain"];
@@ -50,7 +54,7 @@ TEST(Explain, TheTaxelThatJumpedIsExplainedWhereItJumped) {
   EXPECT_EQ(found["change"]["before"], stop["before"]);
   EXPECT_NE(found["verdict"]["cause"], "none");
   EXPECT_NEAR(std::abs(found["verdict"]["change"].get<double>()) / found["verdict"]["limit"].get<double>(),
-              stop["part"].get<double>() / 0.1, 1e-9)
+              stop["part"].get<double>() / 0.01, 1e-9)
       << "the limit is the breakpoint's";
   EXPECT_TRUE(found["ghost"].get<bool>());
   EXPECT_EQ(state["selection"]["taxel"], stop["taxel"]);
@@ -79,8 +83,9 @@ TEST(Explain, FollowsAClickedBarAndScrubbing) {
 
 TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const StudioProgram studio;
-  const auto layout = coarse_layout(studio);
-  studio.play(kExplained, layout);
+  std::vector<std::string> layout = coarse_layout(studio);
+  layout.insert(layout.begin(), {"--size", "1400x1900"});  // the table is in sight
+  studio.play(kInContact, layout);
   const Json state = studio.state("explained.json");
   const Json* target = nullptr;
   for (const Json& polygon : state["polygons"])
@@ -88,7 +93,7 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
         (target == nullptr || polygon["area"] > (*target)["area"]))
       target = &polygon;
   ASSERT_NE(target, nullptr) << state["polygons"].dump().substr(0, 400);
-  studio.play(joined({kExplained,
+  studio.play(joined({kInContact,
                       {click((*target)["pixel"].dump()), kIdle, dump("view.json"),
                        R"({"do": "screenshot", "file": "v.png"})"}}),
               layout);
@@ -101,14 +106,14 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   for (const Json& widget : view["widgets"])
     if (first.empty() && widget["label"].get<std::string>().rfind(label, 0) == 0) first = widget["label"];
   ASSERT_FALSE(first.empty());
-  studio.play(joined({kExplained, {press(first), kIdle, dump("table.json")}}), layout);
+  studio.play(joined({kInContact, {press(first), kIdle, dump("table.json")}}), layout);
   const Json selected = studio.state("table.json")["explain"]["selected_polygon"];
   EXPECT_EQ("Polygon " + std::to_string(selected[0].get<int>()) + "/" + std::to_string(selected[1].get<int>()), first);
 }
 
 TEST(Explain, ASwitchTakesTheGhostAway) {
   const StudioProgram studio;
-  studio.play(joined({kExplained, {press("Ghost of the step before"), kIdle, kIdle, dump("without.json")}}),
+  studio.play(joined({kInContact, {press("Ghost of the step before"), kIdle, kIdle, dump("without.json")}}),
               coarse_layout(studio));
   EXPECT_FALSE(studio.state("without.json")["explain"]["ghost"].get<bool>());
 }
@@ -117,7 +122,7 @@ TEST(Explain, ASwitchTakesTheGhostAway) {
 // A recording of every step, explained by the command line: the same object to the last digit.
 TEST(Explain, SaysTheSameAsTheCommandLine) {
   const StudioProgram studio;
-  studio.play(kExplained, coarse_layout(studio));
+  studio.play(kJumped, coarse_layout(studio));
   Json window = studio.state("explained.json")["explain"];
   ASSERT_TRUE(window.is_object());
   const Outcome swept = run_program(TAXEL_PROGRAM,
@@ -127,7 +132,7 @@ TEST(Explain, SaysTheSameAsTheCommandLine) {
   ASSERT_EQ(swept.status, 0) << swept.err;
   const Outcome said = run_program(TAXEL_PROGRAM,
                                    {"explain", "run", "--taxel", std::to_string(window["taxel"]["id"].get<int>()),
-                                    "--time", std::to_string(window["time"].get<double>()), "--json"},
+                                    "--time", std::to_string(window["time"].get<double>()), "--jump", "0.01", "--json"},
                                    studio.folder());
   ASSERT_EQ(said.status, 0) << said.err;
   for (const char* own : {"step", "step_before", "ghost", "selected_polygon"}) window.erase(own);

@@ -29,7 +29,7 @@ std::string cure(const Verdict& v, const ExplainLimits& limits) {
     text = fmt::format(" {} {:.0f} samples, {:.3g} times as many, it stays below the limit.",
                        v.needed->measured ? "Read with" : "With about", v.needed->samples, v.needed->factor);
   else if (v.needed)
-    text = " No number of samples that can be made keeps it below the limit.";
+    text = " By the rate at which it falls, more samples would be needed than can be made.";
   if (v.voronoi_noise)
     text += fmt::format(" The same samples with Voronoi weights leave {} of it.", percent(*v.voronoi_noise, limits));
   return text;
