@@ -133,44 +133,6 @@ void Session::build_scene(Pending pending) {
   settle([&](const SimFrame& frame) { return frame.loads >= loads_; });
 }
 
-void Session::set_playing(bool playing) {
-  if (!runs()) return;
-  replay_.stop();
-  if (playing && frame_->finished) reset();
-  playing_ = playing;
-  if (!by_clock_ && playing && frame_->failed) tell(PlayCommand{});  // from an earlier step, or the start
-  if (!by_clock_) return;
-  if (playing) {
-    simulation_.send(PlayCommand{});
-  } else {
-    simulation_.send(PauseCommand{});
-  }
-}
-
-void Session::reset() {
-  if (!runs()) return;
-  replay_.stop();
-  playing_ = false;
-  unspent_ = 0;
-  tell(ResetCommand{});  // which pauses
-}
-
-void Session::set_speed(double factor) {
-  speed_ = factor;
-  simulation_.send(SpeedCommand{factor});
-}
-
-void Session::advance(double seconds) {
-  advance_replay(seconds);
-  if (!playing_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
-  const double timestep = frame_->scene->timestep;
-  unspent_ += seconds * speed_;
-  const auto steps = static_cast<int>(std::floor(unspent_ / timestep * (1 + 1e-12)));  // 20 ms are twenty steps of 1 ms
-  if (steps < 1) return;
-  unspent_ -= steps * timestep;
-  tell(StepCommand{steps});
-}
-
 /// Not by clock: whether the picture to come still shows the preview.
 bool Session::preview_is_due() const {
   return loader_.polishing() && preview_pictures_ < kPreviewPictures;

@@ -1,4 +1,4 @@
-// Recorded steps shown again, replayed, and where the simulation stops by itself.
+// The simulation run and paused, recorded steps shown again, and where it stops by itself.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,6 +18,44 @@ void Session::show_saved_step() {
   frame_ = document_->frame;
   still_ = true;
   note_pressures(*frame_, true);
+}
+
+void Session::set_playing(bool playing) {
+  if (!runs()) return;
+  replay_.stop();
+  if (playing && frame_->finished) reset();
+  playing_ = playing;
+  if (!by_clock_ && playing && frame_->failed) tell(PlayCommand{});  // from an earlier step, or the start
+  if (!by_clock_) return;
+  if (playing) {
+    simulation_.send(PlayCommand{});
+  } else {
+    simulation_.send(PauseCommand{});
+  }
+}
+
+void Session::reset() {
+  if (!runs()) return;
+  replay_.stop();
+  playing_ = false;
+  unspent_ = 0;
+  tell(ResetCommand{});  // which pauses
+}
+
+void Session::set_speed(double factor) {
+  speed_ = factor;
+  simulation_.send(SpeedCommand{factor});
+}
+
+void Session::advance(double seconds) {
+  advance_replay(seconds);
+  if (!playing_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
+  const double timestep = frame_->scene->timestep;
+  unspent_ += seconds * speed_;
+  const auto steps = static_cast<int>(std::floor(unspent_ / timestep * (1 + 1e-12)));  // 20 ms are twenty steps of 1 ms
+  if (steps < 1) return;
+  unspent_ -= steps * timestep;
+  tell(StepCommand{steps});
 }
 
 /// The step shown when what was asked for last is done.

@@ -4,18 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/base/error.h"
 #include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
-#include "core/sim/model/perturbation.h"
 #include "core/sim/model/scene_view.h"
-#include "core/sim/plugin/pair_surface.h"
-#include "core/sim/plugin/plugin_table.h"
-#include "core/sim/scene/loaded_scene.h"
-#include "core/sim/scene/sweep_path.h"
+#include "core/sim/simulator_impl.h"
 
 namespace taxel {
 namespace {
@@ -34,38 +29,6 @@ void prepare_mujoco() {
 }
 
 }  // namespace
-
-struct Simulator::Impl {
-  std::string title;  // file of the scene, for messages
-  CompiledScene compiled;
-  DataHandle data;
-  std::optional<SweepPath> sweep;
-  std::vector<int> instances;             // of taxel.sensor
-  std::vector<int> drawn;                 // geoms of scene->geoms
-  std::shared_ptr<const SimScene> shown;  // what does not change
-  int mocap = -1;                         // the first mocap body's number, -1: none
-  dvec3 mocap_start{0};
-  Perturbation hand;
-
-  std::uint64_t steps = 0;      // made so far
-  double time = 0, travel = 0;  // of the state evaluated last
-  bool row_due = false;
-
-  [[nodiscard]] const mjModel& m() const { return *compiled.model; }
-  [[nodiscard]] mjData& d() const { return *data; }
-  [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
-
-  void make_data();
-  void read_by(Aggregate aggregate);
-  void describe();
-  void place_mocap(double travelled);
-  void look();
-  void check_stability() const;
-  void check_sensors() const;
-  void start_at(int keyframe);
-  void back_to_start() { start_at(-1); }
-  bool move(const Perturb& asked);
-};
 
 Simulator::Simulator() : impl_(std::make_unique<Impl>()) {}
 Simulator::~Simulator() = default;
@@ -252,95 +215,6 @@ void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelP
   if (another_body) s.look();
 }
 
-bool Simulator::finished() const {
-  return impl_->sweep && impl_->steps > impl_->sweep->last_step;
-}
-bool Simulator::row_due() const {
-  return impl_->row_due;
-}
-const std::shared_ptr<const SimScene>& Simulator::scene() const {
-  return impl_->shown;
-}
-
-std::vector<std::string> Simulator::warnings() const {
-  std::vector<std::string> all = impl_->compiled.notes;
-  for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
-    const HydroInstance& sensor = impl_->sensor(i);
-    for (const std::string& text : sensor.warnings()) all.push_back("sensor \"" + sensor.config().name + "\": " + text);
-  }
-  return all;
-}
-
-SensorTimes Simulator::sensor_times() const {
-  SensorTimes sum;
-  for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
-    const SensorTimes& times = impl_->sensor(i).times;
-    sum.surfaces += times.surfaces;
-    sum.forces += times.forces;
-    sum.readings += times.readings;
-  }
-  return sum;
-}
-
-SimRow Simulator::row() const {
-  const StepView now = view();
-  SimRow row;
-  row.time = now.time;
-  row.travel = now.travel;
-  for (std::size_t i = 0; i < now.sensors.size(); ++i) {
-    const SensorView& sensor = now.sensors[i];
-    double area = 0;
-    std::size_t polygons = 0;
-    for (const ContactSurface* surface : sensor.surfaces) {
-      area += surface->area();
-      polygons += surface->polygons.size();
-    }
-    row.force_W.push_back(sensor.force_W);
-    row.area.push_back(area);
-    row.polygons.push_back(static_cast<int>(polygons));
-    row.readings.emplace_back(sensor.readings.begin(), sensor.readings.end());
-    row.shear.push_back(impl_->sensor(i).reading().shear);
-    row.uncovered_W.push_back(sensor.uncovered_W);
-    row.sensor_poses.push_back(sensor.X_WM);
-  }
-  return row;
-}
-
-StepView Simulator::view() const {
-  const Impl& s = *impl_;
-  StepView view;
-  view.scene = scene();
-  view.step = s.steps;
-  view.time = s.time;
-  view.travel = s.travel;
-  view.finished = finished();
-  for (const int g : s.drawn) view.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
-  for (std::size_t i = 0; i < s.instances.size(); ++i) {
-    const HydroInstance& sensor = s.sensor(i);
-    const SensorReading& reading = sensor.reading();
-    const Evaluation& e = sensor.sensed();
-    SensorView one;
-    one.X_WM = e.X_WM;
-    one.readings = reading.values;
-    one.uncovered_W = e.X_WM.rotate(reading.force.uncovered_normal);
-    for (const std::size_t k : e.near) {
-      one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
-      one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
-    }
-    one.hits = reading.hits.all();
-    one.hit_rays = reading.hits.hit_rays();
-    view.sensors.push_back(std::move(one));
-  }
-  return view;
-}
-
-void Simulator::fill_frame(SimFrame& frame) const {
-  taxel::fill_frame(view(), frame);
-  frame.controls = control_values(impl_->m(), impl_->d());
-  frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
-  frame.held = held_points(impl_->m(), impl_->d());
-}
-
 ControlValues Simulator::controls_of(const SimState& state) const {
   return control_values(impl_->m(), state.integration);
 }
@@ -366,65 +240,6 @@ void Simulator::restore_state(const SimState& state) {
   s.time = state.time;
   s.travel = state.travel;
   s.row_due = state.row_due;
-}
-
-Pose Simulator::pose_of_geom(int geom) const {
-  const Impl& s = *impl_;
-  return geom_pose(s.m(), s.d(), s.drawn.at(static_cast<std::size_t>(geom)));
-}
-
-PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sensors,
-                                   std::span<const Pose> X_WG) const {
-  const Impl& s = *impl_;
-  PosedContact out;
-  IntersectWorkspace workspace;
-  const HydroInstance& self = s.sensor(sensor);
-  for (const TouchedGeom& touched : self.touched()) {
-    ContactSurface& surface = out.surfaces.emplace_back();
-    if (touched.body == nullptr) continue;
-    const auto other = std::find(s.instances.begin(), s.instances.end(), touched.role.sensor);
-    if (other != s.instances.end()) {
-      const auto o = static_cast<std::size_t>(other - s.instances.begin());
-      intersect_sensors(self, s.sensor(o), touched.role.mirrored, sensors[sensor], sensors[o], surface, workspace);
-      continue;
-    }
-    const auto drawn = std::find(s.drawn.begin(), s.drawn.end(), touched.geom);
-    if (drawn == s.drawn.end() && s.m().body_weldid[s.m().geom_bodyid[touched.geom]] != 0)
-      throw Error(s.title, fmt::format("geom \"{}\" moves and is not recorded: it is invisible",
-                                       geom_name(s.m(), touched.geom)));
-    const Pose pose = drawn == s.drawn.end() ? geom_pose(s.m(), s.d(), touched.geom)
-                                             : X_WG[static_cast<std::size_t>(drawn - s.drawn.begin())];
-    intersect(*self.model()->body, *touched.body, sensors[sensor], pose, surface, workspace);
-  }
-  std::vector<const ContactSurface*> all;
-  for (const ContactSurface& surface : out.surfaces) all.push_back(&surface);
-  read_sensor(*self.model(), all, out.reading);
-  return out;
-}
-
-void Simulator::export_scene(const std::filesystem::path& folder) const {
-  const Impl& s = *impl_;
-  write_scene(folder / "scene.xml", s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
-}
-
-void Simulator::save_scene(const std::filesystem::path& file) const {
-  const Impl& s = *impl_;
-  write_scene(file,
-              s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
-}
-
-dvec3 Simulator::mocap_pos() const {
-  const Impl& s = *impl_;
-  if (s.mocap < 0) return dvec3(0);
-  const mjtNum* p = s.d().mocap_pos + 3 * s.mocap;
-  return {p[0], p[1], p[2]};
-}
-
-dquat Simulator::mocap_quat() const {
-  const Impl& s = *impl_;
-  if (s.mocap < 0) return {1, 0, 0, 0};
-  const mjtNum* q = s.d().mocap_quat + 4 * s.mocap;
-  return {q[0], q[1], q[2], q[3]};
 }
 
 }  // namespace taxel

@@ -1,0 +1,140 @@
+// What the simulation's thread does when it is asked.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/sim/sim_thread_impl.h"
+
+namespace taxel {
+
+/// At its start: the history begins with what is there before the first step.
+void SimThread::Impl::begin_run() {
+  ++runs;
+  error.clear();
+  rows.clear();
+  scrubbed.reset();
+  stop.reset();
+  history.clear();
+  if (simulator == nullptr) return;
+  simulator->save_state(state);
+  history.record(simulator->view(), state);
+}
+
+/// The simulation goes back to the step that is shown, and what came after it has not been.
+void SimThread::Impl::go_on_from_shown() {
+  if (!scrubbed) return;
+  const SimState& from = history.state(*scrubbed);
+  simulator->restore_state(from);
+  while (!rows.empty() && rows.back().time > from.time) rows.pop_back();
+  history.cut_after(*scrubbed);
+  scrubbed.reset();
+}
+
+void SimThread::Impl::scrub(std::uint64_t step) {
+  if (history.empty()) return;
+  set_playing(false);
+  scrubbed = std::clamp(step, history.first(), history.last());
+  if (*scrubbed == history.last() && error.empty()) scrubbed.reset();  // the newest, which the simulator has
+}
+
+void SimThread::Impl::execute_on_history(const SimCommand& command) {
+  if (const auto* to = std::get_if<ScrubCommand>(&command)) {
+    scrub(to->step);
+  } else if (const auto* follow = std::get_if<FollowStepBeforeCommand>(&command)) {
+    follows_before = follow->on;
+  } else if (const auto* breakpoints = std::get_if<BreakpointsCommand>(&command)) {
+    history.set_breakpoints(breakpoints->breakpoints);
+  } else if (const auto* limits = std::get_if<StepHistoryLimitsCommand>(&command)) {
+    history.set_limits(limits->limits);
+    if (scrubbed && !history.contains(*scrubbed)) scrubbed = history.first();
+  }
+}
+
+/// What a hand sets. Returns whether the command was one of these.
+bool SimThread::Impl::execute_on_scene(const SimCommand& command) {
+  if (const auto* edit = std::get_if<EditSceneCommand>(&command)) {
+    if (simulator != nullptr && !scrubbed && error.empty()) simulator->edit(edit->edit);
+  } else if (const auto* key = std::get_if<LoadKeyframeCommand>(&command)) {
+    if (simulator != nullptr && simulator->load_keyframe(key->keyframe)) begin_run();
+    set_playing(false);
+  } else if (const auto* save = std::get_if<SaveSceneCommand>(&command)) {
+    saved = {saved.number + 1, save->file, ""};
+    try {
+      if (simulator == nullptr) throw Error(save->file, "there is no scene to write");
+      simulator->save_scene(save->file);
+    } catch (const std::exception& e) {
+      saved.error = e.what();
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void SimThread::Impl::set_playing(bool on) {
+  playing = on;
+  pacing.restart(seconds_since_epoch(), speed);
+}
+
+void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& make) {
+  ++loads;
+  try {
+    simulator = make();
+  } catch (const std::exception& e) {
+    refused = e.what();
+    return;
+  }
+  refused.clear();
+  begin_run();
+  step_time = record_time = {};
+  pacing.restart(seconds_since_epoch(), speed);
+}
+
+void SimThread::Impl::replace_model(const ReplaceModelCommand& command) {
+  ++replacements;
+  refused.clear();
+  try {
+    if (simulator == nullptr) return;
+    simulator->replace_model(command.replaced, command.model);
+    if (error.empty()) history.replace_newest(simulator->view());
+  } catch (const std::exception& e) {
+    refused = e.what();  // the one before goes on
+  }
+}
+
+void SimThread::Impl::execute(const SimCommand& command) {
+  const auto rewind = [this] {
+    if (simulator != nullptr) simulator->reset();
+    begin_run();
+  };
+  if (std::holds_alternative<QuitCommand>(command)) {
+    running = false;
+  } else if (std::holds_alternative<PlayCommand>(command)) {
+    const bool of_the_past = scrubbed && *scrubbed < history.last();
+    if (of_the_past) error.clear();  // what went wrong lies after it
+    const bool over = simulator != nullptr && simulator->finished() && !of_the_past;
+    if (over || !error.empty()) rewind();
+    set_playing(simulator != nullptr);
+  } else if (std::holds_alternative<PauseCommand>(command)) {
+    set_playing(false);
+  } else if (std::holds_alternative<ResetCommand>(command)) {
+    rewind();
+    set_playing(false);
+  } else if (const auto* step = std::get_if<StepCommand>(&command)) {
+    for (int i = 0; i < step->steps && step_once(); ++i) {
+    }
+  } else if (const auto* factor = std::get_if<SpeedCommand>(&command)) {
+    if (factor->factor > 0 && std::isfinite(factor->factor)) speed = factor->factor;
+    pacing.restart(seconds_since_epoch(), speed);
+  } else if (const auto* sweep = std::get_if<LoadSweepCommand>(&command)) {
+    load([&] { return Simulator::make_sweep(sweep->model, sweep->scenario); });
+  } else if (const auto* replace = std::get_if<ReplaceModelCommand>(&command)) {
+    replace_model(*replace);
+  } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
+    load([&] { return Simulator::load(scene->file, scene->attachments); });
+  } else if (!execute_on_scene(command)) {
+    execute_on_history(command);
+  }
+}
+
+}  // namespace taxel

@@ -1,0 +1,94 @@
+// What the simulation's thread owns: the simulator, its history, and the door between the threads.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "core/base/mailbox.h"
+#include "core/sim/history/step_history.h"
+#include "core/sim/pacing.h"
+#include "core/sim/sim_thread.h"
+#include "core/sim/simulator.h"
+#include "core/sim/step_time.h"
+
+namespace taxel {
+
+inline double seconds_since_epoch() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Everything but the queue and the mailbox belongs to the simulation's thread.
+struct SimThread::Impl {
+  std::mutex mutex;  // guards the next five
+  std::condition_variable wake;
+  std::vector<SimCommand> queue;
+  std::uint64_t posted = 0;
+  bool clock_driven = true;
+  bool clock_changed = false;
+
+  Mailbox<SimFrame> mailbox;
+
+  std::unique_ptr<Simulator> simulator;
+  Pacing pacing;
+  bool running = true, playing = false, by_clock = true;
+  double speed = 1.0;
+  std::string error;    // why stepping stopped
+  std::string refused;  // why the last scene or model was not taken; the one before goes on
+  std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
+  SavedScene saved;
+  StepHistory history;
+  std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
+  bool follows_before = false;            // frames carry the step before
+  std::optional<Jump> stop;
+  SimState state;  // scratch
+  std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
+  std::vector<TraceRow> rows;
+  std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
+  StepTime step_time, record_time;
+  double last_frame = 0, last_trace = 0;
+  bool changed = true;  // something to show since the last frame
+
+  std::thread thread;  // last: starts when all else is there
+
+  Impl() : thread([this] { run(); }) {}
+  ~Impl() {
+    post(QuitCommand{});
+    thread.join();
+  }
+
+  std::uint64_t post(SimCommand command) {
+    std::uint64_t number = 0;
+    {
+      const std::scoped_lock lock(mutex);
+      queue.push_back(std::move(command));
+      number = ++posted;
+    }
+    wake.notify_one();
+    return number;
+  }
+
+  void run();
+  std::vector<SimCommand> take_commands();
+  void execute(const SimCommand& command);
+  void load(const std::function<std::unique_ptr<Simulator>()>& make);
+  void replace_model(const ReplaceModelCommand& command);
+  void set_playing(bool on);
+  void begin_run();
+  void go_on_from_shown();
+  void scrub(std::uint64_t step);
+  bool execute_on_scene(const SimCommand& command);
+  void execute_on_history(const SimCommand& command);
+  bool step_once();
+  void add_trace_row();
+  void burst();
+  void publish(bool even_if_recent);
+  void copy_rows(double now, bool even_if_recent);
+  [[nodiscard]] std::shared_ptr<const StepBefore> step_before() const;
+
+  [[nodiscard]] bool stepping() const { return playing && by_clock && simulator != nullptr; }
+};
+
+}  // namespace taxel

@@ -1,0 +1,46 @@
+// What a simulator holds: the compiled scene, MuJoCo's data, and where the run stands.
+#pragma once
+
+#include <optional>
+
+#include "core/sim/model/perturbation.h"
+#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/loaded_scene.h"
+#include "core/sim/scene/sweep_path.h"
+#include "core/sim/simulator.h"
+
+namespace taxel {
+
+struct Simulator::Impl {
+  std::string title;  // file of the scene, for messages
+  CompiledScene compiled;
+  DataHandle data;
+  std::optional<SweepPath> sweep;
+  std::vector<int> instances;             // of taxel.sensor
+  std::vector<int> drawn;                 // geoms of scene->geoms
+  std::shared_ptr<const SimScene> shown;  // what does not change
+  int mocap = -1;                         // the first mocap body's number, -1: none
+  dvec3 mocap_start{0};
+  Perturbation hand;
+
+  std::uint64_t steps = 0;      // made so far
+  double time = 0, travel = 0;  // of the state evaluated last
+  bool row_due = false;
+
+  [[nodiscard]] const mjModel& m() const { return *compiled.model; }
+  [[nodiscard]] mjData& d() const { return *data; }
+  [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
+
+  void make_data();
+  void read_by(Aggregate aggregate);
+  void describe();
+  void place_mocap(double travelled);
+  void look();
+  void check_stability() const;
+  void check_sensors() const;
+  void start_at(int keyframe);
+  void back_to_start() { start_at(-1); }
+  bool move(const Perturb& asked);
+};
+
+}  // namespace taxel
