@@ -8,7 +8,6 @@
 #include "app/cli/command.h"
 #include "app/cli/validate_report.h"
 #include "core/base/files.h"
-#include "core/project/validation/artifact.h"
 #include "core/project/validation/validation.h"
 #include "core/sim/validation/dynamics.h"
 
@@ -37,8 +36,7 @@ std::string exact_text(const ClosedFormCheck& check, int digits) {
 struct Formula {
   const char* form;
   const char* text;
-  const char* picture = nullptr;  ///< its name in docs/pictures
-  const char* caption = nullptr;
+  const char* picture = nullptr;  ///< what docs/pictures/samples.png shows
 };
 constexpr Formula kFormulas[] = {
     {"A1",
@@ -78,7 +76,6 @@ constexpr Formula kFormulas[] = {
      "standard deviation of the areas nearest to each over their mean; the widest gap, from the emptiest place of the "
      "surface to its sample over that of the densest packing. Counted by a scorer that shares nothing with the "
      "sampler.",
-     "samples.png",
      "Polished samples on the pad side of our fingertip, coloured by the distance to the nearest one, and how often "
      "each "
      "distance occurs, polished and in a preview"},
@@ -88,14 +85,7 @@ constexpr Formula kFormulas[] = {
     {"B3",
      "The weighted mean, weights (r - d)^2, of a pressure that is linear over a flat patch: that at the taxel's "
      "centre. "
-     "Voronoi areas as weights make up for samples that are nowhere quite even."},
-    {"C1",
-     "The artifact of the paper: readings that jump while the contact goes on smoothly. A rigid bar across our "
-     "fingertip slides along it; its edges press, so each sample that comes under one of them counts at once. The jump "
-     "is the largest change of a reading from one pose to the next less that of the exact integral of the same "
-     "contact, over the largest exact reading. It is the samples that make it, and more of them that cure it: the "
-     "field and the samples' areas hardly count here.",
-     "artifact.png", "The reading of the middle taxel, by each of the four, over the exact integral"}};
+     "Voronoi areas as weights make up for samples that are nowhere quite even."}};
 
 std::string rows_of(const ClosedFormChecks& checks, const std::string& form, const std::string& setting) {
   std::string rows;
@@ -149,7 +139,7 @@ std::string validate_markdown(const ClosedFormChecks& checks) {
     }
     if (settings.empty()) continue;
     text += fmt::format("\n## {}\n\n{}\n", formula.form, formula.text);
-    if (formula.picture) text += fmt::format("\n![{}](pictures/{})\n", formula.caption, formula.picture);
+    if (formula.picture) text += fmt::format("\n![{}]({})\n", formula.picture, "pictures/samples.png");
     for (const std::string& setting : settings) {
       text += fmt::format("\nHere: {}.\n\n", setting);
       text += "| quantity | unit | computed | exact | error | bound | within |\n";
@@ -164,16 +154,12 @@ namespace {
 
 struct Options {
   bool markdown = false;
-  std::string samples, artifact;
+  std::string samples;
 };
 
 int run(const Options& options, Console& console) {
   if (!options.samples.empty()) {
     write_file_atomically(options.samples, samples_for_picture());
-    return kDone;
-  }
-  if (!options.artifact.empty()) {
-    write_file_atomically(options.artifact, artifact_for_picture(measure_artifact()));
     return kDone;
   }
   const ClosedFormChecks checks = validate_all();
@@ -194,9 +180,6 @@ Command add_validate(CLI::App& parent, CommonOptions& common) {
   app->add_flag("--markdown", options->markdown, "The page docs/validation.md instead of a table");
   app->add_option("--samples", options->samples,
                   "Only write the fingertip's samples of B1 and how even they are, as CSV: x,y,z [m],rho,area,quality")
-      ->type_name("FILE");
-  app->add_option("--artifact", options->artifact,
-                  "Only write the curves of C1 as CSV: travel_mm, and the middle taxel's readings in kPa")
       ->type_name("FILE");
   return {app, [options](Console& console) { return run(*options, console); }};
 }

@@ -127,6 +127,8 @@ std::string reason(const UiState& ui, const UiInput& input) {
 void draw_explain_panel(UiState& ui, const UiInput& input) {
   if (ui.explain.wants_focus) ImGui::SetNextWindowFocus();
   ui.explain.wants_focus = false;
+  if (input.frame && input.frame->step != ui.explain.step) ui.explain.polygon.reset();  // numbers of another step
+  if (input.frame) ui.explain.step = input.frame->step;
   if (begin_panel(ui, kExplainTitle, &ui.saved.panels.explain)) {
     if (const Explanation* found = shown_explanation(ui, input)) {
       draw_found(ui, input, *found);

@@ -80,7 +80,7 @@ bool clicked_in_place(ImGuiMouseButton button) {
 void select_under(UiState& ui, const UiInput& input, const std::optional<Pick>& under) {
   if (under && under->sensor >= 0 && ui.mode == Mode::simulate) ui.selection.sensor = under->sensor;
   if (under && under->polygon >= 0 && under->taxel < 0 && ui.mode == Mode::simulate)
-    return inspect_polygon(ui, {under->surface, under->polygon});
+    return inspect_polygon(ui, input, {under->surface, under->polygon});
   const bool shift = ImGui::GetIO().KeyShift;
   const SensorModelPtr model = input.shown_model(ui);
   if (under && under->taxel >= 0 && model && under->taxel < model->taxel_count()) {

@@ -33,7 +33,8 @@ struct PolygonNumber {
 
 /// What the panel keeps.
 struct ExplainState {
-  std::optional<PolygonNumber> polygon;  ///< selected: in the table, the scatter and the view
+  std::optional<PolygonNumber> polygon;  ///< selected: in the table, the scatter and the view; of `step` alone
+  std::uint64_t step = 0;
   bool wants_focus = false;              ///< the panel comes to the front in the next picture
 };
 

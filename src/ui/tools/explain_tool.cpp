@@ -43,8 +43,9 @@ const Explanation* shown_explanation(const UiState& ui, const UiInput& input) {
   return &found->explanation;
 }
 
-void inspect_polygon(UiState& ui, PolygonNumber polygon) {
+void inspect_polygon(UiState& ui, const UiInput& input, PolygonNumber polygon) {
   ui.explain.polygon = polygon;
+  ui.explain.step = input.frame->step;
   ui.saved.panels.explain = ui.explain.wants_focus = true;
 }
 

@@ -14,7 +14,7 @@ void explain_reading(UiState& ui, const UiInput& input);
 /// The explanation of what is selected, in the step that is shown; null: it is not there, or not yet.
 [[nodiscard]] const Explanation* shown_explanation(const UiState& ui, const UiInput& input);
 
-/// Selects a polygon, and shows it; the taxel stays.
-void inspect_polygon(UiState& ui, PolygonNumber polygon);
+/// Selects a polygon of the step that is shown, and shows it; the taxel stays.
+void inspect_polygon(UiState& ui, const UiInput& input, PolygonNumber polygon);
 
 }  // namespace taxel::ui

@@ -106,9 +106,12 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   for (const Json& widget : view["widgets"])
     if (first.empty() && widget["label"].get<std::string>().rfind(label, 0) == 0) first = widget["label"];
   ASSERT_FALSE(first.empty());
-  studio.play(joined({kInContact, {press(first), kIdle, dump("table.json")}}), layout);
+  studio.play(
+      joined({kInContact, {press(first), kIdle, dump("table.json"), key("Left"), kIdle, kIdle, dump("stepped.json")}}),
+      layout);
   const Json selected = studio.state("table.json")["explain"]["selected_polygon"];
   EXPECT_EQ("Polygon " + std::to_string(selected[0].get<int>()) + "/" + std::to_string(selected[1].get<int>()), first);
+  EXPECT_TRUE(studio.state("stepped.json")["explain"]["selected_polygon"].is_null()) << "numbers are of one step";
 }
 
 TEST(Explain, ASwitchTakesTheGhostAway) {

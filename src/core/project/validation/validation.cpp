@@ -1,7 +1,5 @@
 #include "core/project/validation/validation.h"
 
-#include "core/project/validation/artifact.h"
-
 namespace taxel {
 
 ClosedFormChecks validate_statics() {
@@ -13,8 +11,6 @@ ClosedFormChecks validate_statics() {
     const ClosedFormChecks checks = validate();
     all.insert(all.end(), checks.begin(), checks.end());
   }
-  const ClosedFormChecks artifact = validate_artifact();
-  all.insert(all.end(), artifact.begin(), artifact.end());
   return all;
 }
 
