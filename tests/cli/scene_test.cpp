@@ -19,7 +19,7 @@ TEST(Scenes, OldScenesRunUnmodifiedAndTheForceIsTheWeight) {
                                                            {"myrmex_plate_world.xml", 0.375},
                                                            {"myrmex_spot_world.xml", 0.375}};
   for (const auto& [scene, mass] : scenes) {
-    const Json run = taxel_json({"run", (real / scene).string(), "--seconds", "1.6", "--out", scene + ".out"}, folder);
+    const Json run = taxel_json({"run", (real / scene).string(), "--seconds", "1.2", "--out", scene + ".out"}, folder);
     EXPECT_EQ(run["sensors"][0]["geom"], "myrmex_foam") << scene;
     const Table table = read_csv(folder / (scene + ".out") / "readings.csv");
     const std::vector<double>& force = table.at("force_z");
@@ -36,7 +36,7 @@ TEST(Scenes, OldScenesRunUnmodifiedAndTheForceIsTheWeight) {
 
 TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
   const fs::path folder = test_folder(), scene = fs::path(TAXEL_SOURCE_DIR) / "assets/scenes/five_fingers.xml";
-  const Json run = taxel_json({"run", scene.string(), "--seconds", "1", "--out", "out"}, folder);
+  const Json run = taxel_json({"run", scene.string(), "--seconds", "0.6", "--out", "out"}, folder);
   ASSERT_EQ(run["sensors"].size(), 5U);
   const Table table = read_csv(folder / "out" / "readings.csv");
   dvec3 sum(0);
@@ -46,15 +46,15 @@ TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
     const dvec3 force(table.at(geom + "/force_x")[last], table.at(geom + "/force_y")[last],
                       table.at(geom + "/force_z")[last]);
     EXPECT_GT(table.at(geom + "/area")[last], 1e-5) << geom;
-    EXPECT_GT(glm::length(force), 0.1) << geom;
+    EXPECT_GT(glm::length(force), 0.05) << geom;
     double largest = 0;
     for (int taxel = 0; taxel < 12; ++taxel)
       largest = std::max(largest, table.at(geom + "/taxel_" + std::to_string(taxel))[last]);
-    EXPECT_GT(largest, 500) << geom;
+    EXPECT_GT(largest, 100) << geom;
     sum += force;
   }
   // held still: the fingers bear its weight, and their forces across cancel
-  EXPECT_NEAR(sum.z, -9.81 * 0.04, 0.02 * 9.81 * 0.04);
+  EXPECT_NEAR(sum.z, -9.81 * 0.03, 0.02 * 9.81 * 0.03);
   EXPECT_LT(std::hypot(sum.x, sum.y), 0.02);
 }
 

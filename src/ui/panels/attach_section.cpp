@@ -82,9 +82,8 @@ void draw_attach(UiState& ui, const UiInput& input) {
     return std::none_of(scene.geoms.begin(), scene.geoms.end(),
                         [&](const SceneGeom& geom) { return geom.name == name && geom.sensor < 0; });
   });
-  if (!ImGui::TreeNodeEx("Attach a layout##section", scene.sensors.empty() || !ui.controls.geoms.empty()
-                                                         ? ImGuiTreeNodeFlags_DefaultOpen
-                                                         : ImGuiTreeNodeFlags_None)) {
+  const auto flags = scene.sensors.empty() ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+  if (!ImGui::TreeNodeEx("Attach a layout##section", flags)) {
     ui.widgets.note_item("Attach a layout");
     return;
   }

@@ -114,6 +114,33 @@ TEST(FileWatch, ALayoutChangedOnDiskIsReadAgainAsAStepOfTheHistory) {
   EXPECT_EQ(studio.state("redone.json")["document"]["layout"], reloaded["document"]["layout"]);
 }
 
+TEST(FileWatch, ASceneChangedOnDiskIsReadAgainWithTheViewKept) {
+  const StudioProgram studio;
+  const auto scene = [&](const char* size) {
+    write_text(studio.folder() / "part",
+               std::string("<mujoco><worldbody><body><freejoint/><geom name='thing' type='box' "
+                           "size='.02 .02 ") +
+                   size + "'/></body></worldbody></mujoco>");
+    std::filesystem::rename(studio.folder() / "part", studio.folder() / "scene.xml");
+  };
+  scene(".02");
+  play_while(studio,
+             joined({{kIdle, key("Space"), kIdle},
+                     kTurn,
+                     {dump("opened.json"), told("scene.xml was changed by another"), dump("told.json"),
+                      press("Read it again"), kIdle, kIdle, dump("reloaded.json")}}),
+             "scene.xml", [&] { scene(".04"); });
+  const Json opened = studio.state("opened.json"), told = studio.state("told.json"),
+             reloaded = studio.state("reloaded.json");
+  EXPECT_EQ(told["simulation"]["step"], opened["simulation"]["step"]) << "nothing happens unasked";
+  EXPECT_EQ(told["scene"]["geoms"], opened["scene"]["geoms"]);
+  EXPECT_EQ(reloaded["simulation"]["step"], 0);
+  EXPECT_EQ(reloaded["simulation"]["playing"], false);
+  EXPECT_EQ(reloaded["camera"], opened["camera"]);
+  EXPECT_EQ(reloaded["mode"], "simulate");
+  EXPECT_TRUE(reloaded["notices"].empty());
+}
+
 TEST(FileWatch, WhatWasOnlyTouchedIsNotTold) {
   const StudioProgram studio;
   OwnFiles files(studio);

@@ -143,8 +143,8 @@ TEST(Scene, ControlsAreSetReadAndKeptOutOfThePast) {
 /// A finger without a sensor, pressed into the floor.
 constexpr const char* kFinger = R"(<mujoco><asset><mesh name='tip' file='fingertip.obj'/></asset><worldbody>
   <geom name='floor' type='plane' size='.2 .2 .1'/>
-  <body pos='0 0 .0061' quat='.70710678 .70710678 0 0'><geom name='tip' type='mesh' mesh='tip'/></body>
-  <body pos='.05 0 .0061' quat='.70710678 .70710678 0 0'><geom type='mesh' mesh='tip'/></body></worldbody></mujoco>)";
+  <body pos='0 0 .0061' quat='.70710678 .70710678 0 0'><freejoint/><geom name='tip' type='mesh' mesh='tip'/></body>
+  <body pos='.05 0 .0061' quat='.70710678 .70710678 0 0'><freejoint/><geom type='mesh' mesh='tip'/></body></worldbody></mujoco>)";
 
 /// Beside it a mesh and a coarse layout.
 void write_finger(const std::filesystem::path& folder) {
@@ -185,7 +185,7 @@ TEST(Scene, LayoutsAreAttachedToGeomsDetachedAndSavedWithTheScene) {
             std::string::npos);
   ASSERT_TRUE(std::filesystem::exists(studio.folder() / "saved/mine.xml"));
   // what was saved opens with its sensor, and reads the same
-  studio.play({kIdle, key("Space"), kIdle, dump("again.json")}, {"saved/mine.xml"});
+  studio.play({kIdle, key("Backspace"), kIdle, dump("again.json")}, {"saved/mine.xml"});
   const Json again = studio.state("again.json")["simulation"]["sensors"];
   ASSERT_EQ(again.size(), 1U);
   const double before = detached["simulation"]["sensors"][0]["max_pressure"];
@@ -195,7 +195,7 @@ TEST(Scene, LayoutsAreAttachedToGeomsDetachedAndSavedWithTheScene) {
 /// The body that is pointed at is known by its geom's sensor too.
 TEST(Scene, TheHandOfFiveFingersHoldsItsGripInTheWindow) {
   const StudioProgram studio;
-  studio.play({kIdle, R"({"do": "wait_time", "time": 0.3})", key("Space"), kIdle, dump("held.json"),
+  studio.play({kIdle, R"({"do": "wait_time", "time": 0.15})", key("Space"), kIdle, dump("held.json"),
                R"({"do": "screenshot", "file": "held.png"})"},
               {TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml"});
   const Json held = studio.state("held.json");

@@ -46,8 +46,7 @@ void CoupledWrenches::begin(std::size_t pairs, double timestep) {
   M_.resize(n * n);
   S_.resize(6 * n);
   for (Vector* v : {&elastic_, &free_, &v_, &image_, &residual_, &last_image_, &last_residual_}) v->assign(n, 0);
-  images_.clear();
-  residuals_.clear();
+  columns_ = 0;
 }
 
 void CoupledWrenches::set_inverse_inertia(std::size_t i, std::size_t j, const Matrix6& A_ij) {
@@ -113,23 +112,21 @@ void CoupledWrenches::image_of(const Vector& v, const Law& law) {
 /// The next iterate (Walker, Ni 2011, as in implicit_wrench.cpp): image - sum gamma_i d_image_i, gamma minimising
 /// |residual - sum gamma_i d_residual_i|, by Gram-Schmidt with the newest columns first.
 void CoupledWrenches::mix(bool grew) {
-  if (grew) {
-    images_.clear();
-    residuals_.clear();
-  }
-  if (images_.size() == kColumns) {
+  if (grew) columns_ = 0;
+  if (columns_ == kColumns) {
     std::rotate(images_.begin(), images_.begin() + 1, images_.end());
     std::rotate(residuals_.begin(), residuals_.begin() + 1, residuals_.end());
-  } else {
-    images_.emplace_back();
-    residuals_.emplace_back();
+    --columns_;
   }
-  subtract_into(images_.back(), image_, last_image_);
-  subtract_into(residuals_.back(), residual_, last_residual_);
+  images_.resize(kColumns);
+  residuals_.resize(kColumns);
+  subtract_into(images_[columns_], image_, last_image_);
+  subtract_into(residuals_[columns_], residual_, last_residual_);
+  ++columns_;
   q_.resize(kColumns);
   moved_.resize(kColumns);
   std::size_t used = 0;
-  for (std::size_t k = images_.size(); k-- > 0;) {
+  for (std::size_t k = columns_; k-- > 0;) {
     Vector &column = q_[used], &moved = moved_[used];
     column = residuals_[k];
     moved = images_[k];

@@ -53,6 +53,7 @@ class CoupledWrenches {
   Vector A_, M_;  // (6 n)^2, by rows; A_ in scaled units, times h
   Vector elastic_, S_;
   Vector free_, v_, image_, residual_, last_image_, last_residual_;
+  std::size_t columns_ = 0;
   std::vector<Vector> images_, residuals_;  // changes of the latest iterates, oldest first
   std::vector<Vector> q_, moved_;           // scratch of mix()
 };
