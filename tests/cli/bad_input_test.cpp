@@ -93,7 +93,7 @@ TEST(BadInput, Scenes) {
   EXPECT_NE(unknown.err.find("\"hand\""), std::string::npos) << unknown.err;
   EXPECT_EQ(std::count(unknown.err.begin(), unknown.err.end(), '\n'), 1) << unknown.err;
   expect_refusal(taxel({"run", "plain.xml", "--geom", "ball"}, folder),
-                 "taxel: run: --layout and --geom are given together");
+                 "taxel: run: --layout and --geom are given together, each as often as the other");
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename().string());
   std::sort(left.begin(), left.end());

@@ -21,11 +21,11 @@ namespace taxel {
 struct SceneGeom {
   std::string name;
   std::string body;
+  int body_index = 0;  ///< in SceneControls::bodies
   TriMeshPtr mesh;
   std::array<float, 4> rgba{0.6f, 0.6f, 0.6f, 1.0f};
   bool plane = false;
   int sensor = -1;  ///< index of the sensor whose skin this is (drawn from its SensorModel instead), or -1
-  int body_index = 0;  ///< in SceneControls::bodies
 };
 
 /// A taxel's values of the past, one entry per recorded row (every 0.1 mm in a sweep, every step otherwise).

@@ -46,6 +46,12 @@ bool shows_pressure(const UiState& ui, const UiInput& input) {
   return input.shown_state(ui) != nullptr;
 }
 
+/// A scene's title may be its whole path.
+std::string file_name_of(const std::string& title) {
+  const std::size_t slash = title.find_last_of('/');
+  return slash == std::string::npos || slash + 1 == title.size() ? title : title.substr(slash + 1);
+}
+
 /// Mode and name in the upper left corner.
 void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
   const Palette& colors = palette(ui.saved.dark);
@@ -59,7 +65,7 @@ void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
   list.AddText({at.x + 0.5f * line, std::round(at.y + 0.22f * line)}, IM_COL32_WHITE, mode);
   std::string text = input.name;
   if (!layout && input.frame && input.frame->scene && !input.frame->scene->title.empty())
-    text = input.frame->scene->title;
+    text = file_name_of(input.frame->scene->title);
   if (!layout && input.frame && input.frame->finished) text += "   (finished)";
   const float end = ui.view.rect.x1 - (shows_pressure(ui, input) ? pressure_legend_width() + line : 0.5f * line);
   const ImVec4 room(at.x, at.y, end, at.y + 2 * line);  // the legend begins there
