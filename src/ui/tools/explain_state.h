@@ -35,7 +35,7 @@ struct PolygonNumber {
 struct ExplainState {
   std::optional<PolygonNumber> polygon;  ///< selected: in the table, the scatter and the view; of `step` alone
   std::uint64_t step = 0;
-  bool wants_focus = false;              ///< the panel comes to the front in the next picture
+  bool wants_focus = false;  ///< the panel comes to the front in the next picture
 };
 
 }  // namespace taxel::ui

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "core/base/error.h"
 #include "core/hydro/quadrature.h"
 #include "core/sensor/explain/field_integral.h"

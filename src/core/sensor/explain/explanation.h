@@ -24,15 +24,15 @@ struct SensorStep {
 /// One polygon of the sensor's contact surfaces.
 struct PolygonBehind {
   int surface = 0, polygon = 0;
-  int tet = -1, tet_b = -1, face = -1;      ///< as ContactPolygon
-  bool inverted = false;                    ///< its tet, or that of the skin above it, is inside out
-  double area = 0;                          ///< [m^2]
-  double lowest = 0, mean = 0, highest = 0; ///< pressure [Pa]
-  double force_share = 0;                   ///< of the integral of p0 over all surfaces
-  int samples = 0;                          ///< of the taxel, whose rays met it
-  double share = 0;                         ///< of the taxel's reading, by its samples
-  double exact_share = 0;                   ///< of the exact reading; 0 where that is no integral
-  std::vector<int> taxels;                  ///< served: ids of those with a sample that met it, ascending
+  int tet = -1, tet_b = -1, face = -1;       ///< as ContactPolygon
+  bool inverted = false;                     ///< its tet, or that of the skin above it, is inside out
+  double area = 0;                           ///< [m^2]
+  double lowest = 0, mean = 0, highest = 0;  ///< pressure [Pa]
+  double force_share = 0;                    ///< of the integral of p0 over all surfaces
+  int samples = 0;                           ///< of the taxel, whose rays met it
+  double share = 0;                          ///< of the taxel's reading, by its samples
+  double exact_share = 0;                    ///< of the exact reading; 0 where that is no integral
+  std::vector<int> taxels;                   ///< served: ids of those with a sample that met it, ascending
 };
 
 /// World frame.
@@ -47,9 +47,9 @@ struct ForceBudget {
 
 /// The taxel's reading by the numbers of samples of Convergence::kFactors.
 struct SampleLevels {
-  std::array<int, 3> samples{};   ///< on what is sampled
-  std::array<double, 3> now{};    ///< weighted_sum: as of so many samples as the layout has
-  std::array<double, 3> before{}; ///< zeros without a step before
+  std::array<int, 3> samples{};    ///< on what is sampled
+  std::array<double, 3> now{};     ///< weighted_sum: as of so many samples as the layout has
+  std::array<double, 3> before{};  ///< zeros without a step before
 };
 
 /// Samples that changed from before to now: together they make the change of the reading.

@@ -55,8 +55,8 @@ FieldIntegral::Leaf FieldIntegral::measure(const Triangle& triangle) {
   return leaf;
 }
 
-/// All nodes may lie on one side of an edge where rays begin to hit, the corners farther out: a tenth of what is pressed
-/// there may then be missed, or be too much.
+/// All nodes may lie on one side of an edge where rays begin to hit, the corners farther out: a tenth of what is
+/// pressed there may then be missed, or be too much.
 double FieldIntegral::hidden_in(const Leaf& leaf) {
   constexpr double kMissedPart = 0.1;
   const auto hits = std::count_if(leaf.hits.begin(), leaf.hits.end(), [](const RayHit& hit) { return hit.hit(); });

@@ -72,9 +72,8 @@ std::optional<FieldRays::Start> FieldRays::nearest_start(const dvec3& p) const {
 }
 
 bool FieldRays::reaches(const dvec3& center, double radius) const {
-  return std::any_of(discs_.begin(), discs_.end(), [&](const FieldDisc& disc) {
-    return glm::distance(disc.center, center) <= disc.radius + radius;
-  });
+  return std::any_of(discs_.begin(), discs_.end(),
+                     [&](const FieldDisc& disc) { return glm::distance(disc.center, center) <= disc.radius + radius; });
 }
 
 std::vector<FieldRays::Face> FieldRays::faces() const {

@@ -46,8 +46,8 @@ Verdict decide(const VerdictInput& in) {
   v.noise = v.change - exact;
   v.field = exact - contact;
   v.contact = contact;
-  v.force_stays =
-      std::abs(in.force.change()) <= in.limits.equal_force * std::max(std::abs(in.force.before), std::abs(in.force.now));
+  v.force_stays = std::abs(in.force.change()) <=
+                  in.limits.equal_force * std::max(std::abs(in.force.before), std::abs(in.force.now));
   if (!(std::abs(v.change) > v.limit)) return v;
 
   const double sign = v.change < 0 ? -1 : 1;
@@ -56,10 +56,9 @@ Verdict decide(const VerdictInput& in) {
     v.cause = Cause::sampling_noise;
   } else if (field >= rest) {
     // Whose departure from even stiffness is it?
-    const double inverted =
-        in.exact_inverted && in.even_inverted
-            ? sign * (in.exact_inverted->change() - even_scale(in) * in.even_inverted->change())
-            : 0.0;
+    const double inverted = in.exact_inverted && in.even_inverted
+                                ? sign * (in.exact_inverted->change() - even_scale(in) * in.even_inverted->change())
+                                : 0.0;
     v.cause = inverted >= 0.5 * field ? Cause::inverted_tets : Cause::star_field;
   } else {
     v.cause = v.force_stays ? Cause::redistribution : Cause::contact;

@@ -51,21 +51,21 @@ struct Verdict {
   double contact = 0;  ///< what remains
   double limit = 0;    ///< of a jump
   bool force_stays = false;
-  std::optional<SamplesNeeded> needed;         ///< for sampling_noise
-  std::optional<double> voronoi_noise;         ///< likewise: that of the same samples with Voronoi weights
-  std::string text;                            ///< one or two sentences
+  std::optional<SamplesNeeded> needed;  ///< for sampling_noise
+  std::optional<double> voronoi_noise;  ///< likewise: that of the same samples with Voronoi weights
+  std::string text;                     ///< one or two sentences
 };
 
 /// What a verdict is made of.
 struct VerdictInput {
   ExplainLimits limits;
   Readings sampled;
-  std::optional<Readings> exact;            ///< none: there is no exact integral
-  std::optional<Readings> even;             ///< exact, under even stiffness; only where the field is suspect
+  std::optional<Readings> exact;  ///< none: there is no exact integral
+  std::optional<Readings> even;   ///< exact, under even stiffness; only where the field is suspect
   /// The parts of `exact` and `even` that polygons bring which inverted tets concern.
   std::optional<Readings> exact_inverted, even_inverted;
-  bool soft_contact = false;                ///< the field is suspect, but `even` cannot tell
-  Readings force;                           ///< magnitude, of the whole sensor [N]
+  bool soft_contact = false;  ///< the field is suspect, but `even` cannot tell
+  Readings force;             ///< magnitude, of the whole sensor [N]
 };
 
 /// Decides, without `needed` and `voronoi_noise`. The part of the change that is largest in its direction names the
