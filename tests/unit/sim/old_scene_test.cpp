@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/simulator.h"
+#include "fixtures/complaint.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {
@@ -25,14 +26,6 @@ class OldScene : public testing::Test {
   std::unique_ptr<Simulator> load(const std::string& xml, const std::vector<SceneAttachment>& attachments = {}) {
     write_file_atomically(s.folder / "scene.xml", xml);
     return Simulator::load(s.folder / "scene.xml", attachments);
-  }
-  static std::string error_of(const std::function<void()>& body) {
-    try {
-      body();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
   }
   static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
   test::SensorScene s;
@@ -106,13 +99,13 @@ TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
 TEST_F(OldScene, AGeomTakesOneLayout) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   const std::string layout = (s.folder / "ball.taxels.json").string(), scene = (s.folder / "scene.xml").string();
-  EXPECT_EQ(error_of([&] {
+  EXPECT_EQ(test::complaint_of([&] {
               load(kTwoBalls, {{"ball", layout}, {"ball", layout}});
             }),
             scene + ": two layouts are attached to geom \"ball\": a geom takes one");
   std::string declared = kTwoBalls;
   declared.insert(declared.find("<asset>"), test::sensor_extension("ball"));
-  EXPECT_EQ(error_of([&] {
+  EXPECT_EQ(test::complaint_of([&] {
               load(declared, {{"ball", layout}});
             }),
             scene + ": geom \"ball\" has a sensor already, \"ball\": a geom takes one layout");
