@@ -155,6 +155,19 @@ TEST_F(SceneEdits, AHandPullsAFreeBodyByASpringWhileItRuns) {
   EXPECT_NEAR(place("ball").z, z, 1e-3);
 }
 
+TEST_F(SceneEdits, NothingOfAHandStaysOnceItHasLetGo) {
+  simulator->edit(pull("ball", {0, 0, 0.1}, true));
+  for (int n = 0; n < 20; ++n) simulator->step();
+  simulator->edit(Perturb{});
+  simulator->step();
+  const double z0 = place("ball").z;
+  for (int n = 0; n < 100; ++n) simulator->step();
+  const double z1 = place("ball").z;
+  for (int n = 0; n < 100; ++n) simulator->step();
+  EXPECT_GT(z1 - z0, 1e-3);
+  EXPECT_NEAR(place("ball").z - z1, z1 - z0, 1e-9);  // it flies on as it was
+}
+
 TEST_F(SceneEdits, WhileNothingRunsAFreeBodyGoesWithTheHandAndAFixedOneStays) {
   simulator->edit(pull("ball", {0.2, 0, 0.1}, false));
   EXPECT_LT(glm::length(place("ball") - dvec3(0.2, 0, 1.1)), 1e-12);
