@@ -107,6 +107,8 @@ class Session {
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
+  /// There is something to look at in SIMULATE: the document's scene, or a step that was saved.
+  [[nodiscard]] bool shows_scene() const { return simulates_document_ || still_; }
   [[nodiscard]] const SweepScenario& scenario() const { return scenario_; }
 
  private:

@@ -45,9 +45,9 @@ TEST(SavedStep, NothingRunsInItAndThatIsSaid) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "press").string();
   studio.play(saved_at(1.0, file), {kLayoutFile});
-  studio.play(
-      {kIdle, dump("before.json"), key("Space"), kIdle, key("Right"), kIdle, key("Left"), kIdle, dump("after.json")},
-      {file + ".taxelframe"});
+  studio.play({kIdle, dump("before.json"), key("Space"), kIdle, key("Right"), kIdle, key("Left"), kIdle, kLayoutMode,
+               kIdle, key("2", kCtrl), kIdle, dump("after.json")},
+              {file + ".taxelframe"});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   EXPECT_EQ(of_the_step(after), of_the_step(before));
   EXPECT_NE(after["messages"].dump().find("single step"), std::string::npos);
