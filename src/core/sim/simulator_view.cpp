@@ -88,7 +88,6 @@ StepView Simulator::view() const {
       one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
     }
     one.hits = reading.hits.all();
-    one.hit_rays = reading.hits.hit_rays();
     view.sensors.push_back(std::move(one));
   }
   return view;

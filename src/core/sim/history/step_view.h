@@ -17,7 +17,6 @@ struct SensorView {
   std::span<const double> readings;
   std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
   std::span<const RayHit> hits;                 ///< by ray
-  std::span<const std::int32_t> hit_rays;       ///< ascending: those of `hits` that are no misses
 };
 
 struct StepView {
