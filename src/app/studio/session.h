@@ -216,7 +216,7 @@ class Session {
   std::optional<StepRange> loop_;
   std::chrono::steady_clock::time_point replayed_at_;
   std::uint64_t scrubbed_to_ = 0, scrub_command_ = 0;  ///< asked for last, and the number of that command
-  std::optional<Jump> told_stop_;
+  std::optional<Stop> told_stop_;
   std::uint64_t stop_run_ = 0;
   double largest_pressure_ = 0;
   std::vector<double> peaks_;  ///< of all sensors, one after the other [Pa]

@@ -133,25 +133,46 @@ void Session::set_history_limits(const StepHistoryLimits& limits) {
   tell(StepHistoryLimitsCommand{limits});
 }
 
+namespace {
+
+std::string taxel_text(const Taxel& taxel) {
+  return fmt::format("taxel {}{}", taxel.id, taxel.name.empty() ? "" : " (" + taxel.name + ")");
+}
+
+std::string stop_text(const Jump& jump, const Taxel& taxel, const ui::ReadingUnit& unit) {
+  const double force = jump.force_before > 0 ? 100 * (jump.force_after / jump.force_before - 1) : 0.0;
+  return fmt::format(
+      "{} jumped from {} to {}, {:.1f} % of the largest reading, while the force {} {:.4g} to {:.4g} N ({:+.2f} %)",
+      taxel_text(taxel), ui::in_unit(jump.before, unit), ui::in_unit(jump.after, unit), 100 * jump.part,
+      jump.at_equal_force ? "stayed," : "went from", jump.force_before, jump.force_after, force);
+}
+
+std::string stop_text(const Disagreement& gap, const Taxel& taxel, const ui::ReadingUnit& unit) {
+  return fmt::format("{} reads {} by its samples and {} by the surface, {:.1f} % of the largest reading apart",
+                     taxel_text(taxel), ui::in_unit(gap.sampled, unit), ui::in_unit(gap.exact, unit), 100 * gap.part);
+}
+
+std::uint64_t step_of(const Stop& stop) {
+  return std::visit([](const auto& at) { return at.step; }, stop);
+}
+
+}  // namespace
+
 /// Once for each breakpoint that was met: taxel and numbers.
 void Session::tell_stop(const SimFrame& frame, SessionNews& news) {
-  const bool told = told_stop_ && frame.stop && told_stop_->step == frame.stop->step && stop_run_ == frame.runs;
+  const bool told = told_stop_ && frame.stop && step_of(*told_stop_) == step_of(*frame.stop) && stop_run_ == frame.runs;
   told_stop_ = frame.stop;
   stop_run_ = frame.runs;
   if (!frame.stop || told) return;
-  const Jump& jump = *frame.stop;
-  const SensorModelPtr& model = frame.simulated->sensors[static_cast<std::size_t>(jump.sensor)];
-  const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(jump.taxel)];
-  const ui::ReadingUnit unit = ui::shown_unit(model->layout.readout.aggregate);
-  const std::string name = taxel.name.empty() ? "" : " (" + taxel.name + ")";
-  const double force = jump.force_before > 0 ? 100 * (jump.force_after / jump.force_before - 1) : 0.0;
-  news.messages.emplace_back(
-      Severity::warning,
-      fmt::format(
-          "Paused at step {}, {:.6g} s: taxel {}{} jumped from {} to {}, {:.1f} % of the largest reading, while "
-          "the force {} {:.4g} to {:.4g} N ({:+.2f} %)",
-          jump.step, jump.time, taxel.id, name, ui::in_unit(jump.before, unit), ui::in_unit(jump.after, unit),
-          100 * jump.part, jump.at_equal_force ? "stayed," : "went from", jump.force_before, jump.force_after, force));
+  const std::string text = std::visit(
+      [&](const auto& at) {
+        const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(at.sensor)]->layout;
+        const std::string what =
+            stop_text(at, layout.taxels[static_cast<std::size_t>(at.taxel)], ui::shown_unit(layout.readout.aggregate));
+        return fmt::format("Paused at step {}, {:.6g} s: {}", at.step, at.time, what);
+      },
+      *frame.stop);
+  news.messages.emplace_back(Severity::warning, text);
 }
 
 }  // namespace taxel::studio

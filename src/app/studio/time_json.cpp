@@ -10,25 +10,33 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<StepEvent, const char*>, 5> kEvents{
+constexpr std::array<std::pair<StepEvent, const char*>, 6> kEvents{
     {{StepEvent::contact_begins, "contact_begins"},
      {StepEvent::contact_ends, "contact_ends"},
      {StepEvent::jump, "jump"},
      {StepEvent::jump_at_equal_force, "jump_at_equal_force"},
-     {StepEvent::other_layout, "other_layout"}}};
+     {StepEvent::other_layout, "other_layout"},
+     {StepEvent::disagreement, "disagreement"}}};
 
 Json breakpoints_json(const Breakpoints& b) {
-  return {
-      {"on_jump", b.on_jump}, {"at_equal_force", b.at_equal_force}, {"jump", b.jump}, {"equal_force", b.equal_force}};
+  return {{"on_jump", b.on_jump},         {"at_equal_force", b.at_equal_force},   {"jump", b.jump},
+          {"equal_force", b.equal_force}, {"on_disagreement", b.on_disagreement}, {"disagreement", b.disagreement}};
 }
 
 Json stop_json(const SimFrame& frame) {
   if (!frame.stop) return nullptr;
-  const Jump& jump = *frame.stop;
-  const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(jump.sensor)]->layout;
+  const auto taxel_id = [&](const auto& at) {
+    const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(at.sensor)]->layout;
+    return layout.taxels[static_cast<std::size_t>(at.taxel)].id;
+  };
+  if (const auto* gap = std::get_if<Disagreement>(&*frame.stop)) {
+    return {{"step", gap->step},       {"time", gap->time},   {"taxel", taxel_id(*gap)},
+            {"sampled", gap->sampled}, {"exact", gap->exact}, {"part", gap->part}};
+  }
+  const Jump& jump = std::get<Jump>(*frame.stop);
   return {{"step", jump.step},
           {"time", jump.time},
-          {"taxel", layout.taxels[static_cast<std::size_t>(jump.taxel)].id},
+          {"taxel", taxel_id(jump)},
           {"before", jump.before},
           {"after", jump.after},
           {"part", jump.part},

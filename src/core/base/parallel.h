@@ -1,10 +1,9 @@
 // A parallel loop whose result cannot depend on the number of threads: chunks are fixed by the caller, each chunk
 // writes its own output, and any reduction is done afterwards in chunk order.
+//
+// By oneTBB; in a build with ThreadSanitizer by plain threads, because the library's own synchronisation is not
+// instrumented: every loop would look like a race, and what hides that would hide races of ours.
 #pragma once
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -12,15 +11,28 @@
 #include <exception>
 #include <utility>
 
+#ifdef __SANITIZE_THREAD__
+#include "core/base/plain_threads.h"
+#else
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#endif
+
 namespace taxel {
 
 /// Calls body(begin, end) for consecutive chunks of [0, count), at most `chunk` long each.
 template <class Body>
 void parallel_chunks(int count, int chunk, const Body& body) {
   const int chunks = (count + chunk - 1) / chunk;
+  const auto run = [&](int c) { body(c * chunk, std::min(count, (c + 1) * chunk)); };
+#ifdef __SANITIZE_THREAD__
+  plain_threads(chunks, run);
+#else
   tbb::parallel_for(tbb::blocked_range<int>(0, chunks, 1), [&](const tbb::blocked_range<int>& range) {
-    for (int c = range.begin(); c != range.end(); ++c) body(c * chunk, std::min(count, (c + 1) * chunk));
+    for (int c = range.begin(); c != range.end(); ++c) run(c);
   });
+#endif
 }
 
 /// Runs all bodies side by side, each to its end, and then throws what the first of them in this order threw. An
@@ -39,7 +51,12 @@ void parallel_all(const Body&... bodies) {
     };
   };
   [&]<std::size_t... I>(std::index_sequence<I...>) {
+#ifdef __SANITIZE_THREAD__
+    const std::array<std::function<void()>, sizeof...(Body)> all{guarded(bodies, failures[I])...};
+    plain_threads(static_cast<int>(all.size()), [&](int i) { all[static_cast<std::size_t>(i)](); });
+#else
     tbb::parallel_invoke(guarded(bodies, failures[I])...);
+#endif
   }
   (std::index_sequence_for<Body...>{});
   for (const std::exception_ptr& failure : failures)

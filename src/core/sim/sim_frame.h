@@ -106,7 +106,7 @@ struct SimFrame {
   /// Where it is asked for (FollowStepBeforeCommand), the simulation does not run by itself, and it is kept; else null.
   std::shared_ptr<const StepBefore> before;
   Breakpoints breakpoints;
-  std::optional<Jump> stop;        ///< the breakpoint that was met, until the simulation goes on
+  std::optional<Stop> stop;        ///< the breakpoint that was met, until the simulation goes on
   std::uint64_t runs = 0;          ///< times that the simulation began at its start
   std::uint64_t commands = 0;      ///< executed so far
   std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused

@@ -42,7 +42,7 @@ struct SimThread::Impl {
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   bool follows_before = false;            // frames carry the step before
-  std::optional<Jump> stop;
+  std::optional<Stop> stop;
   SimState state;  // scratch
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
   std::vector<TraceRow> rows;

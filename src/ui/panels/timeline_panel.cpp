@@ -43,29 +43,41 @@ void draw_film(UiState& ui, const UiInput& input) {
     perform(Action::loop_range, ui, input);
 }
 
+/// A switch with its threshold. Returns the new part, where one was entered.
+struct Threshold {
+  const char *label, *tip, *field, *field_tip;
+};
+std::optional<double> draw_threshold(UiState& ui, const Threshold& what, bool& on, double part) {
+  if (toggle(ui, what.label, on, what.tip)) on = !on;
+  ImGui::SameLine(0, 3);
+  const std::optional<double> entered = number_field(ui, what.field, {part}, kPercent, 3.1f * ImGui::GetFontSize());
+  tooltip(what.field_tip);
+  ImGui::SameLine(0, 3);
+  ImGui::TextDisabled("%%");
+  return entered;
+}
+
 void draw_breakpoints(UiState& ui, const UiInput& input) {
   const Breakpoints& now = input.frame->breakpoints;
   Breakpoints wanted = now;
-  const float field = 3.1f * ImGui::GetFontSize();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Pause at");
   ImGui::SameLine(0, 5);
-  if (toggle(ui, "Jumps", now.on_jump, "Pause when a taxel jumps by more than this (Shift+B)"))
-    wanted.on_jump = !now.on_jump;
-  ImGui::SameLine(0, 3);
-  if (const auto part = number_field(ui, "Jump", {now.jump}, kPercent, field); part && *part > 0) wanted.jump = *part;
-  tooltip("A jump: from one step to the next, as part of the sensor's largest reading so far");
-  ImGui::SameLine(0, 3);
-  ImGui::TextDisabled("%%");
+  constexpr Threshold kJumps{"Jumps", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
+                             "A jump: from one step to the next, as part of the sensor's largest reading so far"};
+  if (const auto part = draw_threshold(ui, kJumps, wanted.on_jump, now.jump); part && *part > 0) wanted.jump = *part;
   ImGui::SameLine(0, 9);
-  if (toggle(ui, "at equal force", now.at_equal_force, "Pause when a taxel jumps while the force stays"))
-    wanted.at_equal_force = !now.at_equal_force;
-  ImGui::SameLine(0, 3);
-  if (const auto part = number_field(ui, "Force change", {now.equal_force}, kPercent, field); part && *part >= 0)
+  constexpr Threshold kEqual{"at equal force", "Pause when a taxel jumps while the force stays", "Force change",
+                             "The force stays where it changes by no more than this part of itself"};
+  if (const auto part = draw_threshold(ui, kEqual, wanted.at_equal_force, now.equal_force); part && *part >= 0)
     wanted.equal_force = *part;
-  tooltip("The force stays where it changes by no more than this part of itself");
-  ImGui::SameLine(0, 3);
-  ImGui::TextDisabled("%%");
+  ImGui::SameLine(0, 9);
+  constexpr Threshold kOff{"samples off",
+                           "Pause when samples and surface disagree: a taxel reads something else than the exact\n"
+                           "integral over its field. Working that out in every step slows the simulation down",
+                           "Samples off by", "As part of the sensor's largest reading so far"};
+  if (const auto part = draw_threshold(ui, kOff, wanted.on_disagreement, now.disagreement); part && *part > 0)
+    wanted.disagreement = *part;
   if (!(wanted == now)) ui.ask(SetBreakpoints{wanted});
 }
 

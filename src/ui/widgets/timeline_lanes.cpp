@@ -150,7 +150,7 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
 
 ImVec4 event_color(const StepMark& mark, const Palette& colors) {
   if (mark.has(StepEvent::jump_at_equal_force)) return colors.error;
-  if (mark.has(StepEvent::jump)) return colors.warning;
+  if (mark.has(StepEvent::jump) || mark.has(StepEvent::disagreement)) return colors.warning;
   if (mark.has(StepEvent::other_layout)) return colors.layout_mode;
   return mark.has(StepEvent::contact_begins) ? colors.run : colors.dim;
 }
@@ -164,6 +164,7 @@ std::string event_names(const StepMark& mark) {
   add(StepEvent::contact_ends, "contact ends");
   add(StepEvent::jump, "a taxel jumps");
   add(StepEvent::jump_at_equal_force, "a taxel jumps at equal force");
+  add(StepEvent::disagreement, "samples and surface disagree");
   add(StepEvent::other_layout, "read by another layout from here");
   return names;
 }

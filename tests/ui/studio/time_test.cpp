@@ -124,6 +124,24 @@ TEST(Time, RunGoesOnFromTheStepThatIsShown) {
   EXPECT_FALSE(again["history"]["recorded"]);
 }
 
+TEST(Time, PausesWhereSamplesAndSurfaceDisagree) {
+  const StudioProgram studio;
+  studio.play(joined({{kIdle, key("Backspace"), kIdle, press("Samples off by"), key("a", kCtrl), type("2"),
+                       key("Enter"), kIdle, press("samples off"), kIdle, key("Space"), at_frame(170)},
+                      {dump("state.json"), R"({"do": "screenshot", "file": "a.png"})"}}));
+  const Json simulation = studio.state("state.json")["simulation"], stop = simulation["history"]["stop"];
+  ASSERT_TRUE(stop.is_object()) << simulation["history"]["breakpoints"].dump();
+  EXPECT_FALSE(simulation["playing"]);
+  EXPECT_EQ(stop["step"], simulation["step"]);
+  EXPECT_GT(stop["part"], 0.02);
+  EXPECT_EQ(simulation["history"]["events"].back()["step"], stop["step"]);
+  EXPECT_NE(simulation["history"]["events"].back()["what"].dump().find("disagreement"), std::string::npos);
+  const auto taxel = stop["taxel"].get<std::size_t>();  // ids of the own fingertip count from 0
+  EXPECT_EQ(stop["sampled"], simulation["readings"][taxel]);
+  EXPECT_NE(stop["exact"], stop["sampled"]);
+  EXPECT_NE(studio.state("state.json")["messages"].dump().find("by the surface"), std::string::npos);
+}
+
 TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
   const StudioProgram studio;
   const auto script = [](const Lines& stops) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <thread>
 
+#include "core/sensor/explain/disagreement.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/sim_thread.h"
 #include "core/sim/simulator.h"
@@ -98,6 +99,39 @@ TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
   EXPECT_EQ(again->trace->size(), end->trace->size());
 }
 
+TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree) {
+  Breakpoints limits;
+  limits.disagreement = 0.15;
+  // by the definition, over a plain loop
+  const auto simulator = Simulator::make_sweep(model_, {});
+  double largest = limits.least_pressure;
+  std::uint64_t expected = 0;
+  SampleGap gap;
+  while (expected == 0 && !simulator->finished()) {
+    simulator->step();
+    const StepView view = simulator->view();
+    const SensorView& sensor = view.sensors[0];
+    for (const double reading : sensor.readings) largest = std::max(largest, reading);
+    gap = *largest_sample_gap(*model_, sensor.surfaces, sensor.readings);
+    if (gap.gap > limits.disagreement * largest) expected = view.step;
+  }
+  ASSERT_GT(expected, 500u) << "this sweep has such a step, in contact";
+  limits.on_disagreement = true;
+  ask(BreakpointsCommand{limits});
+  ask(LoadSweepCommand{model_, {}});
+  ask(PlayCommand{});
+  const SimFramePtr frame = ask(StepCommand{2401});
+  EXPECT_EQ(frame->step, expected);
+  EXPECT_FALSE(frame->playing);
+  ASSERT_TRUE(frame->stop.has_value());
+  const Disagreement& found = std::get<Disagreement>(*frame->stop);
+  EXPECT_EQ(found.taxel, gap.taxel);
+  EXPECT_EQ(found.sampled, gap.sampled);
+  EXPECT_EQ(found.exact, gap.exact);
+  EXPECT_EQ(found.part, gap.gap / largest);
+  EXPECT_TRUE(frame->history.lanes->steps.back().has(StepEvent::disagreement));
+}
+
 TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   Breakpoints limits;
   limits.jump = 0.03;
@@ -130,10 +164,11 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   EXPECT_EQ(frame->step, expected);
   EXPECT_FALSE(frame->playing);
   ASSERT_TRUE(frame->stop.has_value());
-  EXPECT_EQ(frame->stop->step, expected);
-  EXPECT_EQ(frame->stop->taxel, static_cast<int>(expected_taxel));
-  EXPECT_EQ(frame->stop->after, before[expected_taxel]);
-  EXPECT_GT(frame->stop->part, 0.03);
+  const Jump& jump = std::get<Jump>(*frame->stop);
+  EXPECT_EQ(jump.step, expected);
+  EXPECT_EQ(jump.taxel, static_cast<int>(expected_taxel));
+  EXPECT_EQ(jump.after, before[expected_taxel]);
+  EXPECT_GT(jump.part, 0.03);
   EXPECT_TRUE(frame->history.lanes->steps.back().has(StepEvent::jump) ||
               frame->history.lanes->steps.back().has(StepEvent::jump_at_equal_force));
   EXPECT_EQ(frame->sensors[0].readings, before);

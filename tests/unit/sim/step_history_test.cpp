@@ -21,7 +21,7 @@ struct Recorder {
   std::unique_ptr<Simulator> simulator;
   StepHistory history;
   SimState state;
-  std::optional<Jump> step() {
+  std::optional<Stop> step() {
     simulator->step();
     simulator->save_state(state);
     return history.record(simulator->view(), state);

@@ -51,14 +51,15 @@ ExactReading nearest_reading(const FieldRays& rays, const Taxel& taxel) {
 
 }  // namespace
 
-ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces) {
+ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+                           double accuracy) {
   if (taxel < 0 || taxel >= model.taxel_count())
     throw Error(fmt::format("there is no taxel {}, the layout has {}", taxel, model.taxel_count()));
   if (model.layout.readout.aggregate == Aggregate::force) return force_reading(model, taxel, surfaces);
   FieldRays rays(model, taxel, surfaces);
   if (model.layout.readout.aggregate == Aggregate::nearest)
     return nearest_reading(rays, model.layout.taxels[index(taxel)]);
-  return FieldIntegral(std::move(rays)).read();
+  return FieldIntegral(std::move(rays), accuracy).read();
 }
 
 }  // namespace taxel

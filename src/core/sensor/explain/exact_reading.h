@@ -35,12 +35,15 @@ struct ExactReading {
   long rays = 0;  ///< cast: what it cost
 };
 
-/// The exact reading of one taxel. Surfaces in frame M, null ones hold nothing. Adaptive quadrature by a rule of degree
-/// 5 against one of degree 2, until the error is 5e-4 of the reading or kExactRays are cast; a pure function of its
-/// arguments. Throws Error for an unknown taxel.
-ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces);
-
 /// So many rays one exact reading takes at most, about.
 inline constexpr long kExactRays = 60000;
+/// What the quadrature may leave, as part of the reading.
+inline constexpr double kExactAccuracy = 5e-4;
+
+/// The exact reading of one taxel. Surfaces in frame M, null ones hold nothing. Adaptive quadrature by a rule of degree
+/// 5 against one of degree 2, until the error is `accuracy` of the reading or kExactRays are cast; a pure function of
+/// its arguments. Throws Error for an unknown taxel.
+ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+                           double accuracy = kExactAccuracy);
 
 }  // namespace taxel

@@ -6,7 +6,6 @@
 namespace taxel {
 namespace {
 
-constexpr double kAccuracy = 5e-4;  // of the reading
 constexpr int kMaxLevel = 24;
 /// Triangles to begin with are so small a part of the smallest field, and of the smallest contact where they may meet
 /// one, but no smaller part of the field than the last: what lies between the points of the rule must be seen once.
@@ -24,7 +23,8 @@ std::array<std::array<dvec3, 3>, 4> quarters(const std::array<dvec3, 3>& c) {
 
 }  // namespace
 
-FieldIntegral::FieldIntegral(FieldRays rays) : rays_(std::move(rays)), how_(rays_.model().layout.readout.aggregate) {
+FieldIntegral::FieldIntegral(FieldRays rays, double accuracy)
+    : rays_(std::move(rays)), accuracy_(accuracy), how_(rays_.model().layout.readout.aggregate) {
   if (how_ == Aggregate::weighted_sum)
     scale_ = static_cast<double>(rays_.model().samples.size()) / rays_.model().sampled_area;
 }
@@ -138,7 +138,7 @@ ExactReading FieldIntegral::read_largest() {
   while (!open.empty() && cast_ < kExactRays) {
     const std::size_t top = open.top();
     out.error = std::max(0.0, promise(leaves_[top]) - largest);
-    if (out.error <= kAccuracy * largest || leaves_[top].triangle.level >= kMaxLevel) break;
+    if (out.error <= accuracy_ * largest || leaves_[top].triangle.level >= kMaxLevel) break;
     open.pop();
     const std::size_t before = leaves_.size();
     refine(top);
@@ -167,7 +167,7 @@ ExactReading FieldIntegral::read() {
     error_ += error;
     open.emplace(error, i);
   }
-  while (!open.empty() && error_ > kAccuracy * sum_.value && cast_ < kExactRays) {
+  while (!open.empty() && error_ > accuracy_ * sum_.value && cast_ < kExactRays) {
     const auto [error, number] = open.top();
     open.pop();
     if (leaves_[number].triangle.level >= kMaxLevel) continue;

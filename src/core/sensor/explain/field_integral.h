@@ -10,7 +10,8 @@ namespace taxel {
 /// For weighted_mean, weighted_sum, mean and max.
 class FieldIntegral {
  public:
-  explicit FieldIntegral(FieldRays rays);
+  /// To an error of `accuracy` of the reading.
+  FieldIntegral(FieldRays rays, double accuracy);
   /// The reading, once.
   ExactReading read();
 
@@ -45,6 +46,7 @@ class FieldIntegral {
   [[nodiscard]] std::vector<PolygonPart> parts(double scale) const;
 
   FieldRays rays_;
+  double accuracy_;
   Aggregate how_;
   double scale_ = 1;  // samples per area where sums count them
   std::vector<Leaf> leaves_;

@@ -14,7 +14,7 @@ const std::vector<std::optional<Jump>>& JumpDetector::compare(std::uint64_t step
     const SensorSignal& now = sensors[s];
     Latest& before = latest_[s];
     for (const double reading : now.readings) before.largest = std::max(before.largest, std::abs(reading));
-    const double scale = std::max(before.largest, now.forces ? limits.least_force : limits.least_pressure);
+    const double scale = JumpDetector::scale(before.largest, now.forces, limits);
     if (begun_ && before.readings.size() == now.readings.size() && !now.readings.empty()) {
       Jump jump{.step = step, .time = time, .sensor = static_cast<int>(s)};
       double largest = -1;

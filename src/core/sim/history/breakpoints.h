@@ -1,11 +1,13 @@
-// Where the simulation stops by itself: a reading that jumps, and one that jumps although the force stays. Free of
-// MuJoCo.
+// Where the simulation stops by itself: a reading that jumps, one that jumps although the force stays, and one that is
+// not what the contact surface presses on the field. Free of MuJoCo.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace taxel {
@@ -16,6 +18,8 @@ struct Breakpoints {
   bool at_equal_force = false;
   double jump = 0.1;          ///< a change from one step to the next, as part of the largest reading of the run so far
   double equal_force = 0.02;  ///< the force stays where it changes by at most this part of itself
+  bool on_disagreement = false;
+  double disagreement = 0.1;  ///< between samples and surface (SampleGap::gap), as part of the same
   /// What the largest reading counts at least, so that a first touch is no jump.
   double least_pressure = 1e3;  ///< [Pa]
   double least_force = 0.01;    ///< for readings that are forces [N]
@@ -32,6 +36,18 @@ struct Jump {
   double force_before = 0, force_after = 0;  ///< on the sensor [N]
   bool at_equal_force = false;
 };
+
+/// A taxel whose samples do not read what its field is pressed with (disagreement.h).
+struct Disagreement {
+  std::uint64_t step = 0;
+  double time = 0;  ///< [s]
+  int sensor = 0, taxel = 0;
+  double sampled = 0, exact = 0;  ///< readings, in their unit
+  double part = 0;                ///< the gap over the largest reading
+};
+
+/// What the simulation stopped at.
+using Stop = std::variant<Jump, Disagreement>;
 
 /// One sensor as the detector sees it.
 struct SensorSignal {
@@ -62,6 +78,10 @@ class JumpDetector {
   /// `largest` of each sensor so far; empty: as it is.
   void go_on_from(std::span<const SensorSignal> sensors, std::span<const double> largest);
   [[nodiscard]] double largest(std::size_t sensor) const { return latest_[sensor].largest; }
+  /// What parts are parts of, [Pa] or [N].
+  [[nodiscard]] static double scale(double largest, bool forces, const Breakpoints& limits) {
+    return std::max(largest, forces ? limits.least_force : limits.least_pressure);
+  }
 
  private:
   struct Latest {

@@ -28,7 +28,8 @@ enum class StepEvent : std::uint8_t {
   contact_ends = 2,
   jump = 4,                 ///< a taxel jumped by more than the threshold
   jump_at_equal_force = 8,  ///< likewise while the force stayed
-  other_layout = 16         ///< read by another layout than the step before
+  other_layout = 16,        ///< read by another layout than the step before
+  disagreement = 32         ///< samples and surface disagree; looked for only where it is to stop
 };
 
 /// A step in the timeline.

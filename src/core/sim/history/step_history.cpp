@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/sensor/explain/disagreement.h"
 #include "core/sim/history/packed_step.h"
 
 namespace taxel {
@@ -79,7 +80,7 @@ void StepHistory::pack(const StepView& view, Step& step) {
   step.packed = to;
 }
 
-std::optional<Jump> StepHistory::record(const StepView& view, const SimState& state) {
+std::optional<Stop> StepHistory::record(const StepView& view, const SimState& state) {
   if (!empty() && view.step != last() + 1) clear();
   const bool other_layout = !empty() && steps_.back().scene != view.scene;
   Step step;
@@ -105,7 +106,7 @@ void StepHistory::fill_frame(std::uint64_t step, SimFrame& frame) const {
   unpack_step(from.packed, frame);
 }
 
-std::optional<Jump> StepHistory::add_row(const StepView& view, bool other_layout) {
+std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout) {
   const bool first_row = rows_.rows() == 0;
   rows_.sensor_count = view.sensors.size();
   rows_.reading_count = 0;
@@ -114,7 +115,7 @@ std::optional<Jump> StepHistory::add_row(const StepView& view, bool other_layout
   const std::vector<std::optional<Jump>>& jumps = detector_.compare(view.step, view.time, signals_, breakpoints_);
   StepMark mark{view.step, view.time, view.travel, 0};
   if (other_layout) mark.events |= bit(StepEvent::other_layout);
-  std::optional<Jump> stop;
+  std::optional<Stop> stop;
   for (std::size_t s = 0; s < view.sensors.size(); ++s) {
     SensorSummary row = summarize(view.sensors[s], signals_[s].force);
     row.largest_reading = detector_.largest(s);
@@ -126,16 +127,36 @@ std::optional<Jump> StepHistory::add_row(const StepView& view, bool other_layout
       row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
       if (is_jump(*jumps[s], breakpoints_))
         mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
-      if (!other_layout && !stop && stops(*jumps[s], breakpoints_)) stop = jumps[s];
+      if (!other_layout && !stop && stops(*jumps[s], breakpoints_)) stop = *jumps[s];
     }
     rows_.sensors.push_back(row);
     rows_.readings.insert(rows_.readings.end(), view.sensors[s].readings.begin(), view.sensors[s].readings.end());
     reading_counts_.push_back(view.sensors[s].readings.size());
     rows_.reading_count += reading_counts_.back();
   }
+  if (const std::optional<Disagreement> found = disagreement(view)) {
+    mark.events |= bit(StepEvent::disagreement);
+    if (!stop) stop = *found;
+  }
   rows_.steps.push_back(mark);
   if (rows_.rows() >= 2 * limits_.steps) trim_rows();
   return stop;
+}
+
+std::optional<Disagreement> StepHistory::disagreement(const StepView& view) const {
+  if (!breakpoints_.on_disagreement) return std::nullopt;
+  std::optional<Disagreement> worst;
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    const SensorModelPtr& model = view.scene->sensors[s];
+    if (!model) continue;
+    const SensorView& sensor = view.sensors[s];
+    const std::optional<SampleGap> gap = largest_sample_gap(*model, sensor.surfaces, sensor.readings);
+    if (!gap) continue;
+    const double part = gap->gap / JumpDetector::scale(detector_.largest(s), signals_[s].forces, breakpoints_);
+    if (!(part > breakpoints_.disagreement) || (worst && part <= worst->part)) continue;
+    worst = Disagreement{view.step, view.time, static_cast<int>(s), gap->taxel, gap->sampled, gap->exact, part};
+  }
+  return worst;
 }
 
 void StepHistory::trim_rows() {

@@ -24,8 +24,8 @@ class StepHistory {
 
   void clear();
   /// Adds the step of `view`, with the state after it: the one after last(); any other one begins a new history.
-  /// Forgets the oldest where a limit is reached, and uses its memory again. Returns the first jump to stop at.
-  std::optional<Jump> record(const StepView& view, const SimState& state);
+  /// Forgets the oldest where a limit is reached, and uses its memory again. Returns what to stop at first.
+  std::optional<Stop> record(const StepView& view, const SimState& state);
   /// The newest step was read anew by another layout; all others stay.
   void replace_newest(const StepView& view);
   /// Forgets what came after a step, which becomes the newest. Needs contains(step).
@@ -55,7 +55,9 @@ class StepHistory {
   void pack(const StepView& view, Step& step);
   [[nodiscard]] const Step& at(std::uint64_t step) const { return steps_[static_cast<std::size_t>(step - first())]; }
   void forget_oldest();
-  std::optional<Jump> add_row(const StepView& view, bool other_layout);
+  std::optional<Stop> add_row(const StepView& view, bool other_layout);
+  /// The largest of all sensors, where it is to stop at it.
+  [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view) const;
   void trim_rows();
 
   StepHistoryLimits limits_;

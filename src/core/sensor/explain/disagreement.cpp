@@ -1,0 +1,65 @@
+#include "core/sensor/explain/disagreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kAccuracy = 0.01;  // of the exact reading
+
+std::vector<Aabb> boxes_of(std::span<const ContactSurface* const> surfaces) {
+  std::vector<Aabb> boxes;
+  for (const ContactSurface* surface : surfaces) {
+    if (surface == nullptr || surface->empty()) continue;
+    Aabb box;
+    for (const dvec3& v : surface->vertices) box.include(v);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// False only where no ray from the taxel's field can meet a surface: rays begin within the radius of a centre, and are
+/// no longer than the model's.
+bool in_reach(const SensorModel& model, const Taxel& taxel, std::span<const Aabb> boxes) {
+  const std::vector<FieldDisc> discs = discs_of(taxel);
+  const double lead = 1e-5 * model.skin->mesh().bounds().diagonal();  // rays of rigid sensors start outside
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& box) {
+    return std::any_of(discs.begin(), discs.end(), [&](const FieldDisc& disc) {
+      // A field along the surface has its centre there, no farther from the disc's than the skin is.
+      const double moved = glm::distance(disc.center, model.skin->closest_point(disc.center).position);
+      const dvec3 nearest = glm::clamp(disc.center, box.lo, box.hi);
+      return glm::distance(nearest, disc.center) <= disc.radius + moved + model.max_depth + lead;
+    });
+  });
+}
+
+}  // namespace
+
+std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
+                                            std::span<const double> readings) {
+  if (model.layout.readout.aggregate == Aggregate::force || readings.size() != model.layout.taxels.size())
+    return std::nullopt;
+  const std::vector<Aabb> boxes = boxes_of(surfaces);
+  const int count = model.taxel_count();
+  std::vector<std::optional<SampleGap>> gaps(readings.size());
+  parallel_chunks(count, 1, [&](int taxel, int) {
+    const auto k = static_cast<std::size_t>(taxel);
+    ExactReading exact;
+    exact.value = 0;
+    if (readings[k] != 0 || in_reach(model, model.layout.taxels[k], boxes))
+      exact = exact_reading(model, taxel, surfaces, kAccuracy);
+    if (!exact.value) return;
+    const double gap = std::max(0.0, std::abs(readings[k] - *exact.value) - exact.error);
+    gaps[k] = SampleGap{taxel, readings[k], *exact.value, gap};
+  });
+  std::optional<SampleGap> largest;
+  for (const std::optional<SampleGap>& gap : gaps)
+    if (gap && (!largest || gap->gap > largest->gap)) largest = gap;
+  return largest;
+}
+
+}  // namespace taxel

@@ -1,0 +1,24 @@
+// Where samples and surface disagree: what a sensor reads beside what its samples stand for.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/sensor/explain/exact_reading.h"
+
+namespace taxel {
+
+/// One taxel's reading by its samples, and the exact one (exact_reading.h), in the unit of the reading.
+struct SampleGap {
+  int taxel = 0;  ///< in layout order
+  double sampled = 0, exact = 0;
+  double gap = 0;  ///< between them, less what the quadrature may leave
+};
+
+/// The taxel with the largest gap, of equal ones the first. None where no reading comes from samples (Aggregate::force)
+/// or no taxel has an exact one. `readings` by taxel, as read on these surfaces (frame M, null ones hold nothing).
+/// Exact readings to a hundredth of themselves. A pure function of its arguments, on all cores.
+std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
+                                            std::span<const double> readings);
+
+}  // namespace taxel
