@@ -1,5 +1,5 @@
 // The equation of one implicit step: V = V_free + h A w(V).
-#include "core/sim/plugin/implicit_wrench.h"
+#include "core/sim/plugin/implicit_wrenches.h"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,27 @@ Traction point_friction(const Twist& V, double mu_normal) {
   return t;
 }
 
-ImplicitStep free_point(double v_now, double v_free) {
-  ImplicitStep step;
+/// One pair alone.
+struct OnePair {
+  Matrix6 inverse_inertia{};
+  Twist V_start, V_free;
+  double timestep = kStep, length = 0.01;
+};
+struct Solved : ImplicitWrenches::Pair, ImplicitWrenches::Outcome {};
+Solved solve(const OnePair& step, const std::function<Traction(const Twist&)>& law) {
+  ImplicitWrenches wrenches;
+  wrenches.begin(1, step.timestep);
+  wrenches.pair(0) = {step.V_start, step.V_free, step.length, {}, {}};
+  wrenches.set_inverse_inertia(0, 0, step.inverse_inertia);
+  const ImplicitWrenches::Outcome outcome = wrenches.solve([&](std::size_t, const Twist& V) { return law(V); });
+  return {wrenches.pair(0), outcome};
+}
+
+OnePair free_point(double v_now, double v_free) {
+  OnePair step;
   for (std::size_t i = 0; i < 3; ++i) step.inverse_inertia[i][i] = 1 / kMass;
   step.V_start.linear = {v_now, 0, 0};
   step.V_free.linear = {v_free, 0, 0};
-  step.timestep = kStep;
-  step.length = 0.01;
   return step;
 }
 
@@ -45,8 +59,8 @@ TEST(ImplicitWrench, PointFrictionMatchesBisectionFromRestToFastSliding) {
   const double mu_normal = 0.5;  // stops up to h mu N/m = 5 mm/s
   for (const double v_free : {1e-7, 1e-5, 1e-3, 4.9e-3, 5.0e-3, 5.1e-3, 1e-2, 1.0}) {
     for (const double v_now : {0.0, v_free, 10.0}) {
-      const ImplicitWrench solved = solve_implicit_wrench(free_point(v_now, v_free),
-                                                          [&](const Twist& V) { return point_friction(V, mu_normal); });
+      const Solved solved =
+          solve(free_point(v_now, v_free), [&](const Twist& V) { return point_friction(V, mu_normal); });
       EXPECT_TRUE(solved.converged);
       EXPECT_LE(solved.evaluations, 20);
       EXPECT_NEAR(solved.V_end.linear.x, bisected(v_free, mu_normal), 1e-6 * v_free) << v_free << " from " << v_now;
@@ -58,7 +72,7 @@ TEST(ImplicitWrench, SlidingBlockStopsWithoutTurningBack) {
   double v = 0.05;
   for (int n = 0; n < 200; ++n) {
     const double before = v;
-    v = solve_implicit_wrench(free_point(v, v), [](const Twist& V) { return point_friction(V, 0.5); }).V_end.linear.x;
+    v = solve(free_point(v, v), [](const Twist& V) { return point_friction(V, 0.5); }).V_end.linear.x;
     EXPECT_GE(v, 0.0);
     EXPECT_LT(v, before);
   }
@@ -66,9 +80,9 @@ TEST(ImplicitWrench, SlidingBlockStopsWithoutTurningBack) {
 }
 
 TEST(ImplicitWrench, ImmovableBodiesKeepTheirTwist) {
-  ImplicitStep step = free_point(0.2, 0.3);
+  OnePair step = free_point(0.2, 0.3);
   step.inverse_inertia = {};
-  const ImplicitWrench solved = solve_implicit_wrench(step, [](const Twist& V) { return point_friction(V, 0.5); });
+  const Solved solved = solve(step, [](const Twist& V) { return point_friction(V, 0.5); });
   EXPECT_TRUE(solved.converged);
   EXPECT_EQ(solved.V_end.linear, dvec3(0.3, 0, 0));
   EXPECT_NEAR(solved.wrench.force.x, point_friction({dvec3(0.3, 0, 0), dvec3(0)}, 0.5).wrench.force.x, 1e-12);
@@ -88,7 +102,7 @@ TEST(ImplicitWrench, SolvesTheEquationOfARealSurface) {
     return dvec3(u(), u(), u());
   };
   for (int trial = 0; trial < 100; ++trial) {
-    ImplicitStep step;
+    OnePair step;
     step.timestep = trial % 2 == 0 ? 1e-3 : 4e-3;
     step.length = 0.02;
     // A = B B^T of a body of 20 g held this way or that
@@ -102,7 +116,7 @@ TEST(ImplicitWrench, SolvesTheEquationOfARealSurface) {
     step.V_free = {random(speed), random(50 * speed)};
     step.V_start = {random(speed), random(50 * speed)};
 
-    const ImplicitWrench solved = solve_implicit_wrench(step, law);
+    const Solved solved = solve(step, law);
     EXPECT_TRUE(solved.converged) << "trial " << trial;
     const Wrench w = law(solved.V_end).wrench;
     double error = 0, size = 0;

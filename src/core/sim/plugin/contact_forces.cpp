@@ -15,10 +15,6 @@ std::size_t size(int n) {
   return static_cast<std::size_t>(n);
 }
 
-std::array<double, 6> stack(const Wrench& w) {
-  return {w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
-}
-
 PairState& state_of(Active& a) {
   return a.instance->latest().pairs[a.pair];
 }
@@ -68,7 +64,7 @@ void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Act
   mj_solveM(&m, &d, a.MinvJ.data(), a.J.data(), 6);
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j)
-      a.step.inverse_inertia[i][j] = mju_dot(a.J.data() + i * nv, a.MinvJ.data() + j * nv, m.nv);
+      a.inverse_inertia[i][j] = mju_dot(a.J.data() + i * nv, a.MinvJ.data() + j * nv, m.nv);
 }
 
 /// M^-1 of all forces but those of the pairs: passive so far, applied, bias, and what comes later in the step.
@@ -85,15 +81,8 @@ void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late
   mj_solveM(&m, &d, work.acceleration.data(), f, 1);
 }
 
-/// acceleration += sign * M^-1 J^T w
-void add_response(const mjModel& m, const Active& a, const Wrench& w, double sign, ContactForceWorkspace& work) {
-  const std::array<double, 6> wrench = stack(w);
-  for (std::size_t i = 0; i < 6; ++i)
-    mju_addToScl(work.acceleration.data(), a.MinvJ.data() + i * size(m.nv), sign * wrench[i], m.nv);
-}
-
-/// The pair's twist at the end of the step with the acceleration that `work` has.
-Twist end_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a) {
+/// The pair's twist at the end of the step without the wrenches of the pairs.
+Twist free_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a) {
   const PairState& pair = state_of(a);
   std::array<double, 6> rate{};
   mju_mulMatVec(rate.data(), a.J.data(), work.acceleration.data(), 6, m.nv);
@@ -109,17 +98,7 @@ void keep(Active& a, const Wrench& wrench, const Twist& V_end) {
   PairState& pair = state_of(a);
   pair.wrench = wrench;
   pair.V_rub = V_end;
-  a.step.V_start = V_end;
-}
-
-/// A pair that shares no bodies with others.
-void solve_alone(const mjModel& m, ContactForceWorkspace& work, Active& a) {
-  add_response(m, a, state_of(a).wrench, -1, work);
-  a.step.timestep = m.opt.timestep;
-  a.step.V_free = end_twist(m, work, a);
-  const ImplicitWrench solved = solve_implicit_wrench(a.step, [&](const Twist& V) { return law_of(a, V); });
-  add_response(m, a, solved.wrench, 1, work);
-  keep(a, solved.wrench, solved.V_end);
+  a.V_rub = V_end;
 }
 
 /// J_i M^-1 J_j^T
@@ -150,7 +129,7 @@ void group_pairs(const mjModel& m, ContactForceWorkspace& work) {
   work.responses.resize(active.size() * active.size());
   for (std::size_t i = 0; i < active.size(); ++i) {
     active[i].group = i;
-    work.responses[i * active.size() + i] = active[i].step.inverse_inertia;
+    work.responses[i * active.size() + i] = active[i].inverse_inertia;
     for (std::size_t j = 0; j < i; ++j) {
       const Matrix6 A = response(m, active[i], active[j]);
       work.responses[i * active.size() + j] = A;
@@ -163,22 +142,21 @@ void group_pairs(const mjModel& m, ContactForceWorkspace& work) {
   }
 }
 
-/// The members of a group at once.
-void solve_together(const mjModel& m, ContactForceWorkspace& work) {
+/// The members of a group, at once. Wrenches of other groups do not move its bodies.
+void solve_group(const mjModel& m, ContactForceWorkspace& work) {
   const std::vector<std::size_t>& members = work.members;
-  for (const std::size_t k : members) add_response(m, work.active[k], state_of(work.active[k]).wrench, -1, work);
-  CoupledWrenches& coupled = work.coupled;
-  coupled.begin(members.size(), m.opt.timestep);
+  ImplicitWrenches& wrenches = work.wrenches;
+  wrenches.begin(members.size(), m.opt.timestep);
   for (std::size_t i = 0; i < members.size(); ++i) {
     Active& a = work.active[members[i]];
-    coupled.pair(i) = {a.step.V_start, end_twist(m, work, a), a.step.length, {}, {}};
+    wrenches.pair(i) = {a.V_rub, free_twist(m, work, a), a.length, {}, {}};
   }
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = 0; j < members.size(); ++j)
-      coupled.set_inverse_inertia(i, j, work.responses[members[i] * work.active_count + members[j]]);
-  coupled.solve([&](std::size_t i, const Twist& V) { return law_of(work.active[members[i]], V); });
+      wrenches.set_inverse_inertia(i, j, work.responses[members[i] * work.active_count + members[j]]);
+  wrenches.solve([&](std::size_t i, const Twist& V) { return law_of(work.active[members[i]], V); });
   for (std::size_t i = 0; i < members.size(); ++i)
-    keep(work.active[members[i]], coupled.pair(i).wrench, coupled.pair(i).V_end);
+    keep(work.active[members[i]], wrenches.pair(i).wrench, wrenches.pair(i).V_end);
 }
 
 void apply(const mjModel& m, mjData& d, Active& a) {
@@ -202,18 +180,18 @@ void check_step(const mjModel& m, Active& a) {
   if (touched.step_too_large || !a.instance->time_to_check_step(a.pair, kEvery)) return;
   const PairState& pair = state_of(a);
   const double h = m.opt.timestep, limit = m.opt.integrator == mjINT_RK4 ? kRungeKuttaLimit : kEulerLimit;
-  const Matrix6& A = a.step.inverse_inertia;
+  const Matrix6& A = a.inverse_inertia;
   const StiffnessBound bound = stiffness_bound(pair.surface);
-  const double reach = bound.reach + a.step.length;  // corners lie farther out than centroids
+  const double reach = bound.reach + a.length;  // corners lie farther out than centroids
   if (h * h * stiffest_mode_bound(A, bound.linear, reach) < limit) return;
   const Pose X_MB = a.instance->latest().X_WM.inverse() * pair.X_WB;
   const Matrix6 K = contact_stiffness(pair.surface, *a.instance->model()->body, *touched.body, RigidTransform(X_MB));
-  const Matrix6 S = a.points.evaluate(touched.properties, a.step.V_start).secant;
+  const Matrix6 S = a.points.evaluate(touched.properties, a.V_rub).secant;
   const double largest = largest_stable_step({A, K, S}, limit, h);
   if (largest < h) a.instance->note_step_too_large(m, a.pair, largest);
 }
 
-/// All pairs that have a surface, with their dynamics and a first wrench: the elastic one.
+/// All pairs that have a surface, with their dynamics.
 void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances, ContactForceWorkspace& work) {
   work.active_count = 0;
   for (HydroInstance* instance : instances) {
@@ -230,10 +208,9 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
       Active& a = work.active[work.active_count++];
       a.instance = instance;
       a.pair = i;
-      a.step.length = 0.5 * instance->model()->skin->mesh().bounds().diagonal();
-      a.step.V_start = e.pairs[i].V;
+      a.length = 0.5 * instance->model()->skin->mesh().bounds().diagonal();
+      a.V_rub = e.pairs[i].V;
       a.points.assign(e.pairs[i].surface);
-      e.pairs[i].wrench = a.points.pressure_wrench();
       fill_dynamics(m, d, work, a);
     }
   }
@@ -248,14 +225,12 @@ void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* 
   const Stopwatch watch(work.active.front().instance->times.forces);  // all pairs are solved together
   const std::span<Active> active(work.active.data(), work.active_count);
   free_acceleration(m, d, late_forces, work);
-  for (const Active& a : active) add_response(m, a, a.instance->latest().pairs[a.pair].wrench, 1, work);
   group_pairs(m, work);
   for (std::size_t group = 0; group < active.size(); ++group) {
     work.members.clear();
     for (std::size_t k = 0; k < active.size(); ++k)
       if (active[k].group == group) work.members.push_back(k);
-    if (work.members.size() == 1) solve_alone(m, work, active[work.members.front()]);
-    if (work.members.size() > 1) solve_together(m, work);
+    if (!work.members.empty()) solve_group(m, work);
   }
   for (Active& a : active) {
     check_step(m, a);

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "core/hydro/traction_points.h"
-#include "core/sim/plugin/coupled_wrenches.h"
 #include "core/sim/plugin/hydro_instance.h"
-#include "core/sim/plugin/implicit_wrench.h"
+#include "core/sim/plugin/implicit_wrenches.h"
 
 namespace taxel {
 
@@ -20,7 +19,9 @@ struct ContactForceWorkspace {
     HydroInstance* instance = nullptr;
     std::size_t pair = 0;
     TractionPoints points;
-    ImplicitStep step;
+    double length = 1;          ///< size of the contact [m]
+    Twist V_rub;                ///< where the search begins, then what it found
+    Matrix6 inverse_inertia{};  ///< J M^-1 J^T
     std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the sensor at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
     std::size_t group = 0;      ///< pairs whose wrenches move each other's bodies have the same
@@ -31,7 +32,7 @@ struct ContactForceWorkspace {
   std::vector<mjtNum> force, acceleration, jacobian;
   std::vector<Matrix6> responses;    ///< J_i M^-1 J_j^T of active pairs, by rows of i
   std::vector<std::size_t> members;  ///< of a group
-  CoupledWrenches coupled;
+  ImplicitWrenches wrenches;
 };
 
 /// Evaluates the instances that apply forces, solves for all wrenches with the velocities of the end of the step, keeps
@@ -39,7 +40,7 @@ struct ContactForceWorkspace {
 /// then. `late_forces` (nv values) are the generalized forces that MuJoCo computes only later, taken from the step
 /// before: constraints and actuators.
 ///
-/// Pairs whose wrenches move each other's bodies are solved together (coupled_wrenches.h).
+/// Pairs whose wrenches move each other's bodies are solved together (implicit_wrenches.h).
 /// Bodies asleep get no force; bodies of touching pairs are kept from falling asleep.
 void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances,
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work);

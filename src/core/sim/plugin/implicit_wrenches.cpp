@@ -1,4 +1,4 @@
-#include "core/sim/plugin/coupled_wrenches.h"
+#include "core/sim/plugin/implicit_wrenches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ Twist unscaled(const double* v, double length) {
 
 }  // namespace
 
-void CoupledWrenches::begin(std::size_t pairs, double timestep) {
+void ImplicitWrenches::begin(std::size_t pairs, double timestep) {
   const std::size_t n = 6 * pairs;
   timestep_ = timestep;
   pairs_.assign(pairs, {});
@@ -49,7 +49,7 @@ void CoupledWrenches::begin(std::size_t pairs, double timestep) {
   columns_ = 0;
 }
 
-void CoupledWrenches::set_inverse_inertia(std::size_t i, std::size_t j, const Matrix6& A_ij) {
+void ImplicitWrenches::set_inverse_inertia(std::size_t i, std::size_t j, const Matrix6& A_ij) {
   const std::size_t n = 6 * pairs_.size();
   for (std::size_t r = 0; r < 6; ++r) {
     for (std::size_t c = 0; c < 6; ++c) {
@@ -61,7 +61,7 @@ void CoupledWrenches::set_inverse_inertia(std::size_t i, std::size_t j, const Ma
 
 /// Solves M_ x = image_ in place, by elimination with row pivoting. M_ = I + h A S is never singular, for A and S are
 /// positive semi-definite.
-void CoupledWrenches::eliminate() {
+void ImplicitWrenches::eliminate() {
   const std::size_t n = image_.size();
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
@@ -85,7 +85,7 @@ void CoupledWrenches::eliminate() {
 }
 
 /// One linear solve: (I + h A S) V = V_free + h A elastic, with S and elastic at `v`.
-void CoupledWrenches::image_of(const Vector& v, const Law& law) {
+void ImplicitWrenches::image_of(const Vector& v, const Law& law) {
   const std::size_t n = v.size();
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const double length = pairs_[p].length;
@@ -109,9 +109,10 @@ void CoupledWrenches::image_of(const Vector& v, const Law& law) {
   eliminate();
 }
 
-/// The next iterate (Walker, Ni 2011, as in implicit_wrench.cpp): image - sum gamma_i d_image_i, gamma minimising
-/// |residual - sum gamma_i d_residual_i|, by Gram-Schmidt with the newest columns first.
-void CoupledWrenches::mix(bool grew) {
+/// The next iterate (Walker, Ni 2011): image - sum gamma_i d_image_i, gamma minimising
+/// |residual - sum gamma_i d_residual_i|, by Gram-Schmidt with the newest columns first; a column that is nearly a
+/// combination of newer ones is left out.
+void ImplicitWrenches::mix(bool grew) {
   if (grew) columns_ = 0;
   if (columns_ == kColumns) {
     std::rotate(images_.begin(), images_.begin() + 1, images_.end());
@@ -149,7 +150,7 @@ void CoupledWrenches::mix(bool grew) {
   for (std::size_t i = 0; i < used; ++i) subtract(v_, dot(q_[i], residual_), moved_[i]);
 }
 
-CoupledWrenches::Outcome CoupledWrenches::solve(const Law& law) {
+ImplicitWrenches::Outcome ImplicitWrenches::solve(const Law& law) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     scale_into(&free_[6 * p], pairs_[p].V_free, pairs_[p].length);
     scale_into(&v_[6 * p], pairs_[p].V_start, pairs_[p].length);
