@@ -163,7 +163,7 @@ class Session {
   void tell_saved(const SimFrame& frame, SessionNews& news);
   void drop_scene();
   void show_saved_step();
-  [[nodiscard]] bool runs();
+  [[nodiscard]] bool runs_or_refuses();
   void note_pressures(const SimFrame& frame, bool another_run);
   /// Waits for a frame for which `done` holds; not by clock only. Throws Error when none comes.
   template <class Done>

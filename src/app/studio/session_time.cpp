@@ -9,7 +9,7 @@
 namespace taxel::studio {
 
 /// Of a step that was saved it says why nothing does.
-bool Session::runs() {
+bool Session::runs_or_refuses() {
   if (still_) refusal_ = document_->name + " is a single step: there is nothing to run.";
   return frame_ && !still_;
 }
@@ -21,7 +21,7 @@ void Session::show_saved_step() {
 }
 
 void Session::set_playing(bool playing) {
-  if (!runs()) return;
+  if (!runs_or_refuses()) return;
   replay_.stop();
   if (playing && frame_->finished) reset();
   playing_ = playing;
@@ -35,7 +35,7 @@ void Session::set_playing(bool playing) {
 }
 
 void Session::reset() {
-  if (!runs()) return;
+  if (!runs_or_refuses()) return;
   replay_.stop();
   playing_ = false;
   unspent_ = 0;
@@ -70,7 +70,7 @@ void Session::show_step(std::uint64_t step) {
 }
 
 void Session::scrub(std::uint64_t step) {
-  if (!runs()) return;
+  if (!runs_or_refuses()) return;
   replay_.stop();
   playing_ = false;
   unspent_ = 0;
@@ -78,7 +78,7 @@ void Session::scrub(std::uint64_t step) {
 }
 
 void Session::step_by(int steps) {
-  if (!runs()) return;
+  if (!runs_or_refuses()) return;
   const SimFramePtr now = settled_ ? settled_ : frame_;
   const auto to = static_cast<std::int64_t>(shown_step()) + steps;
   const bool moves = playing() || replaying();
@@ -94,7 +94,7 @@ void Session::step_once() {
 }
 
 void Session::replay(int direction) {
-  if (!runs()) return;
+  if (!runs_or_refuses()) return;
   const StepRange all = loop_.value_or(StepRange{frame_->history.first, frame_->history.last});
   std::uint64_t from = shown_step();
   if (!loop_ && direction > 0 && from >= all.last) from = all.first;  // once more from the start
