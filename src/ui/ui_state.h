@@ -31,6 +31,7 @@
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
+#include "ui/widgets/thin_curve.h"
 #include "ui/widgets/widget_registry.h"
 
 namespace taxel::ui {
@@ -152,7 +153,7 @@ struct PlotCurves {
   std::size_t rows = 0;
   std::vector<double> travel_mm;
   std::vector<std::vector<double>> readings;  ///< per taxel of all sensors, in SI
-  std::vector<double> drawn;                  ///< scratch
+  CurvePoints drawn;                          ///< scratch
   double largest = 0;                         ///< of all [Pa]
   std::optional<double> polished_from;        ///< x from which on the readings are of polished samples; none: all are
 };

@@ -12,6 +12,7 @@
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 
@@ -23,6 +24,7 @@ constexpr double kResponding = 0.05;
 constexpr float kAroundAxis = 3.5f;
 /// Longer traces are thinned for drawing.
 constexpr std::size_t kMostPoints = 4000;
+constexpr double kTolerance = 0.2;  ///< [pixels] of curves: see thin_curve()
 
 /// x of the plot: travel in a sweep, time elsewhere.
 double plot_x(const TraceRow& row, bool sweep) {
@@ -94,14 +96,17 @@ void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit
 
 void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, int color, int id, bool selected) {
   PlotCurves& curves = ui.curves;
-  curves.drawn.clear();
-  for (const double reading : readings) curves.drawn.push_back(scale * reading);
+  const ImVec2 pixels = ImPlot::GetPlotSize();
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  thin_curve(curves.travel_mm, readings, limits.X.Size() / std::max(1.0f, pixels.x),
+             kTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), curves.drawn);
+  for (double& reading : curves.drawn.y) reading *= scale;
   const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
   spec.LineWeight = (selected ? 3.2f : 1.8f) * static_cast<float>(ui.pixel_scale);
   const std::string label = fmt::format("{}", id);
-  ImPlot::PlotLine(label.c_str(), curves.travel_mm.data(), curves.drawn.data(), static_cast<int>(curves.drawn.size()),
+  ImPlot::PlotLine(label.c_str(), curves.drawn.x.data(), curves.drawn.y.data(), static_cast<int>(curves.drawn.x.size()),
                    spec);
   if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
     click_taxel(ui, id, ImGui::GetIO().KeyShift);

@@ -10,6 +10,7 @@
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 
@@ -21,8 +22,8 @@ constexpr float kRuler = 1.05f, kEvents = 0.55f, kTaxelsLane = 2.0f;
 constexpr float kNames = 7.6f, kValues = 7.2f;
 /// A taxel that never reads more than this part of the largest has no curve.
 constexpr double kResponding = 0.02;
-constexpr float kLeastLane = 0.8f;  ///< in lines of small text
-constexpr float kColumn = 2.0f;     ///< [pixels] of a curve between two of its points
+constexpr float kLeastLane = 0.8f;                 ///< in lines of small text
+constexpr double kColumn = 2.0, kTolerance = 0.2;  ///< [pixels] of curves: see thin_curve()
 
 struct Lane {
   const char* name;
@@ -99,6 +100,10 @@ void draw_lane(const Picture& p, const Lane& lane, float y0, float y1) {
   const std::size_t columns = p.columns(1);
   const float width = (p.x1 - p.x0) / static_cast<float>(columns);
   const ImU32 color = to_u32(p.colors.accent, 0.75f);
+  float begin = p.x0, drawn = 0;  // columns of one height are one rectangle
+  const auto fill = [&](float end) {
+    if (drawn > 0) p.list.AddRectFilled({begin, y1 - drawn}, {end, y1}, color);
+  };
   for (std::size_t c = 0; c < columns; ++c) {
     const auto [from, to] = p.rows_of(c, columns);
     double v = lane.value(p.lanes.sensor(from, p.sensor));
@@ -106,9 +111,13 @@ void draw_lane(const Picture& p, const Lane& lane, float y0, float y1) {
       const double other = lane.value(p.lanes.sensor(r, p.sensor));
       v = lane.least ? (v > 0 && other > 0 ? std::min(v, other) : std::max(v, other)) : std::max(v, other);
     }
-    const float x = p.x0 + static_cast<float>(c) * width, h = height(v);
-    if (h > 0) p.list.AddRectFilled({x, y1 - std::max(1.0f, h)}, {x + width, y1}, color);
+    const float x = p.x0 + static_cast<float>(c) * width, exact = height(v);
+    const float h = exact > 0 ? std::max(1.0f, 0.25f * std::round(4 * exact)) : 0.0f;
+    if (h == drawn) continue;
+    fill(x);
+    begin = x, drawn = h;
   }
+  fill(p.x1);
   p.label(y0, y1, lane.name, lane.text(lane.value(p.lanes.sensor(p.row, p.sensor))));
 }
 
@@ -120,24 +129,19 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
       peaks[k] = std::max(peaks[k], p.lanes.readings_of(r)[p.first_reading + k]);
   }
   for (const double peak : peaks) largest = std::max(largest, peak);
-  const std::size_t columns = p.columns(kColumn);
-  const float width = (p.x1 - p.x0) / static_cast<float>(columns);
+  const double width = (p.x1 - p.x0) / static_cast<double>(p.lanes.rows());
+  std::vector<double> x(p.lanes.rows()), y(p.lanes.rows());
+  for (std::size_t r = 0; r < x.size(); ++r) x[r] = p.x0 + (static_cast<double>(r) + 0.5) * width;
+  CurvePoints curve;
   std::vector<ImVec2> points;
   for (std::size_t k = 0; k < p.readings && largest > 0; ++k) {
     if (!(peaks[k] > kResponding * largest)) continue;
+    for (std::size_t r = 0; r < y.size(); ++r)
+      y[r] = y1 - 1 - p.lanes.readings_of(r)[p.first_reading + k] / largest * (y1 - y0 - 3);
+    thin_curve(x, y, kColumn, kTolerance, curve);
     points.clear();
-    double drawn = 0;
-    for (std::size_t c = 0; c < columns; ++c) {
-      const auto [from, to] = p.rows_of(c, columns);
-      double v = p.lanes.readings_of(from)[p.first_reading + k];  // of several the one that differs most: jumps stay
-      for (std::size_t r = from + 1; r < to; ++r) {
-        const double other = p.lanes.readings_of(r)[p.first_reading + k];
-        if (std::abs(other - drawn) > std::abs(v - drawn)) v = other;
-      }
-      drawn = v;
-      points.emplace_back(p.x0 + (static_cast<float>(c) + 0.5f) * width,
-                          y1 - 1 - static_cast<float>(v / largest) * (y1 - y0 - 3));
-    }
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      points.emplace_back(static_cast<float>(curve.x[i]), static_cast<float>(curve.y[i]));
     const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
     const bool selected = k < model.layout.taxels.size() && p.ui.selection.contains(model.layout.taxels[k].id);
     p.list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32({c.x, c.y, c.z, 1}),

@@ -1,0 +1,80 @@
+#include "ui/widgets/thin_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace taxel::ui {
+
+namespace {
+
+/// The swinging door: a line from the last point kept passes all later ones as long as one slope suits them all.
+class Door {
+ public:
+  Door(double tolerance, CurvePoints& out) : tolerance_(tolerance), out_(out) {}
+
+  void add(double x, double y) {
+    if (out_.x.empty()) return keep(x, y);
+    if (waiting_ && !suits(x, y)) {
+      keep(x_, y_);
+      waiting_ = false;
+    }
+    const double dx = x - out_.x.back(), dy = y - out_.y.back();
+    if (!waiting_) least_ = -std::numeric_limits<double>::infinity(), most_ = -least_;
+    if (dx > 0) {
+      least_ = std::max(least_, (dy - tolerance_) / dx), most_ = std::min(most_, (dy + tolerance_) / dx);
+    } else if (std::abs(dy) > tolerance_) {
+      least_ = std::numeric_limits<double>::infinity(), most_ = -least_;  // no slope suits an upright piece
+    }
+    x_ = x, y_ = y;
+    waiting_ = true;
+  }
+  void finish() {
+    if (waiting_) keep(x_, y_);
+  }
+
+ private:
+  /// Whether the line to this point passes all those since the last one kept.
+  [[nodiscard]] bool suits(double x, double y) const {
+    const double dx = x - out_.x.back();
+    if (!(dx > 0) || x == x_) return false;  // an upright piece keeps its ends
+    const double slope = (y - out_.y.back()) / dx;
+    return slope >= least_ && slope <= most_;
+  }
+  void keep(double x, double y) {
+    out_.x.push_back(x);
+    out_.y.push_back(y);
+  }
+
+  double tolerance_;
+  CurvePoints& out_;
+  bool waiting_ = false;
+  double x_ = 0, y_ = 0, least_ = 0, most_ = 0;
+};
+
+}  // namespace
+
+void thin_curve(std::span<const double> x, std::span<const double> y, double column, double tolerance,
+                CurvePoints& out) {
+  out.x.clear();
+  out.y.clear();
+  Door door(tolerance, out);
+  const std::size_t n = std::min(x.size(), y.size());
+  for (std::size_t first = 0; first < n;) {
+    const double end = x.front() + column * (std::floor((x[first] - x.front()) / column) + 1);
+    std::size_t last = first, low = first, high = first;
+    for (std::size_t i = first; i < n && (i == first || x[i] < end); last = i++) {
+      if (y[i] < y[low]) low = i;
+      if (y[i] > y[high]) high = i;
+    }
+    std::array<std::size_t, 4> points{first, low, high, last};
+    std::sort(points.begin(), points.end());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (i == 0 || points[i] != points[i - 1]) door.add(x[points[i]], y[points[i]]);
+    first = last + 1;
+  }
+  door.finish();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,111 @@
+// Thinned curves against the ones they stand for.
+#include "ui/widgets/thin_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/rng.h"
+
+namespace taxel::ui {
+namespace {
+
+struct Curve {
+  std::vector<double> x, y;
+};
+
+/// A walk with jumps and rests; x sometimes stays.
+Curve random_curve(std::uint64_t seed, std::size_t points) {
+  const CounterRng rng(seed);
+  std::uint64_t n = 0;
+  Curve c;
+  double x = 0, y = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    x += rng.uniform(n++) < 0.1 ? 0.0 : rng.uniform(n++);
+    const double what = rng.uniform(n++);
+    if (what < 0.3) y += rng.uniform(n++) - 0.5;
+    if (what > 0.98) y += 20 * (rng.uniform(n++) - 0.5);
+    c.x.push_back(x);
+    c.y.push_back(y);
+  }
+  return c;
+}
+
+/// Height of the polyline at x, where it is not upright.
+double at(const CurvePoints& line, double x) {
+  const auto after = std::upper_bound(line.x.begin(), line.x.end(), x);
+  if (after == line.x.end()) return line.y.back();
+  const auto i = static_cast<std::size_t>(after - line.x.begin());
+  const double t = (x - line.x[i - 1]) / (line.x[i] - line.x[i - 1]);
+  return line.y[i - 1] + t * (line.y[i] - line.y[i - 1]);
+}
+
+TEST(ThinCurve, StaysWithinToleranceOfEveryPointWhereColumnsHoldOne) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Curve c = random_curve(seed, 600);
+    for (std::size_t i = 0; i < c.x.size(); ++i) c.x[i] = static_cast<double>(i);
+    CurvePoints thin;
+    thin_curve(c.x, c.y, 1.0, 0.25, thin);
+    for (std::size_t i = 0; i < c.x.size(); ++i) EXPECT_NEAR(at(thin, c.x[i]), c.y[i], 0.25 + 1e-9) << seed << " " << i;
+    EXPECT_LT(thin.x.size(), c.x.size());
+  }
+}
+
+TEST(ThinCurve, KeepsTheExtremesOfEveryColumn) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Curve c = random_curve(seed, 5000);
+    constexpr double kColumn = 10, kTolerance = 0.25;
+    CurvePoints thin;
+    thin_curve(c.x, c.y, kColumn, kTolerance, thin);
+    std::map<long, std::pair<double, double>> given, drawn;
+    const auto note = [&](auto& columns, double x, double y) {
+      auto [it, is_new] = columns.try_emplace(std::lround(std::floor((x - c.x.front()) / kColumn)), y, y);
+      it->second = {std::min(it->second.first, y), std::max(it->second.second, y)};
+    };
+    for (std::size_t i = 0; i < c.x.size(); ++i) note(given, c.x[i], c.y[i]);
+    for (const auto& [column, range] : given) {
+      for (int k = 0; k < 200; ++k) {
+        const double x = c.x.front() + kColumn * (static_cast<double>(column) + k / 200.0);
+        if (x >= thin.x.front() && x <= thin.x.back()) note(drawn, x, at(thin, x));
+      }
+    }
+    for (std::size_t i = 0, j = 0; i < thin.x.size(); ++i) {
+      note(drawn, thin.x[i], thin.y[i]);
+      while (j < c.x.size() && (c.x[j] != thin.x[i] || c.y[j] != thin.y[i])) ++j;
+      ASSERT_LT(j, c.x.size()) << "a point of the curve, in its order";
+    }
+    for (const auto& [column, range] : given) {
+      EXPECT_LE(drawn[column].first, range.first + kTolerance + 0.01) << seed;
+      EXPECT_GE(drawn[column].second, range.second - kTolerance - 0.01) << seed;
+    }
+    EXPECT_LE(thin.x.size(), 4 * given.size());
+    EXPECT_TRUE(std::is_sorted(thin.x.begin(), thin.x.end()));
+  }
+}
+
+TEST(ThinCurve, OfAStraightLineTheEndsAreLeft) {
+  Curve c;
+  for (int i = 0; i <= 1000; ++i) c.x.push_back(i), c.y.push_back(3 + 0.5 * i);
+  CurvePoints thin;
+  thin_curve(c.x, c.y, 1.0, 0.01, thin);
+  EXPECT_EQ(thin.x, (std::vector<double>{0, 1000}));
+  EXPECT_EQ(thin.y, (std::vector<double>{3, 503}));
+  thin_curve({}, {}, 1.0, 0.1, thin);
+  EXPECT_TRUE(thin.x.empty());
+  const double one[] = {2};
+  thin_curve(one, one, 1.0, 0.1, thin);
+  EXPECT_EQ(thin.x, std::vector<double>{2});
+}
+
+TEST(ThinCurve, AStepStaysAStep) {
+  Curve c;
+  for (int i = 0; i < 100; ++i) c.x.push_back(i), c.y.push_back(i < 50 ? 0 : 7);
+  CurvePoints thin;
+  thin_curve(c.x, c.y, 1.0, 0.1, thin);
+  EXPECT_EQ(thin.x, (std::vector<double>{0, 49, 50, 99}));
+}
+
+}  // namespace
+}  // namespace taxel::ui
