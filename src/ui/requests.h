@@ -24,6 +24,8 @@ enum class FileTask {
   export_sheet,
   export_picture,
   export_frame,
+  export_recording,  ///< of the history
+  keep_recording,    ///< one that could not be written where it was to be
   read_points,
   attach_layout,
   save_scene
@@ -73,6 +75,10 @@ struct SetBreakpoints {
 };
 struct SetHistoryLimits {
   StepHistoryLimits limits;
+};
+/// Every step that is simulated is kept until it ends; then it is written.
+struct SetRecording {
+  bool on = false;
 };
 struct ResetSimulation {};
 struct SetSpeed {
@@ -147,7 +153,7 @@ struct Quit {};
 struct Request
     : std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
                    RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
-                   SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
+                   SetHistoryLimits, SetRecording, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
                    CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
                    ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
                    AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {

@@ -53,6 +53,8 @@ struct LayoutOptions {
 };
 /// --density and --seed of the samples.
 void add_sampling(CLI::App& app, LayoutOptions& options);
+/// --tactile-state beside --out.
+void add_tactile_state(CLI::App& app, bool& wanted);
 /// --aggregate of the readings.
 void add_aggregate(CLI::App& app, std::optional<Aggregate>& aggregate);
 

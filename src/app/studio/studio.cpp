@@ -221,6 +221,7 @@ void Studio::act_on(const SessionNews& news) {
   update_title();
   keep_unsaved();
   export_when_ready();
+  if (!news.unwritten.empty()) ask_for_file(ui::FileTask::keep_recording, news.unwritten);
   if (news.opened || news.reloaded) {
     document_hash_ = hash_of(session_.file());
     tell_other_mesh();

@@ -16,9 +16,9 @@ namespace taxel::studio {
 namespace {
 
 /// "screenshot-1.png", or the first number that is free.
-std::string free_screenshot_name() {
+std::string free_name(std::string_view begin, std::string_view end) {
   for (int number = 1;; ++number) {
-    std::string name = fmt::format("screenshot-{}.png", number);
+    std::string name = fmt::format("{}{}{}", begin, number, end);
     std::error_code ignored;
     if (!std::filesystem::exists(name, ignored)) return name;
   }
@@ -86,6 +86,8 @@ bool Studio::carry_out_in_time(const ui::Request& request) {
     session_.set_breakpoints(breakpoints->breakpoints);
   } else if (const auto* limits = std::get_if<ui::SetHistoryLimits>(&request)) {
     session_.set_history_limits(limits->limits);
+  } else if (const auto* record = std::get_if<ui::SetRecording>(&request)) {
+    session_.record(record->on, free_name("recording-", ""));
   } else {
     return false;
   }
@@ -120,7 +122,7 @@ void Studio::save_screenshot(const std::string& file) {
 
 void Studio::save_numbered_screenshot() {
   try {
-    const std::string name = free_screenshot_name();
+    const std::string name = free_name("screenshot-", ".png");
     save_screenshot(name);
     ui::add_message(ui_, Severity::note, "Saved " + std::filesystem::absolute(name).string(), ImGui::GetTime());
   } catch (const Error& error) {

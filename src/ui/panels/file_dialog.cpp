@@ -37,6 +37,9 @@ Words words_of(FileTask task) {
       return {"Export a picture on a transparent background", "Export", ".png"};
     case FileTask::export_frame:
       return {"Save this step, to be opened elsewhere", "Save", ".taxelframe"};
+    case FileTask::export_recording:
+    case FileTask::keep_recording:
+      return {"Write the recording: NAME.csv, .npz or .jsonl, else a folder", "Export", ""};
     case FileTask::read_points:
       return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
     case FileTask::attach_layout:

@@ -295,6 +295,7 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::loop_range:
     case Action::break_on_jump:
     case Action::explain:
+    case Action::record:
       return has_history(input);
     case Action::mode_layout:
     case Action::close_document:
