@@ -61,7 +61,10 @@ void judge(const Pairs& pairs, const Line& line, bool with_offset, TaxelFit& fit
 std::string why_not(const TaxelSeries& run, const Pairs& pairs, double largest) {
   if (range_of(run.values[pairs.in_run]) <= kTaxelResponds * largest) return "does not respond in the run";
   if (pairs.x.size() < 3) return "has no values in the recording while the run lasts";
-  if (range_of(pairs.y) <= 0) return "is constant in the recording";
+  double largest_value = 0;
+  for (const double y : pairs.y) largest_value = std::max(largest_value, std::abs(y));
+  constexpr double kConstant = 1e-12;  // of its values: what is left by rounding
+  if (range_of(pairs.y) <= kConstant * largest_value) return "is constant in the recording";
   return "";
 }
 

@@ -14,7 +14,8 @@
 namespace taxel {
 namespace {
 
-constexpr std::size_t kLooked = 50;        // rows
+constexpr std::size_t kLooked = 50;     // rows
+constexpr double kGuessedRate = 100;  // rows per second, where no column is a time
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -124,7 +125,7 @@ void guess_time(const TableLook& look, ColumnMapping& mapping) {
     mapping.time = name_of(look, *found);
     mapping.time_unit = unit_of_time(look.columns[*found], first_numbers(look, *found, mapping.decimal.front()));
   }
-  if (mapping.time.empty()) mapping.rate = 100;
+  if (found) mapping.rate = 0;
 }
 
 void guess_taxels(const TableLook& look, const std::vector<int>& ids, ColumnMapping& mapping) {
@@ -147,6 +148,7 @@ void guess_taxels(const TableLook& look, const std::vector<int>& ids, ColumnMapp
 
 ColumnMapping guess_mapping(const std::string& text, const std::vector<int>& taxel_ids) {
   ColumnMapping mapping;
+  mapping.rate = kGuessedRate;
   try {
     const std::vector<std::string> lines = first_lines(text);
     std::string begin;
