@@ -31,6 +31,8 @@ constexpr std::array kBindings = {
     Binding{Action::export_frame, kEverywhere, 0, false, "Save this step...", "File", false},
     Binding{Action::export_recording, kEverywhere, kCtrl | kShift | ImGuiKey_E, false, "Export recording...", "File",
             false},
+    Binding{Action::export_video, kEverywhere, 0, false, "Export video...", "File", false},
+    Binding{Action::import_recording, kEverywhere, 0, false, "Import real recording...", "File", false},
     Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
     Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
 

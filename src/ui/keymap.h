@@ -40,6 +40,8 @@ enum class Action {
   export_picture,
   export_frame,
   export_recording,
+  export_video,
+  import_recording,
   undo,
   redo,
   copy,

@@ -33,7 +33,8 @@ void Studio::carry_out_requests() {
 }
 
 void Studio::carry_out(const ui::Request& request) {
-  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request) || carry_out_generate(request))
+  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request) || carry_out_generate(request) ||
+      carry_out_real(request))
     return;
   if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
     session_.open(r->path);
@@ -88,6 +89,8 @@ bool Studio::carry_out_in_time(const ui::Request& request) {
     session_.set_history_limits(limits->limits);
   } else if (const auto* record = std::get_if<ui::SetRecording>(&request)) {
     session_.record(record->on, free_name("recording-", ""));
+  } else if (std::holds_alternative<ui::CancelVideo>(request)) {
+    video_.reset();
   } else {
     return false;
   }
@@ -176,7 +179,7 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !patterns_.busy() && !fresh_preview();
-    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty();
+    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty() && !video_;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
