@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/files.h"
+#include "core/layout/words.h"
 
 namespace taxel::studio {
 
