@@ -35,8 +35,8 @@ TEST(Align, FindsTheShiftAndTheGainsThatARecordingWasMadeWith) {
   const fs::path run = short_sweep(), folder = test_folder();
   write_text(folder / "real.csv", real_table(run, 41.2345));
   const std::string before = file_text(run / "readings.csv");
-  const Json found = taxel_json({"align", run.string(), "real.csv", "--save-map", "real.recmap.json", "--out", "a.csv"},
-                                folder);
+  const Json found =
+      taxel_json({"align", run.string(), "real.csv", "--save-map", "real.recmap.json", "--out", "a.csv"}, folder);
   EXPECT_NEAR(found["shift"].get<double>(), -41.2345, 0.001) << "a tenth of the run's interval";
   EXPECT_GT(found["correlation"].get<double>(), 0.999) << "of the taxels that respond";
   std::map<int, Json> taxels;
@@ -56,8 +56,8 @@ TEST(Align, FindsTheShiftAndTheGainsThatARecordingWasMadeWith) {
   // by the mapping that was written, and by a given shift
   const Json again = taxel_json({"align", run.string(), "real.csv", "--map", "real.recmap.json"}, folder);
   EXPECT_EQ(again["taxels"], found["taxels"]);
-  const Json given = taxel_json({"align", run.string(), "real.csv", "--shift", "-41.2345", "--common", "--no-offset"},
-                                folder);
+  const Json given =
+      taxel_json({"align", run.string(), "real.csv", "--shift", "-41.2345", "--common", "--no-offset"}, folder);
   EXPECT_EQ(given["correlation"], nullptr);
   EXPECT_FALSE(given["with_offset"].get<bool>());
   const Outcome text = taxel({"align", run.string(), "real.csv", "--quiet"}, folder);

@@ -15,8 +15,7 @@ TEST(TactileState, HasARowsReadingsPerSensor) {
                                          {"op": "replace", "path": "/sampling/density", "value": 1e6}])"));
   write_text(folder / "scene.xml", finger_scene(finger_body("thumb", 0) + finger_body("index", 0.1), {"thumb", "index"},
                                                 "changed.taxels.json"));
-  const Json run =
-      taxel_json({"run", "scene.xml", "--seconds", "0.004", "--out", "out", "--tactile-state"}, folder);
+  const Json run = taxel_json({"run", "scene.xml", "--seconds", "0.004", "--out", "out", "--tactile-state"}, folder);
   EXPECT_NE(run["files"].dump().find("tactile_state.jsonl"), std::string::npos);
   const Table table = read_csv(folder / "out/readings.csv");
   std::istringstream lines(file_text(folder / "out/tactile_state.jsonl"));

@@ -26,10 +26,10 @@ ColumnMapping mapping_of(const Options& options, const std::string& text, const 
     std::string guessed;
     for (const TaxelColumn& taxel : mapping.taxels)
       guessed += fmt::format(", \"{}\" is taxel {}", taxel.column, taxel.taxel);
-    console.note(fmt::format("{}: guessed: time is {}{}; --save-map writes it down to be corrected", options.real,
-                             mapping.time.empty() ? fmt::format("even, {} rows a second", mapping.rate)
-                                                  : "\"" + mapping.time + "\"",
-                             guessed));
+    console.note(fmt::format(
+        "{}: guessed: time is {}{}; --save-map writes it down to be corrected", options.real,
+        mapping.time.empty() ? fmt::format("even, {} rows a second", mapping.rate) : "\"" + mapping.time + "\"",
+        guessed));
   }
   if (!options.save_map.empty()) write_file_atomically(options.save_map, mapping_to_json(mapping));
   return mapping;
@@ -58,8 +58,9 @@ int run(const Options& options, Console& console) {
   if (!options.shift) {
     report.alignment = align(series, real.series);
     if (!report.alignment)
-      throw Error(options.real, "cannot be aligned: no shift lays half of the shorter one over the other with readings "
-                                "that change; give it by --shift");
+      throw Error(options.real,
+                  "cannot be aligned: no shift lays half of the shorter one over the other with readings "
+                  "that change; give it by --shift");
   }
   report.shift = options.shift ? *options.shift : report.alignment->shift;
   report.fits = fit_gains(series, real.series, report.shift, report.options);
@@ -73,10 +74,11 @@ int run(const Options& options, Console& console) {
 
 Command add_align(CLI::App& parent, CommonOptions& common) {
   const auto options = std::make_shared<Options>();
-  CLI::App* app = add_command(parent, common, "align",
-                              "A recording of a real sensor laid over a run: the shift of its times, and gain and offset "
-                              "of each taxel by least squares",
-                              "taxel align result real.csv --map real.recmap.json --out aligned.csv");
+  CLI::App* app =
+      add_command(parent, common, "align",
+                  "A recording of a real sensor laid over a run: the shift of its times, and gain and offset "
+                  "of each taxel by least squares",
+                  "taxel align result real.csv --map real.recmap.json --out aligned.csv");
   app->add_option("RUN", options->run, "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz")
       ->required()
       ->option_text("(required)");

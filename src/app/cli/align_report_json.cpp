@@ -7,10 +7,17 @@ namespace taxel::cli {
 
 std::string align_json(const AlignReport& report) {
   using Json = nlohmann::ordered_json;
-  Json json = {{"run", report.run},           {"recording", report.real}, {"run_unit", report.run_unit},
-               {"recording_unit", report.real_unit}, {"shift", report.shift},
-               {"correlation", nullptr},      {"overlap", nullptr},       {"common", report.options.common},
-               {"with_offset", report.options.offset}, {"taxels", Json::array()}, {"notes", report.notes}};
+  Json json = {{"run", report.run},
+               {"recording", report.real},
+               {"run_unit", report.run_unit},
+               {"recording_unit", report.real_unit},
+               {"shift", report.shift},
+               {"correlation", nullptr},
+               {"overlap", nullptr},
+               {"common", report.options.common},
+               {"with_offset", report.options.offset},
+               {"taxels", Json::array()},
+               {"notes", report.notes}};
   if (report.alignment) {
     json["correlation"] = report.alignment->correlation;
     json["overlap"] = report.alignment->overlap;

@@ -16,7 +16,7 @@ std::size_t sensor_of(const Recording& recording, const std::string& geom, const
   if (geom.empty() && sensors.size() == 1) return 0;
   if (sensors.empty()) throw Error(file, "sensor_geoms", "names no sensor");
   throw Error(file, geom.empty() ? "has several sensors: name one by --sensor: " + names
-                                     : fmt::format("has no sensor \"{}\", but {}", geom, names));
+                                 : fmt::format("has no sensor \"{}\", but {}", geom, names));
 }
 
 }  // namespace taxel::cli

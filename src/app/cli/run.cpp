@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "core/base/output_folder.h"
 #include "app/cli/recording_report.h"
+#include "core/base/output_folder.h"
 #include "core/sim/plugin/plugin_folder.h"
 #include "core/sim/recording/write_recording.h"
 

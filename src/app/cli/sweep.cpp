@@ -7,8 +7,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/default_layout.h"
-#include "core/base/output_folder.h"
 #include "app/cli/recording_report.h"
+#include "core/base/output_folder.h"
 #include "core/project/scenario_json.h"
 #include "core/sim/recording/write_recording.h"
 

@@ -46,7 +46,8 @@ void list_folder(ui::FileDialog& dialog, const std::string& folder) {
   dialog.entries.clear();
   dialog.selected = -1;
   const auto wanted = dialog.task == ui::FileTask::read_points || dialog.task == ui::FileTask::import_recording
-                          ? holds_points : can_be_opened;
+                          ? holds_points
+                          : can_be_opened;
   for (const fs::directory_entry& entry : it) {
     const std::string name = entry.path().filename().string();
     std::error_code unreadable;

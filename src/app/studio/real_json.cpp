@@ -9,12 +9,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json shown_real_json(const ui::RealShown& real) {
-  Json json = {{"file", real.file},
-               {"rows", real.recording.series.time.size()},
-               {"unit", real.unit},
-               {"shift", real.shift},
-               {"correlation", nullptr},
-               {"notes", real.recording.notes},
+  Json json = {{"file", real.file},      {"rows", real.recording.series.time.size()},
+               {"unit", real.unit},      {"shift", real.shift},
+               {"correlation", nullptr}, {"notes", real.recording.notes},
                {"fits", Json::array()}};
   if (real.alignment) json["correlation"] = real.alignment->correlation;
   for (const TaxelFit& fit : real.fits)

@@ -85,8 +85,9 @@ void RealOverlay::align(const TaxelSeries& run) {
   auto shown = std::make_shared<ui::RealShown>(*shown_);
   shown->alignment = taxel::align(run, shown->recording.series);
   if (!shown->alignment)
-    throw Error(shown->file, "cannot be aligned: no shift lays half of the shorter one over the other with readings that "
-                             "change; run the simulation on, or type a shift");
+    throw Error(shown->file,
+                "cannot be aligned: no shift lays half of the shorter one over the other with readings that "
+                "change; run the simulation on, or type a shift");
   shown->shift = shown->alignment->shift;
   shown->fits.clear();
   shown_ = std::move(shown);

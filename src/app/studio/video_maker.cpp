@@ -28,8 +28,17 @@ std::vector<std::string> encoder_arguments(const std::string& path, const fs::pa
   const bool gif = path.ends_with(".gif");
   // A palette of its own for a GIF; even sides for the colours of an MP4, which every player knows.
   const std::string filter = gif ? "split[a][b];[a]palettegen[p];[b][p]paletteuse" : "pad=ceil(iw/2)*2:ceil(ih/2)*2";
-  std::vector<std::string> arguments{"ffmpeg", "-nostdin", "-y", "-loglevel", "error", "-framerate", std::to_string(rate),
-                                     "-i", (staging / "frame_%06d.png").string(), "-vf", filter};
+  std::vector<std::string> arguments{"ffmpeg",
+                                     "-nostdin",
+                                     "-y",
+                                     "-loglevel",
+                                     "error",
+                                     "-framerate",
+                                     std::to_string(rate),
+                                     "-i",
+                                     (staging / "frame_%06d.png").string(),
+                                     "-vf",
+                                     filter};
   if (!gif) arguments.insert(arguments.end(), {"-pix_fmt", "yuv420p"});
   arguments.push_back((staging / (gif ? "video.gif" : "video.mp4")).string());
   return arguments;

@@ -32,10 +32,10 @@ class VideoMaker {
   VideoMaker& operator=(const VideoMaker&) = delete;
   ~VideoMaker();
 
-  [[nodiscard]] std::optional<std::uint64_t> wanted() const;       ///< step of the next picture; none: there are all
+  [[nodiscard]] std::optional<std::uint64_t> wanted() const;  ///< step of the next picture; none: there are all
   [[nodiscard]] std::uint64_t shown_before() const { return shown_; }  ///< the step that was shown when it began
   [[nodiscard]] bool of_window() const { return settings_.window; }
-  [[nodiscard]] std::string next_file() const;                     ///< where the next picture is to be written
+  [[nodiscard]] std::string next_file() const;  ///< where the next picture is to be written
   void taken() { ++taken_; }
   /// When there are all pictures: begins to encode them, or looks how far that is. None: it goes on. Throws Error where
   /// the encoder fails.

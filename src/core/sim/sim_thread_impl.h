@@ -40,7 +40,7 @@ struct SimThread::Impl {
   std::string refused;  // why the last scene or model was not taken; the one before goes on
   std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
   SavedScene saved;
-  std::optional<LiveRecording> recording;    // runs
+  std::optional<LiveRecording> recording;   // runs
   std::optional<EndedRecording> unwritten;  // ended, and could not be written
   WrittenRecording written;
   StepHistory history;

@@ -75,12 +75,22 @@ void draw_dashed(const RealCurves::Curve& curve, double scale, ImU32 color, floa
     for (float at = 0; at < length;) {
       const float phase = std::fmod(walked + at, period);
       const float end = std::min(length, at + std::max(0.05f, (phase < dash ? dash : period) - phase));
-      const auto point = [&](float s) { return ImVec2(a.x + s / length * (b.x - a.x), a.y + s / length * (b.y - a.y)); };
+      const auto point = [&](float s) {
+        return ImVec2(a.x + s / length * (b.x - a.x), a.y + s / length * (b.y - a.y));
+      };
       if (phase < dash) list.AddLine(point(at), point(end), color, weight);
       at = end;
     }
     walked = std::fmod(walked + length, period);
   }
+}
+
+/// Whether the plot leaves the taxel out, as it does with its reading.
+bool is_left_out(const UiState& ui, std::size_t reading) {
+  if (!ui.saved.plot.responding_only || reading >= ui.curves.readings.size()) return false;
+  const std::vector<double>& values = ui.curves.readings[reading];
+  const double peak = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  return !(peak > kTaxelResponds * ui.curves.largest);
 }
 
 }  // namespace
@@ -94,7 +104,7 @@ void draw_real_curves(UiState& ui, const UiInput& input, double scale, double la
   ImPlot::PushPlotClipRect();
   for (const RealCurves::Curve& curve : kept.curves) {
     for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
-      if (model.layout.taxels[k].id != curve.taxel) continue;
+      if (model.layout.taxels[k].id != curve.taxel || is_left_out(ui, first + k)) continue;
       const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
       const float weight = (ui.selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
       draw_dashed(curve, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,

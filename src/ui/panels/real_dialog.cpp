@@ -142,8 +142,9 @@ void draw_real_dialog(UiState& ui, const UiInput& input) {
   if (ui.real.asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowSize({std::min(44 * line, 0.95f * viewport->Size.x), std::min(40 * line, 0.95f * viewport->Size.y)},
-                           ImGuiCond_Appearing);
+  ImGui::SetNextWindowSize(
+      {std::min(44 * line, 0.95f * viewport->Size.x), std::min(40 * line, 0.95f * viewport->Size.y)},
+      ImGuiCond_Appearing);
   ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
   ImGui::TextDisabled("%s", ui.real.file.c_str());
@@ -164,7 +165,8 @@ void draw_real_dialog(UiState& ui, const UiInput& input) {
   const ImVec2 size(8 * line, 0);
   if (button(ui, "Save mapping", ImVec2(9 * line, 0))) ui.ask(ActOnReal{RealTask::save_mapping});
   tooltip("Beside the table, as NAME.recmap.json: it is taken the next time");
-  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * size.x - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * size.x -
+                  ImGui::GetStyle().ItemSpacing.x);
   if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ui.real.asks = false;
   ImGui::SameLine();
   if (button(ui, "Overlay", size)) ui.ask(ActOnReal{RealTask::overlay});

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "ui/panels/dock_layout.h"
-#include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
@@ -90,6 +90,8 @@ void draw_apply(UiState& ui, const UiInput& input, const RealShown& real) {
 
 void draw_real_panel(UiState& ui, const UiInput& input) {
   if (!input.real || ui.mode != Mode::simulate) return;
+  const ImGuiWindow* before = ImGui::FindWindowByName(kRealTitle);
+  if (before == nullptr || !before->WasActive) ImGui::SetNextWindowFocus();  // it comes by itself
   bool open = true;
   if (begin_panel(ui, kRealTitle, &open)) {
     draw_what(ui, *input.real);

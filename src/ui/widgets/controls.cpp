@@ -142,9 +142,8 @@ bool icon_button(UiState& ui, const char* label, Icon icon, const ImVec2& size, 
   const std::string name = label;
   const std::string text = name.substr(0, name.find("##"));
   const std::string id = "##" + name;
-  const ImVec4 ink =
-      fill != nullptr ? (icon == Icon::pause ? ImVec4(0.12f, 0.10f, 0.03f, 1) : ImVec4(1, 1, 1, 1))
-                      : (icon == Icon::record ? colors.error : colors.text);
+  const ImVec4 ink = fill != nullptr ? (icon == Icon::pause ? ImVec4(0.12f, 0.10f, 0.03f, 1) : ImVec4(1, 1, 1, 1))
+                                     : (icon == Icon::record ? colors.error : colors.text);
   const bool pressed = fill != nullptr ? colored_button(id.c_str(), size, *fill, ink) : ImGui::Button(id.c_str(), size);
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
   const bool with_text = fill != nullptr && icon != Icon::record;

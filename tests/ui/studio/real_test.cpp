@@ -9,7 +9,7 @@
 namespace taxel::test {
 namespace {
 
-std::string wait_time(double time) {
+std::string simulated_until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
 
@@ -36,27 +36,51 @@ std::string counts_of(const std::string& readings_csv, double clock) {
 
 /// File > Import real recording, the file, Enter.
 Lines imported(const std::string& file) {
-  return {press("File"), kIdle,        press("Import real recording..."), kIdle, key("a", kCtrl), type(file), kIdle,
-          key("Enter"),  kIdle, kIdle};
+  return {
+      press("File"), kIdle, press("Import real recording..."), kIdle, key("a", kCtrl), type(file), kIdle, key("Enter"),
+      kIdle,         kIdle};
 }
 
-const Lines kInContact{key("="), key("="), wait_time(1.3), key("Space"), kIdle};
+const Lines kTouching{key("="), key("="), simulated_until(1.3), key("Space"), kIdle};
 
 TEST(Real, ARecordingIsLaidOverThePlotFittedAndMadeTheCalibration) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "real.csv").string();
-  studio.play(joined({kInContact,
-                      {key("e", kCtrlShift), kIdle, key("a", kCtrl), type((studio.folder() / "run.csv").string()), kIdle,
-                       key("Enter"), kIdle}}),
+  studio.play(joined({kTouching,
+                      {key("e", kCtrlShift), kIdle, key("a", kCtrl), type((studio.folder() / "run.csv").string()),
+                       kIdle, key("Enter"), kIdle}}),
               {kLayoutFile});
   write_text(file, counts_of(file_text(studio.folder() / "run.csv"), 12.5));
-  studio.play(joined({kInContact,
+  studio.play(joined({kTouching,
                       imported(file),
-                      {dump("asks.json"), R"({"do": "screenshot", "file": "asks.png"})", press("Meaning of clock"), kIdle,
-                       press("time"), kIdle, press("Unit of time"), kIdle, press("ms"), kIdle, press("Save mapping"), kIdle,
-                       press("Overlay"), kIdle, kIdle, dump("shown.json"), press("Fit gains"), kIdle, dump("fitted.json"),
-                       R"({"do": "screenshot", "file": "fitted.png"})", press("Apply as calibration"), kIdle,
-                       dump("applied.json"), key("z", kCtrl), kIdle, dump("undone.json"), press("Remove"), kIdle,
+                      {dump("asks.json"),
+                       R"({"do": "screenshot", "file": "asks.png"})",
+                       press("Meaning of clock"),
+                       kIdle,
+                       press("time"),
+                       kIdle,
+                       press("Unit of time"),
+                       kIdle,
+                       press("ms"),
+                       kIdle,
+                       press("Save mapping"),
+                       kIdle,
+                       press("Overlay"),
+                       kIdle,
+                       kIdle,
+                       dump("shown.json"),
+                       press("Fit gains"),
+                       kIdle,
+                       dump("fitted.json"),
+                       R"({"do": "screenshot", "file": "fitted.png"})",
+                       press("Apply as calibration"),
+                       kIdle,
+                       dump("applied.json"),
+                       key("z", kCtrl),
+                       kIdle,
+                       dump("undone.json"),
+                       press("Remove"),
+                       kIdle,
                        dump("removed.json")}}),
               {kLayoutFile});
   const Json asks = studio.state("asks.json")["real"], shown = studio.state("shown.json")["real"]["shown"],
@@ -83,7 +107,7 @@ TEST(Real, WhatATableCannotBeIsSaidInTheDialogAndItStays) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "bad.csv").string();
   write_text(file, "time,taxel_3\n0,1\n1,x\n2,3\n");
-  studio.play(joined({kInContact,
+  studio.play(joined({kTouching,
                       imported((studio.folder() / "gone.csv").string()),
                       {dump("gone.json")},
                       imported(file),

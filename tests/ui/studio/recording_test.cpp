@@ -7,13 +7,13 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-Lines exported(const std::string& file) {
+Lines export_as(const std::string& file) {
   return {key("e", kCtrlShift), kIdle, key("a", kCtrl), type(file), kIdle, key("Enter"), kIdle};
 }
-std::string wait_time(double time) {
+std::string run_until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
-std::string in(const StudioProgram& studio, const char* name) {
+std::string in_folder(const StudioProgram& studio, const char* name) {
   return (studio.folder() / name).string();
 }
 
@@ -23,9 +23,9 @@ TEST(Recording, TheHistoryGoesOutAsTheCommandLineRecordsIt) {
   const std::string scene = TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml";
   studio.play(joined({{key("Space"), kIdle, key("Backspace"), kIdle},
                       {key("Right"), key("Right"), key("Right"), kIdle},
-                      exported(in(studio, "history")),
-                      exported(in(studio, "table.csv")),
-                      exported(in(studio, "state.jsonl")),
+                      export_as(in_folder(studio, "history")),
+                      export_as(in_folder(studio, "table.csv")),
+                      export_as(in_folder(studio, "state.jsonl")),
                       {dump("state.json")}}),
               {scene});
   run_program(TAXEL_PROGRAM, {"run", scene, "--seconds", "0.003", "--out", "same", "--tactile-state"}, studio.folder());
@@ -41,7 +41,7 @@ TEST(Recording, TheHistoryGoesOutAsTheCommandLineRecordsIt) {
 
 TEST(Recording, FromPressToPressAndTheFolderIsExplained) {
   const StudioProgram studio;
-  studio.play({key("="), key("="), wait_time(1.25), press("Record"), wait_time(1.3), dump("on.json"),
+  studio.play({key("="), key("="), run_until(1.25), press("Record"), run_until(1.3), dump("on.json"),
                R"({"do": "screenshot", "file": "on.png"})", key("r", kCtrl), kIdle, dump("off.json")});
   const Json on = studio.state("on.json")["simulation"], off = studio.state("off.json")["simulation"];
   EXPECT_TRUE(on["history"]["recording"]["on"]);
@@ -50,8 +50,8 @@ TEST(Recording, FromPressToPressAndTheFolderIsExplained) {
   const fs::path run = studio.folder() / "recording-1";
   EXPECT_TRUE(fs::exists(run / "readings.csv"));
 #ifdef TAXEL_PROGRAM
-  const Outcome explained =
-      run_program(TAXEL_PROGRAM, {"explain", "recording-1", "--taxel", "3", "--time", "1.3", "--json"}, studio.folder());
+  const Outcome explained = run_program(
+      TAXEL_PROGRAM, {"explain", "recording-1", "--taxel", "3", "--time", "1.3", "--json"}, studio.folder());
   EXPECT_EQ(explained.status, 0) << explained.err;
   EXPECT_EQ(explained.err, "") << "the contact computed anew reads what was recorded";
 #endif
@@ -60,9 +60,9 @@ TEST(Recording, FromPressToPressAndTheFolderIsExplained) {
 TEST(Recording, WhatCannotBeWrittenIsTold) {
   const StudioProgram studio;
   studio.play(joined({{key("Right"), kIdle},
-                      exported("/proc/none.csv"),
+                      export_as("/proc/none.csv"),
                       {dump("refused.json")},
-                      exported(in(studio, "here.csv")),
+                      export_as(in_folder(studio, "here.csv")),
                       {dump("state.json")}}));
   EXPECT_NE(studio.state("refused.json")["messages"].dump().find("/proc/none.csv"), std::string::npos);
   EXPECT_TRUE(fs::exists(studio.folder() / "here.csv"));

@@ -37,8 +37,8 @@ std::size_t pictures_in(const fs::path& folder) {
 
 TEST(Video, APictureOfEveryTenthStepWhateverThePace) {
   const StudioProgram studio;
-  studio.play(joined({kFortySteps, {dump("before.json")}, video_of((studio.folder() / "series").string()),
-                      {dump("after.json")}}));
+  studio.play(joined(
+      {kFortySteps, {dump("before.json")}, video_of((studio.folder() / "series").string()), {dump("after.json")}}));
   const Json before = studio.state("before.json")["simulation"], after = studio.state("after.json")["simulation"];
   const std::size_t last = before["history"]["last"];
   EXPECT_EQ(pictures_in(studio.folder() / "series"), last / 10 + 1);
@@ -73,9 +73,9 @@ class EncoderInPath {
 
 TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
   const StudioProgram studio;
-  const EncoderInPath encoder(studio.folder() / "bin",
-                              "for last; do :; done\nprintf '%s\\n' \"$@\" > \"" +
-                                  (studio.folder() / "arguments").string() + "\"\necho video > \"$last\"\n");
+  const EncoderInPath encoder(studio.folder() / "bin", "for last; do :; done\nprintf '%s\\n' \"$@\" > \"" +
+                                                           (studio.folder() / "arguments").string() +
+                                                           "\"\necho video > \"$last\"\n");
   studio.play(joined({kFortySteps, video_of((studio.folder() / "my film.mp4").string()), {dump("state.json")}}));
   EXPECT_EQ(file_text(studio.folder() / "my film.mp4"), "video\n");
   EXPECT_FALSE(fs::exists(studio.folder() / "my film_frames")) << "its pictures go with it";

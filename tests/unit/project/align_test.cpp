@@ -150,8 +150,7 @@ TEST(GainFit, TheAlignedTableStandsOnTheRunsTimes) {
   const std::vector<TaxelFit> fits = fit_gains(run, real, -10, {});
   EXPECT_EQ(aligned_csv(run, real, -10, fits).substr(0, 38), "time,taxel_5,real_5,fitted_5\n0,0,,\n1,1");
   TaxelFit fit{5, "", 0.1, 0.5};
-  EXPECT_EQ(aligned_csv(run, real, -10, {fit}),
-            "time,taxel_5,real_5,fitted_5\n0,0,,0.5\n1,10,1.5,1.5\n2,20,2.5,2.5\n");
+  EXPECT_EQ(aligned_csv(run, real, -10, {fit}), "time,taxel_5,real_5,fitted_5\n0,0,,0.5\n1,10,1.5,1.5\n2,20,2.5,2.5\n");
 }
 
 }  // namespace

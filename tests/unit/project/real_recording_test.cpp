@@ -53,14 +53,14 @@ TEST(RealRecording, SemicolonsDecimalCommasAndBlanksSeparate) {
 }
 
 TEST(RealRecording, MissingValuesAndGapsAreTold) {
-  const RealRecording read = parse_real_recording(
-      "t,a,b\n0,1,2\n1,NaN,2\n1,9,9\n2,,2\n3,4,-\n90,4,2\n91,4,2\n", two_taxels(), "real.csv");
+  const RealRecording read =
+      parse_real_recording("t,a,b\n0,1,2\n1,NaN,2\n1,9,9\n2,,2\n3,4,-\n90,4,2\n91,4,2\n", two_taxels(), "real.csv");
   EXPECT_EQ(read.series.time.size(), 6U);
   EXPECT_TRUE(std::isnan(read.series.values[0][1]) && std::isnan(read.series.values[1][3]));
-  EXPECT_EQ(read.notes, (std::vector<std::string>{"1 rows have the time of the row before and are left out",
-                                                  "taxel 7: 2 of 6 values are missing",
-                                                  "taxel 3: 1 of 6 values are missing",
-                                                  "nothing was recorded from 0.003 s to 0.09 s"}));
+  EXPECT_EQ(read.notes,
+            (std::vector<std::string>{"1 rows have the time of the row before and are left out",
+                                      "taxel 7: 2 of 6 values are missing", "taxel 3: 1 of 6 values are missing",
+                                      "nothing was recorded from 0.003 s to 0.09 s"}));
   const Interpolated taxel(read.series, 0);
   EXPECT_DOUBLE_EQ(taxel.at(0.0015), 4) << "over missing values, between 1 at 0 and 7 at 3 ms";
   EXPECT_EQ(taxel.at(0.003), 7);
@@ -116,7 +116,8 @@ TEST(ColumnMapping, WhatCannotBeIsNamed) {
 }
 
 TEST(GuessMapping, NamesTellTimeUnitAndTaxels) {
-  const ColumnMapping m = guess_mapping("# log\nTimestamp [us],temp,taxel_3,taxel_7\n10,20,1,2\n20,20,3,4\n", {1, 3, 7});
+  const ColumnMapping m =
+      guess_mapping("# log\nTimestamp [us],temp,taxel_3,taxel_7\n10,20,1,2\n20,20,3,4\n", {1, 3, 7});
   EXPECT_EQ(m.separator, ",");
   EXPECT_EQ(m.header_lines, 1);
   EXPECT_EQ(m.time, "Timestamp [us]");

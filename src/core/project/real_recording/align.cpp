@@ -122,7 +122,8 @@ struct BestLag {
   Correlation correlation;
 };
 
-std::optional<BestLag> best_lag(const EvenSignals& run, const EvenSignals& real, std::ptrdiff_t from, std::ptrdiff_t to) {
+std::optional<BestLag> best_lag(const EvenSignals& run, const EvenSignals& real, std::ptrdiff_t from,
+                                std::ptrdiff_t to) {
   const double least = kLeastOverlap * static_cast<double>(std::min(run.points(), real.points()));
   std::optional<BestLag> best;
   for (std::ptrdiff_t lag = from; lag <= to; ++lag) {

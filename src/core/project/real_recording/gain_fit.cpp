@@ -143,8 +143,8 @@ std::string aligned_csv(const TaxelSeries& run, const TaxelSeries& real, double 
   for (std::size_t i = 0; i < run.time.size(); ++i) {
     fmt::format_to(out, "{}", run.time[i]);
     for (std::size_t f = 0; f < fits.size(); ++f) {
-      const auto k = static_cast<std::size_t>(
-          std::find(run.taxel_ids.begin(), run.taxel_ids.end(), fits[f].taxel) - run.taxel_ids.begin());
+      const auto k = static_cast<std::size_t>(std::find(run.taxel_ids.begin(), run.taxel_ids.end(), fits[f].taxel) -
+                                              run.taxel_ids.begin());
       const double read = run.values[k][i];
       fmt::format_to(out, ",{},", read);
       if (!std::isnan(values[f][i])) fmt::format_to(out, "{}", values[f][i]);

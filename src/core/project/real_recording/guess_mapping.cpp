@@ -14,7 +14,7 @@
 namespace taxel {
 namespace {
 
-constexpr std::size_t kLooked = 50;     // rows
+constexpr std::size_t kLooked = 50;   // rows
 constexpr double kGuessedRate = 100;  // rows per second, where no column is a time
 
 std::string lower_case(std::string text) {

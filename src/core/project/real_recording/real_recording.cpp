@@ -29,8 +29,9 @@ class NumberReader {
     if (found == names.end())
       throw Error(file_, pointer, fmt::format("there is no column \"{}\"; there are {}", name, list(names)));
     if (std::find(found + 1, names.end(), name) != names.end())
-      throw Error(file_, pointer, fmt::format("several columns are named \"{}\": give its number, as #{}", name,
-                                              found - names.begin() + 1));
+      throw Error(
+          file_, pointer,
+          fmt::format("several columns are named \"{}\": give its number, as #{}", name, found - names.begin() + 1));
     return static_cast<std::size_t>(found - names.begin());
   }
   [[noreturn]] void fail(const CsvRow& row, std::size_t column, const std::string& why) const {
@@ -72,8 +73,8 @@ Columns find_columns(const NumberReader& reader, const ColumnMapping& mapping) {
 void tell_missing(RealRecording& recording) {
   const TaxelSeries& series = recording.series;
   for (std::size_t k = 0; k < series.values.size(); ++k) {
-    const auto missing = std::count_if(series.values[k].begin(), series.values[k].end(),
-                                       [](double value) { return std::isnan(value); });
+    const auto missing =
+        std::count_if(series.values[k].begin(), series.values[k].end(), [](double value) { return std::isnan(value); });
     if (missing > 0)
       recording.notes.push_back(
           fmt::format("taxel {}: {} of {} values are missing", series.taxel_ids[k], missing, series.time.size()));
@@ -124,8 +125,10 @@ RealRecording parse_real_recording(const std::string& text, const ColumnMapping&
     }
     add_row(reader, mapping, columns, row, time, series);
   }
-  if (series.time.size() < 2) throw Error(file, fmt::format("has {} rows of numbers, at least 2 are needed", series.time.size()));
-  if (again > 0) recording.notes.push_back(fmt::format("{} rows have the time of the row before and are left out", again));
+  if (series.time.size() < 2)
+    throw Error(file, fmt::format("has {} rows of numbers, at least 2 are needed", series.time.size()));
+  if (again > 0)
+    recording.notes.push_back(fmt::format("{} rows have the time of the row before and are left out", again));
   tell_missing(recording);
   return recording;
 }

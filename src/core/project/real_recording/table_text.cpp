@@ -68,7 +68,8 @@ TextTable split_table(const std::string& text, const ColumnMapping& mapping, con
   std::vector<CsvRow> rows =
       blanks ? parse_csv(with_tabs(text), file, '\t') : parse_csv(text, file, mapping.separator.front());
   const auto header = static_cast<std::size_t>(mapping.header_lines);
-  if (rows.size() <= header) throw Error(file, fmt::format("has {} lines, of which {} are header: no row", rows.size(), header));
+  if (rows.size() <= header)
+    throw Error(file, fmt::format("has {} lines, of which {} are header: no row", rows.size(), header));
   TextTable table;
   if (header > 0) table.columns = rows[header - 1].fields;
   const std::size_t count = header > 0 ? table.columns.size() : rows.front().fields.size();
