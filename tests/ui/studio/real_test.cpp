@@ -34,6 +34,15 @@ std::string counts_of(const std::string& readings_csv, double clock) {
   return table.str();
 }
 
+/// With few samples.
+std::vector<std::string> few_samples(const StudioProgram& studio) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 1e6;
+  write_text(studio.folder() / "few.taxels.json", layout.dump());
+  return {"few.taxels.json"};
+}
+
 /// File > Import real recording, the file, Enter.
 Lines imported(const std::string& file) {
   return {
@@ -49,7 +58,7 @@ TEST(Real, ARecordingIsLaidOverThePlotFittedAndMadeTheCalibration) {
   studio.play(joined({kTouching,
                       {key("e", kCtrlShift), kIdle, key("a", kCtrl), type((studio.folder() / "run.csv").string()),
                        kIdle, key("Enter"), kIdle}}),
-              {kLayoutFile});
+              few_samples(studio));
   write_text(file, counts_of(file_text(studio.folder() / "run.csv"), 12.5));
   studio.play(joined({kTouching,
                       imported(file),
@@ -82,7 +91,7 @@ TEST(Real, ARecordingIsLaidOverThePlotFittedAndMadeTheCalibration) {
                        press("Remove"),
                        kIdle,
                        dump("removed.json")}}),
-              {kLayoutFile});
+              few_samples(studio));
   const Json asks = studio.state("asks.json")["real"], shown = studio.state("shown.json")["real"]["shown"],
              fitted = studio.state("fitted.json")["real"], applied = studio.state("applied.json");
   EXPECT_TRUE(asks["asks"]);
@@ -107,12 +116,12 @@ TEST(Real, WhatATableCannotBeIsSaidInTheDialogAndItStays) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "bad.csv").string();
   write_text(file, "time,taxel_3\n0,1\n1,x\n2,3\n");
-  studio.play(joined({kTouching,
+  studio.play(joined({{key("Right"), kIdle},
                       imported((studio.folder() / "gone.csv").string()),
                       {dump("gone.json")},
                       imported(file),
                       {press("Overlay"), kIdle, dump("bad.json"), key("Escape"), kIdle, dump("left.json")}}),
-              {kLayoutFile});
+              few_samples(studio));
   EXPECT_NE(studio.state("gone.json")["messages"].dump().find("gone.csv: no such file"), std::string::npos);
   const Json bad = studio.state("bad.json")["real"];
   EXPECT_TRUE(bad["asks"]);

@@ -28,6 +28,15 @@ Lines video_of(const std::string& file) {
 }
 const Lines kFortySteps{key("="), key("="), R"({"do": "wait_time", "time": 0.04})", key("Space"), kIdle};
 
+/// Quickly compiled and drawn.
+std::vector<std::string> coarse_sensor(const StudioProgram& studio) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 1e5;
+  write_text(studio.folder() / "coarse.taxels.json", layout.dump());
+  return {"coarse.taxels.json"};
+}
+
 std::size_t pictures_in(const fs::path& folder) {
   std::size_t count = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
@@ -76,7 +85,8 @@ TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
   const EncoderInPath encoder(studio.folder() / "bin", "for last; do :; done\nprintf '%s\\n' \"$@\" > \"" +
                                                            (studio.folder() / "arguments").string() +
                                                            "\"\necho video > \"$last\"\n");
-  studio.play(joined({kFortySteps, video_of((studio.folder() / "my film.mp4").string()), {dump("state.json")}}));
+  studio.play(joined({kFortySteps, video_of((studio.folder() / "my film.mp4").string()), {dump("state.json")}}),
+              coarse_sensor(studio));
   EXPECT_EQ(file_text(studio.folder() / "my film.mp4"), "video\n");
   EXPECT_FALSE(fs::exists(studio.folder() / "my film_frames")) << "its pictures go with it";
   const std::string arguments = file_text(studio.folder() / "arguments");
@@ -86,17 +96,35 @@ TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
 
 TEST(Video, WithoutAnEncoderThePicturesStayAndItIsSaid) {
   const StudioProgram studio;
-  {
-    const EncoderInPath none(studio.folder() / "empty", "");
-    studio.play(joined({kFortySteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}));
-  }
+  const EncoderInPath none(studio.folder() / "empty", "");
+  studio.play(joined({kFortySteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}),
+              coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "film.gif"));
   EXPECT_GE(pictures_in(studio.folder() / "film_frames"), 4U);
   EXPECT_NE(studio.state("none.json")["messages"].dump().find("there is no ffmpeg on this machine"), std::string::npos);
+}
+
+TEST(Video, AnEncoderThatFailsIsQuotedAndThePicturesStay) {
+  const StudioProgram studio;
   const EncoderInPath failing(studio.folder() / "bin", "echo 'no such codec' >&2\nexit 3\n");
-  studio.play(joined({kFortySteps, video_of((studio.folder() / "bad.mp4").string()), {dump("bad.json")}}));
+  studio.play(joined({kFortySteps, video_of((studio.folder() / "bad.mp4").string()), {dump("bad.json")}}),
+              coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "bad.mp4"));
+  EXPECT_GE(pictures_in(studio.folder() / "bad_frames"), 4U);
   EXPECT_NE(studio.state("bad.json")["messages"].dump().find("ffmpeg failed (no such codec)"), std::string::npos);
+}
+
+TEST(Video, CancelLeavesNothing) {
+  const StudioProgram studio;
+  Lines video = video_of((studio.folder() / "series").string());
+  video.resize(video.size() - 2);  // without waiting for it
+  studio.play(joined({kFortySteps,
+                      video,
+                      {R"({"do": "wait_for", "pointer": "/video/active", "equals": true})", key("Escape"), kIdle,
+                       dump("state.json")}}),
+              coarse_sensor(studio));
+  EXPECT_FALSE(studio.state("state.json")["video"]["active"]);
+  EXPECT_FALSE(fs::exists(studio.folder() / "series"));
 }
 
 }  // namespace

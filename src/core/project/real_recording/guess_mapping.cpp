@@ -93,10 +93,12 @@ std::optional<int> number_at_end(const std::string& name) {
   return std::stoi(name.substr(begin));
 }
 
+/// Most of them: what is none is told when the table is read.
 bool numbers_in(const TableLook& look, std::size_t column, char decimal) {
-  return std::all_of(look.rows.begin(), look.rows.end(), [&](const std::vector<std::string>& row) {
+  const auto numbers = std::count_if(look.rows.begin(), look.rows.end(), [&](const std::vector<std::string>& row) {
     return column < row.size() && (is_missing(row[column]) || number_of(row[column], decimal));
   });
+  return 2 * numbers > static_cast<std::ptrdiff_t>(look.rows.size());
 }
 
 /// A column as a mapping names it: by its number where the name is no name of its own.
