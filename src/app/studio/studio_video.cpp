@@ -10,6 +10,7 @@ void Studio::begin_video(const std::string& path) {
   StepRange steps{history.first, history.last};
   if (input_.loop) steps = {std::max(input_.loop->first, steps.first), std::min(input_.loop->last, steps.last)};
   session_.set_playing(false);
+  ui_.mode = ui::Mode::simulate;  // where steps are seen
   try {
     video_.emplace(path, steps, ui_.video, input_.frame->step);
   } catch (const Error& error) {

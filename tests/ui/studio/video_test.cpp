@@ -7,7 +7,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// File > Export video, every ten steps of the last 41, Enter.
+/// File > Export video, every ten steps, Enter.
 Lines video_of(const std::string& file) {
   const std::string all = key("a", kCtrl);
   return {press("File"),
@@ -26,7 +26,7 @@ Lines video_of(const std::string& file) {
           kIdle,
           kIdle};
 }
-const Lines kFortySteps{key("="), key("="), R"({"do": "wait_time", "time": 0.04})", key("Space"), kIdle};
+const Lines kSomeSteps{R"({"do": "wait_time", "time": 0.03})", key("Space"), kIdle};
 
 /// Quickly compiled and drawn.
 std::vector<std::string> coarse_sensor(const StudioProgram& studio) {
@@ -47,7 +47,7 @@ std::size_t pictures_in(const fs::path& folder) {
 TEST(Video, APictureOfEveryTenthStepWhateverThePace) {
   const StudioProgram studio;
   studio.play(joined(
-      {kFortySteps, {dump("before.json")}, video_of((studio.folder() / "series").string()), {dump("after.json")}}));
+      {kSomeSteps, {dump("before.json")}, video_of((studio.folder() / "series").string()), {dump("after.json")}}));
   const Json before = studio.state("before.json")["simulation"], after = studio.state("after.json")["simulation"];
   const std::size_t last = before["history"]["last"];
   EXPECT_EQ(pictures_in(studio.folder() / "series"), last / 10 + 1);
@@ -85,7 +85,7 @@ TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
   const EncoderInPath encoder(studio.folder() / "bin", "for last; do :; done\nprintf '%s\\n' \"$@\" > \"" +
                                                            (studio.folder() / "arguments").string() +
                                                            "\"\necho video > \"$last\"\n");
-  studio.play(joined({kFortySteps, video_of((studio.folder() / "my film.mp4").string()), {dump("state.json")}}),
+  studio.play(joined({kSomeSteps, video_of((studio.folder() / "my film.mp4").string()), {dump("state.json")}}),
               coarse_sensor(studio));
   EXPECT_EQ(file_text(studio.folder() / "my film.mp4"), "video\n");
   EXPECT_FALSE(fs::exists(studio.folder() / "my film_frames")) << "its pictures go with it";
@@ -97,7 +97,7 @@ TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
 TEST(Video, WithoutAnEncoderThePicturesStayAndItIsSaid) {
   const StudioProgram studio;
   const EncoderInPath none(studio.folder() / "empty", "");
-  studio.play(joined({kFortySteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}),
+  studio.play(joined({kSomeSteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}),
               coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "film.gif"));
   EXPECT_GE(pictures_in(studio.folder() / "film_frames"), 4U);
@@ -107,7 +107,7 @@ TEST(Video, WithoutAnEncoderThePicturesStayAndItIsSaid) {
 TEST(Video, AnEncoderThatFailsIsQuotedAndThePicturesStay) {
   const StudioProgram studio;
   const EncoderInPath failing(studio.folder() / "bin", "echo 'no such codec' >&2\nexit 3\n");
-  studio.play(joined({kFortySteps, video_of((studio.folder() / "bad.mp4").string()), {dump("bad.json")}}),
+  studio.play(joined({kSomeSteps, video_of((studio.folder() / "bad.mp4").string()), {dump("bad.json")}}),
               coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "bad.mp4"));
   EXPECT_GE(pictures_in(studio.folder() / "bad_frames"), 4U);
@@ -118,7 +118,7 @@ TEST(Video, CancelLeavesNothing) {
   const StudioProgram studio;
   Lines video = video_of((studio.folder() / "series").string());
   video.resize(video.size() - 2);  // without waiting for it
-  studio.play(joined({kFortySteps,
+  studio.play(joined({kSomeSteps,
                       video,
                       {R"({"do": "wait_for", "pointer": "/video/active", "equals": true})", key("Escape"), kIdle,
                        dump("state.json")}}),
