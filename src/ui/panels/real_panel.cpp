@@ -4,6 +4,9 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <array>
+#include <utility>
+
 #include "ui/panels/dock_layout.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -23,7 +26,7 @@ void draw_what(UiState& ui, const RealShown& real) {
     property("Lasts", fmt::format("{:.6g} s", series.time.back() - series.time.front()));
     property("Taxels", fmt::format("{}", series.taxel_ids.size()));
     begin_property("Shift", "Added to its times, so that they are the run's");
-    if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, -1})) ui.ask(ShiftReal{*typed});
+    if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, 6})) ui.ask(ShiftReal{*typed});
     if (real.alignment) {
       property("Correlation", fmt::format("{:.4f}", real.alignment->correlation));
       property("Overlap", fmt::format("{:.4g} s", real.alignment->overlap));
@@ -46,10 +49,14 @@ void draw_steps(UiState& ui) {
   checkbox(ui, "With offset", &ui.real.options.offset);
 }
 
+constexpr std::array<std::pair<const char*, float>, 5> kFitColumns{
+    {{"Taxel", 0.16f}, {"Gain", 0.24f}, {"Offset", 0.2f}, {"R^2", 0.18f}, {"Rest", 0.22f}}};
+
 void draw_fits(const RealShown& real) {
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   if (real.fits.empty() || !ImGui::BeginTable("fits", 5, kFlags)) return;
-  for (const char* head : {"Taxel", "Gain", "Offset", "R^2", "Residual"}) ImGui::TableSetupColumn(head);
+  for (const auto& [head, width] : kFitColumns)
+    ImGui::TableSetupColumn(head, ImGuiTableColumnFlags_WidthStretch, width);
   ImGui::TableHeadersRow();
   for (const TaxelFit& fit : real.fits) {
     ImGui::TableNextRow();
@@ -59,19 +66,18 @@ void draw_fits(const RealShown& real) {
     };
     cell(fmt::format("{}", fit.taxel));
     if (!fit.refused.empty()) {
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("-");
-      tooltip(fit.refused);
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", fit.refused.c_str());
+      cell("-");
       continue;
     }
-    cell(fmt::format("{:.4g}", fit.gain));
-    cell(fmt::format("{:.4g}", fit.offset));
-    cell(fmt::format("{:.4f}", fit.r2));
-    cell(fmt::format("{:.3g}", fit.residual));
+    cell(fmt::format("{:.3g}", fit.gain));
+    cell(fmt::format("{:.3g}", fit.offset));
+    cell(fmt::format("{:.3f}", fit.r2));
+    cell(fmt::format("{:.2g}", fit.residual));
+    tooltip("Root mean square of what the line leaves");
   }
   ImGui::EndTable();
+  for (const TaxelFit& fit : real.fits)
+    if (!fit.refused.empty()) caption(fmt::format("taxel {} {}", fit.taxel, fit.refused).c_str());
 }
 
 void draw_apply(UiState& ui, const UiInput& input, const RealShown& real) {
