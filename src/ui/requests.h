@@ -176,10 +176,10 @@ struct Request
     : std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
                    RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
                    SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo,
-                   ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
-                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
-                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
-                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture,
+                   UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs, ExportFile, AttachLayout,
+                   DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern,
+                   DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Request(const Request&);
   Request& operator=(const Request&);

@@ -14,17 +14,17 @@ constexpr std::size_t kShownRows = 6;  // of a table, in the dialog
 
 }  // namespace
 
-TaxelSeries run_series(const ui::UiState& ui, const ui::UiInput& input) {
-  if (input.sensor(ui) == nullptr || !input.frame->trace) return {};
-  const auto selected = static_cast<std::size_t>(ui.selection.sensor);
-  const Layout& layout = input.frame->scene->sensors[selected]->layout;
+TaxelSeries run_series(const SimFramePtr& frame, int sensor) {
+  if (!frame || !frame->trace || sensor < 0 || sensor >= static_cast<int>(frame->sensors.size())) return {};
+  const auto which = static_cast<std::size_t>(sensor);
+  const Layout& layout = frame->scene->sensors[which]->layout;
   std::size_t first = 0;
-  for (std::size_t s = 0; s < selected; ++s) first += input.frame->sensors[s].readings.size();
+  for (std::size_t s = 0; s < which; ++s) first += frame->sensors[s].readings.size();
   TaxelSeries series;
   series.unit = reading_unit(layout.readout.aggregate);
   for (const Taxel& taxel : layout.taxels) series.taxel_ids.push_back(taxel.id);
   series.values.resize(series.taxel_ids.size());
-  for (const TraceRow& row : *input.frame->trace) {
+  for (const TraceRow& row : *frame->trace) {
     const bool later = series.time.empty() || row.time > series.time.back();
     if (!later || row.readings.size() < first + series.values.size()) continue;
     series.time.push_back(row.time);
@@ -60,7 +60,7 @@ void RealOverlay::look(ui::RealState& state) const {
   }
 }
 
-bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run) {
+bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sensor) {
   auto shown = std::make_shared<ui::RealShown>();
   state.problem.clear();
   try {
@@ -70,6 +70,7 @@ bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run) {
     return false;
   }
   shown->file = state.file;
+  shown->sensor = sensor;
   shown->unit = state.mapping.unit;
   if (!run.time.empty()) shown->alignment = taxel::align(run, shown->recording.series);
   // What cannot be aligned yet begins with the run.

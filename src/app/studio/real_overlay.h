@@ -7,8 +7,8 @@
 
 namespace taxel::studio {
 
-/// The readings of the selected sensor so far, as rows of the plot; empty: there is none.
-TaxelSeries run_series(const ui::UiState& ui, const ui::UiInput& input);
+/// The readings of a sensor so far, as rows of the plot; empty: there is none.
+TaxelSeries run_series(const SimFramePtr& frame, int sensor);
 
 /// FILE.recmap.json beside a table.
 std::string mapping_file_of(const std::string& table);
@@ -20,7 +20,7 @@ class RealOverlay {
   /// What the dialog's mapping makes of it; what is wrong stands in `state.problem`.
   void look(ui::RealState& state) const;
   /// Shows it, aligned where that is possible. False: `state.problem` says why not.
-  bool overlay(ui::RealState& state, const TaxelSeries& run);
+  bool overlay(ui::RealState& state, const TaxelSeries& run, int sensor);
   // Throw Error where that cannot be done.
   void align(const TaxelSeries& run);
   void shift(double seconds);

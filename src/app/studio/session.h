@@ -93,7 +93,7 @@ class Session {
 
   /// Every step is kept from now on, until it is switched off or the run ends; then it is written to `file`.
   void record(bool on, const std::string& file);
-  void write_recording(const std::string& file);  ///< that could not be written where it was to be
+  void write_recording(const std::string& file);   ///< that could not be written where it was to be
   void export_recording(const std::string& file);  ///< of what is recorded, or of the loop
 
   /// Takes what worker and simulation have ready. Not by clock it waits for them, but shows a preview for some
@@ -212,7 +212,7 @@ class Session {
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
-  bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
+  bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   std::uint64_t told_recording_ = 0;       ///< likewise of the written recording

@@ -33,12 +33,15 @@ void Studio::read_real(const std::string& path) {
 
 void Studio::act_on_real(ui::RealTask task) {
   ui_.real.applied.clear();
+  const bool compared = task == ui::RealTask::overlay || task == ui::RealTask::align || task == ui::RealTask::fit;
+  const int sensor = real_.shown() && task != ui::RealTask::overlay ? real_.shown()->sensor : ui_.selection.sensor;
+  const TaxelSeries run = compared ? run_series(input_.frame, sensor) : TaxelSeries{};
   try {
     switch (task) {
       case ui::RealTask::look:
         return real_.look(ui_.real);
       case ui::RealTask::overlay:
-        if (real_.overlay(ui_.real, run_series(ui_, input_)))
+        if (real_.overlay(ui_.real, run, sensor))
           for (const std::string& note : real_.shown()->recording.notes)
             ui::add_message(ui_, Severity::warning, real_.shown()->file + ": " + note, ImGui::GetTime());
         return;
@@ -49,9 +52,9 @@ void Studio::act_on_real(ui::RealTask task) {
         return ui::add_message(ui_, Severity::note, "Saved " + file, ImGui::GetTime());
       }
       case ui::RealTask::align:
-        return real_.align(run_series(ui_, input_));
+        return real_.align(run);
       case ui::RealTask::fit:
-        return real_.fit(run_series(ui_, input_), ui_.real.options);
+        return real_.fit(run, ui_.real.options);
       case ui::RealTask::apply:
         return apply_gains();
       case ui::RealTask::remove:

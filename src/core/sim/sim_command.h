@@ -67,8 +67,8 @@ struct EditSceneCommand {
 struct LoadKeyframeCommand {
   int keyframe = 0;
 };
-/// Every step is kept from now on. Nothing happens where one runs already. It ends by EndRecordingCommand, with the run,
-/// where another layout reads, and where it takes kMostRecordedBytes; then it is written.
+/// Every step is kept from now on. Nothing happens where one runs already. It ends by EndRecordingCommand, with the
+/// run, where another layout reads, and where it takes kMostRecordedBytes; then it is written.
 struct RecordCommand {
   std::string file;  ///< as write_recording() takes it
 };
@@ -87,7 +87,7 @@ struct QuitCommand {};
 using SimCommand =
     std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
                  ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, FollowStepBeforeCommand,
-                 BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand,
-                 RecordCommand, EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
+                 BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, RecordCommand,
+                 EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
 
 }  // namespace taxel

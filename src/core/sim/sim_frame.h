@@ -131,8 +131,8 @@ struct SimFrame {
   SavedScene saved;                ///< last
   RecordingState recording;
   WrittenRecording written;  ///< last
-  bool failed = false;  ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
-  std::string error;    ///< why the simulation stopped, or the last scene or model was refused; empty: fine
+  bool failed = false;       ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
+  std::string error;         ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

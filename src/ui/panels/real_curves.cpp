@@ -96,7 +96,7 @@ bool is_left_out(const UiState& ui, std::size_t reading) {
 }  // namespace
 
 void draw_real_curves(UiState& ui, const UiInput& input, double scale, double largest, std::size_t first) {
-  if (!input.real || !input.frame->trace) return;
+  if (!input.real || !input.frame->trace || input.real->sensor != ui.selection.sensor) return;
   RealCurves& kept = ui.real.curves;
   if (kept.shown != input.real.get() || kept.trace != input.frame->trace.get() || kept.first != first)
     rebuild(kept, input, largest, first);

@@ -15,6 +15,7 @@ namespace taxel::ui {
 /// The recording that lies over the run of one sensor.
 struct RealShown {
   std::string file;
+  int sensor = 0;  ///< the run's
   RealRecording recording;
   std::string unit;                    ///< of its values; empty: unknown
   double shift = 0;                    ///< added to its times [s]
@@ -51,8 +52,8 @@ struct RealState {
 
 /// How pictures are made of the recorded steps.
 struct VideoState {
-  int every = 20;      ///< steps from one picture to the next
-  int rate = 50;       ///< pictures per second of the video
+  int every = 20;       ///< steps from one picture to the next
+  int rate = 50;        ///< pictures per second of the video
   bool window = false;  ///< the whole window instead of the 3-D view
 };
 

@@ -23,9 +23,9 @@ struct ColumnMapping {
   int header_lines = 1;         ///< before the numbers; empty lines and those that begin with '#' do not count
   std::string time;             ///< column; empty: there is none, rows are 1 / rate apart
   TimeUnit time_unit = TimeUnit::s;
-  double rate = 0;                   ///< rows per second, without a column of time
-  std::string unit;                  ///< of the values; empty: unknown
-  double gain = 1, offset = 0;       ///< value = gain * field + offset
+  double rate = 0;                  ///< rows per second, without a column of time
+  std::string unit;                 ///< of the values; empty: unknown
+  double gain = 1, offset = 0;      ///< value = gain * field + offset
   std::vector<TaxelColumn> taxels;  ///< at least one; each taxel and each column once
   bool operator==(const ColumnMapping&) const = default;
 };

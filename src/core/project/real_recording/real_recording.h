@@ -29,7 +29,8 @@ TableLook look_at_table(const std::string& text, const ColumnMapping& mapping, c
                         std::size_t most_rows);
 
 /// As good a mapping as names and first rows tell: what separates, which lines are no numbers, a column named like a
-/// time and its unit (by its name, "t [ms]", else by how far its rows are apart), columns that end in the id of one of the taxels
+/// time and its unit (by its name, "t [ms]", else by how far its rows are apart), columns that end in the id of one of
+/// the taxels
 /// ("taxel_3", "p3"); where none does, the columns that are left, in order. Never throws for what it cannot tell.
 ColumnMapping guess_mapping(const std::string& text, const std::vector<int>& taxel_ids);
 
