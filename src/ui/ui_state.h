@@ -181,7 +181,7 @@ struct Clicks {
 struct UiState {
   SavedState saved;
   double arranged_scale = 0;  ///< of the interface when its panels were arranged; 0: not yet
-  double pixel_scale = 1;     ///< of the interface in this window: the user's times the screen's
+  double pixel_scale = 1;  ///< of the interface in this window: the user's times the screen's
 
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode
@@ -239,13 +239,13 @@ struct Performance {
 
 /// What there is to show: read only for panels.
 struct UiInput {
-  SimFramePtr frame;      ///< newest of the simulation; null: none runs
-  SensorModelPtr model;   ///< compiled layout of the document; null: nothing open
-  MeasuredPtr measured;   ///< between the measure's points; null: not yet
-  ShownFieldsPtr fields;  ///< receptive fields of what is shown; null: not yet, or none are wished
-  PressedProbePtr probe;  ///< pressed on `model`; null: no probe, or not yet
-  RealShownPtr real;      ///< a real sensor's recording over the run; null: none
-  VideoProgress video;
+  SimFramePtr frame;                ///< newest of the simulation; null: none runs
+  SensorModelPtr model;             ///< compiled layout of the document; null: nothing open
+  MeasuredPtr measured;             ///< between the measure's points; null: not yet
+  ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are wished
+  PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
+  RealShownPtr real;                ///< a real sensor's recording over the run; null: none
+  VideoProgress video;              ///< of the one that is being made
   ExplainedPtr explained;           ///< of the step shown, or one before; null: none is asked for, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in

@@ -212,7 +212,7 @@ class Session {
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
-  bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
+  bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   std::uint64_t told_recording_ = 0;       ///< likewise of the written recording
