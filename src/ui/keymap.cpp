@@ -29,6 +29,10 @@ constexpr std::array kBindings = {
     Binding{Action::export_sheet, kEverywhere, 0, false, "Export sheet to print (HTML)...", "File", false},
     Binding{Action::export_picture, kEverywhere, 0, false, "Export picture (PNG)...", "File", false},
     Binding{Action::export_frame, kEverywhere, 0, false, "Save this step...", "File", false},
+    Binding{Action::export_recording, kEverywhere, kCtrl | kShift | ImGuiKey_E, false, "Export recording...", "File",
+            false},
+    Binding{Action::export_video, kEverywhere, 0, false, "Export video...", "File", false},
+    Binding{Action::import_recording, kEverywhere, 0, false, "Import real recording...", "File", false},
     Binding{Action::screenshot, kEverywhere, kCtrl | ImGuiKey_P, false, "Save screenshot", "File", true},
     Binding{Action::quit, kEverywhere, kCtrl | ImGuiKey_Q, false, "Quit", "File", true},
 
@@ -76,6 +80,7 @@ constexpr std::array kBindings = {
     Binding{Action::break_on_jump, kSimulate, kShift | ImGuiKey_B, false, "Pause when a taxel jumps", "Simulation",
             false},
     Binding{Action::explain, kSimulate, ImGuiKey_E, false, "Explain the reading", "Simulation", false},
+    Binding{Action::record, kSimulate, kCtrl | ImGuiKey_R, false, "Record", "Simulation", false},
     Binding{Action::reset_simulation, kSimulate, ImGuiKey_Backspace, false, "Reset", "Simulation", false},
     Binding{Action::slower, kEverywhere, ImGuiKey_Minus, false, "Slower", "Simulation", true},
     Binding{Action::faster, kEverywhere, ImGuiKey_Equal, false, "Faster", "Simulation", false},

@@ -24,6 +24,10 @@ enum class FileTask {
   export_sheet,
   export_picture,
   export_frame,
+  export_recording,  ///< of the history
+  keep_recording,    ///< one that could not be written where it was to be
+  export_video,
+  import_recording,  ///< of a real sensor
   read_points,
   attach_layout,
   save_scene
@@ -74,6 +78,30 @@ struct SetBreakpoints {
 struct SetHistoryLimits {
   StepHistoryLimits limits;
 };
+/// Every step that is simulated is kept until it ends; then it is written.
+struct SetRecording {
+  bool on = false;
+};
+/// A table of a real sensor: its columns are guessed, and asked for. Empty: asks for the file.
+struct ReadRealRecording {
+  std::string path;
+};
+enum class RealTask {
+  look,          ///< at the table anew, by the mapping that the dialog has
+  overlay,       ///< it, as the dialog says
+  save_mapping,  ///< beside the table
+  align,
+  fit,
+  apply,  ///< the gains, as the layout's calibration
+  remove
+};
+struct ActOnReal {
+  RealTask task = RealTask::align;
+};
+struct ShiftReal {
+  double seconds = 0;
+};
+struct CancelVideo {};
 struct ResetSimulation {};
 struct SetSpeed {
   double factor = 1;
@@ -147,10 +175,11 @@ struct Quit {};
 struct Request
     : std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
                    RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
-                   SetHistoryLimits, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
-                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs,
-                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
-                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo,
+                   ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture,
+                   UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs, ExportFile, AttachLayout,
+                   DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern,
+                   DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Request(const Request&);
   Request& operator=(const Request&);

@@ -28,6 +28,7 @@
 #include "ui/tools/palette_state.h"
 #include "ui/tools/perturb_state.h"
 #include "ui/tools/probe_state.h"
+#include "ui/tools/real_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
@@ -198,6 +199,8 @@ struct UiState {
   ExplainState explain;
   PerturbState perturb;
   ControlsState controls;
+  RealState real;
+  VideoState video;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
@@ -242,6 +245,8 @@ struct UiInput {
   MeasuredPtr measured;             ///< between the measure's points; null: not yet
   ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are wished
   PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
+  RealShownPtr real;                ///< a real sensor's recording over the run; null: none
+  VideoProgress video;              ///< of the one that is being made
   ExplainedPtr explained;           ///< of the step shown, or one before; null: none is asked for, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in

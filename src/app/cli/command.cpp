@@ -53,6 +53,13 @@ void add_sampling(CLI::App& app, LayoutOptions& options) {
   app.add_option("--seed", options.seed, "Seed of the samples (default: the layout's)")->type_name("N");
 }
 
+void add_tactile_state(CLI::App& app, bool& wanted) {
+  app.add_flag("--tactile-state", wanted,
+               "Also tactile_state.jsonl in the folder of --out: a line a row with the fields of ROS's "
+               "tactile_msgs/TactileState; a channel a sensor, calibrated where its layout has a calibration")
+      ->needs(app.get_option("--out"));
+}
+
 void add_aggregate(CLI::App& app, std::optional<Aggregate>& aggregate) {
   const CLI::Validator word(
       [](const std::string& text) {

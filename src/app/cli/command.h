@@ -28,6 +28,7 @@ Command add_sweep(CLI::App& parent, CommonOptions& common);
 Command add_run(CLI::App& parent, CommonOptions& common);
 Command add_contact(CLI::App& parent, CommonOptions& common);
 Command add_explain(CLI::App& parent, CommonOptions& common);
+Command add_align(CLI::App& parent, CommonOptions& common);
 Command add_read(CLI::App& parent, CommonOptions& common);
 Command add_samples(CLI::App& parent, CommonOptions& common);
 Command add_mesh(CLI::App& parent, CommonOptions& common);
@@ -53,6 +54,8 @@ struct LayoutOptions {
 };
 /// --density and --seed of the samples.
 void add_sampling(CLI::App& app, LayoutOptions& options);
+/// --tactile-state beside --out.
+void add_tactile_state(CLI::App& app, bool& wanted);
 /// --aggregate of the readings.
 void add_aggregate(CLI::App& app, std::optional<Aggregate>& aggregate);
 

@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/explain_report.h"
+#include "app/cli/recorded_sensor.h"
 #include "core/project/explanation_json.h"
 #include "core/project/recording/npz.h"
 #include "core/sim/history/breakpoints.h"
@@ -29,19 +30,6 @@ struct Run {
   std::unique_ptr<Simulator> simulator;
   std::size_t sensor = 0, taxel = 0;
 };
-
-std::size_t sensor_of(const Run& run, const std::string& geom) {
-  const std::vector<RecordedSensor>& sensors = run.recording.sensors;
-  std::string names;
-  for (std::size_t i = 0; i < sensors.size(); ++i) {
-    if (sensors[i].geom == geom) return i;
-    names += (i > 0 ? ", " : "") + sensors[i].geom;
-  }
-  if (geom.empty() && sensors.size() == 1) return 0;
-  if (sensors.empty()) throw Error(run.file, "sensor_geoms", "names no sensor");
-  throw Error(run.file, geom.empty() ? "has several sensors: name one by --sensor: " + names
-                                     : fmt::format("has no sensor \"{}\", but {}", geom, names));
-}
 
 std::size_t taxel_of(const Run& run, int id) {
   const std::vector<int>& ids = run.recording.sensors[run.sensor].taxel_ids;
@@ -143,7 +131,7 @@ int run(const Options& options, Console& console) {
   Run run;
   run.file = recording_file(options.run).string();
   run.recording = read_recording(options.run);
-  run.sensor = sensor_of(run, options.sensor);
+  run.sensor = sensor_of(run.recording, options.sensor, run.file);
   run.taxel = taxel_of(run, options.taxel);
   const std::size_t row = row_at(run, options.time);
   load_scene(run);

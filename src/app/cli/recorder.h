@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "app/cli/output_folder.h"
 #include "core/project/recording/recording.h"
 #include "core/sim/simulator.h"
 
@@ -19,8 +18,5 @@ struct RunCost {
 
 /// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due.
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost);
-
-/// calibrated.csv where a sensor has a calibration, shear.csv where one is asked for; otherwise an older one goes away.
-void write_optional(OutputFolder& folder, const Recording& recording);
 
 }  // namespace taxel::cli

@@ -4,11 +4,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/recording_report.h"
-#include "core/project/recording/csv.h"
-#include "core/project/recording/npz.h"
+#include "core/base/output_folder.h"
 #include "core/sim/plugin/plugin_folder.h"
+#include "core/sim/recording/write_recording.h"
 
 namespace taxel::cli {
 namespace {
@@ -18,6 +17,7 @@ struct Options {
   std::vector<std::string> layouts, geoms;
   std::optional<Aggregate> aggregate;
   double seconds = 1.0;
+  bool tactile_state = false;
 };
 
 int run(const Options& options, Console& console) {
@@ -43,10 +43,7 @@ int run(const Options& options, Console& console) {
   RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
                          cost,  model_seconds, {},         options.out};
   if (folder) {
-    simulator->export_scene(folder->staging());
-    folder->write("readings.csv", recording_to_csv(recording));
-    write_optional(*folder, recording);
-    folder->write("readings.npz", recording_to_npz(recording));
+    put_recording(*folder, recording, simulator.get(), options.tactile_state);
     folder->write("sweep.json", sweep_file_json(report));
     report.files = folder->commit();
   }
@@ -84,6 +81,7 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
          "Folder for the files that `taxel sweep` writes: readings.csv, readings.npz, sweep.json (here: scene, seeds, "
          "versions), scene.xml with its meshes and layouts")
       ->type_name("DIR");
+  add_tactile_state(*app, options->tactile_state);
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 

@@ -7,11 +7,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/default_layout.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/recording_report.h"
-#include "core/project/recording/csv.h"
-#include "core/project/recording/npz.h"
+#include "core/base/output_folder.h"
 #include "core/project/scenario_json.h"
+#include "core/sim/recording/write_recording.h"
 
 namespace taxel::cli {
 namespace {
@@ -39,6 +38,7 @@ struct Options {
   std::string layout, out, scenario, object;
   std::array<std::optional<double>, kFlags.size()> numbers;
   LayoutOptions over;
+  bool tactile_state = false;
 };
 
 SweepScenario scenario_of(const Options& options) {
@@ -64,10 +64,7 @@ int run(const Options& options, Console& console) {
   const Recording recording = record(*simulator, 0, console, cost);
   RecordingReport report{"sweep", scenario, "", 0, {model}, recording, cost, model_seconds, {}, options.out};
   if (folder) {
-    simulator->export_scene(folder->staging());
-    folder->write("readings.csv", recording_to_csv(recording));
-    write_optional(*folder, recording);
-    folder->write("readings.npz", recording_to_npz(recording));
+    put_recording(*folder, recording, simulator.get(), options.tactile_state);
     folder->write("sweep.json", sweep_file_json(report));
     report.files = folder->commit();
   }
@@ -90,6 +87,7 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
          "for shear, sweep.json, "
          "scene.xml with its mesh and layout")
       ->type_name("DIR");
+  add_tactile_state(*app, options->tactile_state);
   app->add_option("--scenario", options->scenario, "Take the parameters below from a sweep.json; options go over it")
       ->type_name("FILE");
   const SweepScenario defaults;

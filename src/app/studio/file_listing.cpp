@@ -45,7 +45,9 @@ void list_folder(ui::FileDialog& dialog, const std::string& folder) {
   dialog.folder = path.string();
   dialog.entries.clear();
   dialog.selected = -1;
-  const auto wanted = dialog.task == ui::FileTask::read_points ? holds_points : can_be_opened;
+  const auto wanted = dialog.task == ui::FileTask::read_points || dialog.task == ui::FileTask::import_recording
+                          ? holds_points
+                          : can_be_opened;
   for (const fs::directory_entry& entry : it) {
     const std::string name = entry.path().filename().string();
     std::error_code unreadable;

@@ -252,6 +252,7 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   tell_warnings(*frame, news);
   tell_stop(*frame, news);
   tell_saved(*frame, news);
+  tell_written(*frame, news);
   if (!frame->recorded) note_pressures(*frame, frame->runs != noted_run_);
   if (frame->finished || frame->failed || frame->stop) playing_ = false;
   frame_ = std::move(frame);

@@ -27,6 +27,7 @@ struct SessionNews {
   std::optional<ui::Mode> opened;  ///< another document or scene is shown, best in this mode
   bool another_document = false;   ///< not the same one in another scene
   std::string saved_scene;         ///< file that was written
+  std::string unwritten;           ///< why a recording could not be written: it is kept, to be written elsewhere
   std::string opened_file;         ///< where it came from; empty: built in
   bool framed = false;             ///< the cameras should turn to it (not after a reload)
   bool new_frame = false;
@@ -89,6 +90,11 @@ class Session {
   void attach(const std::vector<std::string>& geoms, const std::string& layout);
   void detach(const std::string& geom);
   void save_scene(const std::string& file);
+
+  /// Every step is kept from now on, until it is switched off or the run ends; then it is written to `file`.
+  void record(bool on, const std::string& file);
+  void write_recording(const std::string& file);   ///< that could not be written where it was to be
+  void export_recording(const std::string& file);  ///< of what is recorded, or of the loop
 
   /// Takes what worker and simulation have ready. Not by clock it waits for them, but shows a preview for some
   /// pictures, long enough for a script to act on it, unless it is to `hurry`.
@@ -161,6 +167,7 @@ class Session {
   void build_with(std::vector<SceneAttachment> attachments);
   void take_sensors(const SimFrame& frame);
   void tell_saved(const SimFrame& frame, SessionNews& news);
+  void tell_written(const SimFrame& frame, SessionNews& news);
   void drop_scene();
   void show_saved_step();
   [[nodiscard]] bool runs_or_refuses();
@@ -208,6 +215,7 @@ class Session {
   bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
+  std::uint64_t told_recording_ = 0;       ///< likewise of the written recording
   bool sweep_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
   double speed_ = 1;

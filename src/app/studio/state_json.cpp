@@ -8,6 +8,7 @@
 
 #include "app/studio/editing_json.h"
 #include "app/studio/explain_json.h"
+#include "app/studio/real_json.h"
 #include "app/studio/scene_json.h"
 #include "app/studio/script_player.h"
 #include "app/studio/time_json.h"
@@ -279,6 +280,8 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["fields"] = field_numbers_json(ui.view.numbers);
   json["bars"] = bars_json(ui);
   json["timeline"] = Json::parse(timeline_to_json(ui));
+  json["real"] = Json::parse(real_to_json(ui, input));
+  json["video"] = {{"active", input.video.active}, {"done", input.video.done}, {"total", input.video.total}};
   json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},

@@ -100,7 +100,7 @@ bool Studio::run() {
 
 double Studio::waiting_time() const {
   if (pictures_due_ > 0) return 0;
-  if (session_.playing() || session_.replaying()) return kBusyWait;
+  if (session_.playing() || session_.replaying() || video_) return kBusyWait;
   return !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
 }
 
@@ -120,7 +120,7 @@ void Studio::run_by_clock() {
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
     if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
     // Pictures were asked for, whether anything moves or not.
-    const bool counted = options_.frames > 0 || script_;
+    const bool counted = options_.frames > 0 || script_ || video_;
     if (news.new_frame || news.new_reading || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
     if (pictures_due_ == 0) {
       last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
@@ -197,6 +197,9 @@ void Studio::act_on(const SessionNews& news) {
     ui_.clip.reset();
     ui_.probe.sized = false;
     ui_.perturb = {};
+    ui_.real = {};
+    real_.remove();
+    video_.reset();
     ui_.controls = {};
     ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
@@ -221,6 +224,7 @@ void Studio::act_on(const SessionNews& news) {
   update_title();
   keep_unsaved();
   export_when_ready();
+  if (!news.unwritten.empty()) ask_for_file(ui::FileTask::keep_recording, news.unwritten);
   if (news.opened || news.reloaded) {
     document_hash_ = hash_of(session_.file());
     tell_other_mesh();
@@ -254,6 +258,8 @@ void Studio::update_range() {
 void Studio::update_title() {
   std::string title = input_.name.empty() ? "Taxel Studio" : input_.name + " - Taxel Studio";
   if (input_.editing.dirty) title = "*" + title;
+  if (input_.video.active)
+    title = fmt::format("Video {} of {} (Esc cancels) - {}", input_.video.done, input_.video.total, title);
   if (title == ui_.title) return;
   ui_.title = title;
   window_->set_title(title);
@@ -270,6 +276,8 @@ void Studio::draw_picture(double seconds) {
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
   io.DeltaTime = static_cast<float>(seconds);
   session_.fill(input_, ui_.selection.sensor);
+  input_.real = real_.shown();
+  input_.video = video_ ? video_->progress() : ui::VideoProgress{};
   ui_.probe.latency = session_.edit_latency();
   input_.performance.by_clock = options_.by_clock();
   input_.performance.simulation_speed = input_.frame ? input_.frame->measured_speed : 0.0;
@@ -302,6 +310,7 @@ void Studio::draw_contents() {
   window_->set_cursor(ImGui::GetMouseCursor());
   ImGui::Render();
   fill_window();
+  make_video();
   if (std::exchange(screenshot_wanted_, false)) save_numbered_screenshot();
 }
 

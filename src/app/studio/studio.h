@@ -13,9 +13,11 @@
 #include "app/studio/mesh_comparison.h"
 #include "app/studio/options.h"
 #include "app/studio/pattern_worker.h"
+#include "app/studio/real_overlay.h"
 #include "app/studio/script_player.h"
 #include "app/studio/session.h"
 #include "app/studio/state_json.h"
+#include "app/studio/video_maker.h"
 #include "app/studio/window.h"
 #include "app/studio/window_painter.h"
 #include "ui/ui_state.h"
@@ -55,6 +57,12 @@ class Studio {
   void carry_out_requests();
   void carry_out(const ui::Request& request);
   bool carry_out_in_time(const ui::Request& request);
+  bool carry_out_real(const ui::Request& request);
+  void read_real(const std::string& path);
+  void act_on_real(ui::RealTask task);
+  void apply_gains();
+  void begin_video(const std::string& path);
+  void make_video();  ///< one picture of it, if one is ready
   void set_mode(ui::Mode mode);
   bool carry_out_edit(const ui::Request& request);
   bool carry_out_save(const ui::Request& request);
@@ -127,6 +135,8 @@ class Studio {
   Autosave autosave_;
   FileWatch watch_;
   std::string document_hash_;  ///< of the file of the document, as it was read or written
+  RealOverlay real_;
+  std::optional<VideoMaker> video_;
   MeshComparison comparison_;
   std::optional<ComparedMesh> compared_;  ///< that a notice offers
   std::vector<LostDocument> lost_;        ///< to be offered, the first one now

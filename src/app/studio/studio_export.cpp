@@ -36,6 +36,9 @@ std::string today() {
 bool Studio::can_export(ui::FileTask task) const {
   if (task == ui::FileTask::export_picture) return input_.model || input_.frame;
   if (task == ui::FileTask::export_frame) return input_.frame && !input_.frame->sensors.empty();
+  if (task == ui::FileTask::export_recording) return input_.frame && input_.frame->history.steps > 0;
+  if (task == ui::FileTask::keep_recording) return true;
+  if (task == ui::FileTask::export_video) return input_.frame && input_.frame->history.steps > 0 && !video_;
   return session_.edits().is_open();
 }
 
@@ -43,6 +46,9 @@ void Studio::export_file(const ui::ExportFile& wanted) {
   if (!can_export(wanted.task)) return;
   if (wanted.path.empty()) return ask_for_file(wanted.task, "");
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
+  if (wanted.task == ui::FileTask::export_recording) return session_.export_recording(wanted.path);
+  if (wanted.task == ui::FileTask::export_video) return begin_video(wanted.path);
+  if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
     export_ = wanted;
     session_.polish();

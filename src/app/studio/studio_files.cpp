@@ -75,7 +75,11 @@ void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
   const bool again = ui_.dialog.task == task && !problem.empty();
   const std::string typed = ui_.dialog.path;
   ui::begin_dialog(ui_, task);
-  const SuggestedFile suggested = suggested_file(session_.file(), input_.name, ui::extension_of(task));
+  const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
+  const SuggestedFile suggested = suggested_file(session_.file(), input_.name,
+                                                 folder                               ? "-recording"
+                                                 : task == ui::FileTask::export_video ? "-video"
+                                                                                      : ui::extension_of(task));
   list_folder(ui_.dialog, suggested.folder.empty() || again ? ui_.dialog.folder : suggested.folder);
   ui_.dialog.path = again ? typed : suggested.name;
   ui_.dialog.error = problem;

@@ -16,9 +16,9 @@ namespace taxel::studio {
 namespace {
 
 /// "screenshot-1.png", or the first number that is free.
-std::string free_screenshot_name() {
+std::string free_name(std::string_view begin, std::string_view end) {
   for (int number = 1;; ++number) {
-    std::string name = fmt::format("screenshot-{}.png", number);
+    std::string name = fmt::format("{}{}{}", begin, number, end);
     std::error_code ignored;
     if (!std::filesystem::exists(name, ignored)) return name;
   }
@@ -33,7 +33,8 @@ void Studio::carry_out_requests() {
 }
 
 void Studio::carry_out(const ui::Request& request) {
-  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request) || carry_out_generate(request))
+  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request) || carry_out_generate(request) ||
+      carry_out_real(request))
     return;
   if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
     session_.open(r->path);
@@ -86,6 +87,10 @@ bool Studio::carry_out_in_time(const ui::Request& request) {
     session_.set_breakpoints(breakpoints->breakpoints);
   } else if (const auto* limits = std::get_if<ui::SetHistoryLimits>(&request)) {
     session_.set_history_limits(limits->limits);
+  } else if (const auto* record = std::get_if<ui::SetRecording>(&request)) {
+    session_.record(record->on, free_name("recording-", ""));
+  } else if (std::holds_alternative<ui::CancelVideo>(request)) {
+    video_.reset();
   } else {
     return false;
   }
@@ -120,7 +125,7 @@ void Studio::save_screenshot(const std::string& file) {
 
 void Studio::save_numbered_screenshot() {
   try {
-    const std::string name = free_screenshot_name();
+    const std::string name = free_name("screenshot-", ".png");
     save_screenshot(name);
     ui::add_message(ui_, Severity::note, "Saved " + std::filesystem::absolute(name).string(), ImGui::GetTime());
   } catch (const Error& error) {
@@ -174,7 +179,7 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !patterns_.busy() && !fresh_preview();
-    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty();
+    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty() && !video_;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;

@@ -67,6 +67,8 @@ std::string steps_to_json(const ui::UiInput& input) {
                {"limit", history.limits.steps}, {"recorded", input.frame->recorded},
                {"replay", input.replay},        {"loop", nullptr}};
   if (input.loop) json["loop"] = {input.loop->first, input.loop->last};
+  const RecordingState& recording = input.frame->recording;
+  json["recording"] = {{"on", recording.on}, {"steps", recording.steps}, {"bytes", recording.bytes}};
   json["breakpoints"] = breakpoints_json(input.frame->breakpoints);
   json["stop"] = stop_json(*input.frame);
   json["events"] = history.lanes ? events_json(*history.lanes) : Json::array();

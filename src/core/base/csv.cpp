@@ -10,7 +10,8 @@ namespace {
 /// Takes a text apart, character by character.
 class Reader {
  public:
-  Reader(const std::string& text, const std::string& file) : text_(text), file_(file) {
+  Reader(const std::string& text, const std::string& file, char separator)
+      : text_(text), file_(file), separator_(separator) {
     const std::string mark = "\xEF\xBB\xBF";  // that some programs put before UTF-8
     if (text.starts_with(mark)) at_ = mark.size();
   }
@@ -90,7 +91,7 @@ class Reader {
   const std::string& file_;
   std::size_t at_ = 0;
   int line_ = 1;
-  char separator_ = '\0';  ///< not known yet
+  char separator_;  ///< '\0': not known yet
 };
 
 }  // namespace
@@ -103,8 +104,8 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-std::vector<CsvRow> parse_csv(const std::string& text, const std::string& file) {
-  return Reader(text, file).rows();
+std::vector<CsvRow> parse_csv(const std::string& text, const std::string& file, char separator) {
+  return Reader(text, file, separator).rows();
 }
 
 }  // namespace taxel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -66,11 +67,27 @@ struct EditSceneCommand {
 struct LoadKeyframeCommand {
   int keyframe = 0;
 };
+/// Every step is kept from now on. Nothing happens where one runs already. It ends by EndRecordingCommand, with the
+/// run, where another layout reads, and where it takes kMostRecordedBytes; then it is written.
+struct RecordCommand {
+  std::string file;  ///< as write_recording() takes it
+};
+struct EndRecordingCommand {};
+/// Writes a recording that could not be written where it was to be.
+struct WriteRecordingCommand {
+  std::string file;
+};
+/// Writes what the history holds, of all steps or of these, that the layout of the last one read.
+struct ExportHistoryCommand {
+  std::string file;
+  std::optional<StepRange> steps = {};
+};
 struct QuitCommand {};
 
 using SimCommand =
     std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
                  ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, FollowStepBeforeCommand,
-                 BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, QuitCommand>;
+                 BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, RecordCommand,
+                 EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
 
 }  // namespace taxel

@@ -56,6 +56,7 @@ struct SensorFrameState {
   dvec3 uncovered_W{0};  ///< elastic normal force that no taxel reaches; zero unless the readings are forces [N]
   std::vector<ContactSurface> surfaces;  ///< frame M, of the bodies near the sensor: hits name them by number
   std::vector<RayHit> hits;              ///< parallel to model->rays
+  std::vector<dvec2> shear;              ///< parallel to readings, in their unit; empty without readout.shear
 };
 
 /// The latest steps, any of which can be shown again.
@@ -80,6 +81,22 @@ struct StepBefore {
 struct SavedScene {
   std::uint64_t number = 0;  ///< counts
   std::string file, error;   ///< error empty: it was
+};
+
+/// Every step that is made is kept, whatever the history holds.
+struct RecordingState {
+  bool on = false;
+  std::size_t steps = 0, bytes = 0;  ///< so far; the memory that they take
+  double seconds = 0;                ///< simulated
+};
+
+/// A recording was written, or could not be: then it is kept until it is, or another one begins.
+struct WrittenRecording {
+  std::uint64_t number = 0;  ///< counts
+  std::string file, error;   ///< error empty: it was
+  std::size_t rows = 0;
+  std::string note;   ///< what the user should know of it; may be empty
+  bool kept = false;  ///< WriteRecordingCommand writes it elsewhere
 };
 
 struct SimFrame {
@@ -112,8 +129,10 @@ struct SimFrame {
   std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused
   std::uint64_t replacements = 0;  ///< likewise models to replace
   SavedScene saved;                ///< last
-  bool failed = false;  ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
-  std::string error;    ///< why the simulation stopped, or the last scene or model was refused; empty: fine
+  RecordingState recording;
+  WrittenRecording written;  ///< last
+  bool failed = false;       ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
+  std::string error;         ///< why the simulation stopped, or the last scene or model was refused; empty: fine
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

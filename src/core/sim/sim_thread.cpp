@@ -84,6 +84,7 @@ bool SimThread::Impl::step_once() {
     stop = history.record(simulator->view(), state);
     record_time.add(Clock::now() - stepped);
     step_time.add(Clock::now() - begin);
+    record_step();
   } catch (const std::exception& e) {  // what was computed of this step is no step: the one before is shown
     error = e.what();
     set_playing(false);
@@ -165,6 +166,8 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->runs = runs;
   frame->commands = commands;
   frame->saved = saved;
+  if (recording) frame->recording = recording->state();
+  frame->written = written;
   frame->loads = loads;
   frame->replacements = replacements;
   frame->failed = !error.empty();

@@ -6,9 +6,17 @@
 #include "core/sim/sim_thread_impl.h"
 
 namespace taxel {
+namespace {
+
+bool uses(const SimScene& scene, const SensorModelPtr& model) {
+  return std::find(scene.sensors.begin(), scene.sensors.end(), model) != scene.sensors.end();
+}
+
+}  // namespace
 
 /// At its start: the history begins with what is there before the first step.
 void SimThread::Impl::begin_run() {
+  end_recording("the run began anew");
   ++runs;
   error.clear();
   rows.clear();
@@ -27,6 +35,7 @@ void SimThread::Impl::go_on_from_shown() {
   simulator->restore_state(from);
   while (!rows.empty() && rows.back().time > from.time) rows.pop_back();
   history.cut_after(*scrubbed);
+  if (recording) recording->go_back_to(*scrubbed);
   scrubbed.reset();
 }
 
@@ -79,7 +88,9 @@ void SimThread::Impl::set_playing(bool on) {
 void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& make) {
   ++loads;
   try {
-    simulator = make();
+    std::unique_ptr<Simulator> made = make();
+    end_recording("another scene was opened");  // with the files of its own
+    simulator = std::move(made);
   } catch (const std::exception& e) {
     refused = e.what();
     return;
@@ -95,6 +106,7 @@ void SimThread::Impl::replace_model(const ReplaceModelCommand& command) {
   refused.clear();
   try {
     if (simulator == nullptr) return;
+    if (recording && uses(*simulator->scene(), command.replaced)) end_recording("another layout reads from there on");
     simulator->replace_model(command.replaced, command.model);
     if (error.empty()) history.replace_newest(simulator->view());
   } catch (const std::exception& e) {
@@ -132,7 +144,7 @@ void SimThread::Impl::execute(const SimCommand& command) {
     replace_model(*replace);
   } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {
     load([&] { return Simulator::load(scene->file, scene->attachments); });
-  } else if (!execute_on_scene(command)) {
+  } else if (!execute_on_scene(command) && !execute_on_recording(command)) {
     execute_on_history(command);
   }
 }

@@ -10,6 +10,7 @@
 #include "core/base/mailbox.h"
 #include "core/sim/history/step_history.h"
 #include "core/sim/pacing.h"
+#include "core/sim/recording/live_recording.h"
 #include "core/sim/sim_thread.h"
 #include "core/sim/simulator.h"
 #include "core/sim/step_time.h"
@@ -39,6 +40,9 @@ struct SimThread::Impl {
   std::string refused;  // why the last scene or model was not taken; the one before goes on
   std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
   SavedScene saved;
+  std::optional<LiveRecording> recording;   // runs
+  std::optional<EndedRecording> unwritten;  // ended, and could not be written
+  WrittenRecording written;
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   bool follows_before = false;            // frames carry the step before
@@ -80,6 +84,12 @@ struct SimThread::Impl {
   void go_on_from_shown();
   void scrub(std::uint64_t step);
   bool execute_on_scene(const SimCommand& command);
+  bool execute_on_recording(const SimCommand& command);
+  void begin_recording(const std::string& file);
+  void end_recording(const std::string& why);
+  void record_step();
+  void write(EndedRecording ended, const std::string& file);
+  void export_history(const ExportHistoryCommand& command);
   void execute_on_history(const SimCommand& command);
   bool step_once();
   void add_trace_row();

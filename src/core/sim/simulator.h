@@ -93,6 +93,7 @@ class Simulator {
   void save_scene(const std::filesystem::path& file) const;
   [[nodiscard]] dvec3 mocap_pos() const;
   [[nodiscard]] dquat mocap_quat() const;
+  [[nodiscard]] Pose mocap_in(const SimState& state) const;  ///< both of a state of this simulator
 
  private:
   Simulator();

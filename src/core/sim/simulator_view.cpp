@@ -59,7 +59,7 @@ SimRow Simulator::row() const {
     row.area.push_back(area);
     row.polygons.push_back(static_cast<int>(polygons));
     row.readings.emplace_back(sensor.readings.begin(), sensor.readings.end());
-    row.shear.push_back(impl_->sensor(i).reading().shear);
+    row.shear.emplace_back(sensor.shear.begin(), sensor.shear.end());
     row.uncovered_W.push_back(sensor.uncovered_W);
     row.sensor_poses.push_back(sensor.X_WM);
   }
@@ -82,6 +82,7 @@ StepView Simulator::view() const {
     SensorView one;
     one.X_WM = e.X_WM;
     one.readings = reading.values;
+    one.shear = reading.shear;
     one.uncovered_W = e.X_WM.rotate(reading.force.uncovered_normal);
     for (const std::size_t k : e.near) {
       one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
@@ -157,6 +158,10 @@ dquat Simulator::mocap_quat() const {
   if (s.mocap < 0) return {1, 0, 0, 0};
   const mjtNum* q = s.d().mocap_quat + 4 * s.mocap;
   return {q[0], q[1], q[2], q[3]};
+}
+
+Pose Simulator::mocap_in(const SimState& state) const {
+  return impl_->mocap < 0 ? Pose{} : controls_of(state).mocaps[static_cast<std::size_t>(impl_->mocap)];
 }
 
 }  // namespace taxel

@@ -24,7 +24,7 @@ void arrange_compactly(ImGuiID space) {
   ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, &center);
   ImGui::DockBuilderDockWindow(kViewTitle, center);
   for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
-  for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle})
+  for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle, kRealTitle})
     ImGui::DockBuilderDockWindow(title, right);
   for (const char* title : {kBarsTitle, kPlotTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
     ImGui::DockBuilderDockWindow(title, bottom);
@@ -48,6 +48,7 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kControlsTitle, right);
   ImGui::DockBuilderDockWindow(kGenerateTitle, right);
   ImGui::DockBuilderDockWindow(kExplainTitle, right);
+  ImGui::DockBuilderDockWindow(kRealTitle, right);
   ImGui::DockBuilderDockWindow(kBarsTitle, bars);
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "core/layout/formats/layout_format.h"
+#include "ui/panels/video_card.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -37,6 +38,13 @@ Words words_of(FileTask task) {
       return {"Export a picture on a transparent background", "Export", ".png"};
     case FileTask::export_frame:
       return {"Save this step, to be opened elsewhere", "Save", ".taxelframe"};
+    case FileTask::export_recording:
+    case FileTask::keep_recording:
+      return {"Write the recording: NAME.csv, .npz or .jsonl, else a folder", "Export", ""};
+    case FileTask::export_video:
+      return {"Export a video: NAME.mp4 or .gif, else a folder of pictures", "Export", ""};
+    case FileTask::import_recording:
+      return {"A recording of a real sensor (CSV)", "Read", ""};
     case FileTask::read_points:
       return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
     case FileTask::attach_layout:
@@ -82,6 +90,7 @@ bool names_format(const std::string& path) {
 void ask_for(UiState& ui, const std::string& path) {
   const FileDialog& dialog = ui.dialog;
   if (dialog.task == FileTask::open) return ui.ask(OpenFile{path});
+  if (dialog.task == FileTask::import_recording) return ui.ask(ReadRealRecording{path});
   if (dialog.task == FileTask::read_points) return ui.ask(ReadPoints{path});
   if (dialog.task == FileTask::attach_layout) return ui.ask(AttachLayout{ui.controls.geoms, path});
   const std::string extension = words_of(dialog.task).extension;
@@ -132,9 +141,14 @@ void walk(FileDialog& dialog) {
   }
 }
 
+/// In a row above the buttons.
+bool has_settings(FileTask task) {
+  return task == FileTask::export_picture || task == FileTask::export_video;
+}
+
 void draw_entries(UiState& ui) {
   FileDialog& dialog = ui.dialog;
-  const float rows = dialog.task == FileTask::export_picture ? 3 : 2;
+  const float rows = has_settings(dialog.task) ? 3 : 2;
   const float below = rows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("entries", ImVec2(0, -below), ImGuiChildFlags_FrameStyle)) {
     if (selectable(ui, "..", false)) go_to(ui, parent(dialog.folder));
@@ -189,6 +203,7 @@ void draw_path_and_buttons(UiState& ui) {
       ImGui::InputTextWithHint("##path", "Path or name", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note_item("Path");
   if (dialog.task == FileTask::export_picture) draw_size(ui);
+  if (dialog.task == FileTask::export_video) draw_video_settings(ui);
   ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
   ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
   ui.widgets.note_item("Filter");

@@ -16,11 +16,13 @@
 #include "ui/panels/outliner_panel.h"
 #include "ui/panels/palette_card.h"
 #include "ui/panels/plot_panel.h"
+#include "ui/panels/real_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/taxel_table_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/toolbar.h"
 #include "ui/panels/tour.h"
+#include "ui/panels/video_card.h"
 #include "ui/panels/view_panel.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/camera_tool.h"
@@ -59,6 +61,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.section) draw_section(ui, input);
   if (shown.timeline && ui.mode == Mode::simulate) draw_timeline_panel(ui, input);
   if (shown.explain && ui.mode == Mode::simulate) draw_explain_panel(ui, input);
+  draw_real_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 
@@ -84,7 +87,9 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_loading(ui, input);
   draw_file_notices(ui);
   draw_toasts(ui);
+  draw_video_card(ui, input);
   draw_file_dialog(ui);
+  draw_real_dialog(ui, input);
   draw_unsaved_question(ui, input);
   draw_recovery_card(ui);
   note_keyboard(ui);

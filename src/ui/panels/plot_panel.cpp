@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/panels/dock_layout.h"
+#include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
@@ -169,6 +170,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
       draw_curve(ui, readings, scale, model.color(static_cast<int>(k)), layout.taxels[k].id,
                  ui.selection.contains(layout.taxels[k].id));
     }
+    draw_real_curves(ui, input, scale, curves.largest, first);
     draw_polish_mark(ui);
     draw_cursor(ui, input);
     scrub_in_plot(ui, input);

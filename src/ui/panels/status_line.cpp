@@ -52,6 +52,13 @@ void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
   item(ui, flow, "polygons", grouped(static_cast<long long>(polygons)));
 }
 
+void draw_recording(UiState& ui, const UiInput& input, Flow& flow) {
+  if (!input.frame || !input.frame->recording.on) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).error);
+  item(ui, flow, "recording", fmt::format("{:.3f} s", input.frame->recording.seconds));
+  ImGui::PopStyleColor();
+}
+
 /// Tells while a preview's samples are shown, and what happens to them.
 void draw_samples(UiState& ui, const UiInput& input, Flow& flow) {
   const bool preview = input.model && input.model->quality == SampleQuality::preview;
@@ -135,6 +142,7 @@ void draw_status_line(UiState& ui, const UiInput& input) {
     draw_rates(ui, input, flow);
     draw_samples(ui, input, flow);
     draw_contact(ui, input, flow);
+    draw_recording(ui, input, flow);
     draw_message_counter(ui, input, flow);
     ui.status_rows = flow.rows();
   }

@@ -33,7 +33,7 @@ void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {
   const Palette& colors = palette(ui.saved.dark);
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const float small = 2.2f * line, large = 6.4f * line, gap = 4;
-  flow.next(3 * (small + gap) + large);
+  flow.next(4 * (small + gap) + large);
   ImGui::BeginDisabled(!is_enabled(Action::play_pause, ui, input));
   if (icon_button(ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
     perform(Action::reset_simulation, ui, input);
@@ -51,6 +51,13 @@ void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {
   ImGui::SameLine(0, gap);
   if (icon_button(ui, "Step", Icon::step, ImVec2(small, height), nullptr, "One step forward (Right)")) {
     perform(Action::step_forward, ui, input);
+  }
+  ImGui::SameLine(0, gap);
+  const bool records = input.frame && input.frame->recording.on;
+  if (icon_button(ui, records ? "Stop recording" : "Record", Icon::record, ImVec2(small, height),
+                  records ? &colors.error : nullptr,
+                  records ? "Write what was recorded (Ctrl+R)" : "Record every step from now on (Ctrl+R)")) {
+    perform(Action::record, ui, input);
   }
   ImGui::EndDisabled();
 }

@@ -205,6 +205,7 @@ void open_dialog(UiState& ui) {
 }
 
 void perform(Action action, UiState& ui, const UiInput& input) {
+  if (action == Action::escape && input.video.active) return ui.ask(CancelVideo{});
   if (!is_enabled(action, ui, input) || perform_on_interface(action, ui) || perform_edit(action, ui, input) ||
       perform_in_time(action, ui, input))
     return;
@@ -295,6 +296,7 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::loop_range:
     case Action::break_on_jump:
     case Action::explain:
+    case Action::record:
       return has_history(input);
     case Action::mode_layout:
     case Action::close_document:

@@ -105,6 +105,15 @@ bool perform_document(Action action, UiState& ui, bool scene) {
     case Action::export_picture:
       ui.ask(ExportFile{FileTask::export_picture, "", false, 0, 0});
       return true;
+    case Action::export_recording:
+      ui.ask(ExportFile{FileTask::export_recording, "", false, 0, 0});
+      return true;
+    case Action::export_video:
+      ui.ask(ExportFile{FileTask::export_video, "", false, 0, 0});
+      return true;
+    case Action::import_recording:
+      ui.ask(ReadRealRecording{});
+      return true;
     case Action::export_frame:
       ui.ask(ExportFile{FileTask::export_frame, "", false, 0, 0});
       return true;
@@ -243,6 +252,11 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
       return input.model != nullptr || input.frame != nullptr;
     case Action::export_frame:
       return input.frame != nullptr && !input.frame->sensors.empty();
+    case Action::export_video:
+      return input.frame != nullptr && input.frame->history.steps > 0 && !input.video.active;
+    case Action::import_recording:
+    case Action::export_recording:
+      return input.frame != nullptr && input.frame->history.steps > 0 && !input.frame->sensors.empty();
     case Action::undo:
       return input.editing.undo_depth > 0;
     case Action::redo:

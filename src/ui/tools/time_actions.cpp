@@ -42,6 +42,9 @@ bool perform_in_time(Action action, UiState& ui, const UiInput& input) {
     case Action::loop_range:
       toggle_loop(ui, input);
       return true;
+    case Action::record:
+      ui.ask(SetRecording{!input.frame->recording.on});
+      return true;
     case Action::explain:
       explain_reading(ui, input);
       return true;

@@ -45,6 +45,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
     case Icon::backwards:
       list.AddTriangleFilled({c.x + 0.7f * r, c.y - r}, {c.x + 0.7f * r, c.y + r}, {c.x - r, c.y}, color);
       break;
+    case Icon::record:
+      list.AddCircleFilled(c, r, color);
+      break;
     case Icon::reset:
       for (const float x : {0.1f, -0.75f})
         list.AddTriangleFilled({c.x + (x + 0.9f) * r, c.y - r}, {c.x + (x + 0.9f) * r, c.y + r}, {c.x + x * r, c.y},
@@ -139,11 +142,11 @@ bool icon_button(UiState& ui, const char* label, Icon icon, const ImVec2& size, 
   const std::string name = label;
   const std::string text = name.substr(0, name.find("##"));
   const std::string id = "##" + name;
-  const ImVec4 ink =
-      fill != nullptr ? (icon == Icon::pause ? ImVec4(0.12f, 0.10f, 0.03f, 1) : ImVec4(1, 1, 1, 1)) : colors.text;
+  const ImVec4 ink = fill != nullptr ? (icon == Icon::pause ? ImVec4(0.12f, 0.10f, 0.03f, 1) : ImVec4(1, 1, 1, 1))
+                                     : (icon == Icon::record ? colors.error : colors.text);
   const bool pressed = fill != nullptr ? colored_button(id.c_str(), size, *fill, ink) : ImGui::Button(id.c_str(), size);
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  const bool with_text = fill != nullptr;
+  const bool with_text = fill != nullptr && icon != Icon::record;
   const float r = 0.34f * ImGui::GetFontSize();
   const float text_width = with_text ? ImGui::CalcTextSize(text.c_str()).x + 0.6f * ImGui::GetFontSize() : 0.0f;
   const ImVec2 center(0.5f * (lo.x + hi.x) - 0.5f * text_width, 0.5f * (lo.y + hi.y));

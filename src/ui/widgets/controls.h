@@ -22,7 +22,7 @@ bool header(UiState& ui, const char* label);                                ///<
 bool small_choice(UiState& ui, const char* label, bool chosen);             ///< one of several exclusive buttons
 bool toggle(UiState& ui, const char* label, bool on, const char* tooltip);  ///< a button that stays down
 
-enum class Icon { run, pause, step, reset, step_back, backwards };
+enum class Icon { run, pause, step, reset, step_back, backwards, record };
 /// A button with a drawn icon and, if not empty, text beside it. `fill`: its colour; null: a plain button.
 bool icon_button(UiState& ui, const char* label, Icon icon, const ImVec2& size, const ImVec4* fill,
                  const char* tooltip);

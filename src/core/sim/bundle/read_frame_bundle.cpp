@@ -174,17 +174,10 @@ SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, con
 
 /// A history of this one step.
 void remember(SimFrame& frame) {
-  StepView view;
-  view.scene = frame.scene;
-  view.step = frame.step, view.time = frame.time, view.travel = frame.travel;
-  view.geom_poses = frame.geom_poses;
+  const StepView view = view_of(frame);
   TraceRow row{frame.time, frame.travel, {}, SampleQuality::polished};
-  for (const SensorFrameState& state : frame.sensors) {
-    SensorView sensor{state.X_WM, state.force_W, state.uncovered_W, state.readings, {}, state.hits};
-    for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
-    view.sensors.push_back(std::move(sensor));
+  for (const SensorFrameState& state : frame.sensors)
     row.readings.insert(row.readings.end(), state.readings.begin(), state.readings.end());
-  }
   StepHistory history;
   history.record(view, SimState{{}, frame.step, frame.time, frame.travel, false});
   frame.history = {frame.step, frame.step, 1, history.bytes(), 0, history.limits(), history.lanes()};

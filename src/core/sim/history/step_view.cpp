@@ -18,9 +18,25 @@ void fill_frame(const StepView& now, SimFrame& frame) {
     state.force_W = sensor.force_W;
     state.uncovered_W = sensor.uncovered_W;
     state.hits.assign(sensor.hits.begin(), sensor.hits.end());
+    state.shear.assign(sensor.shear.begin(), sensor.shear.end());
     state.surfaces.clear();
     for (const ContactSurface* surface : sensor.surfaces) state.surfaces.push_back(*surface);
   }
+}
+
+StepView view_of(const SimFrame& frame) {
+  StepView view{frame.scene, frame.step, frame.time, frame.travel, frame.finished, frame.geom_poses, {}};
+  for (const SensorFrameState& state : frame.sensors) {
+    SensorView& sensor = view.sensors.emplace_back();
+    sensor.X_WM = state.X_WM;
+    sensor.force_W = state.force_W;
+    sensor.uncovered_W = state.uncovered_W;
+    sensor.readings = state.readings;
+    sensor.hits = state.hits;
+    sensor.shear = state.shear;
+    for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
+  }
+  return view;
 }
 
 }  // namespace taxel

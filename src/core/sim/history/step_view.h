@@ -17,6 +17,7 @@ struct SensorView {
   std::span<const double> readings;
   std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
   std::span<const RayHit> hits;                 ///< by ray
+  std::span<const dvec2> shear;                 ///< see SensorFrameState
 };
 
 struct StepView {
@@ -30,6 +31,9 @@ struct StepView {
 
 /// Copies what a viewer needs.
 void fill_frame(const StepView& now, SimFrame& frame);
+
+/// The step of a frame that has all of it, valid as long as the frame is.
+StepView view_of(const SimFrame& frame);
 
 /// MuJoCo's state after a step, from which the next one goes on the same way, bit for bit.
 struct SimState {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace taxel::cli {
+namespace taxel {
 
 class OutputFolder {
  public:
@@ -31,4 +31,4 @@ class OutputFolder {
   bool committed_ = false;
 };
 
-}  // namespace taxel::cli
+}  // namespace taxel

@@ -1,4 +1,4 @@
-#include "app/cli/output_folder.h"
+#include "core/base/output_folder.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 
-namespace taxel::cli {
+namespace taxel {
 namespace fs = std::filesystem;
 namespace {
 
@@ -68,4 +68,4 @@ std::vector<std::string> OutputFolder::commit() {
   return names;
 }
 
-}  // namespace taxel::cli
+}  // namespace taxel

@@ -1,0 +1,14 @@
+// Which sensor of a recording an option names.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/project/recording/recording.h"
+
+namespace taxel::cli {
+
+/// The sensor on `geom`; empty: the only one. Throws Error naming `file` and the sensors that there are.
+std::size_t sensor_of(const Recording& recording, const std::string& geom, const std::string& file);
+
+}  // namespace taxel::cli

@@ -1,0 +1,117 @@
+#include <imgui.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/real_panel.h"
+#include "ui/scene/color_map.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Longer recordings are thinned for drawing.
+constexpr std::size_t kMostRealPoints = 3000;
+constexpr float kDash = 6, kBetweenDashes = 4;  // [pixels] at scale 1
+
+/// Where the plot has a time of the run: travel in a sweep [mm], else the time [s]. NaN outside of the run.
+double x_at(const std::vector<TraceRow>& trace, bool sweep, double time) {
+  if (trace.size() < 2 || time < trace.front().time || time > trace.back().time)
+    return std::numeric_limits<double>::quiet_NaN();
+  if (!sweep) return time;
+  const auto next = std::upper_bound(trace.begin() + 1, trace.end() - 1, time,
+                                     [](double t, const TraceRow& row) { return t < row.time; });
+  const TraceRow &a = *(next - 1), &b = *next;
+  const double part = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0;
+  return 1e3 * ((1 - part) * a.travel + part * b.travel);
+}
+
+/// As the reading that a value stands for.
+struct AsReading {
+  double gain = 1, offset = 0;
+  [[nodiscard]] double operator()(double value) const { return (value - offset) / gain; }
+};
+
+/// Where it has no gain, the largest of all values is as high as the largest reading.
+AsReading as_reading(const RealShown& real, int taxel, double largest) {
+  for (const TaxelFit& fit : real.fits)
+    if (fit.taxel == taxel && fit.refused.empty()) return {fit.gain, fit.offset};
+  double most = 0;
+  for (const std::vector<double>& values : real.recording.series.values)
+    for (const double value : values) most = std::max(most, std::isnan(value) ? 0.0 : std::abs(value));
+  return {largest > 0 && most > 0 ? most / largest : 1, 0};
+}
+
+void rebuild(RealCurves& kept, const UiInput& input, double largest, std::size_t first) {
+  const RealShown& real = *input.real;
+  kept = {input.real.get(), input.frame->trace.get(), first, {}};
+  const TaxelSeries& series = real.recording.series;
+  const std::size_t stride = 1 + series.time.size() / kMostRealPoints;
+  for (std::size_t k = 0; k < series.taxel_ids.size(); ++k) {
+    RealCurves::Curve& curve = kept.curves.emplace_back();
+    curve.taxel = series.taxel_ids[k];
+    const AsReading reading = as_reading(real, curve.taxel, largest);
+    for (std::size_t i = 0; i < series.time.size(); i += stride) {
+      const double x = x_at(*input.frame->trace, input.sweep, series.time[i] + real.shift);
+      const double y = series.values[k][i];
+      if (std::isnan(x) || std::isnan(y)) continue;
+      curve.x.push_back(x);
+      curve.y.push_back(reading(y));
+    }
+  }
+}
+
+/// Dashes go on along the whole curve, whatever the length of its parts.
+void draw_dashed(const RealCurves::Curve& curve, double scale, ImU32 color, float weight, float pixel_scale) {
+  ImDrawList& list = *ImPlot::GetPlotDrawList();
+  const float dash = kDash * pixel_scale, period = dash + kBetweenDashes * pixel_scale;
+  float walked = 0;
+  for (std::size_t i = 1; i < curve.x.size(); ++i) {
+    const ImVec2 a = ImPlot::PlotToPixels(curve.x[i - 1], scale * curve.y[i - 1]),
+                 b = ImPlot::PlotToPixels(curve.x[i], scale * curve.y[i]);
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(length > 0) || length > 1e5f) continue;
+    for (float at = 0; at < length;) {
+      const float phase = std::fmod(walked + at, period);
+      const float end = std::min(length, at + std::max(0.05f, (phase < dash ? dash : period) - phase));
+      const auto point = [&](float s) {
+        return ImVec2(a.x + s / length * (b.x - a.x), a.y + s / length * (b.y - a.y));
+      };
+      if (phase < dash) list.AddLine(point(at), point(end), color, weight);
+      at = end;
+    }
+    walked = std::fmod(walked + length, period);
+  }
+}
+
+/// Whether the plot leaves the taxel out, as it does with its reading.
+bool is_left_out(const UiState& ui, std::size_t reading) {
+  if (!ui.saved.plot.responding_only || reading >= ui.curves.readings.size()) return false;
+  const std::vector<double>& values = ui.curves.readings[reading];
+  const double peak = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  return !(peak > kTaxelResponds * ui.curves.largest);
+}
+
+}  // namespace
+
+void draw_real_curves(UiState& ui, const UiInput& input, double scale, double largest, std::size_t first) {
+  if (!input.real || !input.frame->trace || input.real->sensor != ui.selection.sensor) return;
+  RealCurves& kept = ui.real.curves;
+  if (kept.shown != input.real.get() || kept.trace != input.frame->trace.get() || kept.first != first)
+    rebuild(kept, input, largest, first);
+  const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+  ImPlot::PushPlotClipRect();
+  for (const RealCurves::Curve& curve : kept.curves) {
+    for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
+      if (model.layout.taxels[k].id != curve.taxel || is_left_out(ui, first + k)) continue;
+      const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
+      const float weight = (ui.selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
+      draw_dashed(curve, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
+                  static_cast<float>(ui.pixel_scale));
+    }
+  }
+  ImPlot::PopPlotClipRect();
+}
+
+}  // namespace taxel::ui

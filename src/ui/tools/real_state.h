@@ -1,0 +1,65 @@
+// A recording of a real sensor beside the run: how it is read, and how it lies over the plot.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/project/real_recording/align.h"
+#include "core/project/real_recording/gain_fit.h"
+#include "core/project/real_recording/real_recording.h"
+
+namespace taxel::ui {
+
+/// The recording that lies over the run of one sensor.
+struct RealShown {
+  std::string file;
+  int sensor = 0;  ///< the run's
+  RealRecording recording;
+  std::string unit;                    ///< of its values; empty: unknown
+  double shift = 0;                    ///< added to its times [s]
+  std::optional<Alignment> alignment;  ///< by which the shift was found; none: it was typed
+  FitOptions options;                  ///< of the fits
+  std::vector<TaxelFit> fits;          ///< empty: not fitted
+};
+using RealShownPtr = std::shared_ptr<const RealShown>;
+
+/// Its curves as the plot has them.
+struct RealCurves {
+  const void* shown = nullptr;  ///< made of this recording,
+  const void* trace = nullptr;  ///< these rows,
+  std::size_t first = 0;        ///< and this sensor
+  struct Curve {
+    int taxel = 0;
+    std::vector<double> x, y;  ///< of the plot; the reading's unit
+  };
+  std::vector<Curve> curves;
+};
+
+struct RealState {
+  // Of the dialog in which the columns get their meaning:
+  bool asks = false;
+  std::string file;
+  ColumnMapping mapping;
+  TableLook look;       ///< of the file, by the mapping
+  std::string problem;  ///< why it cannot be read so; empty: it can
+  // Of the panel:
+  FitOptions options;
+  std::string applied;  ///< why the gains cannot be the layout's calibration; empty: they can, or were not asked for
+  RealCurves curves;
+};
+
+/// How pictures are made of the recorded steps.
+struct VideoState {
+  int every = 20;       ///< steps from one picture to the next
+  int rate = 50;        ///< pictures per second of the video
+  bool window = false;  ///< the whole window instead of the 3-D view
+};
+
+struct VideoProgress {
+  bool active = false, encoding = false;
+  std::size_t done = 0, total = 0;  ///< pictures
+};
+
+}  // namespace taxel::ui

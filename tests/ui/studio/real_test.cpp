@@ -1,0 +1,136 @@
+// A recording of a real sensor in the window: its columns given a meaning, aligned, fitted, and made the calibration.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+std::string simulated_until(double time) {
+  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
+}
+
+/// Taxel 3 of the sweep as a device would give it: counts over a clock of its own, made of what the window exported.
+std::string counts_of(const std::string& readings_csv, double clock) {
+  std::istringstream lines(readings_csv);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<std::string> heads;
+  std::istringstream head(line);
+  for (std::string name; std::getline(head, name, ',');) heads.push_back(name);
+  const auto column = static_cast<std::size_t>(std::find(heads.begin(), heads.end(), "taxel_3") - heads.begin());
+  std::ostringstream table;
+  table.precision(12);
+  table << "clock,other,t3\n";
+  for (int row = 0; std::getline(lines, line); ++row) {
+    std::vector<double> values;
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) values.push_back(std::stod(field));
+    if (row % 10 == 0) table << 1e3 * (values[0] + clock) << ",7," << 50 + 0.02 * values[column] << "\n";
+  }
+  return table.str();
+}
+
+/// With few samples.
+std::vector<std::string> few_samples(const StudioProgram& studio) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 1e6;
+  write_text(studio.folder() / "few.taxels.json", layout.dump());
+  return {"few.taxels.json"};
+}
+
+/// File > Import real recording, the file, Enter.
+Lines imported(const std::string& file) {
+  return {
+      press("File"), kIdle, press("Import real recording..."), kIdle, key("a", kCtrl), type(file), kIdle, key("Enter"),
+      kIdle,         kIdle};
+}
+
+const Lines kTouching{key("="), key("="), simulated_until(1.3), key("Space"), kIdle};
+
+TEST(Real, ARecordingIsLaidOverThePlotFittedAndMadeTheCalibration) {
+  const StudioProgram studio;
+  const std::string file = (studio.folder() / "real.csv").string();
+  studio.play(joined({kTouching,
+                      {key("e", kCtrlShift), kIdle, key("a", kCtrl), type((studio.folder() / "run.csv").string()),
+                       kIdle, key("Enter"), kIdle}}),
+              few_samples(studio));
+  write_text(file, counts_of(file_text(studio.folder() / "run.csv"), 12.5));
+  studio.play(joined({kTouching,
+                      imported(file),
+                      {dump("asks.json"),
+                       R"({"do": "screenshot", "file": "asks.png"})",
+                       press("Meaning of clock"),
+                       kIdle,
+                       press("time"),
+                       kIdle,
+                       press("Unit of time"),
+                       kIdle,
+                       press("ms"),
+                       kIdle,
+                       press("Save mapping"),
+                       kIdle,
+                       press("Overlay"),
+                       kIdle,
+                       kIdle,
+                       dump("shown.json"),
+                       press("Fit gains"),
+                       kIdle,
+                       dump("fitted.json"),
+                       R"({"do": "screenshot", "file": "fitted.png"})",
+                       press("Apply as calibration"),
+                       kIdle,
+                       dump("applied.json"),
+                       key("z", kCtrl),
+                       kIdle,
+                       dump("undone.json"),
+                       press("Remove"),
+                       kIdle,
+                       dump("removed.json")}}),
+              few_samples(studio));
+  const Json asks = studio.state("asks.json")["real"], shown = studio.state("shown.json")["real"]["shown"],
+             fitted = studio.state("fitted.json")["real"], applied = studio.state("applied.json");
+  EXPECT_TRUE(asks["asks"]);
+  EXPECT_EQ(asks["columns"], Json({"clock", "other", "t3"}));
+  EXPECT_EQ(asks["mapping"]["taxels"], Json::parse(R"([{"taxel": 3, "column": "t3"}])")) << "guessed";
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "real.recmap.json"));
+  EXPECT_NEAR(shown["shift"].get<double>(), -12.5, 0.002);
+  EXPECT_GT(shown["correlation"].get<double>(), 0.99);
+  ASSERT_EQ(fitted["shown"]["fits"].size(), 1U);
+  const Json& fit = fitted["shown"]["fits"][0];
+  EXPECT_NEAR(fit["gain"].get<double>(), 0.02, 0.0005);
+  EXPECT_NEAR(fit["offset"].get<double>(), 50, 1);
+  EXPECT_GT(fitted["curves"][0]["points"].get<int>(), 50);
+  const Json& calibration = applied["document"]["layout"]["calibration"]["taxels"][0];
+  EXPECT_EQ(calibration["gain"], fit["gain"]);
+  EXPECT_NEAR(calibration["tare"].get<double>(), -fit["offset"].get<double>() / fit["gain"].get<double>(), 1e-6);
+  EXPECT_FALSE(studio.state("undone.json")["document"]["layout"].contains("calibration"));
+  EXPECT_EQ(studio.state("removed.json")["real"]["shown"], nullptr);
+}
+
+TEST(Real, WhatATableCannotBeIsSaidInTheDialogAndItStays) {
+  const StudioProgram studio;
+  const std::string file = (studio.folder() / "bad.csv").string();
+  write_text(file, "time,taxel_3\n0,1\n1,x\n2,3\n");
+  studio.play(joined({{key("Right"), kIdle},
+                      imported((studio.folder() / "gone.csv").string()),
+                      {dump("gone.json")},
+                      imported(file),
+                      {press("Overlay"), kIdle, dump("bad.json"), key("Escape"), kIdle, dump("left.json")}}),
+              few_samples(studio));
+  EXPECT_NE(studio.state("gone.json")["messages"].dump().find("gone.csv: no such file"), std::string::npos);
+  const Json bad = studio.state("bad.json")["real"];
+  EXPECT_TRUE(bad["asks"]);
+  EXPECT_NE(bad["problem"].get<std::string>().find("line 3, column \"taxel_3\": is no number: \"x\""),
+            std::string::npos)
+      << bad["problem"];
+  EXPECT_FALSE(studio.state("left.json")["real"]["asks"]);
+  EXPECT_EQ(studio.state("left.json")["real"]["shown"], nullptr);
+}
+
+}  // namespace
+}  // namespace taxel::test

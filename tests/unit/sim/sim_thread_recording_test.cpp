@@ -1,0 +1,179 @@
+// What the simulation's thread records: every step, the same numbers as a plain loop, and nothing that has not been.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/project/recording/csv.h"
+#include "core/project/recording/npz.h"
+#include "core/sim/recording/run_recorder.h"
+#include "core/sim/sim_thread.h"
+#include "core/sim/simulator.h"
+#include "fixtures/sweep_model.h"
+#include "fixtures/temp_folder.h"
+
+namespace taxel {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+/// With shear and a calibration that remembers: a loop between loading and unloading.
+SensorModelPtr remembering_model() {
+  const fs::path file = fs::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
+  Layout layout = read_layout(file);
+  layout.sampling.density = 1e5;
+  layout.readout.shear = true;
+  layout.calibration.emplace();
+  layout.calibration->hysteresis = Hysteresis{100, 1};
+  layout.calibration->noise = 1;
+  const LoadedMesh mesh = load_mesh(mesh_path(layout, file), layout.mesh.scale);
+  return build_sensor_model(layout, mesh.mesh, mesh.sha256, file.string());
+}
+
+class ThreadRecording : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { model_ = remembering_model(); }
+  static void TearDownTestSuite() { model_.reset(); }
+  void SetUp() override {
+    thread_.set_clock_driven(false);
+    ask(LoadSweepCommand{model_, touching()});
+  }
+  /// In contact after a few steps.
+  static SweepScenario touching() {
+    SweepScenario scenario;
+    scenario.before = 0.002;
+    scenario.speed = 0.02;
+    return scenario;
+  }
+  SimFramePtr ask(SimCommand command) {
+    const std::uint64_t number = thread_.send(std::move(command));
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (std::chrono::steady_clock::now() < end) {
+      if (SimFramePtr frame = thread_.newest_frame(); frame && frame->commands >= number) return frame;
+      std::this_thread::sleep_for(100us);
+    }
+    throw std::runtime_error("no answer");
+  }
+  [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
+  /// The steps from `first` to `last` (from 1) of a plain loop.
+  static Recording plain(int first, int last) {
+    const auto simulator = Simulator::make_sweep(model_, touching());
+    RunRecorder recorder(*simulator->scene());
+    for (int step = 1; step <= last; ++step) {
+      simulator->step();
+      if (step >= first) recorder.follow(simulator->view(), {simulator->mocap_quat(), simulator->mocap_pos()}, true);
+    }
+    return recorder.take();
+  }
+  /// All arrays of it.
+  static void expect_recorded(const std::string& written, const Recording& expected) {
+    EXPECT_EQ(read_file(written), recording_to_npz(expected));
+  }
+
+  static SensorModelPtr model_;
+  test::TempFolder folder_;
+  SimThread thread_;
+};
+SensorModelPtr ThreadRecording::model_;
+
+TEST_F(ThreadRecording, TheHistoryIsWhatAPlainLoopRecords) {
+  ask(StepCommand{260});
+  const SimFramePtr all = ask(ExportHistoryCommand{file("all.npz")});
+  EXPECT_EQ(all->written.error, "");
+  EXPECT_EQ(all->written.rows, 260U) << "not the look before the first step";
+  const Recording expected = plain(1, 260);
+  EXPECT_GT(expected.rows.back().sensors[0].polygons, 0) << "in contact";
+  EXPECT_NE(expected.rows.back().sensors[0].shear[3], dvec2(0));
+  expect_recorded(file("all.npz"), expected);
+  ask(ExportHistoryCommand{file("part.npz"), StepRange{100, 200}});
+  expect_recorded(file("part.npz"), plain(100, 200));
+  EXPECT_NE(ask(ExportHistoryCommand{file("none.npz"), StepRange{900, 901}})->written.error.find("no step there"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(file("none.npz")));
+}
+
+TEST_F(ThreadRecording, EveryStepIsKeptHoweverShortTheHistoryIs) {
+  ask(StepHistoryLimitsCommand{{20, std::size_t{1} << 30}});
+  ask(StepCommand{50});
+  EXPECT_TRUE(ask(RecordCommand{file("live")})->recording.on);
+  const SimFramePtr on = ask(StepCommand{150});
+  EXPECT_EQ(on->recording.steps, 150U);
+  EXPECT_NEAR(on->recording.seconds, 0.15, 1e-12);
+  EXPECT_FALSE(fs::exists(file("live"))) << "nothing half written";
+  const SimFramePtr off = ask(EndRecordingCommand{});
+  EXPECT_FALSE(off->recording.on);
+  EXPECT_EQ(off->written.error, "");
+  expect_recorded(file("live/readings.npz"), plain(51, 200));
+  EXPECT_TRUE(fs::exists(file("live/scene.xml")));
+  EXPECT_TRUE(fs::exists(file("live/shear.csv")) && fs::exists(file("live/calibrated.csv")));
+}
+
+TEST_F(ThreadRecording, GoingBackTakesBackWhatWasRecordedSince) {
+  ask(StepCommand{100});
+  ask(RecordCommand{file("back.npz")});
+  ask(StepCommand{100});
+  ask(ScrubCommand{150});
+  ask(StepCommand{40});
+  EXPECT_EQ(ask(StepCommand{10})->recording.steps, 100U);
+  ask(EndRecordingCommand{});
+  expect_recorded(file("back.npz"), plain(101, 200));
+  ask(RecordCommand{file("before.npz")});
+  ask(StepCommand{10});
+  ask(ScrubCommand{180});  // before it began
+  ask(StepCommand{20});
+  ask(EndRecordingCommand{});
+  expect_recorded(file("before.npz"), [] {
+    Recording expected = plain(181, 200);
+    return expected;
+  }());
+}
+
+TEST_F(ThreadRecording, AnotherRunEndsItAndIsNoPartOfIt) {
+  ask(RecordCommand{file("run.npz")});
+  ask(StepCommand{30});
+  const SimFramePtr reset = ask(ResetCommand{});
+  EXPECT_FALSE(reset->recording.on);
+  EXPECT_EQ(reset->written.note, "it ended because the run began anew");
+  expect_recorded(file("run.npz"), plain(1, 30));
+  ask(RecordCommand{file("none.npz")});
+  EXPECT_NE(ask(EndRecordingCommand{})->written.error.find("no step was made"), std::string::npos);
+  EXPECT_FALSE(fs::exists(file("none.npz")));
+}
+
+TEST_F(ThreadRecording, WhatCannotBeWrittenIsKeptAndWrittenElsewhere) {
+  ask(RecordCommand{"/proc/no/live"});
+  ask(StepCommand{30});
+  const SimFramePtr failed = ask(EndRecordingCommand{});
+  EXPECT_NE(failed->written.error.find("/proc/no/live"), std::string::npos);
+  EXPECT_TRUE(failed->written.kept);
+  const SimFramePtr again = ask(WriteRecordingCommand{"/proc/no/again.csv"});
+  EXPECT_TRUE(again->written.kept);
+  EXPECT_EQ(again->written.number, failed->written.number + 1) << "told once each";
+  const SimFramePtr written = ask(WriteRecordingCommand{file("live.csv")});
+  EXPECT_EQ(written->written.error, "");
+  EXPECT_EQ(read_file(file("live.csv")), recording_to_csv(plain(1, 30)));
+  const std::uint64_t number = written->written.number;
+  EXPECT_EQ(ask(WriteRecordingCommand{file("once more.csv")})->written.number, number) << "there is nothing left";
+}
+
+TEST_F(ThreadRecording, OnlyWhatOneLayoutReadIsOneRecording) {
+  ask(StepCommand{20});
+  Layout layout = model_->layout;
+  layout.calibration.reset();
+  layout.readout.shear = false;
+  const SensorModelPtr other = build_sensor_model(layout, model_->mesh, "", "other");
+  ask(RecordCommand{file("first.npz")});
+  ask(StepCommand{10});
+  const SimFramePtr replaced = ask(ReplaceModelCommand{model_, other});
+  EXPECT_EQ(replaced->written.note, "it ended because another layout reads from there on");
+  expect_recorded(file("first.npz"), plain(21, 30));
+  ask(StepCommand{10});
+  const SimFramePtr second = ask(ExportHistoryCommand{file("second.npz")});
+  EXPECT_EQ(second->written.rows, 11U) << "the newest step is read anew";
+  EXPECT_EQ(second->written.note, "29 earlier steps were read by another layout and are left out");
+  EXPECT_FALSE(read_recording(file("second.npz")).sensors[0].shear);
+}
+
+}  // namespace
+}  // namespace taxel
