@@ -63,7 +63,9 @@ class Session {
   /// Measures between two points; none: nothing.
   void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
   /// Works out the receptive fields of what this mode shows, for the pictures to come.
-  void show_fields(ui::Mode mode, ui::FieldMap map) { field_mode_ = mode, field_map_ = map; }
+  void show_fields(ui::Mode mode, ui::FieldMap map, bool weights) {
+    field_mode_ = mode, field_map_ = map, field_weights_ = weights;
+  }
   /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
   void explain(std::optional<ui::ExplainWish> wish);
   /// From the last edit to the probe's reading [s]; none: not read yet.
@@ -181,6 +183,7 @@ class Session {
   ui::ShownFieldsPtr shown_fields_;
   ui::Mode field_mode_ = ui::Mode::simulate;
   ui::FieldMap field_map_ = ui::FieldMap::none;
+  bool field_weights_ = false;
   ExplainWorker explain_;
   std::optional<ui::ExplainWish> explain_wish_;
   ui::ExplainedPtr explained_;
@@ -205,7 +208,7 @@ class Session {
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
-  bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
+  bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   bool sweep_ = false, simulates_document_ = false;

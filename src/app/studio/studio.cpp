@@ -297,7 +297,7 @@ void Studio::draw_contents() {
   // Before the picture is filled, which takes a software renderer longer than a worker needs to answer.
   session_.press(ui::probe_wish(ui_));
   session_.measure(ui::measure_wish(ui_, input_));
-  session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays));
+  session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays), ui_.saved.overlays.readings_on_skin);
   carry_out_requests();
   window_->set_cursor(ImGui::GetMouseCursor());
   ImGui::Render();

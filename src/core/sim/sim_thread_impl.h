@@ -42,6 +42,7 @@ struct SimThread::Impl {
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   bool follows_before = false;            // frames carry the step before
+  std::shared_ptr<const RecalledSteps> recalled;
   std::optional<Jump> stop;
   SimState state;  // scratch
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
@@ -79,6 +80,7 @@ struct SimThread::Impl {
   void begin_run();
   void go_on_from_shown();
   void scrub(std::uint64_t step);
+  void recall(const RecallCommand& asked);
   bool execute_on_scene(const SimCommand& command);
   void execute_on_history(const SimCommand& command);
   bool step_once();

@@ -34,6 +34,7 @@ struct Simulator::Impl {
   void make_data();
   void read_by(Aggregate aggregate);
   void describe();
+  [[nodiscard]] std::vector<TouchedBody> touched_by(std::size_t number) const;
   void place_mocap(double travelled);
   void look();
   void check_stability() const;

@@ -26,7 +26,8 @@ void arrange_compactly(ImGuiID space) {
   for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
   for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle})
     ImGui::DockBuilderDockWindow(title, right);
-  for (const char* title : {kBarsTitle, kPlotTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
+  for (const char* title :
+       {kBarsTitle, kMapTitle, kPlotTitle, kModelsTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
     ImGui::DockBuilderDockWindow(title, bottom);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
@@ -49,8 +50,10 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kGenerateTitle, right);
   ImGui::DockBuilderDockWindow(kExplainTitle, right);
   ImGui::DockBuilderDockWindow(kBarsTitle, bars);
+  ImGui::DockBuilderDockWindow(kMapTitle, bars);
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);
+  ImGui::DockBuilderDockWindow(kModelsTitle, plot);
   ImGui::DockBuilderDockWindow(kSectionTitle, section);
   ImGui::DockBuilderDockWindow(kTimelineTitle, timeline);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));

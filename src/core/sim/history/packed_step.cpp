@@ -8,7 +8,7 @@ namespace {
 
 /// Numbers of one sensor's arrays.
 struct SensorCounts {
-  std::uint32_t readings = 0, rays = 0, hits = 0, surfaces = 0;
+  std::uint32_t readings = 0, rays = 0, hits = 0, surfaces = 0, motions = 0;
 };
 struct SurfaceCounts {
   std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
@@ -177,8 +177,9 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   sink.put(sensor.force_W);
   sink.put(sensor.uncovered_W);
   sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.hits.size()), count(sensor.hit_rays.size()),
-                        count(sensor.surfaces.size())});
+                        count(sensor.surfaces.size()), count(sensor.motions.size())});
   sink.put_all(sensor.readings);
+  sink.put_all(sensor.motions);
   for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
   sink.put_all(sensor.hit_rays);
   std::byte* to = sink.end();
@@ -193,6 +194,7 @@ void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& 
   sensor.uncovered_W = source.take<dvec3>();
   const auto counts = source.take<SensorCounts>();
   source.take_all(sensor.readings, counts.readings);
+  source.take_all(sensor.motions, counts.motions);
   sensor.surfaces.resize(counts.surfaces);
   for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
   sensor.hits.assign(counts.rays, RayHit{});
@@ -213,6 +215,7 @@ std::size_t largest_packed_size(const StepView& view) {
   std::size_t size = 2 * sizeof(std::uint32_t) + view.geom_poses.size() * sizeof(Pose);
   for (const SensorView& sensor : view.sensors) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
+            sensor.motions.size() * sizeof(SurfaceMotion) +
             sensor.hit_rays.size() * (sizeof(std::int32_t) + sizeof(RayHit));
     for (const ContactSurface* surface : sensor.surfaces) size += largest_surface_size(*surface);
   }

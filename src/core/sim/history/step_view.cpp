@@ -18,6 +18,7 @@ void fill_frame(const StepView& now, SimFrame& frame) {
     state.force_W = sensor.force_W;
     state.uncovered_W = sensor.uncovered_W;
     state.hits.assign(sensor.hits.begin(), sensor.hits.end());
+    state.motions = sensor.motions;
     state.surfaces.clear();
     for (const ContactSurface* surface : sensor.surfaces) state.surfaces.push_back(*surface);
   }
