@@ -5,6 +5,7 @@
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/models_tool.h"
 #include "ui/tools/reading_range.h"
 
 namespace taxel::studio {
@@ -78,11 +79,39 @@ Json map_json(const ui::UiState& ui, const ui::UiInput& input) {
   return {{"unrolled", ui.map.map.unrolled}, {"discs", std::move(discs)}};
 }
 
+/// What the models say of the step shown, and of the steps that were read.
+Json models_json(const ui::UiState& ui, const ui::UiInput& input) {
+  const ui::ComparedSteps* compared = ui::shown_comparison(ui, input);
+  if (compared == nullptr) return nullptr;
+  Json json{{"steps", compared->steps.size()}, {"due", compared->due}, {"problem", compared->problem}};
+  const ui::ComparedStep* step = compared->at(input.frame->step);
+  json["step"] = step != nullptr ? Json(step->step) : Json(nullptr);
+  json["models"] = Json::object();
+  const int taxel = ui::compared_taxel(ui, *compared);
+  json["taxel"] = taxel >= 0 ? Json(compared->model->layout.taxels[static_cast<std::size_t>(taxel)].id) : Json(nullptr);
+  for (const ReadingModel model : kReadingModels) {
+    Json& one = json["models"][to_word(model)];
+    one["unit"] = unit_of(model, compared->model->layout.readout.aggregate);
+    if (step != nullptr) one["values"] = step->readings[model].values;
+    if (step != nullptr) one["missing"] = step->readings[model].missing;
+    if (taxel < 0) continue;
+    const auto curve = [&](ReadingModel m) { return ui::model_curve(*compared, m, static_cast<std::size_t>(taxel)); };
+    const CurveComparison c = compare_curve(curve(model), curve(ReadingModel::exact));
+    one["peak"] = c.peak;
+    one["largest_step"] = c.largest_step;
+    one["correlation"] = c.correlation ? Json(*c.correlation) : Json(nullptr);
+    one["rms"] = c.rms ? Json(*c.rms) : Json(nullptr);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string live_to_json(const ui::UiState& ui, const ui::UiInput& input) {
-  return Json{
-      {"tractions", tractions_json(ui.view.numbers)}, {"skin", skin_json(ui, input)}, {"map", map_json(ui, input)}}
+  return Json{{"tractions", tractions_json(ui.view.numbers)},
+              {"skin", skin_json(ui, input)},
+              {"map", map_json(ui, input)},
+              {"models", models_json(ui, input)}}
       .dump();
 }
 

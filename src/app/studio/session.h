@@ -14,6 +14,7 @@
 #include "app/studio/field_worker.h"
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
+#include "app/studio/models_worker.h"
 #include "app/studio/probe_worker.h"
 #include "core/sim/history/replay.h"
 #include "core/sim/sim_thread.h"
@@ -68,6 +69,8 @@ class Session {
   }
   /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
   void explain(std::optional<ui::ExplainWish> wish);
+  /// Reads the recorded steps of the simulation by other models, while it stands; none: not any more.
+  void compare_models(std::optional<ui::ModelsWish> wish) { models_.compare(wish); }
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -103,7 +106,7 @@ class Session {
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
-           !fields_.busy() && !explain_.busy();
+           !fields_.busy() && !explain_.busy() && !models_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -140,6 +143,7 @@ class Session {
   void take_reading(SessionNews& news);
   void take_fields(SessionNews& news);
   void take_explanation(SessionNews& news);
+  void take_models(SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -184,6 +188,8 @@ class Session {
   ui::Mode field_mode_ = ui::Mode::simulate;
   ui::FieldMap field_map_ = ui::FieldMap::none;
   bool field_weights_ = false;
+  ModelsWorker models_;
+  ui::ComparedPtr compared_;
   ExplainWorker explain_;
   std::optional<ui::ExplainWish> explain_wish_;
   ui::ExplainedPtr explained_;

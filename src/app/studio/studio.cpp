@@ -18,6 +18,7 @@
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/explain_tool.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/models_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/widgets/format.h"
 
@@ -276,6 +277,7 @@ void Studio::draw_picture(double seconds) {
   input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
   draw_contents();
   session_.explain(ui::explain_wish(ui_, input_));
+  session_.compare_models(ui::models_wish(ui_, input_));
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;

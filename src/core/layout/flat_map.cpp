@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/layout/point_grid.h"
+
 namespace taxel {
 namespace {
 
 constexpr double kOneSide = 60.0;  // degrees from the mean normal
 constexpr double kLeast = 0.8;     // of the typical distance of neighbours
 constexpr int kRounds = 400;
+constexpr std::size_t kMostAsked = 500;
 
-/// Median over the taxels of the distance to the nearest other one.
-template <class Points>
-double typical_distance(const Points& points) {
+/// Median over the taxels, or some of many, of the distance to the nearest other one.
+double typical_distance(const std::vector<dvec3>& points) {
   std::vector<double> nearest;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const std::size_t stride = 1 + points.size() / kMostAsked;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < points.size(); ++j)
       if (j != i) least = std::min(least, glm::distance(points[i], points[j]));
@@ -26,11 +29,24 @@ double typical_distance(const Points& points) {
   return *middle;
 }
 
-double least_distance(const std::vector<dvec2>& points) {
-  double least = std::numeric_limits<double>::infinity();
+/// Calls visit(i, j) for j < i of points that lie within `reach` of each other.
+template <class Visit>
+void visit_pairs(const std::vector<dvec2>& points, double reach, const Visit& visit) {
+  std::vector<dvec3> flat;
+  for (const dvec2& p : points) flat.emplace_back(p, 0);
+  const PointGrid grid(flat, reach);
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) least = std::min(least, glm::distance(points[i], points[j]));
-  return points.size() < 2 ? 0 : least;
+    grid.visit_near(flat[i], reach, [&](int j) {
+      if (static_cast<std::size_t>(j) < i) visit(i, static_cast<std::size_t>(j));
+    });
+}
+
+/// Of two points; `reach` where none are closer.
+double least_distance(const std::vector<dvec2>& points, double reach) {
+  double least = reach;
+  visit_pairs(points, reach,
+              [&](std::size_t i, std::size_t j) { least = std::min(least, glm::distance(points[i], points[j])); });
+  return least;
 }
 
 /// Pairs that are too close push each other, each by half of what is missing, round by round.
@@ -38,18 +54,16 @@ void move_apart(std::vector<dvec2>& points, double least) {
   for (int round = 0; round < kRounds; ++round) {
     std::vector<dvec2> moves(points.size(), dvec2(0));
     bool any = false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const dvec2 d = points[i] - points[j];
-        const double length = glm::length(d);
-        if (!(length < 0.999 * least)) continue;
-        any = true;
-        const double turn = 2.4 * static_cast<double>(i);  // of those in one place: each its own way
-        const dvec2 way = length > 1e-9 * least ? d / length : dvec2(std::cos(turn), std::sin(turn));
-        moves[i] += 0.5 * (least - length) * way;
-        moves[j] -= 0.5 * (least - length) * way;
-      }
-    }
+    visit_pairs(points, least, [&](std::size_t i, std::size_t j) {
+      const dvec2 d = points[i] - points[j];
+      const double length = glm::length(d);
+      if (!(length < 0.999 * least)) return;
+      any = true;
+      const double turn = 2.4 * static_cast<double>(i);  // of those in one place: each its own way
+      const dvec2 way = length > 1e-9 * least ? d / length : dvec2(std::cos(turn), std::sin(turn));
+      moves[i] += 0.5 * (least - length) * way;
+      moves[j] -= 0.5 * (least - length) * way;
+    });
     if (!any) return;
     for (std::size_t i = 0; i < points.size(); ++i) points[i] += 0.7 * moves[i];
   }
@@ -92,8 +106,10 @@ FlatMap flat_map(const Layout& layout, const dvec3& inside) {
       map.places.emplace_back(glm::dot(p, glm::cross(up, mean)), glm::dot(p, up));
     }
   }
-  move_apart(map.places, kLeast * typical_distance(centers));
-  map.apart = least_distance(map.places);
+  const double typical = typical_distance(centers);
+  if (!(typical > 0)) return map;
+  move_apart(map.places, kLeast * typical);
+  map.apart = least_distance(map.places, 2 * typical);
   return map;
 }
 

@@ -9,7 +9,9 @@ namespace taxel {
 
 struct FlatMap {
   std::vector<dvec2> places;  ///< of the taxels [m]: right, up
-  double apart = 0;           ///< the least distance of two of them [m]; 0 for one taxel
+  /// The least distance of two of them, at most twice the typical one on the sensor [m]; 0 for one taxel, and where
+  /// all are in one place.
+  double apart = 0;
   bool unrolled = false;      ///< around the axis; else seen along the mean normal
 };
 

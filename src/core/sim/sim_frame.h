@@ -39,12 +39,13 @@ struct TraceRow {
 
 /// A body that a sensor touches.
 struct TouchedBody {
-  HydroBodyPtr body;      ///< null: a sensor that cannot be touched
-  int geom = -1;          ///< that it is, in SimScene::geoms; its frame is G
-  int sensor = -1;        ///< that it is instead, in SimScene::sensors; its frame is that sensor's M
-  bool mirrored = false;  ///< that sensor computes the pair's surface
-  Pose X_WB;              ///< of one that is neither, and does not move
-  std::string name;       ///< of its geom
+  HydroBodyPtr body;                   ///< null: a sensor that cannot be touched
+  int geom = -1;                       ///< that it is, in SimScene::geoms; its frame is G
+  int sensor = -1;                     ///< that it is instead, in SimScene::sensors; its frame is that sensor's M
+  bool mirrored = false;               ///< that sensor computes the pair's surface
+  Pose X_WB;                           ///< of one that is neither, and does not move
+  std::string name;                    ///< of its geom
+  std::shared_ptr<const Shape> shape;  ///< of that, in the frame of the body; null for a sensor
 };
 
 /// The parts of a scene that do not change while it runs.

@@ -51,7 +51,7 @@ void Simulator::Impl::read_by(Aggregate aggregate) {
   }
 }
 
-std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) const {
+std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
   std::vector<TouchedBody> all;
   for (const TouchedGeom& touched : sensor(number).touched()) {
     TouchedBody& one = all.emplace_back();
@@ -64,7 +64,12 @@ std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) const {
       one.mirrored = touched.role.mirrored;
       const SensorModelPtr& model = sensor(static_cast<std::size_t>(one.sensor)).model();
       one.body = model ? model->body : nullptr;
-    } else if (geom != drawn.end()) {
+      continue;
+    }
+    std::shared_ptr<const Shape>& shape = shapes[touched.geom];
+    if (shape == nullptr && touched.body) shape = std::make_shared<const Shape>(geom_shape(m(), touched.geom));
+    one.shape = shape;
+    if (geom != drawn.end()) {
       one.geom = static_cast<int>(geom - drawn.begin());
     } else if (m().body_weldid[m().geom_bodyid[touched.geom]] == 0) {
       one.X_WB = geom_pose(m(), d(), touched.geom);

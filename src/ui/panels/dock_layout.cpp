@@ -53,9 +53,9 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kMapTitle, bars);
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);
-  ImGui::DockBuilderDockWindow(kModelsTitle, plot);
   ImGui::DockBuilderDockWindow(kSectionTitle, section);
   ImGui::DockBuilderDockWindow(kTimelineTitle, timeline);
+  ImGui::DockBuilderDockWindow(kModelsTitle, timeline);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
 

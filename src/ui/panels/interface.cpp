@@ -14,6 +14,7 @@
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/mesh_section.h"
 #include "ui/panels/messages.h"
+#include "ui/panels/models_panel.h"
 #include "ui/panels/outliner_panel.h"
 #include "ui/panels/palette_card.h"
 #include "ui/panels/plot_panel.h"
@@ -61,6 +62,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.section) draw_section(ui, input);
   if (shown.timeline && ui.mode == Mode::simulate) draw_timeline_panel(ui, input);
   if (shown.explain && ui.mode == Mode::simulate) draw_explain_panel(ui, input);
+  if (shown.models && ui.mode == Mode::simulate) draw_models_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 
