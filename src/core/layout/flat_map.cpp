@@ -9,7 +9,7 @@ namespace taxel {
 namespace {
 
 constexpr double kOneSide = 60.0;  // degrees from the mean normal
-constexpr double kLeast = 0.8;     // of the typical distance of neighbours
+constexpr double kLeast = 0.9;     // of the typical distance of neighbours
 constexpr int kRounds = 400;
 constexpr std::size_t kMostAsked = 500;
 

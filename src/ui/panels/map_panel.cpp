@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kPart = 0.46;       // of the distance of neighbours: radius of the discs
 constexpr float kLargest = 2.2f;     // radius, in heights of text
+constexpr float kRimFrom = 6.0f;     // radius [pixel], below which a rim would hide the colour
 constexpr double kLightFrom = 0.62;  // of the range: colours on which dark text is read
 
 /// Where the map lies in the panel.
@@ -62,7 +63,8 @@ void draw_disc(UiState& ui, const MapDisc& disc, bool read, const PressureRange&
   const auto radius = static_cast<float>(disc.radius);
   const bool selected = ui.selection.contains(disc.taxel_id);
   list.AddCircleFilled(at, radius, read ? pressure_color(range, disc.value) : to_u32(colors.field));
-  list.AddCircle(at, radius, to_u32(selected ? colors.accent : colors.line), 0, (selected ? 3.0f : 1.0f));
+  if (selected || radius > kRimFrom)
+    list.AddCircle(at, radius, to_u32(selected ? colors.accent : colors.line), 0, (selected ? 3.0f : 1.0f));
   const std::string id = std::to_string(disc.taxel_id);
   if (kSmallText * ImGui::CalcTextSize(id.c_str()).x > 1.8f * radius) return;
   const bool light = read && disc.value - range.lo > kLightFrom * (range.hi - range.lo);

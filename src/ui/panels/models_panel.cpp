@@ -21,6 +21,7 @@ namespace {
 constexpr float kLeastWidth = 58;                // of table and curves beside each other, in heights of text
 constexpr std::array kColors{0, 5, 2, 3, 1, 6};  // numbers of taxel_color, by model
 constexpr std::array kNames{"Reading", "Star field", "Weighted sum", "Exact", "<tactile>", "<touch>"};
+constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.85f, 0.8f};  // of columns, to each other
 constexpr std::array kTips{
     "The layout as it is",
     "The same layout with a star field: tets from the centroid",
@@ -55,18 +56,19 @@ std::string cell_text(const ModelReadings& readings, ReadingModel model, std::si
       (model == ReadingModel::reading || model == ReadingModel::star) && readings[ReadingModel::exact].has(taxel);
   const double difference = beside ? value - readings[ReadingModel::exact].values[taxel] : 0;
   if (value == 0 && difference == 0) return "0";
-  return beside ? fmt::format("{:.3g} ({:+.2g})", unit.scale * value, unit.scale * difference)
-                : fmt::format("{:.3g}", unit.scale * value);
+  return beside ? fmt::format("{:.4g} ({:+.2g})", unit.scale * value, unit.scale * difference)
+                : fmt::format("{:.4g}", unit.scale * value);
 }
 
 void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedStep* step, ImVec2 size) {
   const Layout& layout = compared.model->layout;
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV |
-                          ImGuiTableFlags_SizingStretchProp;
+                          ImGuiTableFlags_SizingStretchSame;
   if (!ImGui::BeginTable("##models", 1 + static_cast<int>(kReadingModels.size()), kFlags, size)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Id", 0, 0.4f);
-  for (const ReadingModel model : kReadingModels) ImGui::TableSetupColumn(kNames[number(model)]);
+  for (const ReadingModel model : kReadingModels)
+    ImGui::TableSetupColumn(kNames[number(model)], ImGuiTableColumnFlags_WidthStretch, kWidths[number(model)]);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::TableNextColumn();
   ImGui::TextDisabled("Id");

@@ -213,7 +213,7 @@ TEST_F(Comparison, NothingOfItReachesTheSimulation) {
   const SimFrame a = after(*compared, 10), b = after(*alone, 10);
   EXPECT_EQ(a.sensors[0].readings, b.sensors[0].readings);
   EXPECT_EQ(a.sensors[0].X_WM.p, b.sensors[0].X_WM.p);
-  comparison.read(a.sensors, a.geom_poses);
+  EXPECT_EQ(comparison.read(a.sensors, a.geom_poses)[ReadingModel::reading].values, a.sensors[0].readings);
   const ModelReadings again = comparison.read(frame.sensors, frame.geom_poses);
   for (const ReadingModel m : kReadingModels) EXPECT_EQ(again[m].values, first[m].values) << to_word(m);
 }
