@@ -82,6 +82,7 @@ std::optional<RecallCommand> ModelsWorker::follow(const SimFramePtr& frame, bool
   const bool read = result && result->generation == generation_ && (recall_ == 0 || result->recalled == recall_);
   complete_ = false;
   if (!answered || !read) return std::nullopt;
+  for (const ui::ComparedStep& step : result->shown->steps) asked_.insert(step.step);  // those that were shown
   RecallCommand next;
   for (const std::uint64_t step : wanted) {
     if (next.steps.size() == kBatch) break;
