@@ -12,6 +12,10 @@ struct QuadraturePoint {
   double u = 0, v = 0, weight = 0;
 };
 
+/// Exact for polynomials of degree 2, three points inside the triangle, all weights equal (Strang, Fix 1973).
+inline constexpr std::array<QuadraturePoint, 3> kTriangleDegree2{
+    {{1.0 / 6, 1.0 / 6, 1.0 / 3}, {1.0 / 6, 2.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 6, 1.0 / 3}}};
+
 /// Exact for polynomials of degree 4, six points inside the triangle, all weights positive (Dunavant 1985):
 /// a = (8 - sqrt(10) +- sqrt(38 - 44 sqrt(2/5)))/18, w = (620 +- sqrt(213125 - 53320 sqrt(10)))/3720.
 inline constexpr std::array<QuadraturePoint, 6> kTriangleDegree4 = [] {
@@ -56,11 +60,11 @@ void for_each_triangle(const ContactSurface& surface, const ContactPolygon& poly
   for (int i = 1; i + 1 < polygon.count; ++i) f(corners[0], corners[i], corners[i + 1], area(i) * (polygon.area / sum));
 }
 
-/// Calls f(x, dA) for points of the polygon whose sums are exact for polynomials of degree 4.
-template <class F>
-void for_each_quadrature_point(const ContactSurface& surface, const ContactPolygon& polygon, F&& f) {
+/// Calls f(x, dA) for points of the polygon whose sums are exact for polynomials of the rule's degree.
+template <class Rule, class F>
+void for_each_quadrature_point(const ContactSurface& surface, const ContactPolygon& polygon, const Rule& rule, F&& f) {
   for_each_triangle(surface, polygon, [&](const dvec3& a, const dvec3& b, const dvec3& c, double area) {
-    for (const QuadraturePoint& q : kTriangleDegree4) f(q.u * a + q.v * b + (1 - q.u - q.v) * c, q.weight * area);
+    for (const QuadraturePoint& q : rule) f(q.u * a + q.v * b + (1 - q.u - q.v) * c, q.weight * area);
   });
 }
 

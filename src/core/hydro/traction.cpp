@@ -2,39 +2,26 @@
 
 #include <span>
 
+#include "core/hydro/kernel/pressure_moments.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {
 namespace {
+
+std::vector<dvec3> pressure_moments(const ContactSurface& surface) {
+  std::vector<dvec3> moments;
+  find_pressure_moments(surface, moments);
+  return moments;
+}
 
 std::span<const dvec3> corners_of(const ContactSurface& surface, const ContactPolygon& polygon) {
   return std::span(surface.vertices)
       .subspan(static_cast<std::size_t>(polygon.first), static_cast<std::size_t>(polygon.count));
 }
 
-/// Integral over the polygon of (x - c) dot(g, x - c) dA, c its centroid: fan about c, of each triangle
-/// A/12 (sum of v dot(g, v) over the corners + s dot(g, s)), s their sum, one corner at the origin.
-dvec3 gradient_moment(const ContactPolygon& polygon, std::span<const dvec3> corners) {
-  dvec3 moment{0};
-  dvec3 a = corners.back() - polygon.centroid;
-  for (const dvec3& corner : corners) {
-    const dvec3 b = corner - polygon.centroid;
-    const double area = 0.5 * glm::dot(glm::cross(a, b), polygon.normal);
-    const double ga = glm::dot(polygon.gradient, a), gb = glm::dot(polygon.gradient, b);
-    moment += area / 12.0 * (ga * a + gb * b + (ga + gb) * (a + b));
-    a = b;
-  }
-  return moment;
-}
-
-/// Integral of p0 x dA: exact for linear p0.
-dvec3 pressure_moment(const ContactPolygon& polygon, std::span<const dvec3> corners) {
-  return polygon.area * polygon.pressure * polygon.centroid + gradient_moment(polygon, corners);
-}
-
-void add_elastic(const ContactPolygon& polygon, std::span<const dvec3> corners, Wrench& wrench) {
+void add_elastic(const ContactPolygon& polygon, const dvec3& moment, Wrench& wrench) {
   wrench.force += polygon.area * polygon.pressure * polygon.normal;
-  wrench.torque += glm::cross(pressure_moment(polygon, corners), polygon.normal);
+  wrench.torque += glm::cross(moment, polygon.normal);
 }
 
 /// Weights 1, x and x x^T summed over points.
@@ -98,13 +85,14 @@ class Integrator {
  public:
   Integrator(const PairProperties& pair, const Twist& V_BA) : pair_(pair), V_(V_BA) {}
 
-  /// Adds the polygon's elastic wrench and secant.
-  void add(const ContactSurface& surface, const ContactPolygon& polygon, Wrench& elastic, Matrix6& secant) const {
+  /// Adds the polygon's elastic wrench and secant; `moment` is the integral of p0 x dA.
+  void add(const ContactSurface& surface, const ContactPolygon& polygon, const dvec3& moment, Wrench& elastic,
+           Matrix6& secant) const {
     const auto corners = corners_of(surface, polygon);
     const bool pushing = pushes_everywhere(polygon, corners);
-    if (pushing) add_elastic(polygon, corners, elastic);
+    if (pushing) add_elastic(polygon, moment, elastic);
     PolygonSecant sums;
-    for_each_quadrature_point(surface, polygon, [&](const dvec3& x, double dA) {
+    for_each_quadrature_point(surface, polygon, kTriangleDegree4, [&](const dvec3& x, double dA) {
       add_point(polygon, x, dA, sums, pushing ? nullptr : &elastic);
     });
     add_secant(sums, polygon.normal, secant);
@@ -153,10 +141,6 @@ Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V) {
           elastic.torque - dvec3(answer[3], answer[4], answer[5])};
 }
 
-dvec3 pressure_moment(const ContactSurface& surface, const ContactPolygon& polygon) {
-  return pressure_moment(polygon, corners_of(surface, polygon));
-}
-
 PairProperties combine(const Material& a, const Material& b) {
   PairProperties pair;
   if (a.compliant() && b.compliant()) {
@@ -177,23 +161,25 @@ Traction traction(const ContactSurface& surface, const PairProperties& pair, con
     return result;
   }
   const Integrator integrator(pair, V_BA);
-  for (const ContactPolygon& polygon : surface.polygons)
-    integrator.add(surface, polygon, result.elastic, result.secant);
+  const std::vector<dvec3> moments = pressure_moments(surface);
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    integrator.add(surface, surface.polygons[i], moments[i], result.elastic, result.secant);
   result.wrench = secant_wrench(result.elastic, result.secant, V_BA);
   return result;
 }
 
 Wrench pressure_wrench(const ContactSurface& surface) {
   Wrench wrench;
-  for (const ContactPolygon& polygon : surface.polygons) add_elastic(polygon, corners_of(surface, polygon), wrench);
+  const std::vector<dvec3> moments = pressure_moments(surface);
+  for (std::size_t i = 0; i < moments.size(); ++i) add_elastic(surface.polygons[i], moments[i], wrench);
   return wrench;
 }
 
 dvec3 pressure_centroid(const ContactSurface& surface) {
   dvec3 moment{0}, area_moment{0};
   double sum = 0, area = 0;
+  for (const dvec3& each : pressure_moments(surface)) moment += each;
   for (const ContactPolygon& polygon : surface.polygons) {
-    moment += pressure_moment(polygon, corners_of(surface, polygon));
     sum += polygon.area * polygon.pressure;
     area_moment += polygon.area * polygon.centroid;
     area += polygon.area;

@@ -47,9 +47,6 @@ Traction traction(const ContactSurface& surface, const PairProperties& pair, con
 /// elastic - S V.
 Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V);
 
-/// Integral of p0 x dA over one polygon of the surface: exact for linear p0.
-dvec3 pressure_moment(const ContactSurface& surface, const ContactPolygon& polygon);
-
 /// Pressure alone (no velocity): wrench of p0 n, and the point where the force acts.
 Wrench pressure_wrench(const ContactSurface& surface);
 /// Centroid of the pressure, integral of p x dA / integral of p dA; the area's centroid where the pressure is zero.

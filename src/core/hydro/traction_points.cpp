@@ -1,11 +1,13 @@
 #include "core/hydro/traction_points.h"
 
+#include "core/hydro/kernel/pressure_moments.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {
 namespace {
 
-constexpr double kManyPolygons = 64;  // a polygon below this part of the surface counts as a point
+// Parts of the surface: a polygon below the first counts as a point, one below the second as three in each triangle.
+constexpr double kPoint = 1.0 / 64, kFewPoints = 1.0 / 8;
 
 /// f parts as moments of x, g parts as outer products.
 Matrix6 secant(const TractionSums& s) {
@@ -30,21 +32,26 @@ void TractionPoints::assign(const ContactSurface& surface) {
   blocks_.clear();
   count_ = 0;
   pressure_wrench_ = {};
-  const double large = surface.area() / kManyPolygons;
-  for (const ContactPolygon& polygon : surface.polygons) {
+  const double area = surface.area();
+  find_pressure_moments(surface, moments_);
+  for (std::size_t i = 0; i < moments_.size(); ++i) {
+    const ContactPolygon& polygon = surface.polygons[i];
+    const dvec3& moment = moments_[i];
     const double push = polygon.area * polygon.pressure;
     if (!(push > 0)) continue;
-    const dvec3 moment = pressure_moment(surface, polygon);
     pressure_wrench_.force += push * polygon.normal;
     pressure_wrench_.torque += glm::cross(moment, polygon.normal);
-    if (polygon.area <= large) {
-      add(moment / push, polygon.normal, push);
-      continue;
-    }
-    for_each_quadrature_point(surface, polygon, [&](const dvec3& x, double dA) {
+    const auto add_point = [&](const dvec3& x, double dA) {
       const double p0 = polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid);
       if (p0 > 0) add(x, polygon.normal, p0 * dA);
-    });
+    };
+    if (polygon.area <= kPoint * area) {
+      add(moment / push, polygon.normal, push);
+    } else if (polygon.area <= kFewPoints * area) {
+      for_each_quadrature_point(surface, polygon, kTriangleDegree2, add_point);
+    } else {
+      for_each_quadrature_point(surface, polygon, kTriangleDegree4, add_point);
+    }
   }
 }
 

@@ -89,7 +89,6 @@ StepView Simulator::view() const {
       one.motions.push_back({sensor.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.hits = reading.hits.all();
-    one.hit_rays = reading.hits.hit_rays();
     view.sensors.push_back(std::move(one));
   }
   return view;

@@ -37,9 +37,12 @@ TEST(InstructionSet, AllGiveTheSameTraction) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));
   const auto box = make_simple_body(ShapeType::box, dvec3(0.01));
   const Pose beside{glm::angleAxis(0.3, glm::normalize(dvec3(1, 2, 3))), dvec3(0.001, -0.013, 0.01)};
-  TractionPoints points;
-  points.assign(touch(*finger, *box, Pose{}, beside).surface);
-  const auto evaluate = [&] { return points.evaluate({3.0, 0.5}, {dvec3(2e-4, 1e-4, -0.01), dvec3(0.3, -0.2, 0.4)}); };
+  const ContactSurface surface = touch(*finger, *box, Pose{}, beside).surface;
+  const auto evaluate = [&] {
+    TractionPoints points;
+    points.assign(surface);
+    return points.evaluate({3.0, 0.5}, {dvec3(2e-4, 1e-4, -0.01), dvec3(0.3, -0.2, 0.4)});
+  };
   const Traction usual = evaluate();
   ASSERT_NE(usual.wrench.force, usual.elastic.force);
   for_each_set([&](std::int64_t target) {

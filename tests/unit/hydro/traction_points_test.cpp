@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hydro/kernel/pressure_moments.h"
+#include "core/hydro/quadrature.h"
 #include "fixtures/hydro_bodies.h"
 
 namespace taxel {
@@ -31,6 +33,38 @@ TEST(SlipFactor, IsTheArcTangentAtAnySpeed) {
     worst = std::max(worst, std::abs(static_cast<long double>(slip_factor(speed)) / exact - 1));
   }
   EXPECT_LT(worst, 1e-15L);
+}
+
+TEST(PressureMoments, AreTheIntegralsOfEachPolygon) {
+  const ContactSurface surface = ball_on_floor(0.003);
+  ASSERT_NE(surface.polygons.size() % 8, 0u);  // the last ones fill no group
+  std::vector<dvec3> moments(1000, dvec3(1));
+  find_pressure_moments(surface, moments);
+  ASSERT_EQ(moments.size(), surface.polygons.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const ContactPolygon& polygon = surface.polygons[i];
+    dvec3 sum{0};  // p0 x is of degree 2
+    for_each_quadrature_point(surface, polygon, kTriangleDegree4, [&](const dvec3& x, double dA) {
+      sum += (polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid)) * dA * x;
+    });
+    EXPECT_LE(glm::length(moments[i] - sum), 1e-12 * glm::length(sum)) << i;
+  }
+}
+
+TEST(TriangleRules, AreExactForTheirDegree) {
+  // integral of u^i v^j over the unit triangle, of area 1/2: i! j! / (i + j + 2)!
+  const auto factorial = [](int n) { return std::tgamma(n + 1.0); };
+  const auto check = [&](const auto& rule, int degree) {
+    for (int i = 0; i <= degree; ++i) {
+      for (int j = 0; i + j <= degree; ++j) {
+        double sum = 0;
+        for (const QuadraturePoint& q : rule) sum += 0.5 * q.weight * std::pow(q.u, i) * std::pow(q.v, j);
+        EXPECT_NEAR(sum, factorial(i) * factorial(j) / factorial(i + j + 2), 1e-15) << degree << ": " << i << " " << j;
+      }
+    }
+  };
+  check(kTriangleDegree2, 2);
+  check(kTriangleDegree4, 4);
 }
 
 TEST(TractionPoints, PressureWrenchIsThatOfTheSurface) {

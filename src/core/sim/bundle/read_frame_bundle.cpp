@@ -191,14 +191,9 @@ void remember(SimFrame& frame) {
   view.scene = frame.scene;
   view.step = frame.step, view.time = frame.time, view.travel = frame.travel;
   view.geom_poses = frame.geom_poses;
-  std::vector<std::vector<std::int32_t>> hit_rays(frame.sensors.size());
   TraceRow row{frame.time, frame.travel, {}, SampleQuality::polished};
-  for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
-    const SensorFrameState& state = frame.sensors[s];
-    for (std::size_t ray = 0; ray < state.hits.size(); ++ray)
-      if (state.hits[ray].hit()) hit_rays[s].push_back(static_cast<std::int32_t>(ray));
-    SensorView sensor{state.X_WM, state.force_W, state.uncovered_W, state.readings,
-                      {},         state.motions, state.hits,        hit_rays[s]};
+  for (const SensorFrameState& state : frame.sensors) {
+    SensorView sensor{state.X_WM, state.force_W, state.uncovered_W, state.readings, {}, state.motions, state.hits};
     for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
     view.sensors.push_back(std::move(sensor));
     row.readings.insert(row.readings.end(), state.readings.begin(), state.readings.end());

@@ -7,10 +7,11 @@
 
 namespace taxel {
 
-/// Flat: poses, readings, the surfaces' arrays one after the other, of the rays only those that hit. Shared: the scene,
-/// the sensor models, and of polygons in a tet of the sensor's own field the gradient, which is the tet's.
+/// Flat: poses, readings, the surfaces' arrays one after the other. Shared: the scene, the sensor models, and of
+/// polygons in a tet of the sensor's own field the gradient, which is the tet's. Not kept: what rays hit, which is cast
+/// anew on the surfaces when a step is unpacked, to the same bits.
 [[nodiscard]] std::size_t largest_packed_size(const StepView& view);
-/// Writes at most so many bytes, and returns how many.
+/// Writes at most so many bytes, and returns how many. Only for the thread that writes them (stream_copy.h).
 std::size_t pack_step(const StepView& view, std::byte* to);
 /// Fills what pack_step() wrote, with frame.scene that of the view: the geoms' poses and the sensors.
 void unpack_step(const std::byte* from, SimFrame& frame);

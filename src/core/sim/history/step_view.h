@@ -18,7 +18,6 @@ struct SensorView {
   std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
   std::vector<SurfaceMotion> motions;           ///< see SensorFrameState
   std::span<const RayHit> hits;                 ///< by ray
-  std::span<const std::int32_t> hit_rays;       ///< ascending: those of `hits` that are no misses
 };
 
 struct StepView {

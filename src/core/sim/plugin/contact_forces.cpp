@@ -131,19 +131,32 @@ Matrix6 response(const mjModel& m, const Active& i, const Active& j) {
   return A;
 }
 
+Matrix6 transposed(const Matrix6& A) {
+  Matrix6 T;
+  for (std::size_t r = 0; r < 6; ++r)
+    for (std::size_t c = 0; c < 6; ++c) T[c][r] = A[r][c];
+  return T;
+}
+
 bool moves(const Matrix6& A) {
   return std::any_of(A.begin(), A.end(), [](const auto& row) {
     return std::any_of(row.begin(), row.end(), [](double x) { return x != 0; });
   });
 }
 
-/// Pairs whose wrenches move each other's bodies, directly or through others, get one group.
-void group_pairs(const mjModel& m, std::span<Active> active) {
+/// Pairs whose wrenches move each other's bodies, directly or through others, get one group. Fills work.responses.
+void group_pairs(const mjModel& m, ContactForceWorkspace& work) {
+  const std::span<Active> active(work.active.data(), work.active_count);
+  work.responses.resize(active.size() * active.size());
   for (std::size_t i = 0; i < active.size(); ++i) {
     active[i].group = i;
+    work.responses[i * active.size() + i] = active[i].step.inverse_inertia;
     for (std::size_t j = 0; j < i; ++j) {
+      const Matrix6 A = response(m, active[i], active[j]);
+      work.responses[i * active.size() + j] = A;
+      work.responses[j * active.size() + i] = transposed(A);
       const std::size_t theirs = active[j].group, ours = active[i].group;
-      if (theirs == ours || !moves(response(m, active[i], active[j]))) continue;
+      if (theirs == ours || !moves(A)) continue;
       for (Active& a : active)
         if (a.group == ours) a.group = theirs;
     }
@@ -162,7 +175,7 @@ void solve_together(const mjModel& m, ContactForceWorkspace& work) {
   }
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = 0; j < members.size(); ++j)
-      coupled.set_inverse_inertia(i, j, response(m, work.active[members[i]], work.active[members[j]]));
+      coupled.set_inverse_inertia(i, j, work.responses[members[i] * work.active_count + members[j]]);
   coupled.solve([&](std::size_t i, const Twist& V) { return law_of(work.active[members[i]], V); });
   for (std::size_t i = 0; i < members.size(); ++i)
     keep(work.active[members[i]], coupled.pair(i).wrench, coupled.pair(i).V_end);
@@ -236,7 +249,7 @@ void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* 
   const std::span<Active> active(work.active.data(), work.active_count);
   free_acceleration(m, d, late_forces, work);
   for (const Active& a : active) add_response(m, a, a.instance->latest().pairs[a.pair].wrench, 1, work);
-  group_pairs(m, active);
+  group_pairs(m, work);
   for (std::size_t group = 0; group < active.size(); ++group) {
     work.members.clear();
     for (std::size_t k = 0; k < active.size(); ++k)

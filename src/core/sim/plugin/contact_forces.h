@@ -29,6 +29,7 @@ struct ContactForceWorkspace {
   std::vector<Active> active;
   std::size_t active_count = 0;
   std::vector<mjtNum> force, acceleration, jacobian;
+  std::vector<Matrix6> responses;    ///< J_i M^-1 J_j^T of active pairs, by rows of i
   std::vector<std::size_t> members;  ///< of a group
   CoupledWrenches coupled;
 };
