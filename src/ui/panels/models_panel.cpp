@@ -60,13 +60,45 @@ std::string cell_text(const ModelReadings& readings, ReadingModel model, std::si
                 : fmt::format("{:.4g}", unit.scale * value);
 }
 
-void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedStep* step, ImVec2 size) {
+void draw_row(const char* name, const char* tip, const std::array<std::string, kReadingModels.size()>& cells) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", name);
+  tooltip(tip);
+  for (const std::string& cell : cells) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(cell.c_str());
+  }
+}
+
+/// Of the taxel whose curves are drawn, over the recorded steps: how they differ from the exact one.
+void draw_differences(const ComparedSteps& compared, int taxel) {
+  if (taxel < 0) return;
+  const auto k = static_cast<std::size_t>(taxel);
+  const std::vector<double> exact = model_curve(compared, ReadingModel::exact, k);
+  std::array<std::string, kReadingModels.size()> peak, correlation, rms, step;
+  for (const ReadingModel model : kReadingModels) {
+    const CurveComparison c = compare_curve(model_curve(compared, model, k), exact);
+    const std::size_t m = number(model);
+    peak[m] = fmt::format("{:.4g}", shown_unit_of(model, compared.model->layout.readout.aggregate).scale * c.peak);
+    correlation[m] = c.correlation ? fmt::format("{:.4f}", *c.correlation) : "-";
+    rms[m] = c.rms ? fmt::format("{:.2f}", 100 * *c.rms) : "-";
+    step[m] = fmt::format("{:.1f}", 100 * c.largest_step);
+  }
+  draw_row("peak", "Largest value of the taxel whose curves are drawn, over the recorded steps", peak);
+  draw_row("corr.", "Correlation with the exact integral", correlation);
+  draw_row("rms %",
+           "Difference to the exact integral after the best gain, root of the mean square, as a part of its peak", rms);
+  draw_row("step %", "Largest change between neighbours of the curve, as a part of its peak", step);
+}
+
+void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedStep* step, int taxel, ImVec2 size) {
   const Layout& layout = compared.model->layout;
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV |
                           ImGuiTableFlags_SizingStretchSame;
   if (!ImGui::BeginTable("##models", 1 + static_cast<int>(kReadingModels.size()), kFlags, size)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("Id", 0, 0.4f);
+  ImGui::TableSetupColumn("Id", ImGuiTableColumnFlags_WidthStretch, 0.6f);
   for (const ReadingModel model : kReadingModels)
     ImGui::TableSetupColumn(kNames[number(model)], ImGuiTableColumnFlags_WidthStretch, kWidths[number(model)]);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -91,6 +123,7 @@ void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedS
       ImGui::TextUnformatted(cell_text(step->readings, model, k, layout.readout.aggregate).c_str());
     }
   }
+  draw_differences(compared, taxel);
   ImGui::EndTable();
 }
 
@@ -177,7 +210,7 @@ void draw_comparison(UiState& ui, const UiInput& input, const ComparedSteps& com
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kLeastWidth * ImGui::GetFontSize();
   const ImVec2 table(beside ? 0.54f * room.x : room.x, beside ? room.y : 0.5f * room.y);
-  draw_step_table(ui, compared, step, table);
+  draw_step_table(ui, compared, step, taxel, table);
   if (taxel < 0) return;
   update_curves(ui.models, compared, taxel, input.sweep);
   if (beside) ImGui::SameLine();
