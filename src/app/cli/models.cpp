@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/models_report.h"
 #include "app/cli/recorded_run.h"
+#include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/plugin/plugin_folder.h"
@@ -32,6 +33,8 @@ std::vector<SensorFrameState> states_of(const RecordedRun& run, const RowPoses& 
 
 int run(const Options& options, Console& console) {
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
+  if (!options.out.empty() && !std::filesystem::is_directory(std::filesystem::absolute(options.out).parent_path()))
+    throw Error(options.out, "cannot be written: its folder does not exist");  // told before the work
   RecordedRun run = read_run(options.run, options.sensor);
   load_scene(run);
   const std::vector<RecordedRow>& rows = run.recording.rows;
