@@ -47,6 +47,10 @@ ImVec4 color_of(ReadingModel model) {
   return {c.x, c.y, c.z, 1};
 }
 
+std::string four_digits(double value) {
+  return std::abs(value) >= 1e4 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
+
 /// The value; of what is in the unit of the exact one its difference to that as well.
 std::string cell_text(const ModelReadings& readings, ReadingModel model, std::size_t taxel, Aggregate aggregate) {
   if (!readings[model].has(taxel)) return "-";
@@ -56,8 +60,8 @@ std::string cell_text(const ModelReadings& readings, ReadingModel model, std::si
       (model == ReadingModel::reading || model == ReadingModel::star) && readings[ReadingModel::exact].has(taxel);
   const double difference = beside ? value - readings[ReadingModel::exact].values[taxel] : 0;
   if (value == 0 && difference == 0) return "0";
-  return beside ? fmt::format("{:.4g} ({:+.2g})", unit.scale * value, unit.scale * difference)
-                : fmt::format("{:.4g}", unit.scale * value);
+  return beside ? four_digits(unit.scale * value) + fmt::format(" ({:+.2g})", unit.scale * difference)
+                : four_digits(unit.scale * value);
 }
 
 void draw_row(const char* name, const char* tip, const std::array<std::string, kReadingModels.size()>& cells) {
@@ -80,7 +84,7 @@ void draw_differences(const ComparedSteps& compared, int taxel) {
   for (const ReadingModel model : kReadingModels) {
     const CurveComparison c = compare_curve(model_curve(compared, model, k), exact);
     const std::size_t m = number(model);
-    peak[m] = fmt::format("{:.4g}", shown_unit_of(model, compared.model->layout.readout.aggregate).scale * c.peak);
+    peak[m] = four_digits(shown_unit_of(model, compared.model->layout.readout.aggregate).scale * c.peak);
     correlation[m] = c.correlation ? fmt::format("{:.4f}", *c.correlation) : "-";
     rms[m] = c.rms ? fmt::format("{:.2f}", 100 * *c.rms) : "-";
     step[m] = fmt::format("{:.1f}", 100 * c.largest_step);
