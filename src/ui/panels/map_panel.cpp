@@ -98,6 +98,8 @@ void draw_map(UiState& ui, const UiInput& input, const SensorModel& model) {
     ui.map.discs.push_back({taxels[k].id, read ? state->readings[k] : 0.0, static_cast<double>(at.x),
                             static_cast<double>(at.y), static_cast<double>(place.radius)});
     draw_disc(ui, ui.map.discs.back(), read, range);
+    const float r = place.radius;
+    ui.widgets.note(kMapTitle, fmt::format("Disc {}", taxels[k].id), {at.x - r, at.y - r, at.x + r, at.y + r});
     if (hovered && std::hypot(mouse.x - at.x, mouse.y - at.y) <= place.radius) under = static_cast<int>(k);
   }
   if (under < 0) return;
