@@ -53,11 +53,13 @@ ui::ComparedPtr ModelsWorker::newest() const {
 
 /// Another scene or sensor, or steps that were simulated anew: all of it is read again.
 void ModelsWorker::forget_what_changed(const SimFrame& frame, int sensor) {
-  bool changed = frame.scene != scene_ || sensor != sensor_;
+  bool changed = frame.scene != scene_ || sensor != sensor_ || frame.runs != run_;
   if (const auto result = worker_.newest(); result && result->generation == generation_ && frame.history.lanes)
     for (const ui::ComparedStep& step : result->shown->steps)
       changed = changed || !is_recorded(*frame.history.lanes, frame, sensor, step);
+  std::erase_if(asked_, [&](std::uint64_t step) { return step < frame.history.first || step > frame.history.last; });
   if (!changed) return;
+  run_ = frame.runs;
   scene_ = frame.scene;
   sensor_ = sensor;
   ++generation_;

@@ -50,6 +50,7 @@ class ModelsWorker {
 
   std::optional<ui::ModelsWish> wish_;
   std::shared_ptr<const SimScene> scene_;  // of this generation
+  std::uint64_t run_ = 0;                  // likewise, as SimFrame::runs
   int sensor_ = -1;
   std::uint64_t generation_ = 0, recall_ = 0;  // number of the last command
   std::set<std::uint64_t> asked_;              // steps of this generation
