@@ -226,7 +226,8 @@ TEST_F(Comparison, SaysWhyAModelIsMissing) {
   ModelComparison comparison(scene, 0);
   const ModelReadings found = comparison.read(frame.sensors, frame.geom_poses);
   EXPECT_TRUE(found[ReadingModel::star].values.empty());
-  EXPECT_NE(found[ReadingModel::touch].missing.find("read from a file"), std::string::npos);
+  for (const ReadingModel m : {ReadingModel::star, ReadingModel::tactile, ReadingModel::touch})
+    EXPECT_NE(found[m].missing.find("read from a file"), std::string::npos) << to_word(m);
   EXPECT_EQ(found[ReadingModel::exact].values.size(), 12U);
   EXPECT_THROW(ModelComparison(scene, 3), Error);
 }
