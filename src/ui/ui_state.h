@@ -23,8 +23,10 @@
 #include "ui/tools/explain_state.h"
 #include "ui/tools/generate_state.h"
 #include "ui/tools/layout_problems.h"
+#include "ui/tools/map_state.h"
 #include "ui/tools/measure_state.h"
 #include "ui/tools/model_summary.h"
+#include "ui/tools/models_state.h"
 #include "ui/tools/palette_state.h"
 #include "ui/tools/perturb_state.h"
 #include "ui/tools/probe_state.h"
@@ -41,7 +43,7 @@ namespace taxel::ui {
 struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
   bool controls = true;
-  bool messages = false, help = false, explain = false;
+  bool messages = false, help = false, explain = false, map = false, models = false;
   bool mesh_report = false;
 };
 
@@ -182,7 +184,7 @@ struct Clicks {
 struct UiState {
   SavedState saved;
   double arranged_scale = 0;  ///< of the interface when its panels were arranged; 0: not yet
-  double pixel_scale = 1;  ///< of the interface in this window: the user's times the screen's
+  double pixel_scale = 1;     ///< of the interface in this window: the user's times the screen's
 
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode
@@ -197,6 +199,8 @@ struct UiState {
   ProbeState probe;
   MeasureState measure;
   ExplainState explain;
+  MapState map;
+  ModelsState models;
   PerturbState perturb;
   ControlsState controls;
   RealState real;
@@ -247,6 +251,7 @@ struct UiInput {
   PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
   RealShownPtr real;                ///< a real sensor's recording over the run; null: none
   VideoProgress video;              ///< of the one that is being made
+  ComparedPtr compared;             ///< of the selected sensor by other models; null: not asked for, or not yet
   ExplainedPtr explained;           ///< of the step shown, or one before; null: none is asked for, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in

@@ -29,6 +29,7 @@ Command add_run(CLI::App& parent, CommonOptions& common);
 Command add_contact(CLI::App& parent, CommonOptions& common);
 Command add_explain(CLI::App& parent, CommonOptions& common);
 Command add_align(CLI::App& parent, CommonOptions& common);
+Command add_models(CLI::App& parent, CommonOptions& common);
 Command add_read(CLI::App& parent, CommonOptions& common);
 Command add_samples(CLI::App& parent, CommonOptions& common);
 Command add_mesh(CLI::App& parent, CommonOptions& common);

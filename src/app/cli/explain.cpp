@@ -6,12 +6,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/explain_report.h"
-#include "app/cli/recorded_sensor.h"
+#include "app/cli/recorded_run.h"
 #include "core/project/explanation_json.h"
-#include "core/project/recording/npz.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/plugin/plugin_folder.h"
-#include "core/sim/simulator.h"
 
 namespace taxel::cli {
 namespace {
@@ -23,12 +21,9 @@ struct Options {
   Breakpoints limits;
 };
 
-/// A recording, the scene it was made in, and which sensor is asked about.
-struct Run {
-  std::string file;
-  Recording recording;
-  std::unique_ptr<Simulator> simulator;
-  std::size_t sensor = 0, taxel = 0;
+/// Which taxel of a run is asked about.
+struct Run : RecordedRun {
+  std::size_t taxel = 0;
 };
 
 std::size_t taxel_of(const Run& run, int id) {
@@ -37,34 +32,6 @@ std::size_t taxel_of(const Run& run, int id) {
   if (found == ids.end())
     throw Error(run.file, fmt::format("has no taxel {}, its ids are {}", id, fmt::join(ids, ", ")));
   return static_cast<std::size_t>(found - ids.begin());
-}
-
-/// The scene beside the recording, which must be the one that was recorded.
-void load_scene(Run& run) {
-  const std::filesystem::path scene = std::filesystem::path(run.file).parent_path() / "scene.xml";
-  if (!std::filesystem::exists(scene))
-    throw Error(scene.string(),
-                "is missing: the contact is computed anew from the scene that lies beside the recording");
-  run.simulator = Simulator::load(scene);
-  const SimScene& made = *run.simulator->scene();
-  const auto differs = [&](const std::string& what) {
-    throw Error(scene.string(), "is not the recorded scene: " + what);
-  };
-  if (made.sensors.size() != run.recording.sensors.size())
-    differs(fmt::format("it has {} sensors, the recording {}", made.sensors.size(), run.recording.sensors.size()));
-  for (std::size_t i = 0; i < made.sensors.size(); ++i) {
-    const RecordedSensor& recorded = run.recording.sensors[i];
-    if (made.sensor_geoms[i] != recorded.geom)
-      differs(
-          fmt::format("sensor {} lies on \"{}\", in the recording on \"{}\"", i, made.sensor_geoms[i], recorded.geom));
-    std::vector<int> ids;
-    for (const Taxel& taxel : made.sensors[i]->layout.taxels) ids.push_back(taxel.id);
-    if (ids != recorded.taxel_ids) differs(fmt::format("the taxels of \"{}\" are others", recorded.geom));
-  }
-  std::vector<std::string> objects;
-  for (const SceneGeom& geom : made.geoms)
-    if (geom.sensor < 0) objects.push_back(geom.name);
-  if (objects != run.recording.objects) differs("its geoms are others");
 }
 
 /// The row that is nearest in time; of equal ones the first.
@@ -89,15 +56,11 @@ struct RebuiltRow {
 
 std::unique_ptr<RebuiltRow> rebuild(const Run& run, std::size_t number) {
   const RecordedRow& row = run.recording.rows[number];
-  std::vector<Pose> sensors, geoms;
-  for (const SensorRecord& record : row.sensors) sensors.push_back(record.X_WM);
-  std::size_t object = 0;
-  for (const SceneGeom& geom : run.simulator->scene()->geoms)
-    geoms.push_back(geom.sensor < 0 ? row.objects[object++] : Pose{});
+  const RowPoses poses = poses_of(run, row);
   auto out = std::make_unique<RebuiltRow>();
-  out->contact = run.simulator->contact_at(run.sensor, sensors, geoms);
+  out->contact = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
   out->step.time = row.time;
-  out->step.X_WM = sensors[run.sensor];
+  out->step.X_WM = poses.X_WM[run.sensor];
   for (const ContactSurface& surface : out->contact.surfaces) out->step.surfaces.push_back(&surface);
   out->step.hits = &out->contact.reading.hits.all();
   out->step.readings = out->contact.reading.values;
@@ -128,10 +91,7 @@ double largest_until(const Run& run, std::size_t last, const Breakpoints& limits
 
 int run(const Options& options, Console& console) {
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
-  Run run;
-  run.file = recording_file(options.run).string();
-  run.recording = read_recording(options.run);
-  run.sensor = sensor_of(run.recording, options.sensor, run.file);
+  Run run{read_run(options.run, options.sensor)};
   run.taxel = taxel_of(run, options.taxel);
   const std::size_t row = row_at(run, options.time);
   load_scene(run);

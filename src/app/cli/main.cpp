@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   CommonOptions common;
   const std::vector<Command> commands{add_sweep(app, common),   add_run(app, common),     add_contact(app, common),
                                       add_read(app, common),    add_explain(app, common), add_align(app, common),
+                                      add_models(app, common),
                                       add_samples(app, common), add_mesh(app, common),    add_presets(app, common),
                                       add_check(app, common),   add_validate(app, common)};
   const auto chosen = [&] {

@@ -44,6 +44,7 @@ Session::Session(bool by_clock, std::function<void()> wake)
     : by_clock_(by_clock),
       measure_(wake),
       fields_(wake),
+      models_(wake),
       explain_(wake),
       probe_(wake),
       edits_(cache_, wake, [this](const SensorModelPtr& model) {
@@ -158,6 +159,7 @@ SessionNews Session::update(bool hurry) {
   if (frame) accept_frame(std::move(frame), news);
   take_fields(news);
   take_explanation(news);
+  take_models(news);
   return news;
 }
 
@@ -326,6 +328,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.measured = measured_;
   input.fields = shown_fields_;
   input.explained = explained_;
+  input.compared = compared_;
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

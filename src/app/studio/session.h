@@ -14,6 +14,7 @@
 #include "app/studio/field_worker.h"
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
+#include "app/studio/models_worker.h"
 #include "app/studio/probe_worker.h"
 #include "core/sim/history/replay.h"
 #include "core/sim/sim_thread.h"
@@ -64,9 +65,13 @@ class Session {
   /// Measures between two points; none: nothing.
   void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
   /// Works out the receptive fields of what this mode shows, for the pictures to come.
-  void show_fields(ui::Mode mode, ui::FieldMap map) { field_mode_ = mode, field_map_ = map; }
+  void show_fields(ui::Mode mode, ui::FieldMap map, bool weights) {
+    field_mode_ = mode, field_map_ = map, field_weights_ = weights;
+  }
   /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
   void explain(std::optional<ui::ExplainWish> wish);
+  /// Reads the recorded steps of the simulation by other models, while it stands; none: not any more.
+  void compare_models(std::optional<ui::ModelsWish> wish) { models_.compare(wish); }
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -107,7 +112,7 @@ class Session {
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
-           !fields_.busy() && !explain_.busy();
+           !fields_.busy() && !explain_.busy() && !models_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -144,6 +149,7 @@ class Session {
   void take_reading(SessionNews& news);
   void take_fields(SessionNews& news);
   void take_explanation(SessionNews& news);
+  void take_models(SessionNews& news);
   void hand_over_newest();
   void accept_result(LoadResult result, SessionNews& news);
   void refuse_pending();
@@ -188,6 +194,9 @@ class Session {
   ui::ShownFieldsPtr shown_fields_;
   ui::Mode field_mode_ = ui::Mode::simulate;
   ui::FieldMap field_map_ = ui::FieldMap::none;
+  bool field_weights_ = false;
+  ModelsWorker models_;
+  ui::ComparedPtr compared_;
   ExplainWorker explain_;
   std::optional<ui::ExplainWish> explain_wish_;
   ui::ExplainedPtr explained_;
@@ -212,7 +221,7 @@ class Session {
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   SweepScenario scenario_;
-  bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
+  bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   std::uint64_t told_recording_ = 0;       ///< likewise of the written recording

@@ -99,7 +99,7 @@ void Session::take_reading(SessionNews& news) {
 
 /// Those that were shown stay until there are some of what is shown now.
 void Session::take_fields(SessionNews& news) {
-  ui::FieldsWish wish{{}, field_map_};
+  ui::FieldsWish wish{{}, field_map_, field_weights_};
   if (field_mode_ == ui::Mode::simulate && frame_ && frame_->scene) {
     wish.models = frame_->scene->sensors;
   } else if (document_ && document_->model) {

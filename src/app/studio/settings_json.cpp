@@ -25,6 +25,8 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("all_rays", s.overlays.all_rays);
   visit("contact_surface", s.overlays.contact_surface);
   visit("contact_edges", s.overlays.contact_edges);
+  visit("tractions", s.overlays.tractions);
+  visit("readings_on_skin", s.overlays.readings_on_skin);
   visit("filtered_polygons", s.overlays.filtered_polygons);
   visit("samples", s.overlays.samples);
   visit("sample_normals", s.overlays.sample_normals);
@@ -48,6 +50,8 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_timeline", s.panels.timeline);
   visit("panel_section", s.panels.section);
   visit("panel_explain", s.panels.explain);
+  visit("panel_map", s.panels.map);
+  visit("panel_models", s.panels.models);
   visit("panel_messages", s.panels.messages);
   visit("panel_mesh_report", s.panels.mesh_report);
   visit("tour_seen", s.tour_seen);

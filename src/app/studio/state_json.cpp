@@ -8,6 +8,7 @@
 
 #include "app/studio/editing_json.h"
 #include "app/studio/explain_json.h"
+#include "app/studio/live_json.h"
 #include "app/studio/real_json.h"
 #include "app/studio/scene_json.h"
 #include "app/studio/script_player.h"
@@ -67,6 +68,8 @@ Json overlays_json(const ui::Overlays& o) {
           {"all_rays", o.all_rays},
           {"contact_surface", o.contact_surface},
           {"contact_edges", o.contact_edges},
+          {"tractions", o.tractions},
+          {"readings_on_skin", o.readings_on_skin},
           {"filtered_polygons", o.filtered_polygons},
           {"samples", o.samples},
           {"sample_normals", o.sample_normals},
@@ -282,6 +285,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["timeline"] = Json::parse(timeline_to_json(ui));
   json["real"] = Json::parse(real_to_json(ui, input));
   json["video"] = {{"active", input.video.active}, {"done", input.video.done}, {"total", input.video.total}};
+  json.update(Json::parse(live_to_json(ui, input)));
   json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},

@@ -18,6 +18,7 @@
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/explain_tool.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/models_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/widgets/format.h"
 
@@ -284,6 +285,7 @@ void Studio::draw_picture(double seconds) {
   input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
   draw_contents();
   session_.explain(ui::explain_wish(ui_, input_));
+  session_.compare_models(ui::models_wish(ui_, input_));
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;
@@ -305,7 +307,7 @@ void Studio::draw_contents() {
   // Before the picture is filled, which takes a software renderer longer than a worker needs to answer.
   session_.press(ui::probe_wish(ui_));
   session_.measure(ui::measure_wish(ui_, input_));
-  session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays));
+  session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays), ui_.saved.overlays.readings_on_skin);
   carry_out_requests();
   window_->set_cursor(ImGui::GetMouseCursor());
   ImGui::Render();

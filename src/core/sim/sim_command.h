@@ -52,6 +52,11 @@ struct ScrubCommand {
 struct FollowStepBeforeCommand {
   bool on = false;
 };
+/// SimFrame::recalled gets these steps of the history; nothing else changes.
+struct RecallCommand {
+  std::uint64_t number = 0;  ///< told in the answer
+  std::vector<std::uint64_t> steps;
+};
 struct BreakpointsCommand {
   Breakpoints breakpoints;
 };
@@ -87,7 +92,7 @@ struct QuitCommand {};
 using SimCommand =
     std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
                  ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, FollowStepBeforeCommand,
-                 BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, RecordCommand,
-                 EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
+                 RecallCommand, BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand,
+                 RecordCommand, EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
 
 }  // namespace taxel

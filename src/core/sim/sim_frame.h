@@ -11,6 +11,7 @@
 #include "core/mesh/tri_mesh.h"
 #include "core/sensor/cast_rays.h"
 #include "core/sensor/sensor_model.h"
+#include "core/sensor/surface_motion.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/history/lanes.h"
 #include "core/sim/scene_controls.h"
@@ -36,15 +37,27 @@ struct TraceRow {
   SampleQuality quality = SampleQuality::polished;
 };
 
+/// A body that a sensor touches.
+struct TouchedBody {
+  HydroBodyPtr body;                   ///< null: a sensor that cannot be touched
+  int geom = -1;                       ///< that it is, in SimScene::geoms; its frame is G
+  int sensor = -1;                     ///< that it is instead, in SimScene::sensors; its frame is that sensor's M
+  bool mirrored = false;               ///< that sensor computes the pair's surface
+  Pose X_WB;                           ///< of one that is neither, and does not move
+  std::string name;                    ///< of its geom
+  std::shared_ptr<const Shape> shape;  ///< of that, in the frame of the body; null for a sensor
+};
+
 /// The parts of a scene that do not change while it runs.
 struct SimScene {
   std::string title;
   std::vector<SceneGeom> geoms;
   std::vector<SensorModelPtr> sensors;
-  std::vector<std::string> sensor_geoms;  ///< geom name of each sensor
-  std::vector<dvec3> path_W;              ///< where the finger's lowest point is led: drawn as a red line; may be empty
-  double duration = 0;                    ///< scenario length [s]; 0: endless
-  double timestep = 0;                    ///< [s]
+  std::vector<std::string> sensor_geoms;          ///< geom name of each sensor
+  std::vector<std::vector<TouchedBody>> touched;  ///< by sensor; none where a scene was read from a saved step
+  std::vector<dvec3> path_W;  ///< where the finger's lowest point is led: drawn as a red line; may be empty
+  double duration = 0;        ///< scenario length [s]; 0: endless
+  double timestep = 0;        ///< [s]
   SceneControls controls;
 };
 
@@ -55,6 +68,7 @@ struct SensorFrameState {
   dvec3 force_W{0};              ///< contact force on the sensor [N]
   dvec3 uncovered_W{0};  ///< elastic normal force that no taxel reaches; zero unless the readings are forces [N]
   std::vector<ContactSurface> surfaces;  ///< frame M, of the bodies near the sensor: hits name them by number
+  std::vector<SurfaceMotion> motions;    ///< parallel to surfaces: what they are rubbed with; empty: unknown
   std::vector<RayHit> hits;              ///< parallel to model->rays
   std::vector<dvec2> shear;              ///< parallel to readings, in their unit; empty without readout.shear
 };
@@ -75,6 +89,21 @@ struct StepBefore {
   std::uint64_t step = 0;
   double time = 0;  ///< [s]
   std::vector<SensorFrameState> sensors;
+};
+
+/// A step of the history, as it was recorded.
+struct RecordedStep {
+  std::shared_ptr<const SimScene> scene;
+  std::uint64_t step = 0;
+  double time = 0, travel = 0;  ///< [s], [m]
+  std::vector<Pose> geom_poses;
+  std::vector<SensorFrameState> sensors;
+};
+
+/// What a RecallCommand asked for: those that are kept still.
+struct RecalledSteps {
+  std::uint64_t number = 0;  ///< of the command
+  std::vector<RecordedStep> steps;
 };
 
 /// The scene was written to a file, or could not be.
@@ -122,6 +151,7 @@ struct SimFrame {
   HistoryState history;
   /// Where it is asked for (FollowStepBeforeCommand), the simulation does not run by itself, and it is kept; else null.
   std::shared_ptr<const StepBefore> before;
+  std::shared_ptr<const RecalledSteps> recalled;  ///< last; null: none were asked for
   Breakpoints breakpoints;
   std::optional<Stop> stop;        ///< the breakpoint that was met, until the simulation goes on
   std::uint64_t runs = 0;          ///< times that the simulation began at its start

@@ -156,6 +156,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
                     history.limits(),
                     lanes};
   if (follows_before && !stepping()) frame->before = step_before();
+  frame->recalled = recalled;
   frame->breakpoints = history.breakpoints();
   frame->stop = stop;
   frame->playing = playing;

@@ -46,11 +46,26 @@ void SimThread::Impl::scrub(std::uint64_t step) {
   if (*scrubbed == history.last() && error.empty()) scrubbed.reset();  // the newest, which the simulator has
 }
 
+void SimThread::Impl::recall(const RecallCommand& asked) {
+  auto found = std::make_shared<RecalledSteps>();
+  found->number = asked.number;
+  for (const std::uint64_t step : asked.steps) {
+    if (!history.contains(step)) continue;
+    SimFrame frame;
+    history.fill_frame(step, frame);
+    found->steps.push_back(
+        {frame.scene, frame.step, frame.time, frame.travel, std::move(frame.geom_poses), std::move(frame.sensors)});
+  }
+  recalled = std::move(found);
+}
+
 void SimThread::Impl::execute_on_history(const SimCommand& command) {
   if (const auto* to = std::get_if<ScrubCommand>(&command)) {
     scrub(to->step);
   } else if (const auto* follow = std::get_if<FollowStepBeforeCommand>(&command)) {
     follows_before = follow->on;
+  } else if (const auto* asked = std::get_if<RecallCommand>(&command)) {
+    recall(*asked);
   } else if (const auto* breakpoints = std::get_if<BreakpointsCommand>(&command)) {
     history.set_breakpoints(breakpoints->breakpoints);
   } else if (const auto* limits = std::get_if<StepHistoryLimitsCommand>(&command)) {

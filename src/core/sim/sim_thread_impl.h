@@ -46,6 +46,7 @@ struct SimThread::Impl {
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   bool follows_before = false;            // frames carry the step before
+  std::shared_ptr<const RecalledSteps> recalled;
   std::optional<Stop> stop;
   SimState state;  // scratch
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
@@ -83,6 +84,7 @@ struct SimThread::Impl {
   void begin_run();
   void go_on_from_shown();
   void scrub(std::uint64_t step);
+  void recall(const RecallCommand& asked);
   bool execute_on_scene(const SimCommand& command);
   bool execute_on_recording(const SimCommand& command);
   void begin_recording(const std::string& file);

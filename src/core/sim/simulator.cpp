@@ -36,6 +36,7 @@ Simulator::~Simulator() = default;
 void Simulator::Impl::make_data() {
   data.reset(mj_makeData(compiled.model.get()));
   if (data == nullptr) throw Error(title, "MuJoCo cannot make the simulation data");
+  mj_kinematics(&m(), &d());  // where what does not move stands
   instances = sensor_instances(m());
   for (const int i : instances) {
     const auto handed = compiled.handed.find(instance_name(m(), i));
@@ -50,6 +51,35 @@ void Simulator::Impl::read_by(Aggregate aggregate) {
   }
 }
 
+std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
+  std::vector<TouchedBody> all;
+  for (const TouchedGeom& touched : sensor(number).touched()) {
+    TouchedBody& one = all.emplace_back();
+    one.body = touched.body;
+    one.name = geom_name(m(), touched.geom);
+    const auto other = std::find(instances.begin(), instances.end(), touched.role.sensor);
+    const auto geom = std::find(drawn.begin(), drawn.end(), touched.geom);
+    if (other != instances.end()) {
+      one.sensor = static_cast<int>(other - instances.begin());
+      one.mirrored = touched.role.mirrored;
+      const SensorModelPtr& model = sensor(static_cast<std::size_t>(one.sensor)).model();
+      one.body = model ? model->body : nullptr;
+      continue;
+    }
+    std::shared_ptr<const Shape>& shape = shapes[touched.geom];
+    if (shape == nullptr && touched.body) shape = std::make_shared<const Shape>(geom_shape(m(), touched.geom));
+    one.shape = shape;
+    if (geom != drawn.end()) {
+      one.geom = static_cast<int>(geom - drawn.begin());
+    } else if (m().body_weldid[m().geom_bodyid[touched.geom]] == 0) {
+      one.X_WB = geom_pose(m(), d(), touched.geom);
+    } else {
+      one.body = nullptr;  // it moves, and no record says where
+    }
+  }
+  return all;
+}
+
 void Simulator::Impl::describe() {
   const auto scene = std::make_shared<SimScene>();
   scene->title = title;
@@ -62,6 +92,7 @@ void Simulator::Impl::describe() {
     for (std::size_t g = 0; g < drawn.size(); ++g)
       if (drawn[g] == sensor(i).config().geom) scene->geoms[g].sensor = static_cast<int>(i);
   }
+  for (std::size_t i = 0; i < instances.size(); ++i) scene->touched.push_back(touched_by(i));
   if (sweep) {
     const dvec3 start = sweep->scene.lowest_start_W;
     scene->path_W = {start, start + sweep->scene.distance * sweep->scene.direction_W};

@@ -1,6 +1,7 @@
 // What a simulator holds: the compiled scene, MuJoCo's data, and where the run stands.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "core/sim/model/perturbation.h"
@@ -18,6 +19,7 @@ struct Simulator::Impl {
   std::optional<SweepPath> sweep;
   std::vector<int> instances;             // of taxel.sensor
   std::vector<int> drawn;                 // geoms of scene->geoms
+  std::map<int, std::shared_ptr<const Shape>> shapes;  // of geoms that sensors touch
   std::shared_ptr<const SimScene> shown;  // what does not change
   int mocap = -1;                         // the first mocap body's number, -1: none
   dvec3 mocap_start{0};
@@ -34,6 +36,7 @@ struct Simulator::Impl {
   void make_data();
   void read_by(Aggregate aggregate);
   void describe();
+  [[nodiscard]] std::vector<TouchedBody> touched_by(std::size_t number);
   void place_mocap(double travelled);
   void look();
   void check_stability() const;

@@ -87,6 +87,7 @@ StepView Simulator::view() const {
     for (const std::size_t k : e.near) {
       one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
       one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
+      one.motions.push_back({sensor.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.hits = reading.hits.all();
     view.sensors.push_back(std::move(one));

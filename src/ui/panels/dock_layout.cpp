@@ -26,7 +26,8 @@ void arrange_compactly(ImGuiID space) {
   for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
   for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle, kRealTitle})
     ImGui::DockBuilderDockWindow(title, right);
-  for (const char* title : {kBarsTitle, kPlotTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
+  for (const char* title :
+       {kBarsTitle, kMapTitle, kPlotTitle, kModelsTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
     ImGui::DockBuilderDockWindow(title, bottom);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
@@ -50,10 +51,12 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kExplainTitle, right);
   ImGui::DockBuilderDockWindow(kRealTitle, right);
   ImGui::DockBuilderDockWindow(kBarsTitle, bars);
+  ImGui::DockBuilderDockWindow(kMapTitle, bars);
   ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
   ImGui::DockBuilderDockWindow(kPlotTitle, plot);
   ImGui::DockBuilderDockWindow(kSectionTitle, section);
   ImGui::DockBuilderDockWindow(kTimelineTitle, timeline);
+  ImGui::DockBuilderDockWindow(kModelsTitle, timeline);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
 

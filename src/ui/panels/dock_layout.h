@@ -16,6 +16,8 @@ inline constexpr const char* kPlotTitle = "Taxels over travel";
 inline constexpr const char* kTimelineTitle = "Timeline";
 inline constexpr const char* kExplainTitle = "Explain";
 inline constexpr const char* kRealTitle = "Real recording";
+inline constexpr const char* kMapTitle = "Taxel map";
+inline constexpr const char* kModelsTitle = "Models";
 inline constexpr const char* kSectionTitle = "Section";
 inline constexpr const char* kMessagesTitle = "Messages";
 

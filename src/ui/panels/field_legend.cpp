@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ui/scene/draw/look.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
 
@@ -66,6 +67,16 @@ Legend normals_legend(const NormalNumbers& numbers, const SensorModel& model) {
   return legend;
 }
 
+Legend tractions_legend(const TractionNumbers& numbers, const Look& colors) {
+  Legend legend{fmt::format("Traction of {} polygons", grouped(numbers.polygons)), {}};
+  legend.rows.push_back({glm::vec3(colors.force), "pressure, up to", in_kpa(numbers.largest_pressure)});
+  legend.rows.push_back({glm::vec3(colors.friction), "friction, up to",
+                         numbers.friction_known ? in_kpa(numbers.largest_friction) : "not known here"});
+  if (numbers.metres_per_pascal > 0)
+    legend.rows.push_back({std::nullopt, "an arrow of 1 mm", in_kpa(1e-3 / numbers.metres_per_pascal)});
+  return legend;
+}
+
 /// Returns the upper edge.
 float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
   const Palette& colors = palette(ui.saved.dark);
@@ -98,6 +109,8 @@ void draw_field_legends(const UiState& ui, const FieldNumbers& numbers, const Se
   const float gap = 0.5f * ImGui::GetFontSize();
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (numbers.due) bottom = draw_legend(ui, {"Working out the receptive fields ...", {}}, bottom) - gap;
+  if (numbers.tractions)
+    bottom = draw_legend(ui, tractions_legend(*numbers.tractions, look(ui.saved.dark)), bottom) - gap;
   if (numbers.coverage) bottom = draw_legend(ui, coverage_legend(*numbers.coverage), bottom) - gap;
   if (numbers.comparison) bottom = draw_legend(ui, comparison_legend(*numbers.comparison), bottom) - gap;
   if (numbers.normals) draw_legend(ui, normals_legend(*numbers.normals, model), bottom);

@@ -10,9 +10,11 @@
 #include "ui/panels/file_notices.h"
 #include "ui/panels/generate_panel.h"
 #include "ui/panels/inspector_panel.h"
+#include "ui/panels/map_panel.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/mesh_section.h"
 #include "ui/panels/messages.h"
+#include "ui/panels/models_panel.h"
 #include "ui/panels/outliner_panel.h"
 #include "ui/panels/palette_card.h"
 #include "ui/panels/plot_panel.h"
@@ -57,11 +59,13 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.inspector) draw_inspector(ui, input);
   if (shown.controls && ui.mode == Mode::simulate) draw_controls_panel(ui, input);
   if (shown.bars) draw_bars_panel(ui, input);
+  if (shown.map) draw_map_panel(ui, input);
   if (shown.plot) draw_plot_panel(ui, input);
   if (shown.section) draw_section(ui, input);
   if (shown.timeline && ui.mode == Mode::simulate) draw_timeline_panel(ui, input);
   if (shown.explain && ui.mode == Mode::simulate) draw_explain_panel(ui, input);
   draw_real_panel(ui, input);
+  if (shown.models && ui.mode == Mode::simulate) draw_models_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 
@@ -70,6 +74,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
 void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   ui.widgets.begin_frame();
   if (!ui.saved.panels.bars) ui.bars.clear();
+  ui.map.discs.clear();
   if (ui.summary.model != input.shown_model(ui)) ui.summary = summarize(input.shown_model(ui));
   update_problems(ui, input);
   handle_keys(ui, input);

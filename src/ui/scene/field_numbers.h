@@ -29,12 +29,21 @@ struct NormalNumbers {
   double limit_deg = 0;    ///< of the layout: the colours end here
 };
 
+/// Of the arrows of tractions.
+struct TractionNumbers {
+  int polygons = 0;
+  double largest_pressure = 0, largest_friction = 0;  ///< [Pa]
+  double metres_per_pascal = 0;                       ///< of arrows
+  bool friction_known = false;                        ///< else what rubs was not recorded: none is drawn
+};
+
 /// Each where its overlay is on, of the first sensor in the picture.
 struct FieldNumbers {
   bool due = false;  ///< a map is on, and still worked out
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
   std::optional<NormalNumbers> normals;
+  std::optional<TractionNumbers> tractions;  ///< of the selected sensor
 };
 
 /// sRGB of a spot that so many taxels see; none has a colour of its own. From `kMostOverlap` on all the same.

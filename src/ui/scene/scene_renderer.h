@@ -32,6 +32,8 @@ struct Overlays {
   bool rays = true;                // [Y]
   bool contact_surface = true;     // [C]
   bool contact_edges = false;
+  bool tractions = false;          // [V] pressure and friction of each polygon, as arrows
+  bool readings_on_skin = false;   // [S] the taxels' readings, spread by the weights of their fields
   bool ghost = true;               // of the step before's surface, while a reading is explained
   bool filtered_polygons = false;  // what the overlap has and the surface left out
   bool samples = true;             // [P]
@@ -63,6 +65,7 @@ struct SceneInput {
   PressedProbePtr probe;          ///< pressed on that; may be null
   Overlays overlays;
   PressureRange range;
+  PressureRange reading_range;  ///< of colours of readings: `range`, unless they are no pressures
   int selected_sensor = 0;
   int selected_body = -1;            ///< as SceneControls::bodies numbers them; -1: none
   int selected_taxel = -1;           ///< the active one: index in layout order, -1: none

@@ -35,6 +35,10 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.overlays.contact_surface;
     case Action::toggle_contact_edges:
       return &saved.overlays.contact_edges;
+    case Action::toggle_tractions:
+      return &saved.overlays.tractions;
+    case Action::toggle_skin:
+      return &saved.overlays.readings_on_skin;
     case Action::toggle_ghost:
       return &saved.overlays.ghost;
     case Action::toggle_filtered:
@@ -77,6 +81,10 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.timeline;
     case Action::toggle_explain:
       return &saved.panels.explain;
+    case Action::toggle_map:
+      return &saved.panels.map;
+    case Action::toggle_models:
+      return &saved.panels.models;
     case Action::toggle_section:
       return &saved.panels.section;
     case Action::toggle_controls:

@@ -14,6 +14,7 @@
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
+#include "ui/tools/reading_range.h"
 
 namespace taxel::ui {
 
@@ -113,6 +114,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   }
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;
+  scene.reading_range = reading_range(ui, input);
   scene.selected_sensor = ui.selection.sensor;
   scene.selected_body = ui.mode == Mode::simulate ? ui.selection.body : -1;
   if (const SensorModelPtr model = input.shown_model(ui)) {

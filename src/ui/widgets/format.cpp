@@ -76,6 +76,10 @@ bool contains_word(const std::string& text, const std::string& word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+double axis_top(double largest, const ReadingUnit& unit) {
+  return largest > 0 ? nice_ceiling(largest) : 1.0 / unit.scale;
+}
+
 double nice_ceiling(double value) {
   if (!(value > 0)) return 0;
   constexpr std::array kSteps{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};

@@ -27,6 +27,8 @@ double shifted_decimal(double value, int exponent);
 /// Parts of an upright axis of this length whose ends have room for numbers as high as a line: 4, 2 or 1.
 int tick_count(float length, float line);
 bool contains_word(const std::string& text, const std::string& word);  ///< in any case
+/// The top of an axis from 0 for readings up to `largest`, both in SI.
+double axis_top(double largest, const ReadingUnit& unit);
 double nice_ceiling(double value);  ///< least of 1, 1.5, 2, 3, 4, 5, 6, 8 times 10^n that is >= value
 
 }  // namespace taxel::ui

@@ -91,12 +91,8 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const R
   if (values.empty()) return -1;
   double peak = 0;
   for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
-  const Axis axis{origin.x + 2.6f * line,
-                  origin.x + size.x,
-                  origin.y + size.y - 2.6f * line,
-                  origin.y + 0.6f * line,
-                  peak > 0 ? nice_ceiling(peak) : 1.0 / unit.scale,
-                  unit};
+  const Axis axis{origin.x + 2.6f * line, origin.x + size.x,    origin.y + size.y - 2.6f * line,
+                  origin.y + 0.6f * line, axis_top(peak, unit), unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors);
   const float step = (axis.x1 - axis.x0) / static_cast<float>(values.size());

@@ -156,6 +156,18 @@ SensorModelPtr read_model(const NpzReader& in, const std::string& prefix, const 
   return build_sensor_model(layout, meshes[static_cast<std::size_t>(mesh)], layout.mesh.sha256, in.file(), how);
 }
 
+/// None in a file of a version that did not write them.
+std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& name, std::size_t surfaces) {
+  std::vector<SurfaceMotion> motions;
+  if (!in.has(name)) return motions;
+  const std::vector<double> numbers = in.doubles(name, {kAny, 8});
+  for (std::size_t i = 0; i < numbers.size(); i += 8)
+    motions.push_back({{numbers[i], numbers[i + 1]}, {vector_at(numbers, i + 2), vector_at(numbers, i + 5)}});
+  if (!motions.empty() && motions.size() != surfaces)
+    throw Error(in.file(), name, fmt::format("has {} rows, there are {} surfaces", motions.size(), surfaces));
+  return motions;
+}
+
 SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, const SensorModel& model) {
   SensorFrameState state;
   state.X_WM = pose_at(in.doubles(prefix + "pos", {3}), in.doubles(prefix + "quat", {4}), 0);
@@ -164,6 +176,7 @@ SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, con
   state.readings = in.doubles(prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
   for (std::size_t k = 0; k < count(in, prefix + "surfaces"); ++k)
     state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k)));
+  state.motions = read_motions(in, prefix + "motions", state.surfaces.size());
   const std::size_t rays = count(in, prefix + "rays");
   if (rays != model.rays.size())
     throw Error(in.file(), prefix + "rays",

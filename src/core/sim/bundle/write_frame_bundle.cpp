@@ -135,6 +135,13 @@ void write_sensor(const SensorFrameState& state, const SensorModel& model, const
   add_vectors(out, prefix + "uncovered", std::vector{state.uncovered_W});
   out.add(prefix + "readings", {state.readings.size()}, std::span<const double>(state.readings));
   write_hits(state.hits, prefix, out);
+  Doubles motions;
+  for (const SurfaceMotion& motion : state.motions) {
+    motions.insert(motions.end(), {motion.properties.dissipation, motion.properties.friction});
+    append(motions, motion.V.linear);
+    append(motions, motion.V.angular);
+  }
+  out.add(prefix + "motions", {state.motions.size(), 8}, std::span<const double>(motions));
   add_number(out, prefix + "surfaces", static_cast<std::int64_t>(state.surfaces.size()));
   for (std::size_t k = 0; k < state.surfaces.size(); ++k)
     write_surface(state.surfaces[k], fmt::format("{}surface{}/", prefix, k), out);

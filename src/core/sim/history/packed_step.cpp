@@ -11,7 +11,7 @@ namespace {
 
 /// Numbers of one sensor's arrays.
 struct SensorCounts {
-  std::uint32_t readings = 0, surfaces = 0, shear = 0;
+  std::uint32_t readings = 0, surfaces = 0, motions = 0, shear = 0;
 };
 struct SurfaceCounts {
   std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
@@ -189,9 +189,10 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   sink.put(sensor.X_WM);
   sink.put(sensor.force_W);
   sink.put(sensor.uncovered_W);
-  sink.put(
-      SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.shear.size())});
+  sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size()),
+                        count(sensor.shear.size())});
   sink.put_all(sensor.readings);
+  sink.put_all(sensor.motions);
   sink.put_all(sensor.shear);
   for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
 }
@@ -214,6 +215,7 @@ void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& 
   sensor.uncovered_W = source.take<dvec3>();
   const auto counts = source.take<SensorCounts>();
   source.take_all(sensor.readings, counts.readings);
+  source.take_all(sensor.motions, counts.motions);
   source.take_all(sensor.shear, counts.shear);
   sensor.surfaces.resize(counts.surfaces);
   for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
@@ -232,7 +234,7 @@ std::size_t largest_packed_size(const StepView& view) {
   std::size_t size = 2 * sizeof(std::uint32_t) + view.geom_poses.size() * sizeof(Pose);
   for (const SensorView& sensor : view.sensors) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
-            sensor.shear.size() * sizeof(dvec2);
+            sensor.motions.size() * sizeof(SurfaceMotion) + sensor.shear.size() * sizeof(dvec2);
     for (const ContactSurface* surface : sensor.surfaces) size += largest_surface_size(*surface);
   }
   return size;

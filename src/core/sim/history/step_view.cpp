@@ -19,6 +19,7 @@ void fill_frame(const StepView& now, SimFrame& frame) {
     state.uncovered_W = sensor.uncovered_W;
     state.hits.assign(sensor.hits.begin(), sensor.hits.end());
     state.shear.assign(sensor.shear.begin(), sensor.shear.end());
+    state.motions = sensor.motions;
     state.surfaces.clear();
     for (const ContactSurface* surface : sensor.surfaces) state.surfaces.push_back(*surface);
   }
@@ -32,6 +33,7 @@ StepView view_of(const SimFrame& frame) {
     sensor.force_W = state.force_W;
     sensor.uncovered_W = state.uncovered_W;
     sensor.readings = state.readings;
+    sensor.motions = state.motions;
     sensor.hits = state.hits;
     sensor.shear = state.shear;
     for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);

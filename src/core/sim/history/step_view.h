@@ -16,6 +16,7 @@ struct SensorView {
   dvec3 force_W{0}, uncovered_W{0};  ///< see SensorFrameState
   std::span<const double> readings;
   std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
+  std::vector<SurfaceMotion> motions;           ///< see SensorFrameState
   std::span<const RayHit> hits;                 ///< by ray
   std::span<const dvec2> shear;                 ///< see SensorFrameState
 };

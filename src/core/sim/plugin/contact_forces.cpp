@@ -5,6 +5,7 @@
 #include "core/base/stopwatch.h"
 #include "core/hydro/contact_stiffness.h"
 #include "core/sim/plugin/largest_step.h"
+#include "core/sim/plugin/matrix6.h"
 
 namespace taxel {
 namespace {
@@ -108,13 +109,6 @@ Matrix6 response(const mjModel& m, const Active& i, const Active& j) {
   for (std::size_t r = 0; r < 6; ++r)
     for (std::size_t c = 0; c < 6; ++c) A[r][c] = mju_dot(i.J.data() + r * nv, j.MinvJ.data() + c * nv, m.nv);
   return A;
-}
-
-Matrix6 transposed(const Matrix6& A) {
-  Matrix6 T;
-  for (std::size_t r = 0; r < 6; ++r)
-    for (std::size_t c = 0; c < 6; ++c) T[c][r] = A[r][c];
-  return T;
 }
 
 bool moves(const Matrix6& A) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/plugin/matrix6.h"
+
 namespace taxel {
 namespace {
 
@@ -14,13 +16,6 @@ Matrix6 product(const Matrix6& a, const Matrix6& b) {
     for (std::size_t k = 0; k < 6; ++k)
       for (std::size_t j = 0; j < 6; ++j) c[i][j] += a[i][k] * b[k][j];
   return c;
-}
-
-Matrix6 transposed(const Matrix6& a) {
-  Matrix6 t{};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j) t[i][j] = a[j][i];
-  return t;
 }
 
 /// Turns rows and columns p and q of the symmetric m so that m[p][q] = 0, and the columns of `vectors` with them.

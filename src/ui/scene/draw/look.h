@@ -31,8 +31,8 @@ struct Look {
   glm::vec4 mark_outline;  // around taxels and arrows
   glm::vec4 unused_sample;
   glm::vec4 ray_hit, ray_miss;
-  glm::vec4 path, force, selection;
-  glm::vec4 ghost;  ///< of the step before
+  glm::vec4 path, force, friction, selection;
+  glm::vec4 ghost;             ///< of the step before
   glm::vec4 hand;              ///< what drags a body
   glm::vec4 weld, connection;  ///< what holds two of them together
   glm::vec4 wire;

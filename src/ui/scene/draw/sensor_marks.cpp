@@ -3,6 +3,7 @@
 #include "ui/scene/draw/filtered_marks.h"
 #include "ui/scene/draw/frame_uniforms.h"
 #include "ui/scene/draw/ray_marks.h"
+#include "ui/scene/draw/traction_marks.h"
 
 namespace taxel::ui {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kLeastSpacing = 2.0;                       // of samples [pixel
 constexpr int kMostSeenThrough = 300;                       // taxels
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7;
 constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
+constexpr float kTractionOutline = 0.25f;
 constexpr double kForceScale = 0.012;  // [m/N]
 constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
@@ -63,9 +65,11 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
   const double pixels = 0.5 * height / input.scale / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
   const Scene scene{input, camera, look, pixels, segments, points};
   const std::vector<SensorView> views = sensor_views(input);
+  tractions_.reset();
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, false);
     draw_paint(scene, view);
+    if (input.overlays.readings_on_skin && view.state != nullptr) draw_skin_readings(scene, view);
     draw_fields(scene, view);
   }
   for (const SensorView& view : views) {
@@ -73,6 +77,7 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     const bool selected = view.selected_taxel >= 0;
     if (input.overlays.rays && !selected) draw_rays(scene, view);
     draw_contact(scene, view);
+    if (input.overlays.tractions) draw_tractions(scene, view);
     if (input.overlays.contact_surface) draw_explained(scene, view);
     if (input.overlays.filtered_polygons) draw_filtered(scene, view);
     if (input.overlays.rays && selected) draw_rays(scene, view);
@@ -124,6 +129,7 @@ void SensorMarks::note_numbers(const SceneInput& input, const std::vector<Sensor
   } else {
     numbers_.due = field_map(input.overlays) != FieldMap::none;
   }
+  numbers_.tractions = tractions_;
   if (input.overlays.normal_angles) numbers_.normals = paint_of(views.front()).normal_numbers();
 }
 
@@ -195,6 +201,40 @@ void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
   const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeContact};
   scene.segments.draw_lines(under, state);
   scene.segments.draw_lines(outline, state);
+}
+
+/// In the colours of the bars, looked up per fragment.
+void SensorMarks::draw_skin_readings(const Scene& scene, const SensorView& view) {
+  const SensorFields* fields = scene.input.fields ? scene.input.fields->of(view.model) : nullptr;
+  if (fields == nullptr || !fields->weights) return;
+  const SkinWeights& skin = *fields->weights;
+  std::vector<float> values;
+  skin.spread(view.state->readings, values);
+  std::vector<SurfaceVertex> triangles;
+  triangles.reserve(3 * skin.triangles.size());
+  for (const auto& corners : skin.triangles)
+    for (const int i : corners) {
+      const auto k = static_cast<std::size_t>(i);
+      triangles.push_back({skin.points[k], values[k]});
+    }
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  surfaces_.draw(triangles, scene.input.reading_range.lo, scene.input.reading_range.hi, state, Seen::front);
+}
+
+/// What bodies hide of them is dimmed: they begin on the contact surface, and reach into the sensor.
+void SensorMarks::draw_tractions(const Scene& scene, const SensorView& view) {
+  const TractionMarks marks = traction_marks(view, scene.input.range, scene.look);
+  if (view.index == scene.input.selected_sensor) tractions_ = marks.numbers;
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeContact};
+  MarkState behind = state;
+  behind.hidden = true;
+  behind.dim = kHiddenRayDim;
+  const glm::vec4 outline(glm::vec3(scene.look.mark_outline), kTractionOutline);
+  for (const Segments* arrows : {&marks.normal, &marks.friction}) {
+    scene.segments.draw_arrows(*arrows, behind, outline);
+    scene.segments.draw_arrows(*arrows, state, outline);
+  }
 }
 
 /// Before everything else, for what is left out lies on the skin or is a sliver.

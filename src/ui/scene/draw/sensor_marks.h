@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "ui/scene/draw/field_paint.h"
 #include "ui/scene/draw/ghost_marks.h"
@@ -41,6 +42,8 @@ class SensorMarks {
   void draw_fields(const Scene& scene, const SensorView& view);
   void draw_contact(const Scene& scene, const SensorView& view);
   void draw_explained(const Scene& scene, const SensorView& view);
+  void draw_skin_readings(const Scene& scene, const SensorView& view);
+  void draw_tractions(const Scene& scene, const SensorView& view);
   void draw_filtered(const Scene& scene, const SensorView& view);
   void draw_rays(const Scene& scene, const SensorView& view);
   void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
@@ -50,6 +53,7 @@ class SensorMarks {
   void draw_measure(const Scene& scene);
 
   SurfacePass surfaces_;
+  std::optional<TractionNumbers> tractions_;  // of the last picture
   PaintPass paint_;
   struct StraightRings {  // which nobody has to wait for
     SensorModelPtr model;

@@ -52,7 +52,8 @@ SurfacePass::SurfacePass(const gl::ShaderReader& read) : program_(read, "surface
   array_.attribute(1, buffer_, 1, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, pressure));
 }
 
-void SurfacePass::draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state) {
+void SurfacePass::draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state,
+                       Seen from) {
   if (triangles.empty()) return;
   buffer_.upload(triangles, GL_STREAM_DRAW);
   set_mark_state(program_, state);
@@ -61,7 +62,12 @@ void SurfacePass::draw(std::span<const SurfaceVertex> triangles, double lo, doub
   program_.use();
   table_.bind(0);
   array_.bind();
+  if (from == Seen::front) {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+  }
   glDrawArrays(GL_TRIANGLES, 0, buffer_.count());
+  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace taxel::ui

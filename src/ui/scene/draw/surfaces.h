@@ -13,6 +13,9 @@
 
 namespace taxel::ui {
 
+/// From which side triangles are seen.
+enum class Seen { both, front };
+
 struct SurfaceVertex {
   glm::vec3 position{0};
   float pressure = 0;  ///< [Pa]
@@ -32,7 +35,8 @@ class SurfacePass {
  public:
   explicit SurfacePass(const gl::ShaderReader& read);
   /// Pressures from lo to hi [Pa] run through the whole colour map.
-  void draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state);
+  void draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state,
+            Seen from = Seen::both);
 
  private:
   gl::Program program_;

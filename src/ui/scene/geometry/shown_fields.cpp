@@ -48,7 +48,8 @@ void cover(const SensorModel& model, FieldGeometry& fields, SensorFields& out) {
 }  // namespace
 
 bool FieldsWish::empty() const {
-  return models.empty() || (map == FieldMap::none && std::none_of(models.begin(), models.end(), is_geodesic));
+  return models.empty() ||
+         (map == FieldMap::none && !weights && std::none_of(models.begin(), models.end(), is_geodesic));
 }
 
 const SensorFields* ShownFields::of(const SensorModelPtr& model) const {
@@ -63,15 +64,25 @@ ShownFieldsPtr FieldMaker::make(const FieldsWish& wish) {
   for (const SensorModelPtr& model : wish.models) {
     FieldGeometry& fields = fields_[out->sensors.size()];
     SensorFields& made = out->sensors.emplace_back();
+    if (wish.weights) {
+      Weights& known = weights_[out->sensors.size() - 1];
+      if (known.model != model) known = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
+      made.weights = known.weights;
+    }
     made.rings = std::make_shared<const FieldRings>(fields.rings(*model));
     switch (wish.map) {
-      case FieldMap::none: break;
+      case FieldMap::none:
+        break;
       case FieldMap::filled:
         append_patches(*model, fields.patches(*model, is_geodesic(model) ? FieldPart::geodesic : FieldPart::euclidean),
                        made.triangles);
         break;
-      case FieldMap::compared: compare(*model, fields, made); break;
-      case FieldMap::coverage: cover(*model, fields, made); break;
+      case FieldMap::compared:
+        compare(*model, fields, made);
+        break;
+      case FieldMap::coverage:
+        cover(*model, fields, made);
+        break;
     }
   }
   return out;

@@ -11,6 +11,7 @@
 #include "ui/scene/field_numbers.h"
 #include "ui/scene/geometry/field_geometry.h"
 #include "ui/scene/geometry/skin_paint.h"
+#include "ui/scene/geometry/skin_weights.h"
 
 namespace taxel::ui {
 
@@ -25,6 +26,7 @@ enum class FieldMap {
 struct FieldsWish {
   std::vector<SensorModelPtr> models;  ///< of the sensors, in order
   FieldMap map = FieldMap::none;
+  bool weights = false;  ///< to spread readings over the skin
   /// Whether anything of it takes long: straight rings alone do not.
   [[nodiscard]] bool empty() const;
   bool operator==(const FieldsWish&) const = default;
@@ -34,8 +36,9 @@ using FieldRings = std::vector<std::vector<RingPiece>>;  ///< by taxel, in layou
 
 /// Of one sensor.
 struct SensorFields {
-  std::shared_ptr<const FieldRings> rings;  ///< by the layout's metric; never null
-  std::vector<PaintVertex> triangles;       ///< of the map, frame M
+  std::shared_ptr<const FieldRings> rings;     ///< by the layout's metric; never null
+  std::vector<PaintVertex> triangles;          ///< of the map, frame M
+  std::shared_ptr<const SkinWeights> weights;  ///< null unless wished
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
 };
@@ -54,8 +57,13 @@ class FieldMaker {
   ShownFieldsPtr make(const FieldsWish& wish);
 
  private:
-  std::mutex making_;                     // guards the rest: one wish at a time
+  std::mutex making_;                            // guards the rest: one wish at a time
   std::map<std::size_t, FieldGeometry> fields_;  // by sensor
+  struct Weights {
+    SensorModelPtr model;
+    std::shared_ptr<const SkinWeights> weights;
+  };
+  std::map<std::size_t, Weights> weights_;  // likewise
 };
 
 }  // namespace taxel::ui

@@ -1,0 +1,133 @@
+// Tractions as arrows and readings spread over the skin, against closed forms.
+#include <gtest/gtest.h>
+
+#include "core/mesh/primitives.h"
+#include "ui/scene/draw/traction_marks.h"
+#include "ui/scene/geometry/coverage.h"
+#include "ui/scene/geometry/skin_weights.h"
+
+namespace taxel::ui {
+namespace {
+
+SensorModelPtr ball_model(double radius_of_fields) {
+  auto model = std::make_shared<SensorModel>();
+  model->mesh = std::make_shared<const TriMesh>(make_icosphere(0.02, 3));
+  model->skin = std::make_shared<const MeshIndex>(model->mesh);
+  for (const dvec3& n : {dvec3(0, 0, 1), dvec3(0, 0.6, 0.8), dvec3(1, 0, 0)}) {
+    Taxel& taxel = model->layout.taxels.emplace_back();
+    taxel.id = static_cast<int>(model->layout.taxels.size());
+    taxel.center = 0.02 * n;
+    taxel.normal = n;
+    taxel.radius = radius_of_fields;
+  }
+  return model;
+}
+
+/// A square of side 2 mm in z = 0 at even pressure, which pushes up.
+ContactSurface even_square(double pressure) {
+  ContactSurface surface;
+  for (const dvec3& p : {dvec3(-1, -1, 0), dvec3(1, -1, 0), dvec3(1, 1, 0), dvec3(-1, 1, 0)}) {
+    surface.vertices.push_back(1e-3 * p + dvec3(0.003, 0, 0));
+    surface.pressure.push_back(pressure);
+  }
+  ContactPolygon& polygon = surface.polygons.emplace_back();
+  polygon.count = 4;
+  polygon.normal = {0, 0, 1};
+  polygon.area = 4e-6;
+  polygon.centroid = {0.003, 0, 0};
+  polygon.pressure = pressure;
+  return surface;
+}
+
+// The arrows, times area over their scale, are the force that moves the bodies.
+TEST(TractionMarks, TheirSumIsTheForce) {
+  const double pressure = 2.0e4;
+  SensorFrameState state;
+  state.surfaces = {even_square(pressure)};
+  state.motions = {{{3.0, 0.5}, {dvec3(0.02, -0.01, 0.03), dvec3(0)}}};
+  SensorView view;
+  view.model = ball_model(0.005);
+  view.state = &state;
+  const TractionMarks marks = traction_marks(view, {0, 4e4}, look(true));
+  ASSERT_EQ(marks.normal.size(), 1U);
+  ASSERT_EQ(marks.friction.size(), 1U);
+  const Traction expected = traction(state.surfaces[0], state.motions[0].properties, state.motions[0].V);
+  const double scale = state.surfaces[0].polygons[0].area / marks.numbers.metres_per_pascal;
+  const dvec3 sum =
+      scale * dvec3(marks.normal[0].b - marks.normal[0].a) + scale * dvec3(marks.friction[0].b - marks.friction[0].a);
+  EXPECT_LT(glm::distance(sum, expected.wrench.force), 1e-5 * glm::length(expected.wrench.force));
+  EXPECT_NEAR(marks.numbers.largest_pressure, pressure * (1 - 3.0 * 0.03), 1e-9 * pressure);
+  EXPECT_TRUE(marks.numbers.friction_known);
+  EXPECT_NEAR(glm::length(marks.normal[0].b - marks.normal[0].a), view.model->mesh->bounds().diagonal() / 7 * 0.91 / 2,
+              1e-6);
+}
+
+TEST(TractionMarks, WithoutMotionsThereIsOnlyPressure) {
+  SensorFrameState state;
+  state.surfaces = {even_square(1e4)};
+  SensorView view;
+  view.model = ball_model(0.005);
+  view.state = &state;
+  const TractionMarks marks = traction_marks(view, {0, 4e4}, look(true));
+  EXPECT_EQ(marks.normal.size(), 1U);
+  EXPECT_TRUE(marks.friction.empty());
+  EXPECT_FALSE(marks.numbers.friction_known);
+}
+
+double area_of(const SkinWeights& skin) {
+  double area = 0;
+  for (const auto& t : skin.triangles) {
+    const auto at = [&](std::size_t c) { return dvec3(skin.points[static_cast<std::size_t>(t[c])]); };
+    area += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+  }
+  return area;
+}
+
+TEST(SkinWeights, CoverWhatTaxelsSee) {
+  const SensorModelPtr model = ball_model(0.01);
+  const SkinWeights skin = skin_weights(*model);
+  const Coverage coverage = make_coverage(*model, 200'000);
+  EXPECT_NEAR(area_of(skin), coverage.area - coverage.uncovered(), 0.004 * coverage.area);
+  EXPECT_EQ(skin.first.size(), skin.points.size() + 1);
+}
+
+// Shares are (r - d)^2 over their sum: by hand at every point that is not on an edge that was cut.
+TEST(SkinWeights, SpreadReadingsByTheWeightsOfTheFields) {
+  const SensorModelPtr model = ball_model(0.01);
+  const SkinWeights skin = skin_weights(*model);
+  const std::vector<double> readings{1e4, 3e4, 2e3};
+  std::vector<float> values, constant;
+  skin.spread(readings, values);
+  skin.spread(std::vector<double>{7e3, 7e3, 7e3}, constant);
+  int shared = 0, far = 0;
+  for (std::size_t i = 0; i < skin.points.size(); ++i) {
+    EXPECT_NEAR(constant[i], 7e3f, 0.01f);
+    double sum = 0, weights = 0, margin = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Taxel& taxel = model->layout.taxels[k];
+      const double d = glm::distance(taxel.center, dvec3(skin.points[i]));
+      if (std::abs(d - taxel.radius) < margin) margin = std::abs(d - taxel.radius);
+      if (d > taxel.radius) continue;
+      const double w = (taxel.radius - d) * (taxel.radius - d);
+      sum += w * readings[k];
+      weights += w;
+      shared += k == 1 && skin.first[i + 1] - skin.first[i] == 2 ? 1 : 0;
+    }
+    if (margin < 2e-4) continue;
+    ++far;
+    EXPECT_NEAR(static_cast<double>(values[i]), sum / weights, 1e-3 * 3e4) << i;
+  }
+  EXPECT_GT(shared, 100);
+  EXPECT_GT(far, 1000);
+}
+
+TEST(SkinWeights, FollowTheSkinByGeodesicDistance) {
+  auto model = std::make_shared<SensorModel>(*ball_model(0.01));
+  model->layout.receptive_field.metric = Metric::geodesic;
+  const SkinWeights skin = skin_weights(*model);
+  const Coverage coverage = make_coverage(*model, 200'000);
+  EXPECT_NEAR(area_of(skin), coverage.area - coverage.uncovered(), 0.006 * coverage.area);
+}
+
+}  // namespace
+}  // namespace taxel::ui
