@@ -180,7 +180,7 @@ struct Clicks {
 struct UiState {
   SavedState saved;
   double arranged_scale = 0;  ///< of the interface when its panels were arranged; 0: not yet
-  double pixel_scale = 1;  ///< of the interface in this window: the user's times the screen's
+  double pixel_scale = 1;     ///< of the interface in this window: the user's times the screen's
 
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode
@@ -204,7 +204,7 @@ struct UiState {
   std::string recovery_detail;    ///< when and where
   std::string title;              ///< of the window
   std::optional<Pick> hovered;    ///< what the resting pointer is on in the 3-D view
-  SweepScenario edited_sweep;     ///< what the inspector's fields hold
+  Scenario edited_sweep;          ///< what the inspector's fields hold
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
@@ -246,7 +246,7 @@ struct UiInput {
   std::string file;                 ///< where it came from; empty: built in
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
-  SweepScenario scenario;
+  Scenario scenario;
   bool sweep = false;                     ///< the running scene is a sweep
   bool is_scene = false;                  ///< the document is a MuJoCo scene
   std::vector<SceneAttachment> attached;  ///< layouts on its geoms that its file does not declare

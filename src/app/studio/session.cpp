@@ -110,7 +110,7 @@ void Session::drop_scene() {
   loop_.reset();
 }
 
-bool Session::run_sweep(const SweepScenario& scenario) {
+bool Session::run_sweep(const Scenario& scenario) {
   if (!document_ || !document_->model || document_->model->taxel_count() == 0) return false;
   if (!edits_.problem().empty()) {
     refusal_ = document_->name + ": " + edits_.problem();
@@ -212,7 +212,7 @@ void Session::accept_document(Document document, SessionNews& news) {
   const bool to_edit = document.kind == DocumentKind::project || !document.problem.empty();
   if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
     const bool sweep = layout_with_taxels;
-    const SweepScenario scenario = sweep ? scenario_ : SweepScenario{};
+    const Scenario scenario = sweep ? scenario_ : Scenario{};
     const bool again = reloading_ && document_ && document.file == document_->file;
     build_scene({.document = std::move(document),
                  .sweep = sweep,

@@ -74,7 +74,7 @@ class Session {
   [[nodiscard]] DocumentKind kind() const { return document_ ? document_->kind : DocumentKind::layout; }
 
   /// False: there is nothing to simulate, or it cannot be, which is told.
-  bool run_sweep(const SweepScenario& scenario);
+  bool run_sweep(const Scenario& scenario);
   void set_playing(bool playing);
   void step_by(int steps);  ///< through recorded steps, and one more than there are is simulated
   void scrub(std::uint64_t step);
@@ -109,14 +109,14 @@ class Session {
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
   /// There is something to look at in SIMULATE: the document's scene, or a step that was saved.
   [[nodiscard]] bool shows_scene() const { return simulates_document_ || still_; }
-  [[nodiscard]] const SweepScenario& scenario() const { return scenario_; }
+  [[nodiscard]] const Scenario& scenario() const { return scenario_; }
 
  private:
   /// A scene that the simulation was asked to build; what is open stays until it stands.
   struct Pending {
     Document document;
     bool sweep = false;
-    SweepScenario scenario = {};
+    Scenario scenario = {};
     std::vector<SceneAttachment> attachments = {};
     bool play = false, framed = true;
     bool another = false;    ///< not the document that is open
@@ -204,8 +204,8 @@ class Session {
   std::optional<Document> document_;
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
-  SweepScenario scenario_;
-  bool still_ = false;  ///< what is shown is a step that was saved: there is nothing to run
+  Scenario scenario_;
+  bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   bool sweep_ = false, simulates_document_ = false;

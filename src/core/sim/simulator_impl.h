@@ -6,7 +6,7 @@
 #include "core/sim/model/perturbation.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
-#include "core/sim/scene/sweep_path.h"
+#include "core/sim/scene/scenario_scene.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {
@@ -15,7 +15,7 @@ struct Simulator::Impl {
   std::string title;  // file of the scene, for messages
   CompiledScene compiled;
   DataHandle data;
-  std::optional<SweepPath> sweep;
+  std::optional<ScenarioScene> scenario;
   std::vector<int> instances;             // of taxel.sensor
   std::vector<int> drawn;                 // geoms of scene->geoms
   std::shared_ptr<const SimScene> shown;  // what does not change
@@ -34,7 +34,7 @@ struct Simulator::Impl {
   void make_data();
   void read_by(Aggregate aggregate);
   void describe();
-  void place_mocap(double travelled);
+  void place_mocap();
   void look();
   void check_stability() const;
   void check_sensors() const;

@@ -126,7 +126,7 @@ void draw_scene(UiState& ui, const UiInput& input) {
 
 void draw_sweep(UiState& ui, const UiInput& input) {
   if (!input.sweep || !header(ui, "Sweep") || !begin_properties("sweep")) return;
-  SweepScenario& s = ui.edited_sweep;
+  Scenario& s = ui.edited_sweep;
   property_field(ui, "Depth", &s.depth, 1e3, "%.2f mm", 0.0001, 0.005);
   property_field(ui, "Path speed", &s.speed, 1e3, "%.1f mm/s", 0.001, 0.1);
   property_field(ui, "Before the edge", &s.before, 1e3, "%.1f mm", 0.0, 0.05);
