@@ -26,6 +26,7 @@
 #include "ui/tools/measure_state.h"
 #include "ui/tools/model_summary.h"
 #include "ui/tools/palette_state.h"
+#include "ui/tools/path_state.h"
 #include "ui/tools/perturb_state.h"
 #include "ui/tools/probe_state.h"
 #include "ui/tools/table_state.h"
@@ -197,6 +198,7 @@ struct UiState {
   ExplainState explain;
   PerturbState perturb;
   ControlsState controls;
+  PathState path;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
@@ -204,7 +206,6 @@ struct UiState {
   std::string recovery_detail;    ///< when and where
   std::string title;              ///< of the window
   std::optional<Pick> hovered;    ///< what the resting pointer is on in the 3-D view
-  Scenario edited_sweep;          ///< what the inspector's fields hold
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
@@ -247,7 +248,7 @@ struct UiInput {
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
   Scenario scenario;
-  bool sweep = false;                     ///< the running scene is a sweep
+  bool sweep = false;                     ///< the running scene is the document's scenario
   bool is_scene = false;                  ///< the document is a MuJoCo scene
   std::vector<SceneAttachment> attached;  ///< layouts on its geoms that its file does not declare
   bool playing = false;                   ///< the simulation, or recorded steps
@@ -260,6 +261,8 @@ struct UiInput {
   Polishing polishing;
   std::string version;
 
+  /// What runs is best shown over travel, not over time.
+  [[nodiscard]] bool by_travel() const { return sweep && scenario.kind == ScenarioKind::sweep; }
   /// State of the selected sensor in the newest frame, or null.
   [[nodiscard]] const SensorFrameState* sensor(const UiState& ui) const {
     if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))

@@ -8,8 +8,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `taxel play` of this scenario with few samples; the folder of the recording.
-fs::path play(const std::string& name, const Json& scenario) {
-  const fs::path folder = test_folder(), file = folder / (name + ".json");
+fs::path play(const fs::path& folder, const std::string& name, const Json& scenario) {
+  const fs::path file = folder / (name + ".json");
   write_text(file, Json{{"format", "taxel-scenario"}, {"version", 1}, {"scenario", scenario}}.dump());
   const Outcome outcome =
       taxel({"play", file.string(), "--density", "1e5", "--quiet", "--out", (folder / name).string()});
@@ -33,7 +33,8 @@ Arrays arrays_of(const fs::path& folder) {
 }
 
 TEST(Play, APressReachesItsDepthAndTheFingerFollows) {
-  const fs::path out = play("press", {{"kind", "press"}, {"tilt_deg", 0}, {"depth", 0.001}, {"hold", 0.3}});
+  const fs::path folder = test_folder();
+  const fs::path out = play(folder, "press", {{"kind", "press"}, {"tilt_deg", 0}, {"depth", 0.001}, {"hold", 0.3}});
   const Arrays arrays = arrays_of(out);
   const std::vector<double> mocap = arrays.at("mocap_pos").doubles(), sensor = arrays.at("sensor_pos").doubles();
   const std::vector<std::int64_t> step = arrays.at("step").integers();
@@ -52,11 +53,12 @@ TEST(Play, APressReachesItsDepthAndTheFingerFollows) {
   const Json told = Json::parse(file_text(out / "scenario.json"));
   EXPECT_EQ(told["format"], "taxel-play");
   EXPECT_EQ(told["scenario"]["kind"], "press");
-  EXPECT_EQ(taxel({"check", (out / "scenario.json").string(), (test_folder() / "press.json").string()}).status, 0);
+  EXPECT_EQ(taxel({"check", (out / "scenario.json").string(), (folder / "press.json").string()}).status, 0);
 }
 
 TEST(Play, ATwistedFingerTurnsAndATorsionFollows) {
-  const fs::path out = play("twist", {{"kind", "twist"}, {"tilt_deg", 0}, {"hold", 0}, {"angle_deg", 20}});
+  const fs::path out =
+      play(test_folder(), "twist", {{"kind", "twist"}, {"tilt_deg", 0}, {"hold", 0}, {"angle_deg", 20}});
   const std::vector<double> quat = arrays_of(out).at("sensor_quat").doubles();
   double turned = 0;
   for (std::size_t r = 0; r + 3 < quat.size(); r += 4) {
@@ -70,7 +72,7 @@ TEST(Play, ATwistedFingerTurnsAndATorsionFollows) {
 
 TEST(Play, ARolledAndASlidFingerPassThePressureOn) {
   for (const char* kind : {"roll", "slide"}) {
-    const fs::path out = play(kind, {{"kind", kind}, {"tilt_deg", 20}, {"hold", 0}, {"shape", "plate"}});
+    const fs::path out = play(test_folder(), kind, {{"kind", kind}, {"tilt_deg", 20}, {"hold", 0}, {"shape", "plate"}});
     const Table table = read_csv(out / "readings.csv");
     EXPECT_GT(largest_reading(table), 0) << kind;
     const std::vector<double>& force = table.at("force_x");
@@ -81,10 +83,12 @@ TEST(Play, ARolledAndASlidFingerPassThePressureOn) {
 
 TEST(Play, ADropFallsAsGravityHasIt) {
   const fs::path out =
-      play("drop", {{"kind", "drop"}, {"height", 0.01}, {"duration", 0.1}, {"shape", "sphere"}, {"tilt_deg", 10}});
+      play(test_folder(), "drop",
+           {{"kind", "drop"}, {"height", 0.01}, {"duration", 0.1}, {"shape", "sphere"}, {"tilt_deg", 10}});
   const Arrays arrays = arrays_of(out);
   const std::vector<double> time = arrays.at("time").doubles(), pos = arrays.at("sensor_pos").doubles();
-  const std::vector<double>& force = read_csv(out / "readings.csv").at("force_z");
+  const Table table = read_csv(out / "readings.csv");
+  const std::vector<double>& force = table.at("force_z");
   ASSERT_EQ(time.size(), 11U);
   for (std::size_t r = 0; r < 5; ++r) {  // semi-implicit Euler: -g t (t + dt) / 2
     EXPECT_NEAR(pos[3 * r + 2] - pos[2], -9.81 * 0.5 * time[r] * (time[r] + 0.001), 1e-9);
@@ -95,11 +99,12 @@ TEST(Play, ADropFallsAsGravityHasIt) {
 
 TEST(Play, APathIsTheMocapBodysWay) {
   const Json up = {0.6, 0, 0.8, 0}, turned = {0.8, 0, 0.6, 0};
-  const fs::path out = play("path", {{"kind", "path"},
-                                     {"points",
-                                      {{{"time", 0}, {"pos", {0.02, 0, 0.1}}, {"quat", up}},
-                                       {{"time", 0.05}, {"pos", {0.03, 0, 0.09}}, {"quat", turned}},
-                                       {{"time", 0.1}, {"pos", {0.03, 0.01, 0.09}}, {"quat", turned}}}}});
+  const fs::path out = play(test_folder(), "path",
+                            {{"kind", "path"},
+                             {"points",
+                              {{{"time", 0}, {"pos", {0.02, 0, 0.1}}, {"quat", up}},
+                               {{"time", 0.05}, {"pos", {0.03, 0, 0.09}}, {"quat", turned}},
+                               {{"time", 0.1}, {"pos", {0.03, 0.01, 0.09}}, {"quat", turned}}}}});
   const Arrays arrays = arrays_of(out);
   const std::vector<double> pos = arrays.at("mocap_pos").doubles(), quat = arrays.at("mocap_quat").doubles();
   ASSERT_EQ(pos.size(), 3 * 101U);
@@ -112,10 +117,11 @@ TEST(Play, APathIsTheMocapBodysWay) {
 
 TEST(Play, AReplayRepeatsTheRunBitForBit) {
   const Json slow = {{"before", 0.003}, {"past", 0.002}};
-  const fs::path sweep = play("sweep", slow);
-  const fs::path twist = play("twist", {{"kind", "twist"}, {"hold", 0}, {"angle_deg", 10}, {"tilt_deg", 30}});
+  const fs::path folder = test_folder();
+  const fs::path sweep = play(folder, "sweep", slow);
+  const fs::path twist = play(folder, "twist", {{"kind", "twist"}, {"hold", 0}, {"angle_deg", 10}, {"tilt_deg", 30}});
   for (const fs::path& run : {sweep, twist}) {
-    const fs::path again = play("replay", {{"kind", "replay"}, {"source", run.filename().string()}});
+    const fs::path again = play(folder, "replay", {{"kind", "replay"}, {"source", run.filename().string()}});
     const Arrays a = arrays_of(run), b = arrays_of(again);
     for (const char* name :
          {"readings", "force", "area", "sensor_pos", "sensor_quat", "time", "mocap_pos", "mocap_quat"})
@@ -132,12 +138,11 @@ TEST(Play, BadInputIsNamed) {
     EXPECT_EQ(outcome.status, 2);
     return outcome.err;
   };
-  EXPECT_EQ(complaint({{"kind", "press"}, {"depth", -1}}),
-            "taxel: bad.json: /depth: must be greater than 0, is -1.0\n");
+  EXPECT_EQ(complaint({{"kind", "press"}, {"depth", -1}}), "taxel: bad.json: /depth: must be greater than 0, is -1\n");
   EXPECT_NE(complaint({{"kind", "replay"}, {"source", "nowhere"}}).find("nowhere: cannot be read as .npz"),
             std::string::npos);
   EXPECT_NE(complaint({{"kind", "press"}, {"hold", 1e300}}).find("steps"), std::string::npos);
-  const fs::path drop = play("drop", {{"kind", "drop"}, {"duration", 0.01}});
+  const fs::path drop = play(folder, "drop", {{"kind", "drop"}, {"duration", 0.01}});
   EXPECT_NE(complaint({{"kind", "replay"}, {"source", "drop"}}).find("no mocap body moved in that run"),
             std::string::npos);
   write_text(folder / "press.json", R"({"kind": "press"})");

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/vector_json.h"
+#include "core/project/scenario_json.h"
+#include "ui/tools/path_tool.h"
 
 namespace taxel::studio {
 
@@ -74,6 +76,25 @@ std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
     json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
   json["chosen"] = ui.controls.geoms;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
+  const Scenario* edited = ui::edited_scenario(ui, input);
+  if (edited == nullptr) return "null";
+  Json json = {{"edited", Json::parse(scenario_to_json(*edited))},
+               {"running", Json::parse(scenario_to_json(input.scenario))},
+               {"selected", ui.path.selected},
+               {"way_points", Json::array()}};
+  if (const auto path = ui::edited_path(ui, input)) {
+    for (const dvec3& p_W : path->points_W) {
+      const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
+      json["way_points"].push_back(
+          {{"at", numbers<Json>(p_W)},
+           {"pixel",
+            {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)}}});
+    }
+  }
+  return json.dump();
 }
 
 }  // namespace taxel::studio

@@ -109,7 +109,8 @@ class Session {
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
   /// There is something to look at in SIMULATE: the document's scene, or a step that was saved.
   [[nodiscard]] bool shows_scene() const { return simulates_document_ || still_; }
-  [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+  /// What SIMULATE would run: the document's, else the last one.
+  [[nodiscard]] const Scenario& scenario() const { return edits_.is_open() ? edits_.project()->scenario : scenario_; }
 
  private:
   /// A scene that the simulation was asked to build; what is open stays until it stands.
@@ -204,7 +205,7 @@ class Session {
   std::optional<Document> document_;
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
-  Scenario scenario_;
+  Scenario scenario_;                      ///< of the sweep that runs, or of the last one
   bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last

@@ -50,8 +50,14 @@ void Session::show_document(Document document) {
   restore_origin();
   hand_over_wanted_ = false;
   if (document_->project) {
+    if (was_project) {
+      scenario_ = document_->project->scenario;
+    } else if (document_->project->scenario != scenario_) {  // a layout knows none: the last one stays
+      Project project = *document_->project;
+      project.scenario = scenario_;
+      document_->project = std::make_shared<const Project>(std::move(project));
+    }
     edits_.open(document_->project, document_->mesh, document_->file, document_->problem);
-    if (was_project) scenario_ = document_->project->scenario;
     if (std::exchange(recovered_, std::nullopt)) edits_.mark_unsaved();
   } else {
     edits_.close();

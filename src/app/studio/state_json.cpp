@@ -273,6 +273,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json.update(Json::parse(editing_to_json(ui, input)));
   json["simulation"] = simulation_json(ui, input);
   json["scene"] = Json::parse(scene_to_json(ui, input));
+  json["scenario"] = Json::parse(scenario_to_state(ui, input));
   json.update(Json::parse(tools_to_json(ui, input)));
   json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
   json["overlays"] = overlays_json(ui.saved.overlays);

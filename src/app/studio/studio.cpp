@@ -211,7 +211,7 @@ void Studio::act_on(const SessionNews& news) {
     ui_.selection.body = -1;  // bodies may have other numbers now
     ui_.perturb = {};
     ui_.mode = *news.opened;
-    ui_.edited_sweep = session_.scenario();
+    ui_.path = {};
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
     if (news.framed) turn_cameras_ = true;
   }

@@ -153,9 +153,12 @@ Scenario read_scenario(const std::filesystem::path& path) {
 }
 
 Scenario read_scenario_with_files(const std::filesystem::path& path) {
-  Scenario scenario = read_scenario(path);
-  for (std::string* file : {&scenario.object, &scenario.source})
-    if (!file->empty()) *file = (std::filesystem::absolute(path).parent_path() / *file).lexically_normal().string();
+  return with_absolute_files(read_scenario(path), path);
+}
+
+Scenario with_absolute_files(Scenario scenario, const std::filesystem::path& file) {
+  for (std::string* named : {&scenario.object, &scenario.source})
+    if (!named->empty()) *named = (std::filesystem::absolute(file).parent_path() / *named).lexically_normal().string();
   return scenario;
 }
 

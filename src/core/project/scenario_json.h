@@ -21,8 +21,10 @@ std::string scenario_file_json(const Scenario& scenario);
 Scenario parse_scenario(const std::string& text, const std::string& file = "");
 /// parse_scenario of a file; paths in it stay as they are.
 Scenario read_scenario(const std::filesystem::path& path);
-/// The same with the paths in it (object, source), which are relative to the file, made absolute.
+/// The same with_absolute_files.
 Scenario read_scenario_with_files(const std::filesystem::path& path);
+/// The paths in it (object, source), which are relative to the file that holds it, made absolute.
+Scenario with_absolute_files(Scenario scenario, const std::filesystem::path& file);
 
 /// Throws Error("", "/key", ...) for the first value that is out of range.
 void check_scenario(const Scenario& scenario);

@@ -11,6 +11,7 @@
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/path_tool.h"
 #include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/tools/time_actions.h"
@@ -105,7 +106,10 @@ void escape(UiState& ui) {
     leave_measure(ui);
   } else if (ui.probe.on) {
     leave_probe(ui);
+  } else if (ui.path.held) {
+    cancel_way_point_drag(ui);
   } else {
+    ui.path.selected = -1;
     ui.selection.clear();
     deselect_body(ui);
   }
