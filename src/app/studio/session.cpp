@@ -117,7 +117,8 @@ bool Session::run_sweep(const Scenario& scenario) {
     return false;
   }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
-  build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = false});
+  const bool elsewhere = scenario.kind != scenario_.kind || scenario.place != scenario_.place;
+  build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = elsewhere});
   return true;
 }
 

@@ -200,9 +200,9 @@ TEST(Sweep, ParametersOfTheInspectorRunANewSweep) {
   const StudioProgram studio;
   studio.play({idle(), R"({"event": "mouse_move", "at": {"widget": "Inspector/Material"}})",
                R"({"event": "wheel", "y": -30})", idle(),
-               R"({"event": "double_click", "at": {"widget": "Inspector/Tilt"}})", idle(),
+               R"({"event": "double_click", "at": {"widget": "Inspector/Tilt (\u00b0)"}})", idle(),
                R"({"event": "text", "text": "30"})", key("Enter"), idle(), dump("before.json"),
-               click(widget("Run with these")), idle(), dump("after.json")});
+               click(widget("Run scenario")), idle(), dump("after.json")});
   EXPECT_NE(studio.state("before.json")["simulation"]["sensors"][0]["quaternion"],
             studio.state("after.json")["simulation"]["sensors"][0]["quaternion"]);
   EXPECT_LT(studio.state("after.json")["simulation"]["time"], studio.state("before.json")["simulation"]["time"]);
