@@ -114,6 +114,7 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_plots, kEverywhere, ImGuiKey_F4, false, "Plot panel", "Panels", false},
     Binding{Action::toggle_timeline, kSimulate, 0, false, "Timeline panel", "Panels", false},
     Binding{Action::toggle_explain, kSimulate, 0, false, "Explain panel", "Panels", false},
+    Binding{Action::toggle_study, kSimulate, 0, false, "Study panel", "Panels", false},
     Binding{Action::toggle_section, kEverywhere, 0, false, "Section panel", "Panels", false},
     Binding{Action::toggle_messages, kEverywhere, 0, false, "Messages panel", "Panels", false},
     Binding{Action::toggle_mesh_report, kEverywhere, 0, false, "Mesh report...", "Panels", false},

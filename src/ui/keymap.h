@@ -106,6 +106,7 @@ enum class Action {
   toggle_plots,
   toggle_timeline,
   toggle_explain,
+  toggle_study,
   toggle_section,
   toggle_messages,
   toggle_mesh_report,

@@ -29,6 +29,7 @@
 #include "ui/tools/path_state.h"
 #include "ui/tools/perturb_state.h"
 #include "ui/tools/probe_state.h"
+#include "ui/tools/study_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
@@ -40,7 +41,7 @@ namespace taxel::ui {
 struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
   bool controls = true;
-  bool messages = false, help = false, explain = false;
+  bool messages = false, help = false, explain = false, study = false;
   bool mesh_report = false;
 };
 
@@ -199,6 +200,7 @@ struct UiState {
   PerturbState perturb;
   ControlsState controls;
   PathState path;
+  StudyState study;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
@@ -242,6 +244,7 @@ struct UiInput {
   MeasuredPtr measured;             ///< between the measure's points; null: not yet
   ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are wished
   PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
+  StudyShown study;                 ///< runs of a parameter study
   ExplainedPtr explained;           ///< of the step shown, or one before; null: none is asked for, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in

@@ -97,4 +97,17 @@ std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
   return json.dump();
 }
 
+std::string study_to_state(const ui::UiInput& input) {
+  if (!input.study.curves) return "null";
+  Json runs = Json::array();
+  for (const StudyCurve& curve : input.study.curves->runs) {
+    double largest = 0;
+    for (const std::vector<double>& readings : curve.readings)
+      for (const double reading : readings) largest = std::max(largest, reading);
+    runs.push_back(
+        {{"values", curve.run.values}, {"rows", curve.time.size()}, {"largest", largest}, {"error", curve.error}});
+  }
+  return Json{{"busy", input.study.busy}, {"problem", input.study.curves->problem}, {"runs", runs}}.dump();
+}
+
 }  // namespace taxel::studio

@@ -45,6 +45,7 @@ Session::Session(bool by_clock, std::function<void()> wake)
       measure_(wake),
       fields_(wake),
       explain_(wake),
+      study_(wake),
       probe_(wake),
       edits_(cache_, wake, [this](const SensorModelPtr& model) {
         probe_.press_now(model);
@@ -326,6 +327,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.measured = measured_;
   input.fields = shown_fields_;
   input.explained = explained_;
+  input.study = {study_.newest(), study_.busy(), study_.fraction()};
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

@@ -15,6 +15,7 @@
 #include "app/studio/loader.h"
 #include "app/studio/measure.h"
 #include "app/studio/probe_worker.h"
+#include "app/studio/study_worker.h"
 #include "core/sim/history/replay.h"
 #include "core/sim/sim_thread.h"
 #include "ui/ui_state.h"
@@ -66,6 +67,8 @@ class Session {
   void show_fields(ui::Mode mode, ui::FieldMap map) { field_mode_ = mode, field_map_ = map; }
   /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
   void explain(std::optional<ui::ExplainWish> wish);
+  /// Runs a parameter study of what is simulated; none: it is cancelled, and nothing is shown.
+  void study(const std::optional<ui::StudyWish>& wish);
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -101,7 +104,7 @@ class Session {
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
-           !fields_.busy() && !explain_.busy();
+           !fields_.busy() && !explain_.busy() && !study_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -183,6 +186,7 @@ class Session {
   ui::Mode field_mode_ = ui::Mode::simulate;
   ui::FieldMap field_map_ = ui::FieldMap::none;
   ExplainWorker explain_;
+  StudyWorker study_;
   std::optional<ui::ExplainWish> explain_wish_;
   ui::ExplainedPtr explained_;
   ProbeWorker probe_;

@@ -103,6 +103,13 @@ void Session::take_reading(SessionNews& news) {
   edited_at_.reset();
 }
 
+void Session::study(const std::optional<ui::StudyWish>& wish) {
+  if (!wish) return study_.ask(std::nullopt);
+  if (!document_ || !document_->model) return;
+  study_.ask(StudyJob{*wish, document_->model});
+  if (!by_clock_) study_.wait();
+}
+
 /// Those that were shown stay until there are some of what is shown now.
 void Session::take_fields(SessionNews& news) {
   ui::FieldsWish wish{{}, field_map_};

@@ -48,6 +48,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_timeline", s.panels.timeline);
   visit("panel_section", s.panels.section);
   visit("panel_explain", s.panels.explain);
+  visit("panel_study", s.panels.study);
   visit("panel_messages", s.panels.messages);
   visit("panel_mesh_report", s.panels.mesh_report);
   visit("tour_seen", s.tour_seen);

@@ -280,6 +280,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["fields"] = field_numbers_json(ui.view.numbers);
   json["bars"] = bars_json(ui);
   json["timeline"] = Json::parse(timeline_to_json(ui));
+  json["study"] = Json::parse(study_to_state(input));
   json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},

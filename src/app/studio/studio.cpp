@@ -198,6 +198,7 @@ void Studio::act_on(const SessionNews& news) {
     ui_.probe.sized = false;
     ui_.perturb = {};
     ui_.controls = {};
+    ui_.study = {};
     ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (news.resized) turn_cameras_ = true;
@@ -276,6 +277,7 @@ void Studio::draw_picture(double seconds) {
   input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
   draw_contents();
   session_.explain(ui::explain_wish(ui_, input_));
+  session_.study(ui_.study.wish);
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;

@@ -15,6 +15,7 @@ inline constexpr const char* kBarsTitle = "Pressure bars";
 inline constexpr const char* kPlotTitle = "Taxels over travel";
 inline constexpr const char* kTimelineTitle = "Timeline";
 inline constexpr const char* kExplainTitle = "Explain";
+inline constexpr const char* kStudyTitle = "Study";
 inline constexpr const char* kSectionTitle = "Section";
 inline constexpr const char* kMessagesTitle = "Messages";
 

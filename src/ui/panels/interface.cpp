@@ -17,6 +17,7 @@
 #include "ui/panels/palette_card.h"
 #include "ui/panels/plot_panel.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/study_panel.h"
 #include "ui/panels/taxel_table_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/toolbar.h"
@@ -59,6 +60,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.section) draw_section(ui, input);
   if (shown.timeline && ui.mode == Mode::simulate) draw_timeline_panel(ui, input);
   if (shown.explain && ui.mode == Mode::simulate) draw_explain_panel(ui, input);
+  if (shown.study && ui.mode == Mode::simulate) draw_study_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 

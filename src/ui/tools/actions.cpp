@@ -78,6 +78,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.timeline;
     case Action::toggle_explain:
       return &saved.panels.explain;
+    case Action::toggle_study:
+      return &saved.panels.study;
     case Action::toggle_section:
       return &saved.panels.section;
     case Action::toggle_controls:
