@@ -23,7 +23,7 @@ std::vector<std::string> coarse_layout(const StudioProgram& studio) {
   write_text(studio.folder() / "coarse.taxels.json", layout.dump());
   return tall_window(studio, "coarse.taxels.json");
 }
-std::string wait_time(double time) {
+std::string until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
 
@@ -35,8 +35,8 @@ TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
                       typed("Angle (\u00b0)", "20"),
                       {dump("twist.json")},
                       kRun,
-                      {wait_time(0.3), key("Space"), kIdle, dump("run.json"), key("z", kCtrl), kIdle,
-                       dump("undone.json"), key("z", kCtrl), kIdle, dump("back.json")}}),
+                      {until(0.3), key("Space"), kIdle, dump("run.json"), key("z", kCtrl), kIdle, dump("undone.json"),
+                       key("z", kCtrl), kIdle, dump("back.json")}}),
               coarse_layout(studio));
   const Json twist = studio.state("twist.json"), run = studio.state("run.json"), back = studio.state("back.json");
   EXPECT_EQ(twist["scenario"]["edited"]["kind"], "twist");
@@ -58,7 +58,7 @@ TEST(Scenario, EveryKindRuns) {
     lines = joined({lines,
                     choose(kind),
                     kRun,
-                    {wait_time(0.15), key("Space"), kIdle, dump(std::string(kind) + ".json"), key("Space")}});
+                    {until(0.15), key("Space"), kIdle, dump(std::string(kind) + ".json"), key("Space")}});
   studio.play(lines, coarse_layout(studio));
   for (const char* kind : {"press", "roll", "slide", "drop", "path"}) {
     const Json state = studio.state(std::string(kind) + ".json");
@@ -97,12 +97,8 @@ TEST(Scenario, ValuesOutOfRangeStayInTheirField) {
 TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
   const StudioProgram studio;
   const auto layout = coarse_layout(studio);
-  const Lines start = joined({kOpen,
-                              choose("press"),
-                              kRun,
-                              {wait_time(0.2), key("Space"), kIdle},
-                              choose("path"),
-                              {kIdle, dump("path.json")}});
+  const Lines start = joined(
+      {kOpen, choose("press"), kRun, {until(0.2), key("Space"), kIdle}, choose("path"), {kIdle, dump("path.json")}});
   studio.play(start, layout);
   const Json path = studio.state("path.json")["scenario"];
   ASSERT_EQ(path["edited"]["points"].size(), 4U) << "the press as way points";
