@@ -18,14 +18,16 @@ const Scenario* path_of(const UiState& ui, const UiInput& input) {
   return scenario != nullptr && scenario->kind == ScenarioKind::path ? scenario : nullptr;
 }
 
-/// The mark under the pointer, the nearest one; -1: none.
+/// The mark under the pointer: the selected one, for others may lie in the same place, else the nearest; -1: none.
 int mark_at(const UiState& ui, const ShownPath& path, const dvec2& pointer) {
   int nearest = -1;
   double least = kReach * ui.pixel_scale;
   for (std::size_t i = 0; i < path.points_W.size(); ++i) {
     const dvec3 pixel = ui.camera().project(path.points_W[i], ui.view.width, ui.view.height);
     const double distance = glm::distance(dvec2(pixel.x, pixel.y), pointer);
-    if (pixel.z > 0 && distance < least) nearest = static_cast<int>(i), least = distance;
+    if (!(pixel.z > 0 && distance < least)) continue;
+    nearest = static_cast<int>(i);
+    least = nearest == path.selected ? 0 : distance;
   }
   return nearest;
 }
