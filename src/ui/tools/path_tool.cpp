@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include "core/project/path_curve.h"
-#include "ui/tools/perturb_tool.h"
 
 namespace taxel::ui {
 
@@ -39,9 +38,15 @@ void drag(UiState& ui, const Scenario& scenario, const dvec2& pointer) {
   if (!state.moved) state.gesture = ++ui.tool.gesture;
   state.moved = true;
   Scenario moved = scenario;
-  const Perturb hand =
-      dragged_body(ui.camera(), ui.view.height, pointer - state.start, Perturb::Kind::pull, false, state.grabbed_W);
-  moved.points[i].X_WM.p = state.was->X_WM.p + hand.moved_W;
+  // in the plane through the mark that faces the camera
+  const Camera& camera = ui.camera();
+  const dvec3 forward = glm::normalize(camera.target - camera.eye());
+  const auto under = [&](const dvec2& pixel) {
+    const Ray ray = camera.pixel_ray(pixel.x, pixel.y, ui.view.width, ui.view.height);
+    const double far = glm::dot(state.grabbed_W - ray.origin, forward) / glm::dot(ray.direction, forward);
+    return ray.origin + far * ray.direction;
+  };
+  moved.points[i].X_WM.p = state.was->X_WM.p + under(pointer) - under(state.start);
   ui.ask(EditProject{SetScenario{moved}, {state.gesture, true}});
 }
 
