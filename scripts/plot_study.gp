@@ -37,7 +37,8 @@ header = file(1)
 name(c) = system(sprintf("head -n 1 '%s' | cut -d, -f%d | tr _ ' '", header, c))
 array palette[8] = ['#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#0072B2', '#D55E00', '#F0E442', '#000000']
 
-columns = int(ceil(sqrt(count)))
+values = int(system(sprintf("tail -n +2 '%s' | cut -d, -f3 | sort -u | wc -l", runs)))
+columns = two ? values : int(ceil(sqrt(count)))
 rows = (count + columns - 1) / columns
 set grid lc rgb '#dddddd'
 set border 3 lc rgb '#555555'

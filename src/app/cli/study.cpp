@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -54,6 +55,17 @@ void record_run(Simulator& simulator, StudyResult& result) {
   }
 }
 
+/// Null where the run cannot be made, which is told in its result.
+std::unique_ptr<Simulator> make_run(Models& models, StudyResult& result) {
+  const SensorModelPtr model = models.of(result.run);
+  try {
+    return Simulator::make_sweep(model, result.run.scenario);
+  } catch (const Error& e) {
+    result.error = e.what();
+    return nullptr;
+  }
+}
+
 void write(OutputFolder& folder, const Study& study, const std::vector<StudyResult>& results) {
   folder.write("study.json", study_to_json(study));
   folder.write("summary.csv", study_summary_csv(study, results));
@@ -79,11 +91,12 @@ int run(const Options& options, Console& console) {
       static_cast<int>(runs.size()),
       [&](int i) {
         console.progress(std::min(0.99, progress.fraction()));
-        const StudyRun& each = runs[static_cast<std::size_t>(i)];
-        return Simulator::make_sweep(models.of(each), each.scenario);
+        return make_run(models, results[static_cast<std::size_t>(i)]);
       },
       [&](int i, Simulator& simulator) { record_run(simulator, results[static_cast<std::size_t>(i)]); }, progress);
   console.progress(1);
+  if (std::all_of(results.begin(), results.end(), [](const StudyResult& r) { return !r.error.empty(); }))
+    throw Error("no run could be made: " + results.front().error);
   StudyReport report{
       study, results, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}, options.out};
   if (folder) {

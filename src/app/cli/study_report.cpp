@@ -30,7 +30,8 @@ std::string study_summary_csv(const Study& study, const std::vector<StudyResult>
   std::string csv = "run" + head_of(study) + ",taxel,peak,mean,largest_step\n";
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].error.empty()) continue;
-    for (const TaxelSummary& taxel : summarize(results[i].recording).front().taxels)
+    const RecordedSensorSummary summary = summarize(results[i].recording).front();
+    for (const TaxelSummary& taxel : summary.taxels)
       csv += fmt::format("{}{},{},{},{},{}\n", i, values_of(results[i].run), taxel.id, taxel.peak, taxel.mean,
                          taxel.largest_step);
   }

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include "core/project/path_curve.h"
-#include "ui/tools/perturb_tool.h"
 
 namespace taxel::ui {
 
@@ -18,14 +17,16 @@ const Scenario* path_of(const UiState& ui, const UiInput& input) {
   return scenario != nullptr && scenario->kind == ScenarioKind::path ? scenario : nullptr;
 }
 
-/// The mark under the pointer, the nearest one; -1: none.
+/// The mark under the pointer: the selected one, for others may lie in the same place, else the nearest; -1: none.
 int mark_at(const UiState& ui, const ShownPath& path, const dvec2& pointer) {
   int nearest = -1;
   double least = kReach * ui.pixel_scale;
   for (std::size_t i = 0; i < path.points_W.size(); ++i) {
     const dvec3 pixel = ui.camera().project(path.points_W[i], ui.view.width, ui.view.height);
     const double distance = glm::distance(dvec2(pixel.x, pixel.y), pointer);
-    if (pixel.z > 0 && distance < least) nearest = static_cast<int>(i), least = distance;
+    if (!(pixel.z > 0 && distance < least)) continue;
+    nearest = static_cast<int>(i);
+    least = nearest == path.selected ? 0 : distance;
   }
   return nearest;
 }
@@ -37,9 +38,15 @@ void drag(UiState& ui, const Scenario& scenario, const dvec2& pointer) {
   if (!state.moved) state.gesture = ++ui.tool.gesture;
   state.moved = true;
   Scenario moved = scenario;
-  const Perturb hand =
-      dragged_body(ui.camera(), ui.view.height, pointer - state.start, Perturb::Kind::pull, false, state.grabbed_W);
-  moved.points[i].X_WM.p = state.was->X_WM.p + hand.moved_W;
+  // in the plane through the mark that faces the camera
+  const Camera& camera = ui.camera();
+  const dvec3 forward = glm::normalize(camera.target - camera.eye());
+  const auto under = [&](const dvec2& pixel) {
+    const Ray ray = camera.pixel_ray(pixel.x, pixel.y, ui.view.width, ui.view.height);
+    const double far = glm::dot(state.grabbed_W - ray.origin, forward) / glm::dot(ray.direction, forward);
+    return ray.origin + far * ray.direction;
+  };
+  moved.points[i].X_WM.p = state.was->X_WM.p + under(pointer) - under(state.start);
   ui.ask(EditProject{SetScenario{moved}, {state.gesture, true}});
 }
 

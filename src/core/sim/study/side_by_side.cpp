@@ -17,8 +17,9 @@ void run_side_by_side(int count, const std::function<std::unique_ptr<Simulator>(
     std::vector<std::unique_ptr<Simulator>> batch;
     for (int i = first; i < std::min(count, first + together); ++i) batch.push_back(make(i));
     parallel_chunks(static_cast<int>(batch.size()), 1, [&](int begin, int) {
-      run(first + begin, *batch[static_cast<std::size_t>(begin)]);
-      batch[static_cast<std::size_t>(begin)].reset();
+      std::unique_ptr<Simulator>& simulator = batch[static_cast<std::size_t>(begin)];
+      if (simulator) run(first + begin, *simulator);
+      simulator.reset();
     });
   }
   progress.check(1);
