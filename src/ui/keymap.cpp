@@ -123,6 +123,7 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_explain, kSimulate, 0, false, "Explain panel", "Panels", false},
     Binding{Action::toggle_map, kEverywhere, 0, false, "Taxel map panel", "Panels", false},
     Binding{Action::toggle_models, kSimulate, 0, false, "Models panel", "Panels", false},
+    Binding{Action::toggle_study, kSimulate, 0, false, "Study panel", "Panels", false},
     Binding{Action::toggle_section, kEverywhere, 0, false, "Section panel", "Panels", false},
     Binding{Action::toggle_messages, kEverywhere, 0, false, "Messages panel", "Panels", false},
     Binding{Action::toggle_mesh_report, kEverywhere, 0, false, "Mesh report...", "Panels", false},

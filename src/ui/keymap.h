@@ -114,6 +114,7 @@ enum class Action {
   toggle_explain,
   toggle_map,
   toggle_models,
+  toggle_study,
   toggle_section,
   toggle_messages,
   toggle_mesh_report,

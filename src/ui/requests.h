@@ -54,7 +54,7 @@ struct SendCommand {
   SimCommand command;
 };
 struct RunSweep {
-  SweepScenario scenario;
+  Scenario scenario;
 };
 struct SetPlaying {
   bool playing = false;

@@ -28,9 +28,11 @@
 #include "ui/tools/model_summary.h"
 #include "ui/tools/models_state.h"
 #include "ui/tools/palette_state.h"
+#include "ui/tools/path_state.h"
 #include "ui/tools/perturb_state.h"
 #include "ui/tools/probe_state.h"
 #include "ui/tools/real_state.h"
+#include "ui/tools/study_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
@@ -43,7 +45,7 @@ namespace taxel::ui {
 struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
   bool controls = true;
-  bool messages = false, help = false, explain = false, map = false, models = false;
+  bool messages = false, help = false, explain = false, map = false, models = false, study = false;
   bool mesh_report = false;
 };
 
@@ -205,6 +207,8 @@ struct UiState {
   ControlsState controls;
   RealState real;
   VideoState video;
+  PathState path;
+  StudyState study;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
@@ -212,7 +216,6 @@ struct UiState {
   std::string recovery_detail;    ///< when and where
   std::string title;              ///< of the window
   std::optional<Pick> hovered;    ///< what the resting pointer is on in the 3-D view
-  SweepScenario edited_sweep;     ///< what the inspector's fields hold
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
@@ -252,13 +255,14 @@ struct UiInput {
   RealShownPtr real;                ///< a real sensor's recording over the run; null: none
   VideoProgress video;              ///< of the one that is being made
   ComparedPtr compared;             ///< of the selected sensor by other models; null: not asked for, or not yet
+  StudyShown study;                 ///< runs of a parameter study
   ExplainedPtr explained;           ///< of the step shown, or one before; null: none is asked for, or not yet
   std::string name;                 ///< of the document
   std::string file;                 ///< where it came from; empty: built in
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
-  SweepScenario scenario;
-  bool sweep = false;                     ///< the running scene is a sweep
+  Scenario scenario;
+  bool sweep = false;                     ///< the running scene is the document's scenario
   bool is_scene = false;                  ///< the document is a MuJoCo scene
   std::vector<SceneAttachment> attached;  ///< layouts on its geoms that its file does not declare
   bool playing = false;                   ///< the simulation, or recorded steps
@@ -271,6 +275,8 @@ struct UiInput {
   Polishing polishing;
   std::string version;
 
+  /// What runs is best shown over travel, not over time.
+  [[nodiscard]] bool by_travel() const { return sweep && scenario.kind == ScenarioKind::sweep; }
   /// State of the selected sensor in the newest frame, or null.
   [[nodiscard]] const SensorFrameState* sensor(const UiState& ui) const {
     if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))

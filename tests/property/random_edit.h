@@ -140,7 +140,7 @@ class RandomEdit {
         return SetCalibration{calibration};
       }
       case 18: {
-        SweepScenario scenario = project_.scenario;
+        Scenario scenario = project_.scenario;
         scenario.depth = 1e-3 * (1 + uniform());
         return SetScenario{scenario};
       }

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The plot of a sweep shows the taxels that respond and leaves two files, nothing else. plot_test.py plot_sweep.gp"""
+"""The plots of a sweep and of a study show the taxels that respond and leave two files, nothing else.
+plot_test.py plot_sweep.gp plot_study.gp"""
 import math
 import pathlib
 import shutil
@@ -8,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-SCRIPT = str(pathlib.Path(sys.argv[1]).resolve())
+SCRIPT, STUDY = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
 HEAD = "time,travel,force_x,force_y,force_z,area,polygons,taxel_0,taxel_1,taxel_2,taxel_7"
 
 
@@ -28,6 +29,11 @@ def write_readings(path):
 
 def plot(folder, csv):
     command = ["gnuplot", "-e", f"csv='{csv}'; base='taxels'", SCRIPT]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+
+
+def plot_study(folder, study):
+    command = ["gnuplot", "-e", f"study='{study}'; base='multiples'", STUDY]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True)
 
 
@@ -59,6 +65,24 @@ class PlotTest(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("nowhere.csv: cannot be read", done.stderr)
         self.assertEqual(self.files(), [])
+
+    def test_a_study_is_one_plot_per_run(self):
+        (self.folder / "out").mkdir()
+        for name in ("run_000", "run_002"):
+            write_readings(self.folder / "out" / f"{name}.csv")
+        (self.folder / "out" / "runs.csv").write_text("file,depth,seed\nrun_000.csv,0.001,1\nrun_002.csv,0.001,2\n")
+        done = plot_study(self.folder, "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.files(), ["multiples.png", "multiples.svg", "out"])
+        picture = (self.folder / "multiples.svg").read_text()
+        for title in ("depth 0.001, seed 1", "depth 0.001, seed 2", "taxel 1", "taxel 7"):
+            self.assertIn(f">{title}<", picture)
+        self.assertNotIn(">taxel 2<", picture)
+
+    def test_a_study_that_is_not_there_is_one_clear_line(self):
+        done = plot_study(self.folder, "nowhere")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("nowhere/runs.csv: cannot be read", done.stderr)
 
 
 if __name__ == "__main__":

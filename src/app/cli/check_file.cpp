@@ -11,6 +11,7 @@
 #include "core/project/contact_case.h"
 #include "core/project/project_json.h"
 #include "core/project/scenario_json.h"
+#include "core/project/study.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/simulator.h"
 
@@ -121,15 +122,21 @@ Problems check_file(const std::string& file) {
   }
   const std::string format = format_of(text);
   if (format == "contact-case") return check_case(parse_contact_case(text, file));
-  if (format == "taxel-sweep") {
+  if (format == "taxel-sweep" || format == "taxel-play" || format == "taxel-scenario") {
     parse_scenario(text, file);
+    return {};
+  }
+  if (format == "taxel-study") {
+    parse_study(text, file);
     return {};
   }
   if (format == "taxel-project") return check_project_file(text, file);
   if (!format.empty() && format != "taxel-layout") {
     throw Error(
         file, "/format",
-        "is \"" + format + "\"; what can be checked is taxel-layout, taxel-project, contact-case and taxel-sweep");
+        "is \"" + format +
+            "\"; what can be checked is taxel-layout, taxel-project, taxel-scenario, taxel-study, contact-case, "
+            "taxel-sweep and taxel-play");
   }
   return check_layout(parse_layout(text, file), file);
 }

@@ -25,6 +25,8 @@ struct Command {
 };
 
 Command add_sweep(CLI::App& parent, CommonOptions& common);
+Command add_play(CLI::App& parent, CommonOptions& common);
+Command add_study(CLI::App& parent, CommonOptions& common);
 Command add_run(CLI::App& parent, CommonOptions& common);
 Command add_contact(CLI::App& parent, CommonOptions& common);
 Command add_explain(CLI::App& parent, CommonOptions& common);

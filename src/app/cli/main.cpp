@@ -34,9 +34,9 @@ int run(int argc, char** argv) {
       "`taxel COMMAND --help` shows a command's options, units and an example.\n"
       "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input.");
   CommonOptions common;
-  const std::vector<Command> commands{add_sweep(app, common),   add_run(app, common),     add_contact(app, common),
-                                      add_read(app, common),    add_explain(app, common), add_align(app, common),
-                                      add_models(app, common),
+  const std::vector<Command> commands{add_sweep(app, common),   add_play(app, common),    add_study(app, common),
+                                      add_run(app, common),     add_contact(app, common), add_read(app, common),
+                                      add_explain(app, common), add_align(app, common),   add_models(app, common),
                                       add_samples(app, common), add_mesh(app, common),    add_presets(app, common),
                                       add_check(app, common),   add_validate(app, common)};
   const auto chosen = [&] {

@@ -11,10 +11,11 @@ std::string head_text(const RecordingReport& report) {
   const std::string rows = fmt::format("{} rows of {} steps of {} s", report.recording.rows.size(), report.cost.steps,
                                        report.recording.timestep);
   if (!report.scenario) return fmt::format("run of {}: {}\n", report.scene, rows);
-  const SweepScenario& s = *report.scenario;
-  return fmt::format("sweep of \"{}\" over {}: {}, {} m deep, {} m/s, tilt {} degrees\n",
-                     report.models.front()->layout.name, s.object.empty() ? "the edge of a box" : s.object, rows,
-                     s.depth, s.speed, s.tilt_deg);
+  const Scenario& s = *report.scenario;
+  const std::string& layout = report.models.front()->layout.name;
+  if (s.kind != ScenarioKind::sweep) return fmt::format("{} of \"{}\": {}\n", to_word(s.kind), layout, rows);
+  return fmt::format("sweep of \"{}\" over {}: {}, {} m deep, {} m/s, tilt {} degrees\n", layout,
+                     s.object.empty() ? "the edge of a box" : s.object, rows, s.depth, s.speed, s.tilt_deg);
 }
 
 std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSensor& about) {

@@ -14,11 +14,11 @@
 namespace taxel::cli {
 
 struct RecordingReport {
-  std::string command;                    ///< "sweep" or "run"
-  std::optional<SweepScenario> scenario;  ///< of a sweep
-  std::string scene;                      ///< file name of a run's scene
-  double seconds = 0;                     ///< asked for in a run [s]
-  std::vector<SensorModelPtr> models;     ///< parallel to the recording's sensors
+  std::string command;                 ///< "sweep" or "run"
+  std::optional<Scenario> scenario;    ///< of a sweep
+  std::string scene;                   ///< file name of a run's scene
+  double seconds = 0;                  ///< asked for in a run [s]
+  std::vector<SensorModelPtr> models;  ///< parallel to the recording's sensors
   const Recording& recording;
   RunCost cost;
   double model_seconds = 0;        ///< wall time spent on samples, fields and tets

@@ -2,37 +2,33 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/default_layout.h"
-#include "app/cli/recording_report.h"
-#include "core/base/output_folder.h"
+#include "app/cli/played_scenario.h"
 #include "core/project/scenario_json.h"
-#include "core/sim/recording/write_recording.h"
 
 namespace taxel::cli {
 namespace {
 
 struct NumberFlag {
   const char* name;
-  double SweepScenario::*value;
+  double Scenario::*value;
   const char* unit;
   CLI::Validator (*check)();
   const char* text;
 };
 constexpr std::array<NumberFlag, 9> kFlags{
-    {{"--depth", &SweepScenario::depth, "M", positive, "How far below first touch the finger is led [m]"},
-     {"--speed", &SweepScenario::speed, "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
-     {"--before", &SweepScenario::before, "M", not_negative,
+    {{"--depth", &Scenario::depth, "M", positive, "How far below first touch the finger is led [m]"},
+     {"--speed", &Scenario::speed, "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
+     {"--before", &Scenario::before, "M", not_negative,
       "Start: lowest point of the finger this far before the edge [m]"},
-     {"--past", &SweepScenario::past, "M", not_negative, "End: this far past the edge [m]"},
-     {"--tilt", &SweepScenario::tilt_deg, "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
-     {"--record-every", &SweepScenario::record_every, "M", positive, "A row per this travel [m]"},
-     {"--timestep", &SweepScenario::timestep, "S", positive, "Of the simulation [s]"},
-     {"--mass", &SweepScenario::finger_mass, "KG", positive, "Of the finger [kg]"},
-     {"--box", &SweepScenario::box_size, "M", positive, "Edge length of the box [m]"}}};
+     {"--past", &Scenario::past, "M", not_negative, "End: this far past the edge [m]"},
+     {"--tilt", &Scenario::tilt_deg, "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
+     {"--record-every", &Scenario::record_every, "M", positive, "A row per this travel [m]"},
+     {"--timestep", &Scenario::timestep, "S", positive, "Of the simulation [s]"},
+     {"--mass", &Scenario::finger_mass, "KG", positive, "Of the finger [kg]"},
+     {"--box", &Scenario::box_size, "M", positive, "Edge length of the box [m]"}}};
 
 struct Options {
   std::string layout, out, scenario, object;
@@ -41,35 +37,17 @@ struct Options {
   bool tactile_state = false;
 };
 
-SweepScenario scenario_of(const Options& options) {
-  SweepScenario scenario = options.scenario.empty() ? SweepScenario{} : read_scenario(options.scenario);
+Scenario scenario_of(const Options& options) {
+  Scenario scenario = options.scenario.empty() ? Scenario{} : read_scenario(options.scenario);
   for (std::size_t i = 0; i < kFlags.size(); ++i) {
     scenario.*kFlags[i].value = options.numbers[i].value_or(scenario.*kFlags[i].value);
   }
+  if (scenario.kind != ScenarioKind::sweep)
+    throw Error(options.scenario,
+                fmt::format("is a scenario of the kind \"{}\": `taxel play` runs it", to_word(scenario.kind)));
   if (!options.object.empty()) scenario.object = options.object;
   check_scenario(scenario);
   return scenario;
-}
-
-int run(const Options& options, Console& console) {
-  const SweepScenario scenario = scenario_of(options);
-  std::optional<OutputFolder> folder;
-  if (!options.out.empty()) folder.emplace(options.out);
-
-  const auto start = std::chrono::steady_clock::now();
-  const SensorModelPtr model = load_model(options.layout, options.over, console);
-  const std::unique_ptr<Simulator> simulator = Simulator::make_sweep(model, scenario);
-  const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  RunCost cost;
-  const Recording recording = record(*simulator, 0, console, cost);
-  RecordingReport report{"sweep", scenario, "", 0, {model}, recording, cost, model_seconds, {}, options.out};
-  if (folder) {
-    put_recording(*folder, recording, simulator.get(), options.tactile_state);
-    folder->write("sweep.json", sweep_file_json(report));
-    report.files = folder->commit();
-  }
-  console.result(console.json() ? recording_json(report) : recording_text(report));
-  return kDone;
 }
 
 }  // namespace
@@ -90,7 +68,7 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
   add_tactile_state(*app, options->tactile_state);
   app->add_option("--scenario", options->scenario, "Take the parameters below from a sweep.json; options go over it")
       ->type_name("FILE");
-  const SweepScenario defaults;
+  const Scenario defaults;
   for (std::size_t i = 0; i < kFlags.size(); ++i) {
     app->add_option(kFlags[i].name, options->numbers[i], kFlags[i].text)
         ->check(kFlags[i].check())
@@ -101,7 +79,11 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
       ->type_name("FILE");
   add_sampling(*app, options->over);
   add_aggregate(*app, options->over.aggregate);
-  return {app, [options](Console& console) { return run(*options, console); }};
+  return {app, [options](Console& console) {
+            return play({"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out,
+                         options->tactile_state},
+                        console);
+          }};
 }
 
 }  // namespace taxel::cli

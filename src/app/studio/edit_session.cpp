@@ -17,7 +17,8 @@ void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, s
   meshes_ = std::make_shared<OpenMeshes>();  // a model of the document before may still be built on its own
   meshes_->add(project->layout.mesh, std::move(mesh));
   file_ = std::move(file);
-  compiled_ = history_->revision();
+  built_ = history_->project();
+  compiled_ = ++asked_;
   problem_ = std::move(problem);
 }
 
@@ -29,11 +30,17 @@ void EditSession::close() {
 }
 
 void EditSession::rebuild() {
-  worker_.build({history_->revision(), history_->project(), meshes_, file_});
+  built_ = history_->project();
+  worker_.build({++asked_, built_, meshes_, file_});
+}
+
+/// The scenario, and what else is no part of the layout, compiles nothing.
+void EditSession::rebuild_if_changed() {
+  if (history_->project()->layout != built_->layout) rebuild();
 }
 
 void EditSession::edit(const Edit& edit, taxel::Gesture gesture) {
-  if (history_ && history_->apply(edit, gesture)) rebuild();
+  if (history_ && history_->apply(edit, gesture)) rebuild_if_changed();
 }
 
 void EditSession::edit_together(const std::vector<Edit>& edits) {
@@ -46,7 +53,7 @@ void EditSession::edit_together(const std::vector<Edit>& edits) {
     throw;
   }
   history_->end_gesture();
-  if (history_->revision() != before) rebuild();
+  if (history_->revision() != before) rebuild_if_changed();
 }
 
 void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
@@ -64,7 +71,7 @@ void EditSession::cancel(std::uint64_t gesture) {
   if (!history_) return;
   const std::uint64_t before = history_->revision();
   history_->cancel(gesture);
-  if (history_->revision() != before) rebuild();
+  if (history_->revision() != before) rebuild_if_changed();
 }
 
 void EditSession::end_gesture() {
@@ -74,21 +81,21 @@ void EditSession::end_gesture() {
 void EditSession::undo() {
   if (!history_ || !history_->can_undo()) return;
   history_->undo();
-  rebuild();
+  rebuild_if_changed();
 }
 
 void EditSession::redo() {
   if (!history_ || !history_->can_redo()) return;
   history_->redo();
-  rebuild();
+  rebuild_if_changed();
 }
 
 SensorModelPtr EditSession::take_model() {
   std::optional<BuiltModel> built = worker_.take();
   if (!built || !history_) return nullptr;
-  const bool newest = built->revision == history_->revision();
+  const bool newest = built->number == asked_;
   if (newest) problem_ = built->problem;
-  if (built->model) compiled_ = built->revision;
+  if (built->model) compiled_ = built->number;
   return built->model;
 }
 

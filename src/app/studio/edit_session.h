@@ -49,18 +49,21 @@ class EditSession {
   SensorModelPtr take_model();
   void wait() { worker_.wait(); }
   /// The model that was taken last is of the present project.
-  [[nodiscard]] bool compiled() const { return history_ && compiled_ == history_->revision(); }
+  [[nodiscard]] bool compiled() const { return history_ && compiled_ == asked_; }
   [[nodiscard]] bool building() const { return worker_.busy(); }
 
   void fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const;
 
  private:
   void rebuild();
+  void rebuild_if_changed();
 
   std::optional<History> history_;
   std::shared_ptr<OpenMeshes> meshes_ = std::make_shared<OpenMeshes>();
   std::string file_;
-  std::uint64_t compiled_ = 0;  ///< revision of the model that was taken last
+  ProjectPtr built_;            ///< what the newest model is, or will be, compiled of: its layout is the project's
+  std::uint64_t asked_ = 0;     ///< counts models that were asked for
+  std::uint64_t compiled_ = 0;  ///< number of the one that was taken last
   std::uint64_t together_ = 0;  ///< counts edit_together()
   std::string problem_;
   ModelWorker worker_;  // last: it ends first

@@ -108,14 +108,14 @@ std::optional<BuiltModel> ModelWorker::attempt(const ModelJob& job, SampleQualit
     ShownModel shown = shown_model(layout, *mesh->loaded.mesh, [&](const Layout& compiled) {
       return build_sensor_model(compiled, mesh->loaded.mesh, mesh->loaded.sha256, job.file, how);
     });
-    return BuiltModel{job.revision, std::move(shown.model), std::move(shown.problem)};
+    return BuiltModel{job.number, std::move(shown.model), std::move(shown.problem)};
   } catch (const Cancelled&) {
     return std::nullopt;
   } catch (const Error& error) {
-    return BuiltModel{job.revision, nullptr,
+    return BuiltModel{job.number, nullptr,
                       error.where().empty() ? error.message() : error.where() + ": " + error.message()};
   } catch (const std::exception& error) {
-    return BuiltModel{job.revision, nullptr, error.what()};
+    return BuiltModel{job.number, nullptr, error.what()};
   }
 }
 

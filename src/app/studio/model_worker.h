@@ -18,7 +18,7 @@ namespace taxel::studio {
 
 /// What is to be compiled.
 struct ModelJob {
-  std::uint64_t revision = 0;  ///< of the project, as History numbers them
+  std::uint64_t number = 0;  ///< given by who asks
   ProjectPtr project;
   std::shared_ptr<OpenMeshes> meshes;  ///< where that of the project is found, or else kept
   std::string file;                    ///< names the layout in messages
@@ -26,9 +26,9 @@ struct ModelJob {
 
 /// What came of it.
 struct BuiltModel {
-  std::uint64_t revision = 0;
-  SensorModelPtr model;  ///< null: see `problem`
-  std::string problem;   ///< why the layout cannot be compiled, or simulated
+  std::uint64_t number = 0;  ///< of the job
+  SensorModelPtr model;      ///< null: see `problem`
+  std::string problem;       ///< why the layout cannot be compiled, or simulated
 };
 
 class ModelWorker {

@@ -72,6 +72,11 @@ class NewestWins {
     std::unique_lock lock(mutex_);
     told_.wait(lock, [this] { return !due_ && !progress_; });
   }
+  /// How far what is being done is; 0: nothing is.
+  [[nodiscard]] double fraction() const {
+    const std::lock_guard lock(mutex_);
+    return progress_ ? progress_->fraction() : 0;
+  }
   [[nodiscard]] bool busy() const {
     const std::lock_guard lock(mutex_);
     return due_ || progress_;

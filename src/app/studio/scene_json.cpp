@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/vector_json.h"
+#include "core/project/scenario_json.h"
+#include "ui/tools/path_tool.h"
 
 namespace taxel::studio {
 
@@ -74,6 +76,38 @@ std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
     json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
   json["chosen"] = ui.controls.geoms;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
+  const Scenario* edited = ui::edited_scenario(ui, input);
+  if (edited == nullptr) return "null";
+  Json json = {{"edited", Json::parse(scenario_to_json(*edited))},
+               {"running", Json::parse(scenario_to_json(input.scenario))},
+               {"selected", ui.path.selected},
+               {"way_points", Json::array()}};
+  if (const auto path = ui::edited_path(ui, input)) {
+    for (const dvec3& p_W : path->points_W) {
+      const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
+      json["way_points"].push_back(
+          {{"at", numbers<Json>(p_W)},
+           {"pixel",
+            {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)}}});
+    }
+  }
+  return json.dump();
+}
+
+std::string study_to_state(const ui::UiInput& input) {
+  if (!input.study.curves) return "null";
+  Json runs = Json::array();
+  for (const StudyCurve& curve : input.study.curves->runs) {
+    double largest = 0;
+    for (const std::vector<double>& readings : curve.readings)
+      for (const double reading : readings) largest = std::max(largest, reading);
+    runs.push_back(
+        {{"values", curve.run.values}, {"rows", curve.time.size()}, {"largest", largest}, {"error", curve.error}});
+  }
+  return Json{{"busy", input.study.busy}, {"problem", input.study.curves->problem}, {"runs", runs}}.dump();
 }
 
 }  // namespace taxel::studio

@@ -46,6 +46,7 @@ Session::Session(bool by_clock, std::function<void()> wake)
       fields_(wake),
       models_(wake),
       explain_(wake),
+      study_(wake),
       probe_(wake),
       edits_(cache_, wake, [this](const SensorModelPtr& model) {
         probe_.press_now(model);
@@ -111,14 +112,15 @@ void Session::drop_scene() {
   loop_.reset();
 }
 
-bool Session::run_sweep(const SweepScenario& scenario) {
+bool Session::run_sweep(const Scenario& scenario) {
   if (!document_ || !document_->model || document_->model->taxel_count() == 0) return false;
   if (!edits_.problem().empty()) {
     refusal_ = document_->name + ": " + edits_.problem();
     return false;
   }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
-  build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = false});
+  const bool elsewhere = scenario.kind != scenario_.kind || scenario.place != scenario_.place;
+  build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = elsewhere});
   return true;
 }
 
@@ -214,7 +216,7 @@ void Session::accept_document(Document document, SessionNews& news) {
   const bool to_edit = document.kind == DocumentKind::project || !document.problem.empty();
   if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
     const bool sweep = layout_with_taxels;
-    const SweepScenario scenario = sweep ? scenario_ : SweepScenario{};
+    const Scenario scenario = sweep ? scenario_ : Scenario{};
     const bool again = reloading_ && document_ && document.file == document_->file;
     build_scene({.document = std::move(document),
                  .sweep = sweep,
@@ -329,6 +331,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.fields = shown_fields_;
   input.explained = explained_;
   input.compared = compared_;
+  input.study = {study_.newest(), study_.busy(), study_.fraction()};
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

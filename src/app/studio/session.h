@@ -16,6 +16,7 @@
 #include "app/studio/measure.h"
 #include "app/studio/models_worker.h"
 #include "app/studio/probe_worker.h"
+#include "app/studio/study_worker.h"
 #include "core/sim/history/replay.h"
 #include "core/sim/sim_thread.h"
 #include "ui/ui_state.h"
@@ -72,6 +73,8 @@ class Session {
   void explain(std::optional<ui::ExplainWish> wish);
   /// Reads the recorded steps of the simulation by other models, while it stands; none: not any more.
   void compare_models(std::optional<ui::ModelsWish> wish) { models_.compare(wish); }
+  /// Runs a parameter study of what is simulated; none: it is cancelled, and nothing is shown.
+  void study(const std::optional<ui::StudyWish>& wish);
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -80,7 +83,7 @@ class Session {
   [[nodiscard]] DocumentKind kind() const { return document_ ? document_->kind : DocumentKind::layout; }
 
   /// False: there is nothing to simulate, or it cannot be, which is told.
-  bool run_sweep(const SweepScenario& scenario);
+  bool run_sweep(const Scenario& scenario);
   void set_playing(bool playing);
   void step_by(int steps);  ///< through recorded steps, and one more than there are is simulated
   void scrub(std::uint64_t step);
@@ -112,7 +115,7 @@ class Session {
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
-           !fields_.busy() && !explain_.busy() && !models_.busy();
+           !fields_.busy() && !explain_.busy() && !models_.busy() && !study_.busy();
   }
   [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
@@ -120,14 +123,15 @@ class Session {
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
   /// There is something to look at in SIMULATE: the document's scene, or a step that was saved.
   [[nodiscard]] bool shows_scene() const { return simulates_document_ || still_; }
-  [[nodiscard]] const SweepScenario& scenario() const { return scenario_; }
+  /// What SIMULATE would run: the document's, else the last one.
+  [[nodiscard]] const Scenario& scenario() const { return edits_.is_open() ? edits_.project()->scenario : scenario_; }
 
  private:
   /// A scene that the simulation was asked to build; what is open stays until it stands.
   struct Pending {
     Document document;
     bool sweep = false;
-    SweepScenario scenario = {};
+    Scenario scenario = {};
     std::vector<SceneAttachment> attachments = {};
     bool play = false, framed = true;
     bool another = false;    ///< not the document that is open
@@ -198,6 +202,7 @@ class Session {
   ModelsWorker models_;
   ui::ComparedPtr compared_;
   ExplainWorker explain_;
+  StudyWorker study_;
   std::optional<ui::ExplainWish> explain_wish_;
   ui::ExplainedPtr explained_;
   ProbeWorker probe_;
@@ -220,7 +225,7 @@ class Session {
   std::optional<Document> document_;
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
-  SweepScenario scenario_;
+  Scenario scenario_;                      ///< of the sweep that runs, or of the last one
   bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last

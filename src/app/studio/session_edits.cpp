@@ -50,8 +50,14 @@ void Session::show_document(Document document) {
   restore_origin();
   hand_over_wanted_ = false;
   if (document_->project) {
+    if (was_project) {
+      scenario_ = document_->project->scenario;
+    } else if (document_->project->scenario != scenario_) {  // a layout knows none: the last one stays
+      Project project = *document_->project;
+      project.scenario = scenario_;
+      document_->project = std::make_shared<const Project>(std::move(project));
+    }
     edits_.open(document_->project, document_->mesh, document_->file, document_->problem);
-    if (was_project) scenario_ = document_->project->scenario;
     if (std::exchange(recovered_, std::nullopt)) edits_.mark_unsaved();
   } else {
     edits_.close();
@@ -95,6 +101,13 @@ void Session::take_reading(SessionNews& news) {
   if (!edited_at_ || !edits_.compiled()) return;
   edit_latency_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - *edited_at_).count();
   edited_at_.reset();
+}
+
+void Session::study(const std::optional<ui::StudyWish>& wish) {
+  if (!wish) return study_.ask(std::nullopt);
+  if (!document_ || !document_->model) return;
+  study_.ask(StudyJob{*wish, document_->model});
+  if (!by_clock_) study_.wait();
 }
 
 /// Those that were shown stay until there are some of what is shown now.

@@ -52,6 +52,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_explain", s.panels.explain);
   visit("panel_map", s.panels.map);
   visit("panel_models", s.panels.models);
+  visit("panel_study", s.panels.study);
   visit("panel_messages", s.panels.messages);
   visit("panel_mesh_report", s.panels.mesh_report);
   visit("tour_seen", s.tour_seen);

@@ -202,6 +202,7 @@ void Studio::act_on(const SessionNews& news) {
     real_.remove();
     video_.reset();
     ui_.controls = {};
+    ui_.study = {};
     ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (news.resized) turn_cameras_ = true;
@@ -215,7 +216,7 @@ void Studio::act_on(const SessionNews& news) {
     ui_.selection.body = -1;  // bodies may have other numbers now
     ui_.perturb = {};
     ui_.mode = *news.opened;
-    ui_.edited_sweep = session_.scenario();
+    ui_.path = {};
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
     if (news.framed) turn_cameras_ = true;
   }
@@ -286,6 +287,7 @@ void Studio::draw_picture(double seconds) {
   draw_contents();
   session_.explain(ui::explain_wish(ui_, input_));
   session_.compare_models(ui::models_wish(ui_, input_));
+  session_.study(ui_.study.wish);
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;

@@ -177,7 +177,7 @@ struct Name {
   std::string operator()(const SetCalibration& edit) const {
     return edit.calibration ? "Change the calibration" : "Remove the calibration";
   }
-  std::string operator()(const SetScenario&) const { return "Change the sweep"; }
+  std::string operator()(const SetScenario&) const { return "Change the scenario"; }
   std::string operator()(const ReplaceMesh&) const { return "Replace the mesh"; }
   std::string operator()(const ReplaceLayout&) const { return "Replace the layout"; }
   std::string operator()(const ReplaceProject&) const { return "Replace the project"; }

@@ -106,7 +106,7 @@ struct SetCalibration {
 };
 
 struct SetScenario {
-  SweepScenario scenario;
+  Scenario scenario;
 };
 
 /// Another mesh, or the same in another unit, under the taxels, which stay where they are. Faces of the old mesh mean

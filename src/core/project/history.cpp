@@ -32,7 +32,8 @@ std::size_t heap(const Layout& layout) {
 }  // namespace
 
 std::size_t bytes_of(const Project& project) {
-  std::size_t bytes = sizeof(Project) + heap(project.layout) + heap(project.scenario.object) + heap(project.mirrors) +
+  std::size_t bytes = sizeof(Project) + heap(project.layout) + heap(project.scenario.object) +
+                      heap(project.scenario.source) + heap(project.scenario.points) + heap(project.mirrors) +
                       heap(project.hidden);
   for (const Mirror& mirror : project.mirrors) bytes += heap(mirror.links);
   return bytes;

@@ -45,7 +45,7 @@ struct Project {
   /// What is exported; carries nothing of what follows. In a document layout.mesh.file is absolute, so that it means
   /// the same wherever the document is saved to.
   Layout layout;
-  SweepScenario scenario;
+  Scenario scenario;
   /// Not edited: the camera is the window's. Saving puts in where it stands, opening takes it from here; undo leaves
   /// it.
   std::optional<View> view;

@@ -153,7 +153,8 @@ std::string project_to_json(const Project& project) {
 Project read_project(const fs::path& path) {
   Project project = parse_project(read_file(path), path.string());
   project.layout.mesh.file = absolute_from(folder_of(path), project.layout.mesh.file);
-  project.scenario.object = absolute_from(folder_of(path), project.scenario.object);
+  for (std::string* file : {&project.scenario.object, &project.scenario.source})
+    *file = absolute_from(folder_of(path), *file);
   return project;
 }
 
@@ -169,7 +170,8 @@ ProjectOfLayout read_layout_as_project(const fs::path& path) {
 void write_project(const fs::path& path, const Project& project) {
   Project written = project;
   written.layout.mesh.file = relative_to(folder_of(path), project.layout.mesh.file);
-  written.scenario.object = relative_to(folder_of(path), project.scenario.object);
+  for (std::string* file : {&written.scenario.object, &written.scenario.source})
+    *file = relative_to(folder_of(path), *file);
   write_text(path, [&] { return project_to_json(written); });
 }
 

@@ -1,26 +1,97 @@
 // What happens in a built scene: plain values that a project file holds and a user edits.
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/math.h"
+#include "core/layout/words.h"
 
 namespace taxel {
 
-/// The fingertip sweep of the paper. The finger, tilted, is held by a weld to a mocap body whose path leads straight
-/// over the edge of a box, at right angles to it.
-struct SweepScenario {
-  double depth = 0.0015;        ///< below first touch on the box's top [m]
-  double speed = 0.010;         ///< of the mocap body [m/s]
-  double before = 0.012;        ///< start: lowest point of the finger this far outside of the edge [m]
-  double past = 0.012;          ///< end: this far inside [m]
-  double tilt_deg = 45.0;       ///< of `distal` below the horizontal
-  double record_every = 0.0001; ///< a row per this travel [m]
-  double timestep = 0.001;      ///< [s]
-  double finger_mass = 0.020;   ///< [kg]
-  double box_size = 0.050;      ///< edge length [m]
-  std::string object;           ///< mesh file of the object; empty: the box
-  bool operator==(const SweepScenario&) const = default;
+/// How the finger is led. In all but `drop` a weld holds it to a mocap body.
+enum class ScenarioKind {
+  sweep,  ///< straight over the edge of the object, at right angles to it: the paper's
+  press,  ///< down to a depth, hold, up
+  roll,   ///< pressed down, it rolls about its width axis, without slipping, and back
+  twist,  ///< pressed down, it turns about its pad's normal through its lowest point, and back
+  slide,  ///< pressed down, it slides along the top, and back
+  drop,   ///< released above the object: gravity, no weld
+  path,   ///< through way points
+  replay  ///< the poses of a recording, step by step
 };
+inline constexpr Word<ScenarioKind> kScenarioKindWords[] = {
+    {ScenarioKind::sweep, "sweep"}, {ScenarioKind::press, "press"},  {ScenarioKind::roll, "roll"},
+    {ScenarioKind::twist, "twist"}, {ScenarioKind::slide, "slide"},  {ScenarioKind::drop, "drop"},
+    {ScenarioKind::path, "path"},   {ScenarioKind::replay, "replay"}};
+inline std::span<const Word<ScenarioKind>> words_of(ScenarioKind) {
+  return kScenarioKindWords;
+}
+
+/// What the finger meets. Its bounds begin at x = 0 and z = 0, its middle is at y = 0; so are those of a mesh.
+enum class ObjectShape {
+  box,    ///< `box_size` is the length of its edges
+  plate,  ///< `box_size` is the length of its sides; a tenth as thick
+  sphere  ///< `box_size` is its diameter
+};
+inline constexpr Word<ObjectShape> kObjectShapeWords[] = {
+    {ObjectShape::box, "box"}, {ObjectShape::plate, "plate"}, {ObjectShape::sphere, "sphere"}};
+inline std::span<const Word<ObjectShape>> words_of(ObjectShape) {
+  return kObjectShapeWords;
+}
+
+/// The mocap body is at X_WM (the frame of the finger's mesh file, world) at `time`.
+struct WayPoint {
+  double time = 0;  ///< [s]
+  Pose X_WM;
+  bool operator==(const WayPoint& other) const {
+    return time == other.time && X_WM.p == other.X_WM.p && X_WM.q == other.X_WM.q;
+  }
+};
+
+/// Each kind uses some of these values (ScenarioParameter::kinds); those that it does not use stay as they are.
+struct Scenario {
+  ScenarioKind kind = ScenarioKind::sweep;
+  double depth = 0.0015;           ///< below first touch on the object's top [m]
+  double speed = 0.010;            ///< of the mocap body along straight ways [m/s]
+  double before = 0.012;           ///< start: lowest point of the finger this far outside of the edge [m]
+  double past = 0.012;             ///< end: this far inside [m]
+  double tilt_deg = 45.0;          ///< of `distal` below the horizontal
+  double record_every = 0.0001;    ///< a row per this travel, of a sweep [m]
+  double timestep = 0.001;         ///< [s]; a replay takes its recording's
+  double finger_mass = 0.020;      ///< [kg]
+  double box_size = 0.050;         ///< see ObjectShape [m]
+  std::string object;              ///< mesh file of the object; empty: `shape`
+  double place = 0.0;              ///< lowest point of the finger, from the object's middle along x [m]
+  double clearance = 0.001;        ///< gap between finger and object at the start [m]
+  double hold = 0.2;               ///< rest at the depth, or at the end of the way there [s]
+  double angle_deg = 30.0;         ///< through which it rolls (positive: forward, towards +x) or twists
+  double rate_deg = 60.0;          ///< at which it does [degrees/s]
+  double distance = 0.010;         ///< of the slide [m]
+  double direction_deg = 0.0;      ///< of the slide, from +x towards +y
+  double height = 0.010;           ///< from which it drops: gap to the object [m]
+  double duration = 0.5;           ///< of a drop [s]
+  double record_interval = 0.010;  ///< a row per this time, of all but a sweep [s]
+  ObjectShape shape = ObjectShape::box;
+  std::string source = {};            ///< of a replay: a folder that holds a recording, or its .npz
+  std::vector<WayPoint> points = {};  ///< of a path, at ascending times
+  bool operator==(const Scenario&) const = default;
+};
+
+enum class ParameterRange { positive, not_negative, any };
+
+/// A number of a scenario: how files call it, what it may be, and the kinds that use it.
+struct ScenarioParameter {
+  const char* key;
+  double Scenario::*value;
+  ParameterRange range;
+  unsigned kinds;  ///< bit 1 << kind
+
+  [[nodiscard]] bool used_by(ScenarioKind kind) const { return (kinds >> static_cast<unsigned>(kind) & 1U) != 0; }
+};
+
+/// All of them, in the order of files.
+std::span<const ScenarioParameter> scenario_parameters();
 
 }  // namespace taxel

@@ -1,6 +1,5 @@
 #include "core/project/scenario_json.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
@@ -12,56 +11,135 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Node = StrictNode<Json>;
 
-enum class Range { positive, not_negative, any };
-struct Parameter {
-  const char* key;
-  double SweepScenario::*value;
-  Range range;
-};
-constexpr std::array<Parameter, 9> kParameters{{{"depth", &SweepScenario::depth, Range::positive},
-                                                {"speed", &SweepScenario::speed, Range::positive},
-                                                {"before", &SweepScenario::before, Range::not_negative},
-                                                {"past", &SweepScenario::past, Range::not_negative},
-                                                {"tilt_deg", &SweepScenario::tilt_deg, Range::any},
-                                                {"record_every", &SweepScenario::record_every, Range::positive},
-                                                {"timestep", &SweepScenario::timestep, Range::positive},
-                                                {"finger_mass", &SweepScenario::finger_mass, Range::positive},
-                                                {"box_size", &SweepScenario::box_size, Range::positive}}};
+constexpr const char* kFormat = "taxel-scenario";
+constexpr int kVersion = 1;
+/// How far from 1 the length of a way point's quaternion may be: what rounding and typing leave.
+constexpr double kUnitTolerance = 1e-6;
 
-void check_range(const Node& node, double value, Range range) {
+void check_range(const Node& node, double value, ParameterRange range) {
   if (!std::isfinite(value)) node.fail(fmt::format("must be finite, is {}", value));
-  if (range == Range::positive) node.must_be_positive(value);
-  if (range == Range::not_negative) node.must_not_be_negative(value);
+  if (range == ParameterRange::positive) node.must_be_positive(value);
+  if (range == ParameterRange::not_negative) node.must_not_be_negative(value);
 }
 
-Json to_object(const SweepScenario& scenario) {
+Json to_object(const WayPoint& point) {
+  const dvec3& p = point.X_WM.p;
+  const dquat& q = point.X_WM.q;
+  return {{"time", point.time}, {"pos", {p.x, p.y, p.z}}, {"quat", {q.w, q.x, q.y, q.z}}};
+}
+
+Json to_object(const Scenario& scenario) {
   Json object = Json::object();
-  for (const Parameter& parameter : kParameters) object[parameter.key] = scenario.*parameter.value;
+  if (scenario.kind != ScenarioKind::sweep) object["kind"] = to_word(scenario.kind);
+  for (const ScenarioParameter& parameter : scenario_parameters())
+    if (parameter.used_by(scenario.kind)) object[parameter.key] = scenario.*parameter.value;
+  if (scenario.shape != ObjectShape::box) object["shape"] = to_word(scenario.shape);
   object["object"] = scenario.object;
+  if (scenario.kind == ScenarioKind::replay) object["source"] = scenario.source;
+  if (scenario.kind == ScenarioKind::path) {
+    object["points"] = Json::array();
+    for (const WayPoint& point : scenario.points) object["points"].push_back(to_object(point));
+  }
   return object;
 }
 
-}  // namespace
-
-std::string scenario_to_json(const SweepScenario& scenario) {
-  return to_object(scenario).dump();
+template <class E>
+E read_word(const Node& node) {
+  const std::optional<E> value = from_word<E>(node.text());
+  if (!value) node.wrong("one of " + word_list<E>());
+  return *value;
 }
 
-SweepScenario parse_scenario(const std::string& text, const std::string& file) {
-  const Json json = parse_json<Json>(text, file);
-  const Node root(json, file);
-  root.must_be_object();
-  const Node node = root.find("scenario").value_or(root);
-  node.only({"depth", "speed", "before", "past", "tilt_deg", "record_every", "timestep", "finger_mass", "box_size",
-             "object"});
-  SweepScenario scenario;
-  for (const Parameter& parameter : kParameters) {
+/// Every key belongs to the scenario's kind.
+void check_keys(const Node& node, const Json& json, ScenarioKind kind) {
+  for (const auto& item : json.items()) {
+    const std::string& key = item.key();
+    bool known = key == "kind" || key == "shape" || key == "object", used = known;
+    for (const ScenarioParameter& parameter : scenario_parameters()) {
+      known = known || key == parameter.key;
+      used = used || (key == parameter.key && parameter.used_by(kind));
+    }
+    known = known || key == "source" || key == "points";
+    used = used || (key == "source" && kind == ScenarioKind::replay) || (key == "points" && kind == ScenarioKind::path);
+    if (!known) node.fail_at(key, "unknown key");
+    if (!used) node.fail_at(key, fmt::format("is not used by the kind \"{}\"", to_word(kind)));
+  }
+}
+
+WayPoint read_point(const Node& node) {
+  node.only({"time", "pos", "quat"});
+  const std::vector<double> q = node.at("quat").numbers(4);
+  return {node.at("time").number(), {{q[0], q[1], q[2], q[3]}, node.at("pos").vector3()}};
+}
+
+Scenario read_values(const Node& node, const Json& json) {
+  Scenario scenario;
+  if (const auto kind = node.find("kind")) scenario.kind = read_word<ScenarioKind>(*kind);
+  check_keys(node, json, scenario.kind);
+  for (const ScenarioParameter& parameter : scenario_parameters()) {
     if (const auto number = node.find(parameter.key)) {
       scenario.*parameter.value = number->number();
       check_range(*number, scenario.*parameter.value, parameter.range);
     }
   }
+  if (const auto shape = node.find("shape")) scenario.shape = read_word<ObjectShape>(*shape);
   if (const auto object = node.find("object")) scenario.object = object->text();
+  if (const auto source = node.find("source")) scenario.source = source->text();
+  if (const auto points = node.find("points"))
+    for (std::size_t i = 0; i < points->length(); ++i) scenario.points.push_back(read_point(points->item(i)));
+  return scenario;
+}
+
+void check_points(const std::vector<WayPoint>& points) {
+  if (points.size() < 2) throw Error("", "/points", fmt::format("a path needs 2 way points, has {}", points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string at = fmt::format("/points/{}", i);
+    const WayPoint& point = points[i];
+    if (!std::isfinite(point.time) || point.time < 0)
+      throw Error("", at + "/time", fmt::format("must not be negative, is {}", point.time));
+    if (i > 0 && !(point.time > points[i - 1].time))
+      throw Error(
+          "", at + "/time",
+          fmt::format("must be later than that of the way point before, {}, is {}", points[i - 1].time, point.time));
+    if (!is_finite(point.X_WM.p)) throw Error("", at + "/pos", "must be finite");
+    const double length = glm::length(point.X_WM.q);
+    if (!(std::abs(length - 1) <= kUnitTolerance))
+      throw Error("", at + "/quat", fmt::format("must be of length 1, is of length {}", length));
+  }
+}
+
+/// The scenario's own object in a document.
+Node scenario_of(const Node& root) {
+  const auto inner = root.find("scenario");
+  const auto format = root.find("format");
+  if (!inner && !format) return root;
+  if (!inner) root.fail_at("scenario", "is missing");
+  inner->must_be_object();
+  if (format && format->text() == kFormat) {
+    root.only({"format", "version", "scenario"});
+    const double version = root.at("version").number();
+    if (version != kVersion)
+      root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kVersion));
+  }
+  return *inner;
+}
+
+}  // namespace
+
+std::string scenario_to_json(const Scenario& scenario) {
+  return to_object(scenario).dump();
+}
+
+std::string scenario_file_json(const Scenario& scenario) {
+  return json_text(Json{{"format", kFormat}, {"version", kVersion}, {"scenario", to_object(scenario)}});
+}
+
+Scenario parse_scenario(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file);
+  const Node root(json, file);
+  root.must_be_object();
+  const Node node = scenario_of(root);
+  const Scenario scenario = read_values(node, node.pointer().empty() ? json : json["scenario"]);
   try {
     check_scenario(scenario);
   } catch (const Error& e) {
@@ -70,19 +148,34 @@ SweepScenario parse_scenario(const std::string& text, const std::string& file) {
   return scenario;
 }
 
-SweepScenario read_scenario(const std::filesystem::path& path) {
+Scenario read_scenario(const std::filesystem::path& path) {
   return parse_scenario(read_file(path), path.string());
 }
 
-void check_scenario(const SweepScenario& scenario) {
+Scenario read_scenario_with_files(const std::filesystem::path& path) {
+  return with_absolute_files(read_scenario(path), path);
+}
+
+Scenario with_absolute_files(Scenario scenario, const std::filesystem::path& file) {
+  for (std::string* named : {&scenario.object, &scenario.source})
+    if (!named->empty()) *named = (std::filesystem::absolute(file).parent_path() / *named).lexically_normal().string();
+  return scenario;
+}
+
+void check_scenario(const Scenario& scenario) {
   const Json json = to_object(scenario);
   const std::string file;
   const Node node(json, file);
-  for (const Parameter& parameter : kParameters) {
-    const Node value = node.at(parameter.key);
-    check_range(value, value.number(), parameter.range);
-  }
-  if (!(scenario.before + scenario.past > 0)) node.fail_at("past", "before and past together must be greater than 0");
+  for (const ScenarioParameter& parameter : scenario_parameters())
+    if (parameter.used_by(scenario.kind))
+      check_range(node.at(parameter.key), scenario.*parameter.value, parameter.range);
+  if (scenario.kind == ScenarioKind::sweep && !(scenario.before + scenario.past > 0))
+    node.fail_at("past", "before and past together must be greater than 0");
+  if (!scenario.object.empty() && scenario.shape != ObjectShape::box)
+    node.fail_at("shape", "a mesh as \"object\" takes the place of the shape: leave one of them out");
+  if (scenario.kind == ScenarioKind::replay && scenario.source.empty())
+    node.fail_at("source", "a replay needs a recording: a folder or its .npz");
+  if (scenario.kind == ScenarioKind::path) check_points(scenario.points);
 }
 
 }  // namespace taxel

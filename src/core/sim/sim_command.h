@@ -26,7 +26,7 @@ struct SpeedCommand {
 };  ///< multiples of real time
 struct LoadSweepCommand {
   SensorModelPtr model;
-  SweepScenario scenario;
+  Scenario scenario;
 };
 /// The sensors that read by `replaced` read by `model` from now on: the state stays as it is, and its readings are made
 /// anew. Nothing happens where no sensor does.

@@ -9,6 +9,7 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/mesh/tri_mesh.h"
+#include "core/project/scenario.h"
 #include "core/sensor/cast_rays.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sensor/surface_motion.h"
@@ -55,9 +56,11 @@ struct SimScene {
   std::vector<SensorModelPtr> sensors;
   std::vector<std::string> sensor_geoms;          ///< geom name of each sensor
   std::vector<std::vector<TouchedBody>> touched;  ///< by sensor; none where a scene was read from a saved step
-  std::vector<dvec3> path_W;  ///< where the finger's lowest point is led: drawn as a red line; may be empty
-  double duration = 0;        ///< scenario length [s]; 0: endless
-  double timestep = 0;        ///< [s]
+  std::vector<dvec3> path_W;         ///< where the finger's lowest point is led: drawn as a red line; may be empty
+  dvec3 lead_M{0};                   ///< that point, in the frame of the finger's mesh file
+  std::vector<WayPoint> way_points;  ///< of a scenario: where the parts of its motion meet; a drop has none
+  double duration = 0;               ///< scenario length [s]; 0: endless
+  double timestep = 0;               ///< [s]
   SceneControls controls;
 };
 

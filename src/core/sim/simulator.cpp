@@ -28,6 +28,16 @@ void prepare_mujoco() {
   if (!register_sensor_plugin()) throw Error("the taxel.sensor plugin module is loaded in this process already");
 }
 
+/// The way of the finger's lowest point; of a straight one its ends.
+std::vector<dvec3> drawn_path(const Motion& motion) {
+  constexpr std::uint64_t kMost = 256;
+  const bool straight = motion.way_points.size() == 2 && motion.travel;
+  const std::uint64_t parts = straight ? 1 : std::clamp<std::uint64_t>(motion.last_step, 1, kMost);
+  std::vector<dvec3> path;
+  for (std::uint64_t i = 0; i <= parts; ++i) path.push_back(motion.pose(i * motion.last_step / parts) * motion.lead_M);
+  return path;
+}
+
 }  // namespace
 
 Simulator::Simulator() : impl_(std::make_unique<Impl>()) {}
@@ -93,19 +103,24 @@ void Simulator::Impl::describe() {
       if (drawn[g] == sensor(i).config().geom) scene->geoms[g].sensor = static_cast<int>(i);
   }
   for (std::size_t i = 0; i < instances.size(); ++i) scene->touched.push_back(touched_by(i));
-  if (sweep) {
-    const dvec3 start = sweep->scene.lowest_start_W;
-    scene->path_W = {start, start + sweep->scene.distance * sweep->scene.direction_W};
-    scene->duration = static_cast<double>(sweep->last_step) * m().opt.timestep;
+  if (scenario) {
+    const Motion& motion = scenario->motion;
+    scene->duration = static_cast<double>(motion.last_step) * m().opt.timestep;
+    scene->lead_M = motion.lead_M;
+    scene->way_points = motion.way_points;
+    if (motion.pose) scene->path_W = drawn_path(motion);
   }
   shown = scene;
   for (int b = 0; b < m().nbody && mocap < 0; ++b) mocap = m().body_mocapid[b];
   if (mocap >= 0) mocap_start = {d().mocap_pos[3 * mocap], d().mocap_pos[3 * mocap + 1], d().mocap_pos[3 * mocap + 2]};
 }
 
-void Simulator::Impl::place_mocap(double travelled) {
-  const dvec3 p = sweep->scene.X_start.p + travelled * sweep->scene.direction_W;
-  for (int i = 0; i < 3; ++i) d().mocap_pos[3 * mocap + i] = p[i];
+void Simulator::Impl::place_mocap() {
+  if (!scenario->motion.pose) return;
+  const Pose X = scenario->motion.pose(steps);
+  for (int i = 0; i < 3; ++i) d().mocap_pos[3 * mocap + i] = X.p[i];
+  mjtNum* q = d().mocap_quat + 4 * mocap;
+  q[0] = X.q.w, q[1] = X.q.x, q[2] = X.q.y, q[3] = X.q.z;
 }
 
 /// Evaluates the present state without changing it, so that there is something to show before the first step.
@@ -137,17 +152,17 @@ void Simulator::Impl::start_at(int keyframe) {
   time = d().time;
   travel = 0;
   row_due = false;
-  if (sweep) place_mocap(0);
+  if (scenario) place_mocap();
   look();
 }
 
-std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, const SweepScenario& scenario) {
+std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, const Scenario& scenario) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
-  s.title = "fingertip sweep: " + model->layout.name;
-  s.sweep.emplace(build_sweep_scene(*model, scenario), scenario);
-  s.compiled = compile_scene(s.sweep->scene.hosted_xml, s.sweep->scene.files.files, s.title);
+  s.title = "fingertip " + std::string(to_word(scenario.kind)) + ": " + model->layout.name;
+  s.scenario = build_scenario_scene(*model, scenario);
+  s.compiled = compile_scene(s.scenario->hosted_xml, s.scenario->files.files, s.title);
   for (const int i : sensor_instances(s.m())) s.compiled.handed[instance_name(s.m(), i)] = model;
   s.make_data();
   s.describe();
@@ -173,14 +188,13 @@ std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
 void Simulator::step() {
   Impl& s = *impl_;
   s.time = s.d().time;
-  if (s.sweep) {
-    s.travel = s.sweep->travel(s.steps);
-    s.row_due = s.steps <= s.sweep->last_step && (s.steps == 0 || s.sweep->rows(s.steps) > s.sweep->rows(s.steps - 1));
-    s.place_mocap(s.travel);
+  if (s.scenario) s.place_mocap();
+  if (s.scenario && s.scenario->motion.travel) {
+    s.travel = s.scenario->motion.travel(s.steps);
   } else {
     s.travel = s.mocap >= 0 ? glm::distance(mocap_pos(), s.mocap_start) : 0.0;
-    s.row_due = true;
   }
+  s.row_due = !s.scenario || s.scenario->motion.row_due(s.steps);
   s.hand.push(s.m(), s.d());
   mj_step(&s.m(), &s.d());
   s.hand.release(s.d());

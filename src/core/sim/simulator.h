@@ -36,8 +36,8 @@ struct PosedContact {
 
 class Simulator {
  public:
-  /// The sweep around any compiled layout. The scene uses `others = {"box"}`.
-  static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const SweepScenario& scenario);
+  /// A scenario around any compiled layout. The scene uses `others = {"box"}`.
+  static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const Scenario& scenario);
   /// Any MJCF with the sensors it declares, and layouts attached to others of its geoms. `aggregate`, where given, goes
   /// over that of every layout.
   /// Throws Error that names the file and MuJoCo's reason.

@@ -7,7 +7,7 @@
 #include "core/sim/model/perturbation.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
-#include "core/sim/scene/sweep_path.h"
+#include "core/sim/scene/scenario_scene.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {
@@ -16,7 +16,7 @@ struct Simulator::Impl {
   std::string title;  // file of the scene, for messages
   CompiledScene compiled;
   DataHandle data;
-  std::optional<SweepPath> sweep;
+  std::optional<ScenarioScene> scenario;
   std::vector<int> instances;             // of taxel.sensor
   std::vector<int> drawn;                 // geoms of scene->geoms
   std::map<int, std::shared_ptr<const Shape>> shapes;  // of geoms that sensors touch
@@ -37,7 +37,7 @@ struct Simulator::Impl {
   void read_by(Aggregate aggregate);
   void describe();
   [[nodiscard]] std::vector<TouchedBody> touched_by(std::size_t number);
-  void place_mocap(double travelled);
+  void place_mocap();
   void look();
   void check_stability() const;
   void check_sensors() const;

@@ -13,7 +13,7 @@
 namespace taxel {
 
 bool Simulator::finished() const {
-  return impl_->sweep && impl_->steps > impl_->sweep->last_step;
+  return impl_->scenario && impl_->steps > impl_->scenario->motion.last_step;
 }
 bool Simulator::row_due() const {
   return impl_->row_due;
@@ -138,13 +138,13 @@ PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sen
 
 void Simulator::export_scene(const std::filesystem::path& folder) const {
   const Impl& s = *impl_;
-  write_scene(folder / "scene.xml", s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d()));
+  write_scene(folder / "scene.xml", s.scenario ? s.scenario->files : portable_scene(s.compiled, s.d()));
 }
 
 void Simulator::save_scene(const std::filesystem::path& file) const {
   const Impl& s = *impl_;
   write_scene(file,
-              s.sweep ? s.sweep->scene.files : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
+              s.scenario ? s.scenario->files : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
 }
 
 dvec3 Simulator::mocap_pos() const {

@@ -18,6 +18,7 @@ inline constexpr const char* kExplainTitle = "Explain";
 inline constexpr const char* kRealTitle = "Real recording";
 inline constexpr const char* kMapTitle = "Taxel map";
 inline constexpr const char* kModelsTitle = "Models";
+inline constexpr const char* kStudyTitle = "Study";
 inline constexpr const char* kSectionTitle = "Section";
 inline constexpr const char* kMessagesTitle = "Messages";
 

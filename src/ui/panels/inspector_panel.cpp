@@ -8,6 +8,7 @@
 #include "ui/panels/layout_settings.h"
 #include "ui/panels/mesh_section.h"
 #include "ui/panels/problem_list.h"
+#include "ui/panels/scenario_section.h"
 #include "ui/panels/subtaxel_editor.h"
 #include "ui/panels/taxel_editor.h"
 #include "ui/theme.h"
@@ -124,20 +125,6 @@ void draw_scene(UiState& ui, const UiInput& input) {
   end_properties();
 }
 
-void draw_sweep(UiState& ui, const UiInput& input) {
-  if (!input.sweep || !header(ui, "Sweep") || !begin_properties("sweep")) return;
-  SweepScenario& s = ui.edited_sweep;
-  property_field(ui, "Depth", &s.depth, 1e3, "%.2f mm", 0.0001, 0.005);
-  property_field(ui, "Path speed", &s.speed, 1e3, "%.1f mm/s", 0.001, 0.1);
-  property_field(ui, "Before the edge", &s.before, 1e3, "%.1f mm", 0.0, 0.05);
-  property_field(ui, "Past the edge", &s.past, 1e3, "%.1f mm", 0.001, 0.05);
-  property_field(ui, "Tilt", &s.tilt_deg, 1, "%.0f\u00b0", 0, 90);
-  end_properties();
-  ImGui::BeginDisabled(s == input.scenario || !input.simulates_document);
-  if (button(ui, "Run with these", ImVec2(-1, 0))) ui.ask(RunSweep{s});
-  ImGui::EndDisabled();
-}
-
 }  // namespace
 
 void draw_inspector(UiState& ui, const UiInput& input) {
@@ -158,7 +145,7 @@ void draw_inspector(UiState& ui, const UiInput& input) {
     }
     if (ui.mode == Mode::simulate) {
       draw_scene(ui, input);
-      draw_sweep(ui, input);
+      draw_scenario_section(ui, input);
     }
     if (!model && !input.frame) ImGui::TextDisabled("Nothing is open.");
   }

@@ -20,6 +20,7 @@
 #include "ui/panels/plot_panel.h"
 #include "ui/panels/real_panel.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/study_panel.h"
 #include "ui/panels/taxel_table_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/toolbar.h"
@@ -66,6 +67,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   if (shown.explain && ui.mode == Mode::simulate) draw_explain_panel(ui, input);
   draw_real_panel(ui, input);
   if (shown.models && ui.mode == Mode::simulate) draw_models_panel(ui, input);
+  if (shown.study && ui.mode == Mode::simulate) draw_study_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 

@@ -81,11 +81,11 @@ void draw_options(UiState& ui, const ReadingUnit& unit) {
 
 void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit, double largest, float height) {
   const SimScene& scene = *input.frame->scene;
-  const double end = input.sweep ? 1e3 * (input.scenario.before + input.scenario.past)
-                                 : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
+  const double end = input.by_travel() ? 1e3 * (input.scenario.before + input.scenario.past)
+                                       : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
   const std::string reading = ui.saved.plot.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
   const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(reading.c_str()).x;
-  ImPlot::SetupAxes(input.sweep ? "travel (mm)" : "time (s)", tall ? reading.c_str() : nullptr,
+  ImPlot::SetupAxes(input.by_travel() ? "travel (mm)" : "time (s)", tall ? reading.c_str() : nullptr,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
   ImPlot::SetupAxisLimits(ImAxis_X1, 0, end, ImPlotCond_Always);
@@ -114,7 +114,7 @@ void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, 
 }
 
 void draw_cursor(const UiState& ui, const UiInput& input) {
-  const double x = input.sweep ? 1e3 * input.frame->travel : input.frame->time;
+  const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
   ImPlotSpec spec;
   spec.LineColor = palette(ui.saved.dark).path;
   spec.LineWeight = 1.2f;
@@ -146,7 +146,7 @@ void scrub_in_plot(UiState& ui, const UiInput& input) {
     return;
   const double x = ImPlot::GetPlotMousePos().x;
   const std::size_t row =
-      input.sweep ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
+      input.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
   const std::uint64_t step = lanes->steps[row].step;
   if (step != input.frame->step || input.playing) ui.ask(ScrubTo{step});
 }
@@ -188,7 +188,8 @@ void draw_plot_panel(UiState& ui, const UiInput& input) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
       const std::vector<TraceRow>& trace = *input.frame->trace;
-      if (ui.curves.trace != &trace || ui.curves.rows != trace.size()) rebuild_curves(ui.curves, trace, input.sweep);
+      if (ui.curves.trace != &trace || ui.curves.rows != trace.size())
+        rebuild_curves(ui.curves, trace, input.by_travel());
       draw_options(ui, unit_of(ui, input));
       draw_plot(ui, input);
     }

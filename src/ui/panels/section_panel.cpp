@@ -150,8 +150,8 @@ void draw_section(const Canvas& canvas, const Section& section) {
   const Palette& colors = palette(canvas.input.dark);
   canvas.list.PushClipRect(canvas.corner, {canvas.corner.x + canvas.size.x, canvas.corner.y + canvas.size.y}, true);
   draw_outlines(canvas, section.objects, to_u32(colors.dim, 0.22f), to_u32(colors.panel), to_u32(colors.dim));
-  if (canvas.input.overlays.path && section.path.size() == 2) {
-    canvas.list.AddLine(canvas.at(section.path[0]), canvas.at(section.path[1]), color(ink.path, 0.9f), 1.5f);
+  for (std::size_t i = 1; canvas.input.overlays.path && i < section.path.size(); ++i) {
+    canvas.list.AddLine(canvas.at(section.path[i - 1]), canvas.at(section.path[i]), color(ink.path, 0.9f), 1.5f);
   }
   draw_outlines(canvas, section.skin, color(ink.skin_fill, 1), to_u32(colors.panel), color(ink.skin_outline, 1));
   if (canvas.input.overlays.rays) draw_rays(canvas, section, ink);

@@ -15,6 +15,7 @@
 #include "ui/scene/geometry/shown_fields.h"
 #include "ui/scene/measured.h"
 #include "ui/scene/pressed_probe.h"
+#include "ui/scene/shown_path.h"
 
 namespace taxel::ui {
 
@@ -79,6 +80,7 @@ struct SceneInput {
   std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null
   std::vector<dvec3> measure_points;                 ///< of that line, and one that is pointed at
+  std::optional<ShownPath> path;                     ///< as it is edited, in place of the frame's
   bool dark = true;
   double scale = 1;                                    ///< of lines, points and the gizmo, as of the interface
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)

@@ -18,7 +18,11 @@ constexpr double kLeastSine = 0.2;  // two directions span a plane when they dif
 /// The way the sensor is led; along the finger where nothing is.
 dvec3 travel_direction(const SceneInput& input, const SensorView& view) {
   if (input.frame && input.frame->scene && input.frame->scene->path_W.size() > 1) {
-    const dvec3 d = input.frame->scene->path_W.back() - input.frame->scene->path_W.front();
+    // to its farthest point: many end where they began
+    const std::vector<dvec3>& path = input.frame->scene->path_W;
+    dvec3 d(0);
+    for (const dvec3& p : path)
+      if (glm::length(p - path.front()) > glm::length(d)) d = p - path.front();
     if (glm::length(d) > 0) return glm::normalize(d);
   }
   return view.X_WM.rotate(view.model->layout.frame.distal);
@@ -133,7 +137,7 @@ void add_objects(const SceneInput& input, Section& out) {
     const auto pieces = slice_mesh(*scene.geoms[i].mesh, X_GW * out.plane.origin_W, X_GW.rotate(out.plane.z));
     for (auto& outline : join_outlines(pieces, out.plane, X_WG)) out.objects.push_back(std::move(outline));
   }
-  if (scene.path_W.size() > 1) out.path = {out.plane.flat(scene.path_W.front()), out.plane.flat(scene.path_W.back())};
+  for (const dvec3& p : scene.path_W) out.path.push_back(out.plane.flat(p));
 }
 
 }  // namespace

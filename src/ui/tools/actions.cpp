@@ -11,6 +11,7 @@
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/path_tool.h"
 #include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/tools/time_actions.h"
@@ -85,6 +86,8 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.map;
     case Action::toggle_models:
       return &saved.panels.models;
+    case Action::toggle_study:
+      return &saved.panels.study;
     case Action::toggle_section:
       return &saved.panels.section;
     case Action::toggle_controls:
@@ -113,7 +116,10 @@ void escape(UiState& ui) {
     leave_measure(ui);
   } else if (ui.probe.on) {
     leave_probe(ui);
+  } else if (ui.path.held) {
+    cancel_way_point_drag(ui);
   } else {
+    ui.path.selected = -1;
     ui.selection.clear();
     deselect_body(ui);
   }

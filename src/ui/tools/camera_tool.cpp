@@ -12,6 +12,7 @@
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/path_tool.h"
 #include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/tools/reading_range.h"
@@ -112,6 +113,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
       scene.marked_polygon = ui.explain.polygon->polygon;
     }
   }
+  scene.path = edited_path(ui, input);
   scene.overlays = ui.saved.overlays;
   scene.range = ui.range;
   scene.reading_range = reading_range(ui, input);
@@ -191,6 +193,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   if (handle_probe_mouse(ui, input, x, y, hovered) || handle_measure_mouse(ui, input, x, y, hovered)) return;
   if (hovered && io.MouseWheel != 0) turn_wheel(ui, input, static_cast<double>(io.MouseWheel));
   if (handle_tool_mouse(ui, input, x, y, hovered)) return;
+  if (handle_path_mouse(ui, input, x, y, hovered)) return;
   if (handle_perturb_mouse(ui, input, x, y, hovered)) return;
   if (ImGui::IsItemActive()) drag_camera(ui);
   if (!hovered) return;

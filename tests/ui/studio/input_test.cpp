@@ -198,11 +198,10 @@ TEST(Keys, SpaceStillPlaysAfterAButtonWasClicked) {
 
 TEST(Sweep, ParametersOfTheInspectorRunANewSweep) {
   const StudioProgram studio;
-  studio.play({idle(), R"({"event": "mouse_move", "at": {"widget": "Inspector/Material"}})",
-               R"({"event": "wheel", "y": -30})", idle(),
-               R"({"event": "double_click", "at": {"widget": "Inspector/Tilt"}})", idle(),
+  studio.play({idle(), R"j({"event": "double_click", "at": {"widget": "Inspector/Tilt (°)"}})j", idle(),
                R"({"event": "text", "text": "30"})", key("Enter"), idle(), dump("before.json"),
-               click(widget("Run with these")), idle(), dump("after.json")});
+               click(widget("Run scenario")), idle(), dump("after.json")},
+              {"--size", "1280x2400"});
   EXPECT_NE(studio.state("before.json")["simulation"]["sensors"][0]["quaternion"],
             studio.state("after.json")["simulation"]["sensors"][0]["quaternion"]);
   EXPECT_LT(studio.state("after.json")["simulation"]["time"], studio.state("before.json")["simulation"]["time"]);

@@ -27,7 +27,7 @@ Project full_project() {
   layout.taxels = {{7, "left 1", dvec3(1e-9, -0.0, 0.1 + 0.2), dvec3(0, 1, 0), 0.006, {}},
                    {2, "", dvec3(0.1), dvec3(1e20, 0, 0), 5e-324, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
   layout.unknown = {{"/taxels/0/note", "{\"a\":[1,2.5]}"}, {"/made", "null"}};
-  project.scenario = {0.1 + 0.2, 2, 3, 4, -30, 6, 7, 8, 9, "object.obj"};
+  project.scenario = {ScenarioKind::sweep, 0.1 + 0.2, 2, 3, 4, -30, 6, 7, 8, 9, "object.obj"};
   project.view = View{dvec3(1, 2, 1.0 / 3.0), -200, 89.5, 1e-3, 35};
   project.mirrors = {{{dvec3(0, 0.1, 0), {0, 2, 0.3}}, {{7, 2}}}, {{}, {{2, 7}}}};
   project.hidden = {2, 7};
@@ -55,7 +55,7 @@ TEST(ProjectJson, NeedsOnlyALayout) {
   const Project project = parse_project(R"({"format": "taxel-project", "version": 1, "layout":
       {"format": "taxel-layout", "version": 1, "mesh": {"file": "a"}, "taxels": []}})");
   EXPECT_EQ(project.layout.mesh.file, "a");
-  EXPECT_EQ(project.scenario, SweepScenario{});
+  EXPECT_EQ(project.scenario, Scenario{});
   EXPECT_FALSE(project.view);
 }
 

@@ -85,7 +85,7 @@ TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
 }
 
 TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
-  SweepScenario scenario;
+  Scenario scenario;
   scenario.before = scenario.past = 0.001;
   ask(LoadSweepCommand{model_, scenario});
   const SimFramePtr end = ask(StepCommand{100000});

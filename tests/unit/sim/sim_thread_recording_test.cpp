@@ -40,8 +40,8 @@ class ThreadRecording : public testing::Test {
     ask(LoadSweepCommand{model_, touching()});
   }
   /// In contact after a few steps.
-  static SweepScenario touching() {
-    SweepScenario scenario;
+  static Scenario touching() {
+    Scenario scenario;
     scenario.before = 0.002;
     scenario.speed = 0.02;
     return scenario;

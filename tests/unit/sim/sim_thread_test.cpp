@@ -32,7 +32,7 @@ class Thread : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void load(const SweepScenario& scenario = {}) { thread_.send(LoadSweepCommand{model_, scenario}); }
+  void load(const Scenario& scenario = {}) { thread_.send(LoadSweepCommand{model_, scenario}); }
   static SensorModelPtr model_;
   SimThread thread_;
 };
@@ -64,7 +64,7 @@ TEST_F(Thread, StepsExactlyWhenTold) {
 }
 
 TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
-  SweepScenario scenario;
+  Scenario scenario;
   scenario.before = scenario.past = 0.001;
   thread_.set_clock_driven(false);
   load(scenario);

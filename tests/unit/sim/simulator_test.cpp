@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/plugin/plugin_table.h"
-#include "core/sim/scene/sweep_scene.h"
+#include "core/sim/scene/scenario_scene.h"
 #include "fixtures/sensor_scene.h"
 #include "fixtures/sweep_model.h"
 
@@ -174,7 +174,7 @@ TEST_F(Sweep, FrameTellsTheWholeStep) {
 }
 
 TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
-  SweepScenario scenario;
+  Scenario scenario;
   scenario.before = 0.001;
   scenario.past = 0.00033;
   scenario.speed = 0.0071;

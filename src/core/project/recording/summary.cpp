@@ -13,6 +13,7 @@ TaxelSummary summarize_taxel(const Recording& recording, std::size_t sensor, std
   double step = 0;
   for (std::size_t i = 0; i < recording.rows.size(); ++i) {
     const double value = recording.rows[i].sensors[sensor].readings[taxel];
+    summary.mean += value / static_cast<double>(recording.rows.size());
     if (value > summary.peak) {
       summary.peak = value;
       summary.peak_travel = recording.rows[i].travel;

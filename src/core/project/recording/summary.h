@@ -12,6 +12,7 @@ struct TaxelSummary {
   int id = 0;
   std::string name;
   double peak = 0;          ///< largest reading [Pa], or [N] for Aggregate::force
+  double mean = 0;          ///< of the rows, in the same unit
   double peak_travel = 0;   ///< where it was [m]
   double largest_step = 0;  ///< largest change between two rows, as a part of the own peak; 0 where nothing was read
   bool responds = false;    ///< peak above 5 % of the largest of the sensor

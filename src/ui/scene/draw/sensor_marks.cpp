@@ -18,7 +18,8 @@ constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
 constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
 constexpr int kMostSeenThrough = 300;                       // taxels
-constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7;
+constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7,
+                kSelectedWayPoint = 1.5f;
 constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
 constexpr float kTractionOutline = 0.25f;
 constexpr double kForceScale = 0.012;  // [m/N]
@@ -315,7 +316,8 @@ void SensorMarks::draw_plans(const Scene& scene) {
 
 void SensorMarks::draw_path(const Scene& scene) {
   if (!scene.input.overlays.path || !scene.input.frame || !scene.input.frame->scene) return;
-  const std::vector<dvec3>& path = scene.input.frame->scene->path_W;
+  const std::optional<ShownPath>& edited = scene.input.path;
+  const std::vector<dvec3>& path = edited ? edited->line_W : scene.input.frame->scene->path_W;
   Segments lines;
   for (std::size_t i = 1; i < path.size(); ++i) {
     lines.push_back(segment(path[i - 1], path[i], kPathWidth, pack(scene.look.path)));
@@ -324,6 +326,20 @@ void SensorMarks::draw_path(const Scene& scene) {
   scene.segments.draw_lines(lines, state);
   state = {.toward_eye = kOnSkin};
   scene.segments.draw_lines(lines, state);
+  if (edited) draw_way_points(scene, *edited);
+}
+
+/// Before all else, so that a hand finds them.
+void SensorMarks::draw_way_points(const Scene& scene, const ShownPath& path) {
+  std::vector<PointMark> marks;
+  for (std::size_t i = 0; i < path.points_W.size(); ++i) {
+    const bool selected = static_cast<int>(i) == path.selected;
+    marks.push_back(point_mark(path.points_W[i], dvec3(0), selected ? kSelectedWayPoint : 1.0,
+                               pack(selected ? scene.look.selection : scene.look.path)));
+  }
+  const PointStyle dots{.diameter = kMeasureDiameter, .outline = scene.look.mark_outline, .outline_width = 1.2f};
+  scene.points.draw(marks, dots, {.toward_eye = kBeforeContact, .hidden = true, .dim = kHiddenDim});
+  scene.points.draw(marks, dots, {.toward_eye = kBeforeContact});
 }
 
 /// Along the surface boldly, straight thinly.

@@ -49,6 +49,7 @@ class SensorMarks {
   void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
   void draw_force(const Scene& scene, const SensorView& view);
   void draw_path(const Scene& scene);
+  static void draw_way_points(const Scene& scene, const ShownPath& path);
   void draw_plans(const Scene& scene);
   void draw_measure(const Scene& scene);
 

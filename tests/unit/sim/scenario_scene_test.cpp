@@ -1,5 +1,5 @@
 // The sweep's scene: where finger, box and path are, and that the finger is held by its weld alone.
-#include "core/sim/scene/sweep_scene.h"
+#include "core/sim/scene/scenario_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -12,22 +12,23 @@
 namespace taxel {
 namespace {
 
-class SweepSceneTest : public testing::Test {
+class ScenarioSceneTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
   static SensorModelPtr model_;
 };
-SensorModelPtr SweepSceneTest::model_;
+SensorModelPtr ScenarioSceneTest::model_;
 
-TEST_F(SweepSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
-  SweepScenario scenario;
+TEST_F(ScenarioSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
+  Scenario scenario;
   scenario.depth = 0.001;
   scenario.before = 0.008;
   scenario.tilt_deg = 30;
-  const SweepScene scene = build_sweep_scene(*model_, scenario);
+  const ScenarioScene scene = build_scenario_scene(*model_, scenario);
   const SensorFrame& frame = model_->layout.frame;
-  const dvec3 distal = scene.X_start.rotate(frame.distal), pad = scene.X_start.rotate(frame.pad);
+  const Pose X_start = scene.motion.X_start;
+  const dvec3 distal = X_start.rotate(frame.distal), pad = X_start.rotate(frame.pad);
   EXPECT_NEAR(distal.z, -std::sin(30 * kPi / 180), 1e-12);
   EXPECT_GT(distal.x, 0);  // forward, over the edge
   EXPECT_NEAR(distal.y, 0, 1e-12);
@@ -36,15 +37,16 @@ TEST_F(SweepSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
   dvec3 lowest(0, 0, 1);
   Aabb box;
   for (const dvec3& v : model_->skin->mesh().vertices()) {
-    const dvec3 p = scene.X_start * v;
+    const dvec3 p = X_start * v;
     box.include(p);
     if (p.z < lowest.z) lowest = p;
   }
   EXPECT_NEAR(lowest.x, -0.008, 1e-12);
   EXPECT_NEAR(lowest.z, 0.05 - 0.001, 1e-12);
   EXPECT_NEAR(box.center().y, 0, 1e-12);
-  EXPECT_LT(glm::distance(scene.lowest_start_W, dvec3(-0.008, 0, 0.049)), 1e-12);
-  EXPECT_DOUBLE_EQ(scene.distance, 0.02);
+  EXPECT_LT(glm::distance(X_start * scene.motion.lead_M, dvec3(-0.008, 0, 0.049)), 1e-12);
+  const Pose X_end = scene.motion.pose(scene.motion.last_step);
+  EXPECT_LT(glm::distance(X_end.p - X_start.p, dvec3(0.02, 0, 0)), 1e-15);
 }
 
 /// The compiled scene with its sensor, the mocap body free to be moved by the test.
@@ -54,11 +56,11 @@ struct Held {
   Pose start;
   explicit Held(const SensorModelPtr& model) {
     register_sensor_plugin();
-    const SweepScene scene = build_sweep_scene(*model, {});
+    const ScenarioScene scene = build_scenario_scene(*model, {});
     compiled = compile_scene(scene.hosted_xml, scene.files.files, "sweep");
     data.reset(mj_makeData(compiled.model.get()));
     find_sensor(*data, 0)->hand_over(*compiled.model, model);
-    start = scene.X_start;
+    start = scene.motion.X_start;
   }
   void move(const dvec3& offset) {
     for (int i = 0; i < 3; ++i) data->mocap_pos[i] = (start.p + offset)[i];
@@ -66,7 +68,7 @@ struct Held {
   void step() { mj_step(compiled.model.get(), data.get()); }
 };
 
-TEST_F(SweepSceneTest, FingerHangsStillInTheAir) {
+TEST_F(ScenarioSceneTest, FingerHangsStillInTheAir) {
   Held held(model_);
   for (int n = 0; n < 100; ++n) held.step();
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(held.data->qvel[i], 0, 1e-12);
@@ -75,7 +77,7 @@ TEST_F(SweepSceneTest, FingerHangsStillInTheAir) {
   EXPECT_EQ(held.data->ncon, 0);
 }
 
-TEST_F(SweepSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
+TEST_F(ScenarioSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
   Held held(model_);
   // over the top of the box, down by 1.5 mm of press, then rest
   for (int i = 0; i < 3; ++i) held.data->qpos[i] = (held.start.p + dvec3(0.024, 0, 0.002))[i];
@@ -96,7 +98,7 @@ TEST_F(SweepSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
   for (int i = 0; i < 3; ++i) EXPECT_LT(std::abs(held.data->qvel[i]), 1e-4);  // it creeps on its friction, no more
 }
 
-TEST_F(SweepSceneTest, StickingFingerDoesNotChatter) {
+TEST_F(ScenarioSceneTest, StickingFingerDoesNotChatter) {
   Held held(model_);
   for (int i = 0; i < 3; ++i) held.data->qpos[i] = (held.start.p + dvec3(0.024, 0, 0.001))[i];
   for (int n = 0; n < 900; ++n) {  // down, back by 2 mm, rest
@@ -112,27 +114,27 @@ TEST_F(SweepSceneTest, StickingFingerDoesNotChatter) {
   }
 }
 
-TEST_F(SweepSceneTest, ScenarioValuesOutOfRangeAreNamed) {
-  SweepScenario scenario;
+TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
+  Scenario scenario;
   scenario.depth = -1;
   try {
-    build_sweep_scene(*model_, scenario);
+    build_scenario_scene(*model_, scenario);
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "/depth: must be greater than 0, is -1");
   }
   scenario = {};
   scenario.object = "no_such_object.obj";
-  EXPECT_THROW(build_sweep_scene(*model_, scenario), Error);
+  EXPECT_THROW(build_scenario_scene(*model_, scenario), Error);
 }
 
-TEST_F(SweepSceneTest, ObjectMeshTakesTheBoxesPlace) {
+TEST_F(ScenarioSceneTest, ObjectMeshTakesTheBoxesPlace) {
   test::SensorScene folder;
   save_mesh(folder.folder / "wedge.obj", make_box({0.02, 0.03, 0.01}));
-  SweepScenario scenario;
+  Scenario scenario;
   scenario.object = (folder.folder / "wedge.obj").string();
-  const SweepScene scene = build_sweep_scene(*model_, scenario);
-  EXPECT_NEAR(scene.lowest_start_W.z, 0.02 - scenario.depth, 1e-12);
+  const ScenarioScene scene = build_scenario_scene(*model_, scenario);
+  EXPECT_NEAR((scene.motion.X_start * scene.motion.lead_M).z, 0.02 - scenario.depth, 1e-12);
   register_sensor_plugin();
   const CompiledScene compiled = compile_scene(scene.hosted_xml, scene.files.files, "sweep");
   const DataHandle data(mj_makeData(compiled.model.get()));

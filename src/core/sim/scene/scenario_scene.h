@@ -1,0 +1,27 @@
+// The scene of a scenario, built around any layout.
+//
+// World: the object's edge is the line x = 0, z = top; it fills x > 0, z < top. `distal` of the finger points forward
+// (+x) and down, so that in a sweep the tip leads over the edge, and `pad`, behind and below it, faces the top. Its
+// width axis (`distal` x `pad`) is +y.
+#pragma once
+
+#include "core/sensor/sensor_model.h"
+#include "core/sim/scene/motion.h"
+#include "core/sim/scene/scene_files.h"
+
+namespace taxel {
+
+struct ScenarioScene {
+  SceneFiles files;        ///< scene.xml names the layout file
+  std::string hosted_xml;  ///< the same, for a program that hands the compiled sensor over
+  Motion motion;
+};
+
+/// Names of the scene's geoms.
+inline constexpr const char* kFingerGeom = "finger";
+inline constexpr const char* kObjectGeom = "box";
+
+/// Throws Error for scenario values out of range, or an object mesh or recording that cannot be read.
+ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& scenario);
+
+}  // namespace taxel

@@ -1,0 +1,24 @@
+// A scenario's way points in the hand, and what the inspector remembers of the scenario.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/project/scenario.h"
+
+namespace taxel::ui {
+
+struct PathState {
+  int selected = -1;            ///< way point; -1: none
+  bool held = false;            ///< the button is down on it
+  bool moved = false;           ///< and it was dragged
+  std::uint64_t gesture = 0;    ///< of that drag, as the history numbers them
+  dvec2 start{0};               ///< of the pointer [pixels of the view]
+  dvec3 grabbed_W{0};           ///< the mark then
+  std::optional<WayPoint> was;  ///< the way point then
+  std::optional<ScenarioKind>
+      chosen;  ///< a kind that lacks what it needs (a replay its recording) to be the document's
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,39 @@
+// What the panel of parameter studies holds.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/project/study_curves.h"
+
+namespace taxel::ui {
+
+/// A study to be run, told from others by its number.
+struct StudyWish {
+  std::uint64_t number = 0;
+  Study study;
+  bool operator==(const StudyWish& other) const { return number == other.number; }
+};
+
+struct StudyState {
+  std::string key = "depth";
+  double from = 0, to = 0;  ///< SI; both 0: not chosen yet
+  int count = 4;
+  std::string key2;  ///< empty: one parameter
+  double from2 = 0, to2 = 0;
+  int count2 = 2;
+  std::optional<StudyWish> wish;  ///< runs, or is shown
+  std::uint64_t number = 0;
+  std::string problem;  ///< why it cannot run
+};
+
+/// The runs as they are shown.
+struct StudyShown {
+  StudyCurvesPtr curves;  ///< null: none were run
+  bool busy = false;
+  double fraction = 0;
+};
+
+}  // namespace taxel::ui

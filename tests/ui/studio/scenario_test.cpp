@@ -1,0 +1,157 @@
+// Scenarios in the window: each kind is chosen, edited and run in the inspector, and a path's way points are moved by
+// hand.
+#include <gtest/gtest.h>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+Lines choose(const std::string& kind) {
+  return {press("Inspector/Kind"), kIdle, press(kind), kIdle};
+}
+Lines typed(const std::string& field, const std::string& text) {
+  return {press("Inspector/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
+}
+/// The scenario alone in the inspector.
+const Lines kOpen{kIdle, press("Inspector/Selected taxel"), kIdle, press("Inspector/Sampling"),
+                  kIdle, press("Inspector/Material"),       kIdle, press("Inspector/Scene"),
+                  kIdle};
+const Lines kRun{press("Inspector/Run scenario"), kIdle};
+/// Our fingertip, with few samples.
+std::vector<std::string> coarse_layout(const StudioProgram& studio) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 1e5;
+  write_text(studio.folder() / "coarse.taxels.json", layout.dump());
+  std::vector<std::string> arguments = tall_window(studio, "coarse.taxels.json");
+  arguments[3] = "1400x1000";
+  return arguments;
+}
+std::string until(double time) {
+  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
+}
+
+TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
+  const StudioProgram studio;
+  studio.play(joined({kOpen,
+                      {key("Space"), dump("sweep.json")},
+                      choose("twist"),
+                      typed("Angle (\u00b0)", "20"),
+                      {dump("twist.json")},
+                      kRun,
+                      {until(0.3), key("Space"), kIdle, dump("run.json"), key("z", kCtrl), kIdle, dump("undone.json"),
+                       key("z", kCtrl), kIdle, dump("back.json")}}),
+              coarse_layout(studio));
+  const Json twist = studio.state("twist.json"), run = studio.state("run.json"), back = studio.state("back.json");
+  EXPECT_EQ(twist["scenario"]["edited"]["kind"], "twist");
+  EXPECT_EQ(twist["scenario"]["edited"]["angle_deg"], 20);
+  EXPECT_EQ(twist["scenario"]["running"], studio.state("sweep.json")["scenario"]["edited"]);
+  EXPECT_EQ(twist["history"]["undo"], "Undo Change the scenario");
+  EXPECT_EQ(run["scenario"]["running"], twist["scenario"]["edited"]);
+  EXPECT_NE(run["simulation"]["title"].get<std::string>().find("twist"), std::string::npos);
+  EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"]["angle_deg"], 30);
+  EXPECT_EQ(back["scenario"]["edited"], studio.state("sweep.json")["scenario"]["edited"]);
+  EXPECT_TRUE(back["history"]["compiled"].get<bool>());
+  EXPECT_EQ(back["history"]["depth"], 0);
+}
+
+TEST(Scenario, EveryKindRuns) {
+  const StudioProgram studio;
+  Lines lines = kOpen;
+  for (const char* kind : {"roll", "drop", "path"})
+    lines = joined({lines,
+                    choose(kind),
+                    kRun,
+                    {until(0.05), key("Space"), kIdle, dump(std::string(kind) + ".json"), key("Space")}});
+  studio.play(lines, coarse_layout(studio));
+  for (const char* kind : {"roll", "drop", "path"}) {
+    const Json state = studio.state(std::string(kind) + ".json");
+    EXPECT_EQ(state["scenario"]["running"]["kind"], kind);
+    EXPECT_GE(state["simulation"]["time"], 0.04) << kind;
+    EXPECT_NE(state["simulation"]["title"].get<std::string>().find(kind), std::string::npos);
+    for (const Json& message : state["messages"]) EXPECT_NE(message["severity"], "error") << message.dump();
+  }
+}
+
+TEST(Scenario, AReplayWaitsForItsRecording) {
+  const StudioProgram studio;
+  studio.play(joined({kOpen,
+                      choose("replay"),
+                      {dump("chosen.json")},
+                      typed("Recording", "nowhere"),
+                      kRun,
+                      {dump("refused.json")}}),
+              coarse_layout(studio));
+  EXPECT_EQ(studio.state("chosen.json")["history"]["depth"], 0);
+  const Json refused = studio.state("refused.json");
+  EXPECT_EQ(refused["scenario"]["edited"]["source"], "nowhere");
+  EXPECT_NE(refused["messages"].dump().find("nowhere: cannot be read as .npz"), std::string::npos);
+  EXPECT_NE(refused["simulation"]["title"].get<std::string>().find("sweep"), std::string::npos) << "what ran goes on";
+}
+
+TEST(Scenario, ValuesOutOfRangeStayInTheirField) {
+  const StudioProgram studio;
+  studio.play(joined({kOpen, choose("press"), typed("Depth (mm)", "-1"), {dump("refused.json")}}),
+              coarse_layout(studio));
+  const Json state = studio.state("refused.json");
+  EXPECT_EQ(state["scenario"]["edited"]["depth"], 0.0015);
+  EXPECT_NE(state["refused"]["words"].get<std::string>().find("greater than 0"), std::string::npos) << state["refused"];
+}
+
+TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
+  const StudioProgram studio;
+  const auto layout = coarse_layout(studio);
+  const Lines start = joined({kOpen, {until(0.2), key("Space"), kIdle}, choose("path"), {kIdle, dump("path.json")}});
+  studio.play(start, layout);
+  const Json path = studio.state("path.json")["scenario"];
+  ASSERT_EQ(path["edited"]["points"].size(), 2U) << "the ends of the sweep";
+  ASSERT_EQ(path["way_points"].size(), 2U);
+  const Json at = path["way_points"][1]["pixel"];
+  const double x = at[0].get<double>(), y = at[1].get<double>();
+  const auto pixel = [](double px, double py) { return Json({px, py}).dump(); };
+  const auto mouse = [&](const std::string& event, double px, double py) {
+    const std::string button = event == "mouse_move" ? "" : R"(, "button": "left")";
+    return R"({"event": ")" + event + R"(", "at": )" + pixel(px, py) + button + "}";
+  };
+  studio.play(joined({start,
+                      {mouse("mouse_move", x, y), mouse("mouse_down", x, y), mouse("mouse_move", x + 30, y - 10), kIdle,
+                       mouse("mouse_move", x + 60, y - 40), kIdle, mouse("mouse_up", x + 60, y - 40), kIdle,
+                       dump("dragged.json"), press("Inspector/Add here"), kIdle, dump("added.json"),
+                       press("Inspector/Delete way point"), kIdle, dump("deleted.json")},
+                      typed("Time 1", "9"),
+                      {dump("typed.json"), key("z", kCtrl), key("z", kCtrl), key("z", kCtrl), key("z", kCtrl), kIdle,
+                       dump("undone.json")}}),
+              layout);
+  const Json dragged = studio.state("dragged.json")["scenario"];
+  EXPECT_EQ(dragged["selected"], 1);
+  EXPECT_NEAR(dragged["way_points"][1]["pixel"][0].get<double>(), x + 60, 1);
+  EXPECT_NEAR(dragged["way_points"][1]["pixel"][1].get<double>(), y - 40, 1);
+  EXPECT_EQ(dragged["edited"]["points"][0], path["edited"]["points"][0]);
+  EXPECT_EQ(studio.state("dragged.json")["camera"], studio.state("path.json")["camera"]);
+  EXPECT_EQ(studio.state("dragged.json")["history"]["depth"].get<int>(),
+            studio.state("path.json")["history"]["depth"].get<int>() + 1)
+      << "a drag is one step";
+  const Json added = studio.state("added.json");
+  ASSERT_EQ(added["scenario"]["edited"]["points"].size(), 3U);
+  EXPECT_EQ(added["scenario"]["edited"]["points"][2]["pos"], added["simulation"]["sensors"][0]["position"]);
+  EXPECT_EQ(studio.state("deleted.json")["scenario"]["edited"]["points"], dragged["edited"]["points"]);
+  EXPECT_EQ(studio.state("typed.json")["scenario"]["edited"]["points"][1]["time"], 9);
+  EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], path["edited"]);
+}
+
+TEST(Scenario, ASavedProjectKeepsIt) {
+  const StudioProgram studio;
+  studio.play(joined({kOpen,
+                      choose("path"),
+                      {key("s", kCtrl), kIdle, key("a", kCtrl), type("kept.taxelproj"), key("Enter"), kIdle,
+                       dump("saved.json")}}),
+              coarse_layout(studio));
+  const Json saved = studio.state("saved.json");
+  const Json file = Json::parse(file_text(studio.folder() / "kept.taxelproj"));
+  EXPECT_EQ(file["scenario"], saved["scenario"]["edited"]);
+  EXPECT_EQ(file["scenario"]["kind"], "path");
+}
+
+}  // namespace
+}  // namespace taxel::test
