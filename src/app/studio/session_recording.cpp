@@ -8,7 +8,7 @@
 namespace taxel::studio {
 
 void Session::record(bool on, const std::string& file) {
-  if (!runs()) return;
+  if (!runs_or_refuses()) return;
   on ? tell(RecordCommand{file}) : tell(EndRecordingCommand{});
 }
 
@@ -17,7 +17,7 @@ void Session::write_recording(const std::string& file) {
 }
 
 void Session::export_recording(const std::string& file) {
-  if (runs()) tell(ExportHistoryCommand{file, loop_});
+  if (runs_or_refuses()) tell(ExportHistoryCommand{file, loop_});
 }
 
 void Session::tell_written(const SimFrame& frame, SessionNews& news) {
