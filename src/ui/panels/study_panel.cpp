@@ -135,6 +135,14 @@ std::string title_of(const Study& study, const StudyRun& run) {
   return title;
 }
 
+/// The plot that is being drawn; while the button is down it is not hovered, as ImPlot has it.
+bool plot_clicked() {
+  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize(), at = ImGui::GetIO().MousePos;
+  const bool inside = at.x >= lo.x && at.y >= lo.y && at.x < lo.x + size.x && at.y < lo.y + size.y;
+  constexpr auto kHovered = ImGuiHoveredFlags_AllowWhenBlockedByActiveItem | ImGuiHoveredFlags_ChildWindows;
+  return inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered(kHovered);
+}
+
 /// Its values become the document's, and it runs.
 void load_run(UiState& ui, const Project& project, const StudyRun& run) {
   if (run.density || run.seed) {
@@ -195,7 +203,7 @@ void draw_multiples(UiState& ui, const UiInput& input, const Project& project, c
       ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08 * top, ImPlotCond_Always);
       draw_curves(input, curves, curve, responds, unit.scale, ui.pixel_scale);
       if (!curve.error.empty()) ImPlot::PlotText("failed", 0.5 * curves.longest, 0.5 * top);
-      if (ImPlot::IsPlotHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) load_run(ui, project, curve.run);
+      if (plot_clicked()) load_run(ui, project, curve.run);
       ImPlot::EndPlot();
       ui.widgets.note_item(fmt::format("Run {}", i));
     }

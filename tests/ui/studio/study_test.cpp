@@ -6,7 +6,7 @@
 namespace taxel::test {
 namespace {
 
-Lines typed(const std::string& field, const std::string& text) {
+Lines entered(const std::string& field, const std::string& text) {
   return {press("Study/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
 }
 
@@ -17,7 +17,7 @@ TEST(StudyPanel, RunsAreShownAndAClickLoadsOne) {
   layout["sampling"]["density"] = 1e5;
   write_text(studio.folder() / "coarse.taxels.json", layout.dump());
   studio.play(joined({{kIdle, key("Space"), press("Panels"), kIdle, press("Study panel"), kIdle},
-                      typed("Vary from", "0.0005"), typed("Vary to", "0.001"), typed("Vary values", "2"),
+                      entered("Vary from", "0.0005"), entered("Vary to", "0.001"), entered("Vary values", "2"),
                       {press("Study/Run study"), kIdle, kIdle, dump("run.json"),
                        R"({"do": "screenshot", "file": "study.png"})", press("Study/Run 1"), kIdle, key("Space"),
                        kIdle, dump("loaded.json")}}),
