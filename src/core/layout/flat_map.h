@@ -12,7 +12,7 @@ struct FlatMap {
   /// The least distance of two of them, at most twice the typical one on the sensor [m]; 0 for one taxel, and where
   /// all are in one place.
   double apart = 0;
-  bool unrolled = false;      ///< around the axis; else seen along the mean normal
+  bool unrolled = false;  ///< around the axis; else seen along the mean normal
 };
 
 /// Up is the layout's `distal`. Taxels that all look much the same way (less than 60 degrees from their mean normal)

@@ -110,7 +110,9 @@ void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedS
   ImGui::TextDisabled("Id");
   for (const ReadingModel model : kReadingModels) {
     ImGui::TableNextColumn();
-    ImGui::TextColored(color_of(model), "%s", kNames[number(model)]);
+    const float level = ui.saved.dark ? 1.0f : 0.62f;  // light colours are not read on a light ground
+    const ImVec4 c = color_of(model);
+    ImGui::TextColored({level * c.x, level * c.y, level * c.z, 1}, "%s", kNames[number(model)]);
     tooltip(kTips[number(model)]);
     ImGui::TextDisabled("%s", shown_unit_of(model, layout.readout.aggregate).text);
   }
