@@ -17,11 +17,11 @@ struct Simulator::Impl {
   CompiledScene compiled;
   DataHandle data;
   std::optional<ScenarioScene> scenario;
-  std::vector<int> instances;             // of taxel.sensor
-  std::vector<int> drawn;                 // geoms of scene->geoms
+  std::vector<int> instances;                          // of taxel.sensor
+  std::vector<int> drawn;                              // geoms of scene->geoms
   std::map<int, std::shared_ptr<const Shape>> shapes;  // of geoms that sensors touch
-  std::shared_ptr<const SimScene> shown;  // what does not change
-  int mocap = -1;                         // the first mocap body's number, -1: none
+  std::shared_ptr<const SimScene> shown;               // what does not change
+  int mocap = -1;                                      // the first mocap body's number, -1: none
   dvec3 mocap_start{0};
   Perturbation hand;
 
