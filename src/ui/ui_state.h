@@ -211,6 +211,7 @@ struct UiState {
   StudyState study;
   std::optional<ClipPlane> clip;  ///< of the 3-D view
   int tour_step = -1;             ///< of the tour that is shown; -1: none is
+  const bool* opened_panel = nullptr;  ///< switch of a panel that comes to the front in the next picture
   bool asks_unsaved = false;      ///< whether to save, before what is open is left
   std::string recovery;           ///< name of a document that was lost unsaved and can be had back; empty: none
   std::string recovery_detail;    ///< when and where

@@ -8,12 +8,6 @@
 namespace taxel {
 namespace {
 
-std::vector<dvec3> pressure_moments(const ContactSurface& surface) {
-  std::vector<dvec3> moments;
-  find_pressure_moments(surface, moments);
-  return moments;
-}
-
 std::span<const dvec3> corners_of(const ContactSurface& surface, const ContactPolygon& polygon) {
   return std::span(surface.vertices)
       .subspan(static_cast<std::size_t>(polygon.first), static_cast<std::size_t>(polygon.count));
@@ -161,30 +155,30 @@ Traction traction(const ContactSurface& surface, const PairProperties& pair, con
     return result;
   }
   const Integrator integrator(pair, V_BA);
-  const std::vector<dvec3> moments = pressure_moments(surface);
-  for (std::size_t i = 0; i < moments.size(); ++i)
-    integrator.add(surface, surface.polygons[i], moments[i], result.elastic, result.secant);
+  for_each_pressure_moment(surface, [&](const ContactPolygon& polygon, const dvec3& moment) {
+    integrator.add(surface, polygon, moment, result.elastic, result.secant);
+  });
   result.wrench = secant_wrench(result.elastic, result.secant, V_BA);
   return result;
 }
 
 Wrench pressure_wrench(const ContactSurface& surface) {
   Wrench wrench;
-  const std::vector<dvec3> moments = pressure_moments(surface);
-  for (std::size_t i = 0; i < moments.size(); ++i) add_elastic(surface.polygons[i], moments[i], wrench);
+  for_each_pressure_moment(
+      surface, [&](const ContactPolygon& polygon, const dvec3& moment) { add_elastic(polygon, moment, wrench); });
   return wrench;
 }
 
 dvec3 pressure_centroid(const ContactSurface& surface) {
-  dvec3 moment{0}, area_moment{0};
+  dvec3 sum_of_moments{0}, area_moment{0};
   double sum = 0, area = 0;
-  for (const dvec3& each : pressure_moments(surface)) moment += each;
-  for (const ContactPolygon& polygon : surface.polygons) {
+  for_each_pressure_moment(surface, [&](const ContactPolygon& polygon, const dvec3& moment) {
+    sum_of_moments += moment;
     sum += polygon.area * polygon.pressure;
     area_moment += polygon.area * polygon.centroid;
     area += polygon.area;
-  }
-  if (sum > 0) return moment / sum;
+  });
+  if (sum > 0) return sum_of_moments / sum;
   return area > 0 ? area_moment / area : dvec3(0);
 }
 

@@ -33,12 +33,9 @@ void TractionPoints::assign(const ContactSurface& surface) {
   count_ = 0;
   pressure_wrench_ = {};
   const double area = surface.area();
-  find_pressure_moments(surface, moments_);
-  for (std::size_t i = 0; i < moments_.size(); ++i) {
-    const ContactPolygon& polygon = surface.polygons[i];
-    const dvec3& moment = moments_[i];
+  for_each_pressure_moment(surface, [&](const ContactPolygon& polygon, const dvec3& moment) {
     const double push = polygon.area * polygon.pressure;
-    if (!(push > 0)) continue;
+    if (!(push > 0)) return;
     pressure_wrench_.force += push * polygon.normal;
     pressure_wrench_.torque += glm::cross(moment, polygon.normal);
     const auto add_point = [&](const dvec3& x, double dA) {
@@ -52,7 +49,7 @@ void TractionPoints::assign(const ContactSurface& surface) {
     } else {
       for_each_quadrature_point(surface, polygon, kTriangleDegree4, add_point);
     }
-  }
+  });
 }
 
 void TractionPoints::add(const dvec3& x, const dvec3& n, double push) {

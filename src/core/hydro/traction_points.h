@@ -27,7 +27,6 @@ class TractionPoints {
   void add(const dvec3& x, const dvec3& n, double push);
 
   std::vector<TractionBlock> blocks_;
-  std::vector<dvec3> moments_;  ///< of the surface's polygons
   std::size_t count_ = 0;
   Wrench pressure_wrench_;
 };

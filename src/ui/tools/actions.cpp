@@ -181,8 +181,10 @@ bool perform_on_interface(Action action, UiState& ui) {
       break;
   }
   bool* value = switch_of(action, ui.saved);
-  if (value != nullptr) *value = !*value;
-  return value != nullptr;
+  if (value == nullptr) return false;
+  *value = !*value;
+  if (*value) ui.opened_panel = value;
+  return true;
 }
 
 }  // namespace

@@ -72,6 +72,10 @@ bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags fl
   // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was. Not while a field of
   // the panel is typed in, or the keyboard walks through it: then Tab goes to the next one.
   if (ui.fields.keyboard_panel != title) flags |= ImGuiWindowFlags_NoNavInputs;
+  if (open != nullptr && open == ui.opened_panel) {  // in a stack of tabs it would open behind another
+    ImGui::SetNextWindowFocus();
+    ui.opened_panel = nullptr;
+  }
   const bool visible = ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
   ui.widgets.note_item(title);
   if (visible) focus_if_entered(ui, title);

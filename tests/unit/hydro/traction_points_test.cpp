@@ -38,17 +38,16 @@ TEST(SlipFactor, IsTheArcTangentAtAnySpeed) {
 TEST(PressureMoments, AreTheIntegralsOfEachPolygon) {
   const ContactSurface surface = ball_on_floor(0.003);
   ASSERT_NE(surface.polygons.size() % 8, 0u);  // the last ones fill no group
-  std::vector<dvec3> moments(1000, dvec3(1));
-  find_pressure_moments(surface, moments);
-  ASSERT_EQ(moments.size(), surface.polygons.size());
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    const ContactPolygon& polygon = surface.polygons[i];
+  std::size_t seen = 0;
+  for_each_pressure_moment(surface, [&](const ContactPolygon& polygon, const dvec3& moment) {
+    EXPECT_EQ(&polygon, &surface.polygons[seen++]);
     dvec3 sum{0};  // p0 x is of degree 2
     for_each_quadrature_point(surface, polygon, kTriangleDegree4, [&](const dvec3& x, double dA) {
       sum += (polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid)) * dA * x;
     });
-    EXPECT_LE(glm::length(moments[i] - sum), 1e-12 * glm::length(sum)) << i;
-  }
+    EXPECT_LE(glm::length(moment - sum), 1e-12 * glm::length(sum)) << seen;
+  });
+  EXPECT_EQ(seen, surface.polygons.size());
 }
 
 TEST(TriangleRules, AreExactForTheirDegree) {

@@ -36,8 +36,9 @@ HWY_INLINE EightPoints gather_points(const dvec3* base, const EightPlaces& place
 constexpr std::size_t kDoubles = sizeof(ContactPolygon) / sizeof(double);  // from one polygon to the next
 static_assert(sizeof(ContactPolygon) % sizeof(double) == 0 && sizeof(dvec3) == 3 * sizeof(double));
 
-/// Of polygons [first, first + used), used <= 8: lanes beyond repeat the first.
-HWY_INLINE void moments_of_eight(const ContactSurface& surface, std::size_t first, std::size_t used, dvec3* out) {
+/// Lanes beyond the last polygon repeat the first.
+void run_pressure_moments(const ContactSurface& surface, std::size_t first, dvec3* out) {
+  const std::size_t left = surface.polygons.size() - first, used = left < 8 ? left : 8;
   const ContactPolygon* polygons = surface.polygons.data() + first;
   alignas(64) std::int64_t places[8], starts[8], lasts[8];
   int most = 0;
@@ -84,12 +85,6 @@ HWY_INLINE void moments_of_eight(const ContactSurface& surface, std::size_t firs
   for (std::size_t i = 0; i < used; ++i) out[i] = dvec3(x[i], y[i], z[i]);
 }
 
-void run_pressure_moments(const ContactSurface& surface, dvec3* out) {
-  const std::size_t size = surface.polygons.size();
-  for (std::size_t first = 0; first < size; first += 8)
-    moments_of_eight(surface, first, size - first < 8 ? size - first : 8, out + first);
-}
-
 }  // namespace taxel::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -97,9 +92,8 @@ HWY_AFTER_NAMESPACE();
 namespace taxel {
 HWY_EXPORT(run_pressure_moments);
 
-void find_pressure_moments(const ContactSurface& surface, std::vector<dvec3>& moments) {
-  moments.resize(surface.polygons.size());
-  HWY_DYNAMIC_DISPATCH(run_pressure_moments)(surface, moments.data());
+void find_pressure_moments(const ContactSurface& surface, std::size_t first, EightMoments& moments) {
+  HWY_DYNAMIC_DISPATCH(run_pressure_moments)(surface, first, moments.data());
 }
 }  // namespace taxel
 #endif
