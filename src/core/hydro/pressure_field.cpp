@@ -156,6 +156,7 @@ PressureField::PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tet
     set_planes(vertices_, tet);
     set_pressure(vertices_, vertex_pressure_, tet);
     if (glm::length(tet.gradient) * tet.size <= kZeroGradient * max_pressure_) ++report_.zero_gradient;
+    gradients_.push_back(tet.gradient);
     for (int i = 0; i < 4; ++i) bounds_.include(vertices_[at(tet.vertices[i])]);
   }
   set_neighbours(static_cast<int>(vertices_.size()), tets_);

@@ -64,6 +64,8 @@ class PressureField {
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<double>& vertex_pressure() const { return vertex_pressure_; }
   [[nodiscard]] const std::vector<Tet>& tets() const { return tets_; }
+  /// Of each tet, close together: for those that need nothing else of many tets here and there [Pa/m].
+  [[nodiscard]] const std::vector<dvec3>& gradients() const { return gradients_; }
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] double max_pressure() const { return max_pressure_; }
   [[nodiscard]] double size() const { return size_; }  ///< diagonal of the bounds: the scale of tolerances [m]
@@ -77,6 +79,7 @@ class PressureField {
   std::vector<dvec3> vertices_;
   std::vector<double> vertex_pressure_;
   std::vector<Tet> tets_;
+  std::vector<dvec3> gradients_;
   Aabb bounds_;
   double max_pressure_ = 0, size_ = 0;
   FieldReport report_;

@@ -33,7 +33,9 @@ struct Lane {
 };
 
 std::string area_text(double area) {
-  return area >= 1e-8 ? in_mm2(area) : fmt::format("{:.3g} \u00b5m\u00b2", 1e12 * area);
+  if (area >= 1e-8) return in_mm2(area);
+  const double um2 = 1e12 * area;
+  return um2 >= 100 ? grouped(std::llround(um2)) + " \u00b5m\u00b2" : fmt::format("{:.3g} \u00b5m\u00b2", um2);
 }
 
 std::vector<Lane> lanes_of(const ReadingUnit& unit) {

@@ -22,6 +22,7 @@ constexpr std::uint32_t kFirst = 1;     // its vertices do not follow those of t
 constexpr std::uint32_t kNormal = 2;    // another normal than that of the polygon before
 constexpr std::uint32_t kGradient = 4;  // another gradient than that of its tet
 constexpr std::uint32_t kTetB = 8;      // has a tet of the other body
+constexpr unsigned kPartBits = 4;       // the number of corners stands above these
 
 std::uint32_t count(std::size_t n) {
   return static_cast<std::uint32_t>(n);
@@ -36,15 +37,15 @@ class TetGradients {
  public:
   explicit TetGradients(const SensorModelPtr& model) {
     const auto* soft = model && model->body ? std::get_if<SoftBody>(&model->body->geometry) : nullptr;
-    if (soft != nullptr) tets_ = soft->field->tets();
+    if (soft != nullptr) gradients_ = soft->field->gradients();
   }
   [[nodiscard]] const dvec3* of(int tet) const {
     const auto index = static_cast<std::size_t>(tet);
-    return tet >= 0 && index < tets_.size() ? &tets_[index].gradient : nullptr;
+    return tet >= 0 && index < gradients_.size() ? &gradients_[index] : nullptr;
   }
 
  private:
-  std::span<const Tet> tets_;
+  std::span<const dvec3> gradients_;
 };
 
 class Sink {
@@ -124,8 +125,7 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
     if (!same_bits(polygon.normal, normal)) parts |= kNormal;
     if (gradient == nullptr || !same_bits(polygon.gradient, *gradient)) parts |= kGradient;
     if (polygon.tet_b != -1) parts |= kTetB;
-    to = append(to, parts);
-    to = append(to, polygon.count);
+    to = append(to, parts | static_cast<std::uint32_t>(polygon.count) << kPartBits);
     to = append(to, polygon.tet);
     to = append(to, polygon.face);
     to = append(to, polygon.area);
@@ -145,8 +145,8 @@ void take_polygons(Source& source, const TetGradients& gradients, std::vector<Co
   int first = 0;
   dvec3 normal(0);
   for (ContactPolygon& polygon : polygons) {
-    const auto parts = source.take<std::uint32_t>();
-    polygon.count = source.take<int>();
+    const auto parts = source.take<std::uint32_t>();  // and the number of corners
+    polygon.count = static_cast<int>(parts >> kPartBits);
     polygon.tet = source.take<int>();
     polygon.face = source.take<int>();
     polygon.area = source.take<double>();
