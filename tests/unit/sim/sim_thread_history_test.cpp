@@ -37,6 +37,15 @@ class ThreadHistory : public testing::Test {
     ask(LoadSweepCommand{model_, {}});
     return ask(StepCommand{step});
   }
+  /// Plays a sweep with these breakpoints; not longer than it lasts.
+  SimFramePtr sweep_until_stopped(const Breakpoints& limits) {
+    ask(BreakpointsCommand{limits});
+    ask(LoadSweepCommand{model_, {}});
+    ask(PlayCommand{});
+    SimFramePtr frame = ask(StepCommand{2401});
+    EXPECT_FALSE(frame->playing);
+    return frame;
+  }
   static SensorModelPtr model_;
   SimThread thread_;
 };
@@ -117,12 +126,8 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree
   }
   ASSERT_GT(expected, 500u) << "this sweep has such a step, in contact";
   limits.on_disagreement = true;
-  ask(BreakpointsCommand{limits});
-  ask(LoadSweepCommand{model_, {}});
-  ask(PlayCommand{});
-  const SimFramePtr frame = ask(StepCommand{2401});
+  const SimFramePtr frame = sweep_until_stopped(limits);
   EXPECT_EQ(frame->step, expected);
-  EXPECT_FALSE(frame->playing);
   ASSERT_TRUE(frame->stop.has_value());
   const Disagreement& found = std::get<Disagreement>(*frame->stop);
   EXPECT_EQ(found.taxel, gap.taxel);
@@ -157,12 +162,8 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   }
   ASSERT_GT(expected, 500u) << "this sweep has such a step, in contact";
   limits.on_jump = true;
-  ask(BreakpointsCommand{limits});
-  ask(LoadSweepCommand{model_, {}});
-  ask(PlayCommand{});
-  const SimFramePtr frame = ask(StepCommand{2401});
+  const SimFramePtr frame = sweep_until_stopped(limits);
   EXPECT_EQ(frame->step, expected);
-  EXPECT_FALSE(frame->playing);
   ASSERT_TRUE(frame->stop.has_value());
   const Jump& jump = std::get<Jump>(*frame->stop);
   EXPECT_EQ(jump.step, expected);
