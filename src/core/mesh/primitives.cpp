@@ -70,6 +70,7 @@ void subdivide_on_unit_sphere(Polyhedron& p) {
 }
 
 constexpr int kMostSubdivisions = 9;  // 5 million triangles
+constexpr int kDrawnSides = 40;       // of the prism that is drawn for a cylinder
 
 Polyhedron unit_icosphere(int subdivisions) {
   if (subdivisions < 0 || subdivisions > kMostSubdivisions)
@@ -99,9 +100,8 @@ std::vector<dvec3> circle(double radius, double z, int count) {
   return ring;
 }
 
-/// Flat caps of rings of 6 k points; rows that line up, so that the side is a prism.
-TriMesh cylinder(double radius, double half_length, double step) {
-  const int discs = pieces(2.0 * kPi * radius, 6.0 * step), rows = pieces(2.0 * half_length, step);
+/// Flat caps of rings of 6 k points; `rows` that line up, so that the side is a prism.
+TriMesh cylinder(double radius, double half_length, int discs, int rows) {
   RingSurface surface;
   for (int k = 0; k <= discs; ++k) surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k)));
   for (int k = 1; k <= rows; ++k) surface.add_ring(circle(radius, half_length * (2.0 * k / rows - 1.0), 6 * discs));
@@ -109,9 +109,8 @@ TriMesh cylinder(double radius, double half_length, double step) {
   return surface.mesh();
 }
 
-/// Round caps of rings of 5 k points, k steps from the pole: even triangles at the pole and at the rim.
-TriMesh capsule(double radius, double half_length, double step) {
-  const int steps = pieces(0.5 * kPi * radius, step), rows = pieces(2.0 * half_length, step);
+/// Round caps of rings of 5 k points, k `steps` from the pole: even triangles at the pole and at the rim.
+TriMesh capsule(double radius, double half_length, int steps, int rows) {
   const auto cap_ring = [&](int k, double side) {
     const double angle = 0.5 * kPi * k / steps;
     const double z = k == steps ? half_length : half_length + radius * std::cos(angle);
@@ -195,14 +194,41 @@ TriMesh make_cylinder(double radius, double half_length, double edge_length) {
   require_positive(radius, "radius of a cylinder");
   require_positive(half_length, "half length of a cylinder");
   require_feasible(2.0 * kPi * radius * (radius + 2.0 * half_length), std::max(radius, half_length), edge_length);
-  return as_fine_as(edge_length, [&](double step) { return cylinder(radius, half_length, step); });
+  return as_fine_as(edge_length, [&](double step) {
+    return cylinder(radius, half_length, pieces(2.0 * kPi * radius, 6.0 * step), pieces(2.0 * half_length, step));
+  });
 }
 
 TriMesh make_capsule(double radius, double half_length, double edge_length) {
   require_positive(radius, "radius of a capsule");
   require_positive(half_length, "half length of a capsule");
   require_feasible(4.0 * kPi * radius * (radius + half_length), std::max(radius, half_length), edge_length);
-  return as_fine_as(edge_length, [&](double step) { return capsule(radius, half_length, step); });
+  return as_fine_as(edge_length, [&](double step) {
+    return capsule(radius, half_length, pieces(0.5 * kPi * radius, step), pieces(2.0 * half_length, step));
+  });
+}
+
+TriMesh make_drawn_capsule(double radius, double half_length) {
+  return capsule(radius, half_length, kDrawnSides / 5, 1);
+}
+
+TriMesh make_drawn_cylinder(double radius, double half_length) {
+  RingSurface surface;
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<dvec3> pole{{0, 0, side * half_length}};
+    if (side < 0) surface.add_ring(pole);
+    surface.add_ring(circle(radius, side * half_length, kDrawnSides));
+    if (side > 0) surface.add_ring(pole);
+  }
+  return surface.mesh();
+}
+
+TriMesh make_drawn_ellipsoid(const dvec3& semi_axes) {
+  constexpr int kSubdivisions = 4;
+  const TriMesh sphere = make_icosphere(1, kSubdivisions);
+  std::vector<dvec3> vertices = sphere.vertices();
+  for (dvec3& v : vertices) v *= semi_axes;
+  return {std::move(vertices), sphere.faces()};
 }
 
 TriMesh scaled_to_volume(const TriMesh& mesh, double volume) {

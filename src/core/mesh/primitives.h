@@ -12,6 +12,11 @@ TriMesh make_capsule(double radius, double half_length, double edge_length);   /
 TriMesh make_cylinder(double radius, double half_length, double edge_length);  ///< axis z, flat caps
 TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length);
 
+// Round shapes to look at: as few triangles as look round, so long ones along straight sides. Sizes as above, positive.
+TriMesh make_drawn_capsule(double radius, double half_length);
+TriMesh make_drawn_cylinder(double radius, double half_length);
+TriMesh make_drawn_ellipsoid(const dvec3& semi_axes);
+
 /// Moves vertices along their radius from the centroid by one common factor so that the volume becomes `volume`.
 TriMesh scaled_to_volume(const TriMesh& mesh, double volume);
 

@@ -184,7 +184,7 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
     draw_over_scene(ui, input);
   }
   ImGui::End();
-  if (!input.model && !input.frame) draw_start_card(ui);
+  if (!input.model && !input.frame && !input.loading.active) draw_start_card(ui);
   draw_probe_panel(ui, input);
 }
 

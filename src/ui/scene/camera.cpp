@@ -48,7 +48,11 @@ glm::dmat4 Camera::view() const {
 }
 
 glm::dmat4 Camera::projection(double aspect) const {
-  return glm::perspective(glm::radians(fov_deg), aspect, kNearPart * distance, kFarPart * distance);
+  return glm::perspective(glm::radians(fov_deg), aspect, near_plane(), kFarPart * distance);
+}
+
+double Camera::near_plane() const {
+  return kNearPart * distance;
 }
 
 dvec3 Camera::project(const dvec3& p_W, int width, int height) const {

@@ -18,6 +18,7 @@ struct Camera {
   [[nodiscard]] dvec3 eye() const;
   [[nodiscard]] glm::dmat4 view() const;
   [[nodiscard]] glm::dmat4 projection(double aspect) const;  ///< near and far follow the distance
+  [[nodiscard]] double near_plane() const;                   ///< distance [m]
   /// Pixel (from the top left corner of a w x h view) of a world point; z is the depth in front of the eye, <= 0 behind
   /// it.
   [[nodiscard]] dvec3 project(const dvec3& p_W, int width, int height) const;

@@ -106,7 +106,7 @@ void SceneRenderer::Impl::make_shadows(const SceneInput& input, const MeshList& 
   key.places.push_back({{}, floor.X_WP});
   if (shadows && *shadows == key) return;
   const Aabb box = scene_bounds(input), sensors_box = sensor_bounds(input);
-  ground.make_shadow(floor, box, [&](const gl::Program& program) { meshes.draw_casters(program, list); });
+  ground.make_shadow(floor, box, [&](const gl::Program& program) { meshes.draw_casters(program, list, GL_FRONT); });
   meshes.make_shadow(sensors_of(input, cache), sensors_box);
   meshes.make_key_shadow(list, box, sensors_box, look);
   shadows = std::move(key);
@@ -129,7 +129,7 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glEnable(GL_PROGRAM_POINT_SIZE);
   const bool keep_backdrop = background && software && !floor.filled;
   if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, input.scale, segments);
-  meshes.draw_solids(list, look, input.clip.has_value());
+  meshes.draw_solids(list, camera, look, input.clip.has_value());
   if (occluded) {
     const Aabb object = sensor_bounds(input);
     occlusion.draw(*target, kOcclusionRadius * (object.empty() ? scene_bounds(input) : object).diagonal());

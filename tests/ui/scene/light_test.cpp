@@ -158,6 +158,58 @@ TEST_F(LightTest, ConvexBodiesDoNotShadeThemselves) {
   }
 }
 
+/// The body with a speck in its middle that nobody sees: no closed one, so that all its faces are drawn.
+TriMeshPtr with_speck(const TriMesh& body) {
+  std::vector<dvec3> vertices = body.vertices();
+  std::vector<ivec3> faces = body.faces();
+  const int first = body.vertex_count();
+  for (const double angle : {0.0, 2.0, 4.0})
+    vertices.push_back(glm::mix(body.vertices()[0], body.centroid(), 0.5) + 1e-5 * dvec3(std::cos(angle), std::sin(angle), 0));
+  faces.emplace_back(first, first + 1, first + 2);
+  return std::make_shared<const TriMesh>(std::move(vertices), std::move(faces));
+}
+
+/// But for some pixels where the light grazes.
+void expect_alike(const gl::RgbImage& a, const gl::RgbImage& b) {
+  int other = 0, most = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    other += a.rgb[i] != b.rgb[i] ? 1 : 0;
+    most = std::max(most, std::abs(a.rgb[i] - b.rgb[i]));
+  }
+  EXPECT_LT(other, 0.002 * static_cast<double>(a.rgb.size()));
+  EXPECT_LT(most, 30);
+}
+
+TEST_F(LightTest, FacesThatLookAwayAreNotMissed) {
+  const TriMesh ball = make_icosphere(kRadius, 3), flat = plate();
+  const Pose above{dquat(1, 0, 0, 0), ball_center()};
+  const SceneInput closed =
+      test::bodies({{std::make_shared<const TriMesh>(flat), Pose{}}, {std::make_shared<const TriMesh>(ball), above}});
+  const SceneInput open = test::bodies({{with_speck(flat), Pose{}}, {with_speck(ball), above}});
+  ASSERT_FALSE(with_speck(flat)->closed());
+  Camera within = from_above();
+  within.target = above.p;
+  within.distance = 0.5 * kRadius;  // in the ball
+  for (const Camera& camera : {from_above(), within}) expect_alike(draw(closed, camera), draw(open, camera));
+}
+
+TEST_F(LightTest, NorAreThoseOfSensors) {
+  const SensorModelPtr closed = test::finger_model(300);
+  const auto open = std::make_shared<SensorModel>(*closed);
+  open->mesh = with_speck(*closed->mesh);
+  const auto drawn = [&](const SensorModelPtr& model) {
+    const SimFramePtr frame = test::finger_frame(closed, 0.01);
+    auto scene = std::make_shared<SimScene>(*frame->scene);
+    scene->sensors = {model};
+    const auto shown = std::make_shared<SimFrame>(*frame);
+    shown->scene = scene;
+    SceneInput input = test::finger_input(shown);
+    input.overlays.sensor_transparent = false;
+    return draw(input, test::finger_camera());
+  };
+  expect_alike(drawn(closed), drawn(open));
+}
+
 /// A box beside a taller one, as stairs are.
 TriMeshPtr step() {
   return test::joined(make_box({0.02, 0.02, 0.005}), make_box({0.01, 0.02, 0.01}), {-0.01, 0, 0.01});

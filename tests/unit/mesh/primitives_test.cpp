@@ -108,6 +108,29 @@ TEST(Primitives, ShortAndLongShapesAreSolid) {
   expect_solid(make_cylinder(1, 1, 100));
 }
 
+TEST(Primitives, ShapesToLookAtAreRoundOfFewTriangles) {
+  const double r = 0.1;
+  for (const double h : {0.001, 0.2, 5.0}) {
+    const TriMesh capsule = make_drawn_capsule(r, h), cylinder = make_drawn_cylinder(r, h);
+    expect_solid(capsule);
+    expect_solid(cylinder);
+    EXPECT_LT(capsule.face_count(), 1000);
+    EXPECT_LT(cylinder.face_count(), 200);
+    const double side = 2 * h * kPi * r * r, ends = 4.0 / 3.0 * kPi * r * r * r;
+    EXPECT_NEAR(capsule.volume(), side + ends, 0.02 * (side + ends));
+    EXPECT_NEAR(cylinder.volume(), side, 0.005 * side);
+    EXPECT_EQ(capsule.bounds().hi.z, h + r);
+    EXPECT_EQ(cylinder.bounds().lo.z, -h);
+    for (const dvec3& v : capsule.vertices())
+      EXPECT_NEAR(glm::length(v - dvec3(0, 0, std::clamp(v.z, -h, h))), r, 1e-15);
+  }
+  const dvec3 axes(0.002, 0.1, 0.05);  // however flat
+  const TriMesh ellipsoid = make_drawn_ellipsoid(axes);
+  expect_solid(ellipsoid);
+  EXPECT_LT(ellipsoid.face_count(), 6000);
+  EXPECT_NEAR(ellipsoid.volume(), 4.0 / 3.0 * kPi * axes.x * axes.y * axes.z, 0.01 * ellipsoid.volume());
+}
+
 TEST(Primitives, ScaledToVolumeHasTheVolumeAndKeepsTheCentroid) {
   const TriMesh sphere = make_icosphere(2, 2);
   const TriMesh scaled = scaled_to_volume(sphere, 4.0 / 3.0 * kPi * 8);

@@ -6,7 +6,6 @@
 namespace taxel {
 TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
   const dvec3 size(m.geom_size[3 * geom], m.geom_size[3 * geom + 1], m.geom_size[3 * geom + 2]);
-  const double edge = 0.2 * size.x;
   switch (m.geom_type[geom]) {
     case mjGEOM_PLANE: {  // half sizes, 0 for infinite: then as large as the scene
       const double x = size.x > 0 ? size.x : 2 * m.stat.extent, y = size.y > 0 ? size.y : 2 * m.stat.extent;
@@ -14,13 +13,13 @@ TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
                                              std::vector<ivec3>{{0, 1, 2}, {0, 2, 3}});
     }
     case mjGEOM_SPHERE:
-      return std::make_shared<const TriMesh>(make_sphere(size.x, edge));
+      return std::make_shared<const TriMesh>(make_sphere(size.x, 0.2 * size.x));
     case mjGEOM_CAPSULE:
-      return std::make_shared<const TriMesh>(make_capsule(size.x, size.y, edge));
+      return std::make_shared<const TriMesh>(make_drawn_capsule(size.x, size.y));
     case mjGEOM_CYLINDER:
-      return std::make_shared<const TriMesh>(make_cylinder(size.x, size.y, edge));
+      return std::make_shared<const TriMesh>(make_drawn_cylinder(size.x, size.y));
     case mjGEOM_ELLIPSOID:
-      return std::make_shared<const TriMesh>(make_ellipsoid(size, 0.2 * std::min({size.x, size.y, size.z})));
+      return std::make_shared<const TriMesh>(make_drawn_ellipsoid(size));
     case mjGEOM_BOX:
       return std::make_shared<const TriMesh>(make_box(size));
     case mjGEOM_HFIELD:

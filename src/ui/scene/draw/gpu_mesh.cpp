@@ -1,5 +1,6 @@
 #include "ui/scene/draw/gpu_mesh.h"
 
+#include "ui/gl/state.h"
 #include "ui/scene/geometry/crease_normals.h"
 #include "ui/scene/geometry/depth_order.h"
 #include "ui/scene/geometry/simplify.h"
@@ -8,6 +9,7 @@ namespace taxel::ui {
 
 GpuMesh::GpuMesh(TriMeshPtr mesh, int most_faces) : mesh_(std::move(mesh)) {
   if (most_faces > 0 && mesh_->face_count() > most_faces) mesh_ = simplify(mesh_, most_faces);
+  outward_ = mesh_->closed() && mesh_->volume() > 0;
   RenderMesh render = make_render_mesh(*mesh_);
   indices_ = std::move(render.indices);
   vertex_buffer_.upload(std::span<const RenderMesh::Vertex>(render.vertices), GL_STATIC_DRAW);
@@ -27,6 +29,13 @@ GpuMesh::GpuMesh(TriMeshPtr mesh, int most_faces) : mesh_(std::move(mesh)) {
 void GpuMesh::draw() const {
   vertex_array_.bind();
   glDrawElements(GL_TRIANGLES, index_buffer_.count(), GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuMesh::draw_without(GLenum hidden) const {
+  gl::enable(GL_CULL_FACE, outward_);
+  glCullFace(hidden);
+  draw();
+  glDisable(GL_CULL_FACE);
 }
 
 const std::vector<MeshEdge>& GpuMesh::edges() {

@@ -24,6 +24,8 @@ class GpuMesh {
   [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMostOutlined; }
 
   void draw() const;
+  /// Without the faces of `hidden` (GL_FRONT, GL_BACK) where others of a closed body always lie before them.
+  void draw_without(GLenum hidden) const;
   /// Faces from back to front as seen along `direction` (frame of the mesh); of a large mesh those that look away, then
   /// those that look towards the eye, which is the same for convex shapes.
   void draw_blended(const glm::vec3& direction);
@@ -32,6 +34,7 @@ class GpuMesh {
 
  private:
   TriMeshPtr mesh_;
+  bool outward_;  ///< closed, faces look outwards
   static constexpr int kMostSorted = 60'000, kMostOutlined = 300'000;  // faces
   std::optional<std::vector<MeshEdge>> edges_;
   std::vector<glm::vec3> centroids_;

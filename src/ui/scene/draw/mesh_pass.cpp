@@ -19,6 +19,12 @@ bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
   return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
 }
 
+/// Whether the near plane may cut the item open.
+bool may_be_within(const MeshItem& item, const Camera& camera) {
+  const dvec3 eye = item.X_WM.inverse() * camera.eye(), around(2 * camera.near_plane());  // its corners lie farther
+  return item.mesh->mesh().bounds().overlaps({eye - around, eye + around});
+}
+
 /// Outlines the item where it is of the selected body.
 void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& input, const Look& look) {
   item.selected = input.selected_body >= 0 && geom.body_index == input.selected_body;
@@ -87,7 +93,7 @@ void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
   gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
   glBlendEquation(GL_MIN);
   caster_.use();
-  draw_casters(caster_, sensors);
+  draw_casters(caster_, sensors, GL_FRONT);  // the lowest counts
   shadow_.blur();
   solid_.set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
   solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kShadowHeight * range)));
@@ -100,20 +106,20 @@ void MeshPass::make_key_shadow(const MeshList& list, const Aabb& box_W, const Aa
     shown.lo = glm::max(shown.lo, sensors_W.lo - around);
     shown.hi = glm::min(shown.hi, sensors_W.hi + around);
   }
-  key_shadow_.make(shown, box_W, look.key_direction, [&](const gl::Program& program) { draw_casters(program, list); });
+  key_shadow_.make(shown, box_W, look.key_direction, [&](const gl::Program& program) { draw_casters(program, list, GL_BACK); });
 }
 
-void MeshPass::draw_casters(const gl::Program& program, const MeshList& list) const {
+void MeshPass::draw_casters(const gl::Program& program, const MeshList& list, GLenum hidden) const {
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
       if (!item.casts) continue;
       program.set("world_from_mesh", matrix(item.X_WM));
-      item.mesh->draw();
+      item.mesh->draw_without(hidden);
     }
   }
 }
 
-void MeshPass::draw_solids(const MeshList& list, const Look& look, bool clipped) const {
+void MeshPass::draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
   gl::apply({});
   set_clipped(clipped);
   solid_.set("clipped", clipped ? 1.0f : 0.0f);
@@ -126,7 +132,11 @@ void MeshPass::draw_solids(const MeshList& list, const Look& look, bool clipped)
     solid_.set("world_from_mesh", matrix(item.X_WM));
     solid_.set("albedo", item.albedo);
     solid_.set("strength", item.sensor ? 0.0f : strength);
-    item.mesh->draw();
+    if (clipped || may_be_within(item, camera)) {
+      item.mesh->draw();
+    } else {
+      item.mesh->draw_without(GL_BACK);
+    }
   }
   set_clipped(false);
 }

@@ -46,13 +46,14 @@ class MeshPass {
  public:
   /// `key_texels`: along each side of the key light's map.
   MeshPass(const gl::ShaderReader& read, int key_texels);
-  void draw_casters(const gl::Program& program, const MeshList& list) const;
+  /// `hidden`: the side of closed bodies that others of their faces hide (GL_FRONT, GL_BACK).
+  void draw_casters(const gl::Program& program, const MeshList& list, GLenum hidden) const;
   /// What the sensors, within `box_W`, take away of the sky above the other bodies.
   void make_shadow(const MeshList& sensors, const Aabb& box_W);
   /// What all of them, within `box_W`, take away of the key light, finest around `sensors_W`.
   void make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look);
   // `clipped`: cut by the frame's plane; then the inside of solids that no cap closes is seen in one plain colour.
-  void draw_solids(const MeshList& list, const Look& look, bool clipped) const;
+  void draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   void draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   /// Creases and silhouettes.
   void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments,
