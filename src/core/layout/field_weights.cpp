@@ -1,11 +1,10 @@
 #include "core/layout/field_weights.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "core/base/parallel.h"
+#include "core/base/per_thread.h"
 
 namespace taxel {
 namespace {
@@ -40,7 +39,7 @@ FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
   grid_ = PointGrid(origins, largest_radius_ > 0 ? largest_radius_ : 1.0);
   if (!geodesic) return;
   const auto unfolded = std::make_shared<const UnfoldedMesh>(skin_);
-  tbb::enumerable_thread_specific<GeodesicDistance> distances(unfolded);
+  PerThread<GeodesicDistance> distances(unfolded);
   paths_.resize(discs_.size());
   parallel_chunks(static_cast<int>(discs_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

@@ -1,8 +1,7 @@
 #include "core/layout/receptive_field.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "core/base/parallel.h"
+#include "core/base/per_thread.h"
 #include "core/layout/field_disc.h"
 #include "core/layout/point_grid.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
@@ -80,7 +79,7 @@ class GeodesicReach {
   const std::vector<SurfaceSample>& samples_;
   const MeshIndex& skin_;
   std::vector<int> first_on_face_, on_faces_;  ///< samples by face
-  tbb::enumerable_thread_specific<GeodesicDistance> distances_;
+  PerThread<GeodesicDistance> distances_;
 };
 
 /// The union of the discs' fields; a sample in several belongs to the nearest of them.

@@ -177,10 +177,13 @@ TEST(LargeMesh, OfTwoMillionTrianglesIsCancelledWhileItLoads) {
   ASSERT_EQ(std::filesystem::file_size(file), 84U + 50U * 2'000'000U);
   studio.play({R"({"frame": 1, "event": "drop", "files": ["ball.stl"]})",
                R"({"frame": 5, "do": "screenshot", "file": "loading.png"})",
+               R"({"frame": 5, "do": "dump_state", "file": "loading.json"})",
                R"({"frame": 6, "event": "click", "at": {"widget": "Cancel loading"}})", kIdle, dump("cancelled.json"),
                R"({"event": "drop", "files": [")" + kLayoutFile + R"("]})", kIdle, dump("after.json")},
               {"--empty"});
   std::filesystem::remove(file);
+  const std::string shown = studio.state("loading.json")["widgets"].dump();
+  EXPECT_EQ(shown.find("Fingertip sweep"), std::string::npos) << "no invitation behind the bar";
   const Json cancelled = studio.state("cancelled.json");
   EXPECT_TRUE(cancelled["document"].is_null());
   ASSERT_EQ(cancelled["messages"].size(), 1U) << cancelled["messages"].dump();

@@ -1,8 +1,7 @@
 #include "core/layout/sampling/sample_elimination.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "core/base/parallel.h"
+#include "core/base/per_thread.h"
 #include "core/layout/sampling/surroundings.h"
 
 namespace taxel {
@@ -120,7 +119,7 @@ class CrowdLinker {
     CrowdGraph graph;
     graph.of_point.resize(positions_.size());
     graph.parts.resize(index((cells_.cell_count() + chunk - 1) / chunk));
-    tbb::enumerable_thread_specific<Scratch> scratch([&] { return Scratch(surface_); });
+    PerThread<Scratch> scratch([&] { return Scratch(surface_); });
     parallel_chunks(cells_.cell_count(), chunk, [&](int begin, int end) {
       Scratch& mine = scratch.local();
       std::vector<CrowdLink>& links = graph.parts[index(begin / chunk)];

@@ -1,11 +1,10 @@
 #include "core/layout/sampling/sample_spread.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <array>
 #include <functional>
 
 #include "core/base/parallel.h"
+#include "core/base/per_thread.h"
 #include "core/layout/sampling/convex_polygon.h"
 #include "core/layout/sampling/empty_circle.h"
 #include "core/layout/sampling/surroundings.h"
@@ -205,7 +204,7 @@ class Spreader {
   std::vector<SurfaceSample>& samples_;
   std::vector<dvec3> positions_, normals_;  // of the samples, by rank in the sweep's cells
   std::vector<int> faces_;
-  tbb::enumerable_thread_specific<Scratch> scratch_;
+  PerThread<Scratch> scratch_;
 };
 
 }  // namespace

@@ -1,10 +1,9 @@
 #include "ui/scene/geometry/coverage.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/per_thread.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
 
 namespace taxel::ui {
@@ -116,8 +115,7 @@ Coverage make_coverage(const SensorModel& model, CoverageMemory& memory, int pie
   Pieces cut = cut_skin(mesh, pieces);
   const bool geodesic = model.layout.receptive_field.metric == Metric::geodesic;
   if (geodesic && (!memory.unfolded || &memory.unfolded->mesh() != &mesh)) memory.unfolded = unfolded_skin(model);
-  tbb::enumerable_thread_specific<Seeing> seeing(
-      [&] { return Seeing(model, cut, geodesic ? memory.unfolded : nullptr); });
+  PerThread<Seeing> seeing([&] { return Seeing(model, cut, geodesic ? memory.unfolded : nullptr); });
   const auto& seen =
       memory.seen.update(model, pieces, [&](const std::vector<int>& missing, std::vector<std::vector<int>>& values) {
         parallel_chunks(static_cast<int>(missing.size()), 8, [&](int begin, int end) {

@@ -1,11 +1,10 @@
 #include "ui/scene/geometry/field_patch.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <array>
 #include <numeric>
 
 #include "core/base/parallel.h"
+#include "core/base/per_thread.h"
 
 namespace taxel::ui {
 namespace {
@@ -126,8 +125,7 @@ void cut_patches(const SensorModel& model, FieldPart part, const std::shared_ptr
                  const std::vector<int>& taxels, std::vector<FieldPatch>& patches) {
   const double cosine = min_cosine(model.layout.receptive_field);
   const int fineness = field_fineness(model);
-  tbb::enumerable_thread_specific<FieldCutter> cutters(
-      [&] { return FieldCutter(*model.skin, unfolded, cosine, fineness); });
+  PerThread<FieldCutter> cutters([&] { return FieldCutter(*model.skin, unfolded, cosine, fineness); });
   parallel_chunks(static_cast<int>(taxels.size()), 8, [&](int begin, int end) {
     FieldCutter& cutter = cutters.local();
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
