@@ -39,7 +39,7 @@ FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
   grid_ = PointGrid(origins, largest_radius_ > 0 ? largest_radius_ : 1.0);
   if (!geodesic) return;
   const auto unfolded = std::make_shared<const UnfoldedMesh>(skin_);
-  PerThread<GeodesicDistance> distances(unfolded);
+  PerThread<GeodesicDistance> distances([&] { return GeodesicDistance(unfolded); });
   paths_.resize(discs_.size());
   parallel_chunks(static_cast<int>(discs_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

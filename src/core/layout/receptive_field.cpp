@@ -50,7 +50,8 @@ class GeodesicReach {
       : samples_(samples),
         skin_(skin),
         first_on_face_(skin.mesh().faces().size() + 1, 0),
-        distances_(std::make_shared<const UnfoldedMesh>(skin.mesh_ptr())) {
+        distances_(
+            [unfolded = std::make_shared<const UnfoldedMesh>(skin.mesh_ptr())] { return GeodesicDistance(unfolded); }) {
     for (const SurfaceSample& s : samples) ++first_on_face_[static_cast<std::size_t>(s.face) + 1];
     for (std::size_t f = 1; f < first_on_face_.size(); ++f) first_on_face_[f] += first_on_face_[f - 1];
     std::vector<int> next(first_on_face_.begin(), first_on_face_.end() - 1);
