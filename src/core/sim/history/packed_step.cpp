@@ -116,8 +116,10 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
   int first = 0;
   dvec3 normal(0);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    constexpr std::size_t kAhead = 8;  // the tets lie apart: waiting for each took a third of the time
+    // The tets lie apart, and what is written is in no cache: waiting for each took a third of the time.
+    constexpr std::size_t kAhead = 8, kBytesAhead = 1024;
     if (i + kAhead < polygons.size()) __builtin_prefetch(gradients.of(polygons[i + kAhead].tet));
+    __builtin_prefetch(to + kBytesAhead, 1);
     const ContactPolygon& polygon = polygons[i];
     const dvec3* gradient = gradients.of(polygon.tet);
     std::uint32_t parts = 0;
