@@ -10,6 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kFrameInterval = 1.0 / 60.0;  // [s] at most so many frames while playing
+constexpr double kForgotten = 1.0;             // [s] so long frames are made that nobody takes
 constexpr double kTraceInterval = 1.0 / 30.0;  // [s] at most so many copies of the trace
 constexpr double kBurst = 0.005;               // [s] of stepping before commands are looked at again
 constexpr double kNap = 0.002;                 // [s] shortest wait for the clock: several steps are then due at once
@@ -81,7 +82,8 @@ bool SimThread::Impl::step_once() {
     simulator->step();
     const Clock::time_point stepped = Clock::now();
     simulator->save_state(state);
-    stop = history.record(simulator->view(), state);
+    simulator->view(view);
+    stop = history.record(view, state);
     record_time.add(Clock::now() - stepped);
     step_time.add(Clock::now() - begin);
     record_step();
@@ -134,10 +136,18 @@ std::shared_ptr<const StepBefore> SimThread::Impl::step_before() const {
   return before;
 }
 
-/// Posts a frame when there is something new, at most every kFrameInterval unless told otherwise.
+/// Whether somebody took a frame lately: a window that is not drawn costs nothing.
+bool SimThread::Impl::frames_are_taken(double now) {
+  if (!mailbox.full()) last_taken = now;
+  return now - last_taken < kForgotten;
+}
+
+/// Posts a frame when there is something new; unless told otherwise at most every kFrameInterval, and while somebody
+/// takes them.
 void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
-  if (!changed || (!even_if_recent && now - last_frame < kFrameInterval)) return;
+  if (!changed) return;
+  if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_taken(now))) return;
   copy_rows(now, even_if_recent);
   const auto frame = std::make_shared<SimFrame>();
   frame->scene = frame->simulated = std::make_shared<const SimScene>();

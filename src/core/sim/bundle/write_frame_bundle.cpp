@@ -4,6 +4,7 @@
 
 #include "core/layout/layout_json.h"
 #include "core/project/recording/npz.h"
+#include "core/project/recording/npz_rows.h"
 #include "core/sim/bundle/frame_bundle.h"
 
 namespace taxel {
@@ -11,10 +12,6 @@ namespace {
 
 using Integers = std::vector<std::int64_t>;
 using Doubles = std::vector<double>;
-
-void append(Doubles& to, const dvec3& v) {
-  to.insert(to.end(), {v.x, v.y, v.z});
-}
 
 void add_number(NpzWriter& out, const std::string& name, double value) {
   out.add(name, {}, std::span<const double>(&value, 1));
@@ -54,11 +51,6 @@ class Meshes {
   std::vector<TriMeshPtr> meshes_;
 };
 
-void add_pose(const Pose& pose, Doubles& positions, Doubles& quaternions) {
-  append(positions, pose.p);
-  quaternions.insert(quaternions.end(), {pose.q.w, pose.q.x, pose.q.y, pose.q.z});
-}
-
 void write_geoms(const SimFrame& frame, Meshes& meshes, NpzWriter& out) {
   const std::vector<SceneGeom>& geoms = frame.scene->geoms;
   std::vector<std::string> names, bodies;
@@ -71,7 +63,7 @@ void write_geoms(const SimFrame& frame, Meshes& meshes, NpzWriter& out) {
     plane.push_back(geoms[g].plane ? 1 : 0);
     sensor.push_back(geoms[g].sensor);
     mesh.push_back(geoms[g].mesh ? meshes.number(geoms[g].mesh) : -1);
-    add_pose(frame.geom_poses[g], positions, quaternions);
+    append(positions, quaternions, frame.geom_poses[g]);
   }
   out.add("geom_names", names);
   out.add("geom_bodies", bodies);
@@ -128,12 +120,15 @@ void write_sensor(const SensorFrameState& state, const SensorModel& model, const
   add_number(out, prefix + "mesh", meshes.number(model.mesh));
   out.add(prefix + "quality", to_string(model.quality));
   Doubles position, quaternion;
-  add_pose(state.X_WM, position, quaternion);
+  append(position, quaternion, state.X_WM);
   out.add(prefix + "pos", {3}, std::span<const double>(position));
   out.add(prefix + "quat", {4}, std::span<const double>(quaternion));
   add_vectors(out, prefix + "force", std::vector{state.force_W});
   add_vectors(out, prefix + "uncovered", std::vector{state.uncovered_W});
   out.add(prefix + "readings", {state.readings.size()}, std::span<const double>(state.readings));
+  Doubles shear;
+  for (const dvec2& s : state.shear) append(shear, s);
+  if (!shear.empty()) out.add(prefix + "shear", {state.shear.size(), 2}, std::span<const double>(shear));
   write_hits(state.hits, prefix, out);
   Doubles motions;
   for (const SurfaceMotion& motion : state.motions) {
