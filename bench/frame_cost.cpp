@@ -19,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/sim_thread.h"
 
@@ -28,8 +29,9 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr double kSamples = 16000;
-constexpr auto kFrame = 16'666us, kStretch = 1000ms;
-constexpr auto kForgotten = 1300ms;  // until a simulation whose frames nobody takes makes none
+constexpr auto kFrame = 16'666us;
+constexpr auto kStretch = 700ms;
+constexpr auto kForgotten = 350ms;  // until a simulation whose frames nobody takes makes none
 
 std::set<std::string> threads() {
   std::set<std::string> all;
@@ -65,6 +67,7 @@ class Watched {
   /// So far; stood: of the time since some moment, what it neither ran nor waited for a processor.
   Count count() {
     const SimFramePtr frame = ask(SpeedCommand{1e6});
+    if (!frame->error.empty() || !frame->playing) throw Error("it does not run: " + frame->error);
     std::uint64_t ran = 0, queued = 0;  // [ns]
     std::ifstream("/proc/self/task/" + task_ + "/schedstat") >> ran >> queued;
     const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
@@ -78,8 +81,10 @@ class Watched {
   std::string task_;
 };
 
-/// Lets it run, and takes its frames if it is to.
-Watched::Count stretch(Watched& watched, bool takes) {
+/// Lets it run from a step, and takes its frames if it is to.
+Watched::Count stretch(Watched& watched, std::uint64_t from, bool takes) {
+  watched.ask(ScrubCommand{from});
+  watched.ask(PlayCommand{});
   SimFramePtr shown;  // until there is another, as in the window
   std::uint64_t frames = 0;
   const auto run = [&](Clock::duration length) {
@@ -90,7 +95,7 @@ Watched::Count stretch(Watched& watched, bool takes) {
       if (SimFramePtr frame = watched.simulation().newest_frame()) shown = std::move(frame), ++frames;
     }
   };
-  run(takes ? Clock::duration(200ms) : Clock::duration(kForgotten));
+  run(kForgotten);
   const Watched::Count before = watched.count();
   frames = 0;
   run(kStretch);
@@ -110,12 +115,11 @@ void measure(const char* what, int steps_before, const SimCommand& load, int str
   }
   watched.simulation().set_clock_driven(true);
   watched.ask(SpeedCommand{1e6});
-  watched.ask(PlayCommand{});
   Watched::Count with, without;
   std::vector<double> parts;
   for (int i = 0; i < stretches; ++i) {
     const bool first = i % 2 == 0;
-    const Watched::Count a = stretch(watched, first), b = stretch(watched, !first);
+    const Watched::Count a = stretch(watched, frame->step, first), b = stretch(watched, frame->step, !first);
     const Watched::Count &on = first ? a : b, &off = first ? b : a;
     with += on, without += off;
     parts.push_back((on.processor / static_cast<double>(on.steps)) / (off.processor / static_cast<double>(off.steps)) -
@@ -149,7 +153,7 @@ int main(int argc, char** argv) {
       "| --- | --- | --- | --- | --- | --- |\n");
   Scenario press;
   press.kind = ScenarioKind::press;
-  press.hold = 1e6;
+  press.hold = 2000;
   measure("pressed fingertip", 2500, LoadSweepCommand{fingertip(), press}, stretches);
   measure("hand of five fingers after 20 s", 20000,
           LoadSceneCommand{TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", {}}, stretches);

@@ -10,7 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kFrameInterval = 1.0 / 60.0;  // [s] at most so many frames while playing
-constexpr double kForgotten = 1.0;             // [s] so long frames are made that nobody takes
+constexpr double kForgotten = 0.25;            // [s] so long frames are made that nobody takes
 constexpr double kTraceInterval = 1.0 / 30.0;  // [s] at most so many copies of the trace
 constexpr double kBurst = 0.005;               // [s] of stepping before commands are looked at again
 constexpr double kNap = 0.002;                 // [s] shortest wait for the clock: several steps are then due at once
@@ -100,15 +100,15 @@ bool SimThread::Impl::step_once() {
 }
 
 void SimThread::Impl::add_trace_row() {
-  const SimRow row = simulator->row();
-  TraceRow traced{row.time, row.travel, {}};
+  TraceRow traced{view.time, view.travel, {}};
   for (const SensorModelPtr& sensor : simulator->scene()->sensors)
     if (sensor && sensor->quality == SampleQuality::preview) traced.quality = SampleQuality::preview;
-  for (const std::vector<double>& readings : row.readings)
-    traced.readings.insert(traced.readings.end(), readings.begin(), readings.end());
+  for (const SensorView& sensor : view.sensors)
+    traced.readings.insert(traced.readings.end(), sensor.readings.begin(), sensor.readings.end());
   rows.push_back(std::move(traced));
-  if (simulator->scene()->duration == 0 && rows.size() >= 2 * kEndlessRows)
-    rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
+  if (simulator->scene()->duration > 0 || rows.size() < 2 * kEndlessRows) return;
+  rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
+  ++row_cuts;
 }
 
 /// The rows for plots and timeline, copied only when there are others, and not too often.
@@ -119,8 +119,8 @@ void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
   const bool other_rows = trace->size() != rows.size() || rows.empty() || trace->back().time != rows.back().time;
   const bool shrunk = trace->size() > rows.size() || (!copied.empty() && copied.back().step > last);
   if (!shrunk && !even_if_recent && now - last_trace < kTraceInterval) return;
-  if (other_rows) trace = std::make_shared<const std::vector<TraceRow>>(rows);
-  if (other_steps || even_if_recent) lanes = history.lanes();
+  if (other_rows) trace = memory.copy_of(rows, row_cuts);
+  if (other_steps || even_if_recent) lanes = memory.lanes_of(history);
   if (other_rows || other_steps) last_trace = now;
 }
 
@@ -149,10 +149,12 @@ void SimThread::Impl::publish(bool even_if_recent) {
   if (!changed) return;
   if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_taken(now))) return;
   copy_rows(now, even_if_recent);
-  const auto frame = std::make_shared<SimFrame>();
-  frame->scene = frame->simulated = std::make_shared<const SimScene>();
-  if (simulator != nullptr) {
-    scrubbed ? history.fill_frame(*scrubbed, *frame) : simulator->fill_frame(*frame);
+  const std::shared_ptr<SimFrame> frame = simulator == nullptr ? std::make_shared<SimFrame>()
+                                          : scrubbed           ? memory.recorded_frame(history, *scrubbed)
+                                                               : memory.frame_of(*simulator);
+  if (simulator == nullptr) {
+    frame->scene = frame->simulated = std::make_shared<const SimScene>();
+  } else {
     if (scrubbed) frame->controls = simulator->controls_of(history.state(*scrubbed));
     frame->simulated = simulator->scene();
     frame->warnings = simulator->warnings();

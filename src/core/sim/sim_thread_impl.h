@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/base/mailbox.h"
+#include "core/sim/frame_memory.h"
 #include "core/sim/history/step_history.h"
 #include "core/sim/pacing.h"
 #include "core/sim/recording/live_recording.h"
@@ -52,6 +53,8 @@ struct SimThread::Impl {
   StepView view;   // likewise, of the step just made
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
   std::vector<TraceRow> rows;
+  std::uint64_t row_cuts = 0;  // times that rows were taken away
+  FrameMemory memory;
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
   StepTime step_time, record_time;
   double last_frame = 0, last_trace = 0, last_taken = 0;

@@ -70,6 +70,7 @@ class Simulator {
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
   [[nodiscard]] SimRow row() const;
   void fill_frame(SimFrame& frame) const;
+  void fill_frame(SimFrame& frame, FilledHits& hits) const;  ///< see step_view.h
   /// The same without copies: valid until the next step, reset or model.
   [[nodiscard]] StepView view() const;
   void view(StepView& view) const;  ///< keeps the memory of `view`

@@ -100,11 +100,17 @@ void Simulator::view(StepView& view) const {
       one.motions.push_back({sensor.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.hits = reading.hits.all();
+    one.hit_rays = reading.hits.hit_rays();
   }
 }
 
 void Simulator::fill_frame(SimFrame& frame) const {
-  taxel::fill_frame(view(), frame);
+  FilledHits none;
+  fill_frame(frame, none);
+}
+
+void Simulator::fill_frame(SimFrame& frame, FilledHits& hits) const {
+  taxel::fill_frame(view(), frame, hits);
   frame.controls = control_values(impl_->m(), impl_->d());
   frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
   frame.held = held_points(impl_->m(), impl_->d());

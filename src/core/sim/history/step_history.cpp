@@ -45,8 +45,8 @@ void keep_last(std::vector<T>& values, std::size_t count) {
 }
 
 template <class T>
-std::vector<T> last_of(const std::vector<T>& values, std::size_t count) {
-  return {values.end() - static_cast<std::ptrdiff_t>(count), values.end()};
+void copy_last(const std::vector<T>& values, std::size_t count, std::vector<T>& to) {
+  to.assign(values.end() - static_cast<std::ptrdiff_t>(count), values.end());
 }
 
 }  // namespace
@@ -206,12 +206,16 @@ std::size_t StepHistory::bytes() const {
 
 std::shared_ptr<const HistoryLanes> StepHistory::lanes() const {
   const auto lanes = std::make_shared<HistoryLanes>();
-  lanes->sensor_count = rows_.sensor_count;
-  lanes->reading_count = rows_.reading_count;
-  lanes->steps = last_of(rows_.steps, size());
-  lanes->sensors = last_of(rows_.sensors, size() * rows_.sensor_count);
-  lanes->readings = last_of(rows_.readings, size() * rows_.reading_count);
+  copy_lanes(*lanes);
   return lanes;
+}
+
+void StepHistory::copy_lanes(HistoryLanes& lanes) const {
+  lanes.sensor_count = rows_.sensor_count;
+  lanes.reading_count = rows_.reading_count;
+  copy_last(rows_.steps, size(), lanes.steps);
+  copy_last(rows_.sensors, size() * rows_.sensor_count, lanes.sensors);
+  copy_last(rows_.readings, size() * rows_.reading_count, lanes.readings);
 }
 
 }  // namespace taxel

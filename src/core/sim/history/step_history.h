@@ -43,6 +43,7 @@ class StepHistory {
   [[nodiscard]] const SimState& state(std::uint64_t step) const { return at(step).state; }
   /// A copy of all rows.
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes() const;
+  void copy_lanes(HistoryLanes& lanes) const;  ///< the same; keeps the memory of `lanes`
 
  private:
   struct Step {
