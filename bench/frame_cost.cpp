@@ -126,15 +126,13 @@ void measure(const char* what, int steps_before, const SimCommand& load, int str
                     1);
   }
   std::sort(parts.begin(), parts.end());
-  const double plain = without.processor / static_cast<double>(without.steps);
-  const double of_frames = with.processor - plain * static_cast<double>(with.steps);
+  const double part = parts[parts.size() / 2], plain = without.processor / static_cast<double>(without.steps);
+  const double frames_per_step = static_cast<double>(with.frames) / static_cast<double>(with.steps);
   const auto stood = [](const Watched::Count& c) { return 1e6 * c.stood / static_cast<double>(c.steps); };
   fmt::print(
-      "| {}, {} samples, {} polygons | {:.1f} us | {:+.2f} % ({:+.2f} to {:+.2f}) | {:.0f} us | {:.2f} us | {:.2f} us "
-      "|\n",
-      what, hits, polygons, 1e6 * plain, 100 * of_frames / (plain * static_cast<double>(with.steps)),
-      100 * parts.front(), 100 * parts.back(), 1e6 * of_frames / static_cast<double>(with.frames), stood(without),
-      stood(with));
+      "| {}: {} rays, {} polygons | {:.1f} us | {:+.2f} % | {:+.2f} to {:+.2f} % | {:.0f} us | {:.2f}, {:.2f} us |\n",
+      what, hits, polygons, 1e6 * plain, 100 * part, 100 * parts.front(), 100 * parts.back(),
+      1e6 * part * plain / frames_per_step, stood(without), stood(with));
 }
 
 SensorModelPtr fingertip() {
@@ -148,9 +146,10 @@ SensorModelPtr fingertip() {
 int main(int argc, char** argv) {
   int stretches = 8;
   if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), stretches);
+  fmt::print("{} pairs of stretches\n\n", stretches);
   fmt::print(
-      "| | a step without frames | with 60 a second (least to most) | a frame | stood still, a step, without | with |\n"
-      "| --- | --- | --- | --- | --- | --- |\n");
+      "| | a step without frames | more with 60 a second, median | least to most | so much a frame | "
+      "stood still a step: without, with |\n| --- | --- | --- | --- | --- | --- |\n");
   Scenario press;
   press.kind = ScenarioKind::press;
   press.hold = 2000;

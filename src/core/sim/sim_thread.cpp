@@ -136,10 +136,12 @@ std::shared_ptr<const StepBefore> SimThread::Impl::step_before() const {
   return before;
 }
 
-/// Whether somebody took a frame lately: a window that is not drawn costs nothing.
+/// Whether somebody takes what is posted while it runs: a window that is not drawn costs nothing. That a command's
+/// answer was taken says nothing of it.
 bool SimThread::Impl::frames_are_taken(double now) {
-  if (!mailbox.full()) last_taken = now;
-  return now - last_taken < kForgotten;
+  if (mailbox.full()) return now - last_taken < kForgotten;
+  if (!answered) last_taken = now;
+  return true;
 }
 
 /// Posts a frame when there is something new; unless told otherwise at most every kFrameInterval, and while somebody
@@ -187,6 +189,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->error = error.empty() ? refused : error;
   mailbox.post(frame);
   last_frame = now;
+  answered = even_if_recent;
   changed = false;
 }
 

@@ -58,7 +58,8 @@ struct SimThread::Impl {
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
   StepTime step_time, record_time;
   double last_frame = 0, last_trace = 0, last_taken = 0;
-  bool changed = true;  // something to show since the last frame
+  bool answered = true;  // the last frame answers a command, or is the last of a run
+  bool changed = true;   // something to show since the last frame
 
   std::thread thread;  // last: starts when all else is there
 
