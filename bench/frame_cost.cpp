@@ -81,10 +81,8 @@ class Watched {
   std::string task_;
 };
 
-/// Lets it run from a step, and takes its frames if it is to.
-Watched::Count stretch(Watched& watched, std::uint64_t from, bool takes) {
-  watched.ask(ScrubCommand{from});
-  watched.ask(PlayCommand{});
+/// Lets it run, and takes its frames if it is to.
+Watched::Count stretch(Watched& watched, bool takes) {
   SimFramePtr shown;  // until there is another, as in the window
   std::uint64_t frames = 0;
   const auto run = [&](Clock::duration length) {
@@ -103,7 +101,8 @@ Watched::Count stretch(Watched& watched, std::uint64_t from, bool takes) {
   return {after.processor - before.processor, after.stood - before.stood, after.steps - before.steps, frames};
 }
 
-void measure(const char* what, int steps_before, const SimCommand& load, int stretches) {
+/// After so many steps; `again`: all stretches go on from that one, for they differ.
+void measure(const char* what, int steps_before, bool again, const SimCommand& load, int stretches) {
   Watched watched;
   watched.simulation().set_clock_driven(false);
   watched.ask(load);
@@ -115,11 +114,16 @@ void measure(const char* what, int steps_before, const SimCommand& load, int str
   }
   watched.simulation().set_clock_driven(true);
   watched.ask(SpeedCommand{1e6});
+  watched.ask(PlayCommand{});
+  const auto run = [&](bool takes) {
+    if (again) watched.ask(ScrubCommand{frame->step}), watched.ask(PlayCommand{});
+    return stretch(watched, takes);
+  };
   Watched::Count with, without;
   std::vector<double> parts;
   for (int i = 0; i < stretches; ++i) {
     const bool first = i % 2 == 0;
-    const Watched::Count a = stretch(watched, frame->step, first), b = stretch(watched, frame->step, !first);
+    const Watched::Count a = run(first), b = run(!first);
     const Watched::Count &on = first ? a : b, &off = first ? b : a;
     with += on, without += off;
     parts.push_back((on.processor / static_cast<double>(on.steps)) / (off.processor / static_cast<double>(off.steps)) -
@@ -153,8 +157,8 @@ int main(int argc, char** argv) {
   Scenario press;
   press.kind = ScenarioKind::press;
   press.hold = 2000;
-  measure("pressed fingertip", 2500, LoadSweepCommand{fingertip(), press}, stretches);
-  measure("hand of five fingers after 20 s", 20000,
+  measure("pressed fingertip", 2500, false, LoadSweepCommand{fingertip(), press}, stretches);
+  measure("hand of five fingers after 20 s", 20000, true,
           LoadSceneCommand{TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", {}}, stretches);
   return 0;
 }

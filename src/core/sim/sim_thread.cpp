@@ -114,7 +114,7 @@ void SimThread::Impl::add_trace_row() {
 /// The rows for plots and timeline, copied only when there are others, and not too often.
 void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
   const std::uint64_t last = history.empty() ? 0 : history.last();
-  const std::vector<StepMark>& copied = lanes->steps;
+  const Column<StepMark>& copied = lanes->steps;
   const bool other_steps = copied.size() != history.size() || (!copied.empty() && copied.back().step != last);
   const bool other_rows = trace->size() != rows.size() || rows.empty() || trace->back().time != rows.back().time;
   const bool shrunk = trace->size() > rows.size() || (!copied.empty() && copied.back().step > last);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <optional>
 
 #include "fixtures/counted_new.h"
@@ -89,6 +90,44 @@ TEST_F(FrameMemoryTest, InSteadyStateFramesTakeNoNewMemory) {
   }
   EXPECT_LT(last, 40) << "the frame itself, and what stands beside the arrays";
   EXPECT_EQ(lanes_waiting->rows(), 50U);
+}
+
+template <class T>
+bool same_bytes(const Column<T>& a, const Column<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+StepView of_step(const Simulator& simulator, std::uint64_t step) {
+  StepView view = simulator.view();
+  view.step = step;
+  return view;
+}
+
+TEST_F(FrameMemoryTest, TheTimelineIsAllOfItWhateverBecameOfItsRows) {
+  const auto simulator = sweep(kTouchingFrom);
+  StepHistory history;
+  history.set_limits({40, std::size_t{1} << 30});
+  FrameMemory memory;
+  SimState state;
+  std::shared_ptr<const HistoryLanes> shown, waiting;
+  for (int i = 0; i < 300; ++i) {
+    simulator->step();
+    simulator->save_state(state);
+    StepView view = simulator->view();
+    if (!history.empty()) view.step = state.step = history.last() + (i == 150 ? 2 : 1);  // 2: a history of its own
+    history.record(view, state);
+    if (i % 31 == 30) history.cut_after(history.last() - 4);
+    if (i % 47 == 46) simulator->step(), history.replace_newest(of_step(*simulator, history.last()));
+    if (i == 200) history.set_limits({10, std::size_t{1} << 30});
+    if (i % 3 != 0) continue;
+    shown = std::exchange(waiting, memory.lanes_of(history));
+    const auto anew = history.lanes();
+    EXPECT_EQ(waiting->rows(), history.size()) << i;
+    EXPECT_EQ(waiting->steps.back().step, history.last()) << i;
+    EXPECT_TRUE(same_bytes(waiting->steps, anew->steps) && same_bytes(waiting->sensors, anew->sensors) &&
+                same_bytes(waiting->readings, anew->readings))
+        << i;
+  }
 }
 
 bool same_rows(const std::vector<TraceRow>& a, const std::vector<TraceRow>& b) {
