@@ -48,6 +48,7 @@ TEST_F(FrameMemoryTest, FramesAreAsMadeAnewWhateverTheMemoryHeld) {
   for (int i = 0; i < 120; ++i) {
     for (int k = 0; k < 7; ++k) simulator->step();
     if (i == 60) simulator->replace_model(model_, other);
+    if (i == 100) simulator->reset();  // touches nothing
     shown = std::exchange(waiting, memory.frame_of(*simulator));
     expect_as_anew(*waiting, *simulator);
     waiting->trace = std::make_shared<const std::vector<TraceRow>>();
@@ -146,7 +147,7 @@ TEST_F(FrameMemoryTest, TheRowsAreAllOfThemAlsoAfterSomeWereTakenAway) {
     if (i % 17 == 0 && rows.size() > 5) {  // as when it goes on from an earlier step: others take their place
       rows.resize(rows.size() - 5);
       ++cuts;
-      rows.push_back({-1.0 * i, 0, {0, 0}, SampleQuality::preview});
+      for (int k = 0; k < 6; ++k) rows.push_back({-1.0 * i, 0, {0, 0}, SampleQuality::preview});
     }
     shown = std::exchange(waiting, memory.copy_of(rows, cuts));
     EXPECT_TRUE(same_rows(*waiting, rows)) << i;
