@@ -12,6 +12,7 @@
 //   sensor<i>/surfaces (count); sensor<i>/surface<k>/... in the frame of the mesh file: vertices (v, 3), pressure (v),
 //   polygons (p, 5: first, count, tet, tet_b, face), planes (p, 11: normal, area, centroid, pressure, gradient),
 //   rejected (reasons, 3: count, area, force), filtered (f, 3: reason, first, count), filtered_vertices (w, 3)
+//   what the sensors touch: touched_bodies.h
 // and beside them the files picture.png and state.json, where the caller has them.
 #pragma once
 

@@ -2,9 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/layout/layout_json.h"
-#include "core/project/recording/npz.h"
-#include "core/project/recording/npz_rows.h"
 #include "core/sim/bundle/frame_bundle.h"
+#include "core/sim/bundle/touched_bodies.h"
 #include "core/sim/history/step_history.h"
 
 namespace taxel {
@@ -12,31 +11,9 @@ namespace {
 
 constexpr std::size_t kAny = NpzReader::kAny;
 
-std::vector<dvec3> vectors_of(const NpzReader& in, const std::string& name) {
-  const std::vector<double> flat = in.doubles(name, {kAny, 3});
-  std::vector<dvec3> vectors;
-  for (std::size_t i = 0; i < flat.size(); i += 3) vectors.push_back(vector_at(flat, i));
-  return vectors;
-}
-double number(const NpzReader& in, const std::string& name) {
-  return in.doubles(name, {})[0];
-}
-
-/// A whole number within [least, end).
-int index_of(const NpzReader& in, const std::string& name, std::int64_t value, std::int64_t least, std::size_t end) {
-  if (value < least || value >= static_cast<std::int64_t>(end))
-    throw Error(in.file(), name,
-                fmt::format("{} is not among {} to {}", value, least, static_cast<std::int64_t>(end) - 1));
-  return static_cast<int>(value);
-}
-std::size_t count(const NpzReader& in, const std::string& name) {
-  constexpr std::size_t kMost = 1'000'000;
-  return static_cast<std::size_t>(index_of(in, name, in.integers(name, {})[0], 0, kMost));
-}
-
 std::vector<TriMeshPtr> read_meshes(const NpzReader& in) {
   std::vector<TriMeshPtr> meshes;
-  for (std::size_t i = 0; i < count(in, "meshes"); ++i) {
+  for (std::size_t i = 0; i < count_of(in, "meshes"); ++i) {
     const std::string prefix = fmt::format("mesh{}/", i), name = prefix + "faces";
     std::vector<dvec3> vertices = vectors_of(in, prefix + "vertices");
     const std::vector<std::int64_t> flat = in.integers(name, {kAny, 3});
@@ -167,10 +144,10 @@ SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, con
   state.uncovered_W = vectors_of(in, prefix + "uncovered").at(0);
   state.readings = in.doubles(prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
   state.shear = read_shear_rows(in, prefix + "shear", model);
-  for (std::size_t k = 0; k < count(in, prefix + "surfaces"); ++k)
+  for (std::size_t k = 0; k < count_of(in, prefix + "surfaces"); ++k)
     state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k)));
   state.motions = read_motions(in, prefix + "motions", state.surfaces.size());
-  const std::size_t rays = count(in, prefix + "rays");
+  const std::size_t rays = count_of(in, prefix + "rays");
   if (rays != model.rays.size())
     throw Error(in.file(), prefix + "rays",
                 fmt::format("has {} rays, this version makes {} of its layout", rays, model.rays.size()));
@@ -202,19 +179,20 @@ SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBui
   auto scene = std::make_shared<SimScene>();
   auto frame = std::make_shared<SimFrame>();
   scene->title = in.text("title");
-  scene->duration = number(in, "duration");
-  scene->timestep = number(in, "timestep");
+  scene->duration = number_of(in, "duration");
+  scene->timestep = number_of(in, "timestep");
   scene->path_W = vectors_of(in, "path");
   scene->sensor_geoms = in.texts("sensor_geoms");
   frame->step = static_cast<std::uint64_t>(in.integers("step", {})[0]);
-  frame->time = number(in, "time");
-  frame->travel = number(in, "travel");
+  frame->time = number_of(in, "time");
+  frame->travel = number_of(in, "travel");
   read_geoms(in, meshes, *scene, *frame);
   for (std::size_t s = 0; s < scene->sensor_geoms.size(); ++s) {
     const std::string prefix = fmt::format("sensor{}/", s);
     scene->sensors.push_back(read_model(in, prefix, meshes, how));
     frame->sensors.push_back(read_sensor(in, prefix, *scene->sensors.back()));
   }
+  read_touched(in, meshes, *scene);
   frame->scene = frame->simulated = std::move(scene);
   remember(*frame);
   return frame;
