@@ -38,6 +38,7 @@ struct Cost {
 Cost measure(Simulator& simulator, StepHistory& history) {
   Cost cost;
   SimState state;
+  StepView view;
   std::uint64_t number = history.empty() ? 0 : history.last() + 1;
   for (int round = 0; round < 2; ++round) {
     simulator.reset();
@@ -49,7 +50,7 @@ Cost measure(Simulator& simulator, StepHistory& history) {
         simulator.step();
         if (!records) continue;
         simulator.save_state(state);
-        StepView view = simulator.view();
+        simulator.view(view);
         view.step = state.step = number++;
         history.record(view, state);
       }

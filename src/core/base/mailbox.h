@@ -22,9 +22,14 @@ class Mailbox {
     taken.swap(value_);
     return taken;
   }
+  /// Whether nobody took the last one yet.
+  [[nodiscard]] bool full() const {
+    const std::scoped_lock lock(mutex_);
+    return value_ != nullptr;
+  }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::shared_ptr<const T> value_;
 };
 

@@ -55,7 +55,7 @@ struct SimScene {
   std::vector<SceneGeom> geoms;
   std::vector<SensorModelPtr> sensors;
   std::vector<std::string> sensor_geoms;          ///< geom name of each sensor
-  std::vector<std::vector<TouchedBody>> touched;  ///< by sensor; none where a scene was read from a saved step
+  std::vector<std::vector<TouchedBody>> touched;  ///< by sensor; none in a saved step of a version that left them out
   std::vector<dvec3> path_W;         ///< where the finger's lowest point is led: drawn as a red line; may be empty
   dvec3 lead_M{0};                   ///< that point, in the frame of the finger's mesh file
   std::vector<WayPoint> way_points;  ///< of a scenario: where the parts of its motion meet; a drop has none

@@ -10,6 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kFrameInterval = 1.0 / 60.0;  // [s] at most so many frames while playing
+constexpr double kForgotten = 0.25;            // [s] so long frames are made that nobody takes
 constexpr double kTraceInterval = 1.0 / 30.0;  // [s] at most so many copies of the trace
 constexpr double kBurst = 0.005;               // [s] of stepping before commands are looked at again
 constexpr double kNap = 0.002;                 // [s] shortest wait for the clock: several steps are then due at once
@@ -81,7 +82,8 @@ bool SimThread::Impl::step_once() {
     simulator->step();
     const Clock::time_point stepped = Clock::now();
     simulator->save_state(state);
-    stop = history.record(simulator->view(), state);
+    simulator->view(view);
+    stop = history.record(view, state);
     record_time.add(Clock::now() - stepped);
     step_time.add(Clock::now() - begin);
     record_step();
@@ -98,27 +100,27 @@ bool SimThread::Impl::step_once() {
 }
 
 void SimThread::Impl::add_trace_row() {
-  const SimRow row = simulator->row();
-  TraceRow traced{row.time, row.travel, {}};
+  TraceRow traced{view.time, view.travel, {}};
   for (const SensorModelPtr& sensor : simulator->scene()->sensors)
     if (sensor && sensor->quality == SampleQuality::preview) traced.quality = SampleQuality::preview;
-  for (const std::vector<double>& readings : row.readings)
-    traced.readings.insert(traced.readings.end(), readings.begin(), readings.end());
+  for (const SensorView& sensor : view.sensors)
+    traced.readings.insert(traced.readings.end(), sensor.readings.begin(), sensor.readings.end());
   rows.push_back(std::move(traced));
-  if (simulator->scene()->duration == 0 && rows.size() >= 2 * kEndlessRows)
-    rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
+  if (simulator->scene()->duration > 0 || rows.size() < 2 * kEndlessRows) return;
+  rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
+  ++row_cuts;
 }
 
 /// The rows for plots and timeline, copied only when there are others, and not too often.
 void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
   const std::uint64_t last = history.empty() ? 0 : history.last();
-  const std::vector<StepMark>& copied = lanes->steps;
+  const Column<StepMark>& copied = lanes->steps;
   const bool other_steps = copied.size() != history.size() || (!copied.empty() && copied.back().step != last);
   const bool other_rows = trace->size() != rows.size() || rows.empty() || trace->back().time != rows.back().time;
   const bool shrunk = trace->size() > rows.size() || (!copied.empty() && copied.back().step > last);
   if (!shrunk && !even_if_recent && now - last_trace < kTraceInterval) return;
-  if (other_rows) trace = std::make_shared<const std::vector<TraceRow>>(rows);
-  if (other_steps || even_if_recent) lanes = history.lanes();
+  if (other_rows) trace = memory.copy_of(rows, row_cuts);
+  if (other_steps || even_if_recent) lanes = memory.lanes_of(history);
   if (other_rows || other_steps) last_trace = now;
 }
 
@@ -134,15 +136,27 @@ std::shared_ptr<const StepBefore> SimThread::Impl::step_before() const {
   return before;
 }
 
-/// Posts a frame when there is something new, at most every kFrameInterval unless told otherwise.
+/// Whether somebody takes what is posted while it runs: a window that is not drawn costs nothing. That a command's
+/// answer was taken says nothing of it.
+bool SimThread::Impl::frames_are_taken(double now) {
+  if (mailbox.full()) return now - last_taken < kForgotten;
+  if (!answered) last_taken = now;
+  return true;
+}
+
+/// Posts a frame when there is something new; unless told otherwise at most every kFrameInterval, and while somebody
+/// takes them.
 void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
-  if (!changed || (!even_if_recent && now - last_frame < kFrameInterval)) return;
+  if (!changed) return;
+  if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_taken(now))) return;
   copy_rows(now, even_if_recent);
-  const auto frame = std::make_shared<SimFrame>();
-  frame->scene = frame->simulated = std::make_shared<const SimScene>();
-  if (simulator != nullptr) {
-    scrubbed ? history.fill_frame(*scrubbed, *frame) : simulator->fill_frame(*frame);
+  const std::shared_ptr<SimFrame> frame = simulator == nullptr ? std::make_shared<SimFrame>()
+                                          : scrubbed           ? memory.recorded_frame(history, *scrubbed)
+                                                               : memory.frame_of(*simulator);
+  if (simulator == nullptr) {
+    frame->scene = frame->simulated = std::make_shared<const SimScene>();
+  } else {
     if (scrubbed) frame->controls = simulator->controls_of(history.state(*scrubbed));
     frame->simulated = simulator->scene();
     frame->warnings = simulator->warnings();
@@ -175,6 +189,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->error = error.empty() ? refused : error;
   mailbox.post(frame);
   last_frame = now;
+  answered = even_if_recent;
   changed = false;
 }
 

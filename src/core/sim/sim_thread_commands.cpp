@@ -20,6 +20,7 @@ void SimThread::Impl::begin_run() {
   ++runs;
   error.clear();
   rows.clear();
+  ++row_cuts;
   scrubbed.reset();
   stop.reset();
   history.clear();
@@ -34,6 +35,7 @@ void SimThread::Impl::go_on_from_shown() {
   const SimState& from = history.state(*scrubbed);
   simulator->restore_state(from);
   while (!rows.empty() && rows.back().time > from.time) rows.pop_back();
+  ++row_cuts;
   history.cut_after(*scrubbed);
   if (recording) recording->go_back_to(*scrubbed);
   scrubbed.reset();

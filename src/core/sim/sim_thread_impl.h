@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/base/mailbox.h"
+#include "core/sim/frame_memory.h"
 #include "core/sim/history/step_history.h"
 #include "core/sim/pacing.h"
 #include "core/sim/recording/live_recording.h"
@@ -48,13 +49,17 @@ struct SimThread::Impl {
   bool follows_before = false;            // frames carry the step before
   std::shared_ptr<const RecalledSteps> recalled;
   std::optional<Stop> stop;
-  SimState state;  // scratch
+  SimState state;  // scratch, and
+  StepView view;   // likewise, of the step just made
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
   std::vector<TraceRow> rows;
+  std::uint64_t row_cuts = 0;  // times that rows were taken away
+  FrameMemory memory;
   std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
   StepTime step_time, record_time;
-  double last_frame = 0, last_trace = 0;
-  bool changed = true;  // something to show since the last frame
+  double last_frame = 0, last_trace = 0, last_taken = 0;
+  bool answered = true;  // the last frame answers a command, or is the last of a run
+  bool changed = true;   // something to show since the last frame
 
   std::thread thread;  // last: starts when all else is there
 
@@ -96,6 +101,7 @@ struct SimThread::Impl {
   bool step_once();
   void add_trace_row();
   void burst();
+  bool frames_are_taken(double now);
   void publish(bool even_if_recent);
   void copy_rows(double now, bool even_if_recent);
   [[nodiscard]] std::shared_ptr<const StepBefore> step_before() const;

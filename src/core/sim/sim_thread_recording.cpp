@@ -57,7 +57,7 @@ void SimThread::Impl::end_recording(const std::string& why) {
 
 void SimThread::Impl::record_step() {
   if (!recording) return;
-  recording->follow(simulator->view(), {simulator->mocap_quat(), simulator->mocap_pos()});
+  recording->follow(view, {simulator->mocap_quat(), simulator->mocap_pos()});
   if (recording->full()) end_recording(fmt::format("it takes {} MiB of memory", kMostRecordedBytes >> 20U));
 }
 

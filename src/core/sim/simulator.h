@@ -70,8 +70,10 @@ class Simulator {
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
   [[nodiscard]] SimRow row() const;
   void fill_frame(SimFrame& frame) const;
+  void fill_frame(SimFrame& frame, FilledHits& hits) const;  ///< see step_view.h
   /// The same without copies: valid until the next step, reset or model.
   [[nodiscard]] StepView view() const;
+  void view(StepView& view) const;  ///< keeps the memory of `view`
   /// The state after the step just made, to go on from. Keeps the memory of `state`.
   void save_state(SimState& state) const;
   /// Goes back to a state of this simulator. The sensors still show what they sensed last: the next step() is as it

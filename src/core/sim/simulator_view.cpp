@@ -67,36 +67,50 @@ SimRow Simulator::row() const {
 }
 
 StepView Simulator::view() const {
+  StepView now;
+  view(now);
+  return now;
+}
+
+void Simulator::view(StepView& view) const {
   const Impl& s = *impl_;
-  StepView view;
   view.scene = scene();
   view.step = s.steps;
   view.time = s.time;
   view.travel = s.travel;
   view.finished = finished();
+  view.geom_poses.clear();
   for (const int g : s.drawn) view.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
+  view.sensors.resize(s.instances.size());
   for (std::size_t i = 0; i < s.instances.size(); ++i) {
     const HydroInstance& sensor = s.sensor(i);
     const SensorReading& reading = sensor.reading();
     const Evaluation& e = sensor.sensed();
-    SensorView one;
+    SensorView& one = view.sensors[i];
     one.X_WM = e.X_WM;
     one.readings = reading.values;
     one.shear = reading.shear;
     one.uncovered_W = e.X_WM.rotate(reading.force.uncovered_normal);
+    one.force_W = dvec3(0);
+    one.surfaces.clear();
+    one.motions.clear();
     for (const std::size_t k : e.near) {
       one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
       one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
       one.motions.push_back({sensor.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.hits = reading.hits.all();
-    view.sensors.push_back(std::move(one));
+    one.hit_rays = reading.hits.hit_rays();
   }
-  return view;
 }
 
 void Simulator::fill_frame(SimFrame& frame) const {
-  taxel::fill_frame(view(), frame);
+  FilledHits none;
+  fill_frame(frame, none);
+}
+
+void Simulator::fill_frame(SimFrame& frame, FilledHits& hits) const {
+  taxel::fill_frame(view(), frame, hits);
   frame.controls = control_values(impl_->m(), impl_->d());
   frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
   frame.held = held_points(impl_->m(), impl_->d());

@@ -19,6 +19,15 @@ TEST(Mailbox, GivesTheNewestValueOnce) {
   EXPECT_EQ(box.take(), nullptr);
 }
 
+TEST(Mailbox, TellsWhetherTheLastValueWasTaken) {
+  Mailbox<int> box;
+  EXPECT_FALSE(box.full());
+  box.post(std::make_shared<const int>(1));
+  EXPECT_TRUE(box.full());
+  box.take();
+  EXPECT_FALSE(box.full());
+}
+
 TEST(Mailbox, LetsGoOfWhatNobodyTook) {
   Mailbox<int> box;
   const auto first = std::make_shared<const int>(1);

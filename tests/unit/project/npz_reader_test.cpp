@@ -28,6 +28,7 @@ Recording full_recording() {
   for (int s = 0; s < 2; ++s)
     r.sensors.push_back({s == 0 ? "finger" : "thumb", {7, 3}, {"tip", ""}, "{\"x\": 1}", "Pa", 1ULL << 63});
   r.sensors[1].calibrated_unit.emplace("V");
+  r.sensors[1].reading_unit = "N";
   r.sensors[1].force = r.sensors[1].shear = true;
   r.sensors[1].tangents = {{dvec3(1, 0, 0), dvec3(0, 1, 0)}, {dvec3(0, 0, 1), dvec3(1, 0, 0)}};
   r.mocap = {{dquat(1, 0, 0, 0), dvec3(0.1, 0, 1.0 / 3.0)}, {dquat(0, 1, 0, 0), dvec3(0.2, -0.0, 1)}};

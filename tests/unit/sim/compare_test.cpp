@@ -222,7 +222,7 @@ TEST_F(Comparison, SaysWhyAModelIsMissing) {
   const auto simulator = Simulator::make_sweep(model_, {});
   const SimFrame frame = after(*simulator, 1200);
   auto scene = std::make_shared<SimScene>(*frame.scene);
-  scene->touched.clear();  // as of a saved step
+  scene->touched.clear();  // as of a step that an earlier version saved
   ModelComparison comparison(scene, 0);
   const ModelReadings found = comparison.read(frame.sensors, frame.geom_poses);
   EXPECT_TRUE(found[ReadingModel::star].values.empty());

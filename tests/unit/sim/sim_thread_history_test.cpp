@@ -1,38 +1,23 @@
 // The simulation's thread and its past: steps shown again, gone on from, stopped at, and kept when it blows up.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <fstream>
 #include <functional>
 #include <thread>
 
 #include "core/sensor/explain/disagreement.h"
 #include "core/sim/history/breakpoints.h"
-#include "core/sim/sim_thread.h"
 #include "core/sim/simulator.h"
+#include "fixtures/asked_thread.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
 namespace {
 
-using namespace std::chrono_literals;
-
-class ThreadHistory : public testing::Test {
+class ThreadHistory : public testing::Test, protected test::AskedThread {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void SetUp() override { thread_.set_clock_driven(false); }
-
-  /// The frame after a command.
-  SimFramePtr ask(SimCommand command) {
-    const std::uint64_t number = thread_.send(std::move(command));
-    const auto end = std::chrono::steady_clock::now() + 60s;
-    while (std::chrono::steady_clock::now() < end) {
-      if (SimFramePtr frame = thread_.newest_frame(); frame && frame->commands >= number) return frame;
-      std::this_thread::sleep_for(100us);
-    }
-    throw std::runtime_error("no answer");
-  }
   SimFramePtr run_to(int step) {
     ask(LoadSweepCommand{model_, {}});
     return ask(StepCommand{step});
@@ -47,7 +32,6 @@ class ThreadHistory : public testing::Test {
     return frame;
   }
   static SensorModelPtr model_;
-  SimThread thread_;
 };
 SensorModelPtr ThreadHistory::model_;
 

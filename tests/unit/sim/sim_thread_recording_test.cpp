@@ -1,14 +1,13 @@
 // What the simulation's thread records: every step, the same numbers as a plain loop, and nothing that has not been.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <thread>
 
 #include "core/project/recording/csv.h"
 #include "core/project/recording/npz.h"
 #include "core/sim/recording/run_recorder.h"
-#include "core/sim/sim_thread.h"
 #include "core/sim/simulator.h"
+#include "fixtures/asked_thread.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 
@@ -16,7 +15,6 @@ namespace taxel {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 
 /// With shear and a calibration that remembers: a loop between loading and unloading.
 SensorModelPtr remembering_model() {
@@ -31,29 +29,17 @@ SensorModelPtr remembering_model() {
   return build_sensor_model(layout, mesh.mesh, mesh.sha256, file.string());
 }
 
-class ThreadRecording : public testing::Test {
+class ThreadRecording : public testing::Test, protected test::AskedThread {
  protected:
   static void SetUpTestSuite() { model_ = remembering_model(); }
   static void TearDownTestSuite() { model_.reset(); }
-  void SetUp() override {
-    thread_.set_clock_driven(false);
-    ask(LoadSweepCommand{model_, touching()});
-  }
+  void SetUp() override { ask(LoadSweepCommand{model_, touching()}); }
   /// In contact after a few steps.
   static Scenario touching() {
     Scenario scenario;
     scenario.before = 0.002;
     scenario.speed = 0.02;
     return scenario;
-  }
-  SimFramePtr ask(SimCommand command) {
-    const std::uint64_t number = thread_.send(std::move(command));
-    const auto end = std::chrono::steady_clock::now() + 60s;
-    while (std::chrono::steady_clock::now() < end) {
-      if (SimFramePtr frame = thread_.newest_frame(); frame && frame->commands >= number) return frame;
-      std::this_thread::sleep_for(100us);
-    }
-    throw std::runtime_error("no answer");
   }
   [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
   /// The steps from `first` to `last` (from 1) of a plain loop.
@@ -73,7 +59,6 @@ class ThreadRecording : public testing::Test {
 
   static SensorModelPtr model_;
   test::TempFolder folder_;
-  SimThread thread_;
 };
 SensorModelPtr ThreadRecording::model_;
 

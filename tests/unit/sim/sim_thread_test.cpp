@@ -100,6 +100,18 @@ TEST_F(Thread, ClockDrivesItAtTheWantedSpeed) {
   EXPECT_EQ(thread_.newest_frame(), nullptr);
 }
 
+TEST_F(Thread, MakesNoFramesThatNobodyTakes) {
+  load();
+  thread_.send(PlayCommand{});
+  ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.playing && f.step > 0; }), nullptr);
+  std::this_thread::sleep_for(600ms);
+  const SimFramePtr waited = thread_.newest_frame();
+  ASSERT_NE(waited, nullptr);
+  const SimFramePtr next = await(thread_, [](const SimFrame&) { return true; });
+  ASSERT_NE(next, nullptr) << "they are made again";
+  EXPECT_GT(next->time, waited->time + 0.05) << "frames of running time lie 1/60 s apart";
+}
+
 TEST_F(Thread, ResetGoesBackAndForgetsTheTrace) {
   thread_.set_clock_driven(false);
   load();

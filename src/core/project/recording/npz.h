@@ -46,6 +46,7 @@ class NpzReader {
   [[nodiscard]] std::vector<double> doubles(const std::string& name, const Shape& shape) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name, const Shape& shape) const;
   [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;  ///< of no or one dimension, as UTF-8
+  [[nodiscard]] std::string text(const std::string& name) const;                ///< one
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:
@@ -66,14 +67,14 @@ class NpzReader {
 
 /// Arrays over n rows: time, travel (n), step (n, index into the mocap arrays), object_pos (n, m, 3), object_quat (n,
 /// m, 4) of the m geoms named in object_names; per sensor force (n, 3), area, polygons (n), readings (n, taxels),
-/// sensor_pos (n, 3), sensor_quat (n, 4), taxel_ids, taxel_names, layout (JSON text), seed, and where the layout has a
-/// calibration calibrated (n, taxels), calibrated_unit; with several sensors these are named `<geom>/...`. Over all
-/// steps s: mocap_pos (s, 3), mocap_quat (s, 4). timestep; sensor_geoms; units (JSON text). Quaternions are w x y z;
-/// poses are of the frame of the mesh file; world frame, SI units.
+/// readings_unit, sensor_pos (n, 3), sensor_quat (n, 4), taxel_ids, taxel_names, layout (JSON text), seed, and where
+/// the layout has a calibration calibrated (n, taxels), calibrated_unit; with several sensors these are named
+/// `<geom>/...`. Over all steps s: mocap_pos (s, 3), mocap_quat (s, 4). timestep; sensor_geoms; units (JSON text).
+/// Quaternions are w x y z; poses are of the frame of the mesh file; world frame, SI units.
 std::string recording_to_npz(const Recording& recording);
 
-/// What recording_to_npz() wrote: the same values, bit for bit, but that all sensors have the unit of the first one's
-/// readings. `path`: the archive, or the folder with a readings.npz. Throws Error naming file and array.
+/// What recording_to_npz() wrote: the same values, bit for bit. `path`: the archive, or the folder with a readings.npz.
+/// Throws Error naming file and array.
 Recording read_recording(const std::filesystem::path& path);
 
 /// The archive that read_recording() reads.

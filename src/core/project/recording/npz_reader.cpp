@@ -170,4 +170,10 @@ std::vector<std::string> NpzReader::texts(const std::string& name) const {
   return texts;
 }
 
+std::string NpzReader::text(const std::string& name) const {
+  const std::vector<std::string> all = texts(name);
+  if (all.size() != 1) throw Error(file_, name, "must be one text");
+  return all.front();
+}
+
 }  // namespace taxel

@@ -4,26 +4,15 @@
 
 #include "core/base/error.h"
 #include "core/project/recording/npz.h"
+#include "core/project/recording/npz_rows.h"
 
 namespace taxel {
 namespace {
 
-dvec3 vector_at(const std::vector<double>& values, std::size_t i) {
-  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-}
-Pose pose_at(const std::vector<double>& pos, const std::vector<double>& quat, std::size_t i) {
-  return {{quat[4 * i], quat[4 * i + 1], quat[4 * i + 2], quat[4 * i + 3]}, vector_at(pos, i)};
-}
-
-std::string text_of(const NpzReader& npz, const std::string& name) {
-  const std::vector<std::string> texts = npz.texts(name);
-  if (texts.size() != 1) throw Error(npz.file(), name, "must be one text");
-  return texts.front();
-}
-
-/// The unit of the readings as `units` (JSON text) says.
-std::string unit_of_readings(const NpzReader& npz) {
-  const std::string units = text_of(npz, "units"), key = "\"readings\": \"";
+/// The unit of a sensor's readings. Of files of versions that did not write it what `units` (JSON text) says of all.
+std::string unit_of_readings(const NpzReader& npz, const std::string& prefix) {
+  if (npz.has(prefix + "readings_unit")) return npz.text(prefix + "readings_unit");
+  const std::string units = npz.text("units"), key = "\"readings\": \"";
   const std::size_t at = units.find(key);
   if (at == std::string::npos) throw Error(npz.file(), "units", "says nothing of \"readings\"");
   return units.substr(at + key.size(), units.find('"', at + key.size()) - at - key.size());
@@ -40,14 +29,14 @@ void read_rows(const NpzReader& npz, Recording& recording) {
   for (std::size_t r = 0; r < n; ++r) {
     RecordedRow& row = recording.rows.emplace_back();
     row.step = step[r], row.time = time[r], row.travel = travel[r];
-    for (std::size_t o = 0; o < m; ++o) row.objects.push_back(pose_at(pos, quat, r * m + o));
+    for (std::size_t o = 0; o < m; ++o) row.objects.push_back(pose_of_row(pos, quat, r * m + o));
   }
 }
 
 void read_tangents(const NpzReader& npz, const std::string& prefix, RecordedSensor& sensor) {
   const std::vector<double> values = npz.doubles(prefix + "tangents", {sensor.taxel_ids.size(), 2, 3});
   for (std::size_t k = 0; k < sensor.taxel_ids.size(); ++k)
-    sensor.tangents.push_back({vector_at(values, 2 * k), vector_at(values, 2 * k + 1)});
+    sensor.tangents.push_back({vector_at(values, 6 * k), vector_at(values, 6 * k + 3)});
 }
 
 RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& prefix, const std::string& geom) {
@@ -58,12 +47,13 @@ RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& pref
   sensor.taxel_names = npz.texts(prefix + "taxel_names");
   if (sensor.taxel_names.size() != sensor.taxel_ids.size())
     throw Error(npz.file(), prefix + "taxel_names", "has not one name per id");
-  sensor.layout_json = text_of(npz, prefix + "layout");
+  sensor.reading_unit = unit_of_readings(npz, prefix);
+  sensor.layout_json = npz.text(prefix + "layout");
   sensor.seed = std::bit_cast<std::uint64_t>(npz.integers(prefix + "seed", {}).front());
   sensor.force = npz.has(prefix + "uncovered");
   sensor.shear = npz.has(prefix + "shear");
   if (sensor.shear) read_tangents(npz, prefix, sensor);
-  if (npz.has(prefix + "calibrated_unit")) sensor.calibrated_unit = text_of(npz, prefix + "calibrated_unit");
+  if (npz.has(prefix + "calibrated_unit")) sensor.calibrated_unit = npz.text(prefix + "calibrated_unit");
   return sensor;
 }
 
@@ -88,15 +78,15 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
   };
   for (std::size_t r = 0; r < n; ++r) {
     SensorRecord record;
-    record.force_W = vector_at(force, r);
+    record.force_W = vector_at(force, 3 * r);
     record.area = area[r];
     record.polygons = static_cast<int>(polygons[r]);
     record.readings = row_of(readings, r);
-    record.X_WM = pose_at(pos, quat, r);
+    record.X_WM = pose_of_row(pos, quat, r);
     record.calibrated = row_of(calibrated, r);
     for (std::size_t i = 0; !shear.empty() && i < k; ++i)
       record.shear.push_back({shear[2 * (r * k + i)], shear[2 * (r * k + i) + 1]});
-    if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, r);
+    if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, 3 * r);
     recording.rows[r].sensors.push_back(std::move(record));
   }
 }
@@ -112,16 +102,14 @@ Recording read_recording(const std::filesystem::path& path) {
   Recording recording;
   read_rows(npz, recording);
   const std::vector<std::string> geoms = npz.texts("sensor_geoms");
-  const std::string unit = unit_of_readings(npz);
   for (const std::string& geom : geoms) {
     const std::string prefix = geoms.size() > 1 ? geom + "/" : "";
     recording.sensors.push_back(read_sensor_columns(npz, prefix, geom));
-    recording.sensors.back().reading_unit = unit;
     read_sensor_rows(npz, prefix, recording);
   }
   const std::vector<double> pos = npz.doubles("mocap_pos", {NpzReader::kAny, 3});
   const std::vector<double> quat = npz.doubles("mocap_quat", {pos.size() / 3, 4});
-  for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_at(pos, quat, i));
+  for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_of_row(pos, quat, i));
   recording.timestep = npz.doubles("timestep", {}).front();
   return recording;
 }

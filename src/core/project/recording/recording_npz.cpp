@@ -1,16 +1,10 @@
 #include <fmt/format.h>
 
 #include "core/project/recording/npz.h"
+#include "core/project/recording/npz_rows.h"
 
 namespace taxel {
 namespace {
-
-void append(std::vector<double>& values, const dvec3& v) {
-  values.insert(values.end(), {v.x, v.y, v.z});
-}
-void append(std::vector<double>& values, const dquat& q) {
-  values.insert(values.end(), {q.w, q.x, q.y, q.z});
-}
 
 void add_rows(NpzWriter& npz, const Recording& recording) {
   const std::size_t n = recording.rows.size();
@@ -45,15 +39,15 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     polygons.push_back(record.polygons);
     readings.insert(readings.end(), record.readings.begin(), record.readings.end());
     calibrated.insert(calibrated.end(), record.calibrated.begin(), record.calibrated.end());
-    for (const dvec2& s : record.shear) shear.insert(shear.end(), {s.x, s.y});
+    for (const dvec2& s : record.shear) append(shear, s);
     append(uncovered, record.uncovered_W);
-    append(pos, record.X_WM.p);
-    append(quat, record.X_WM.q);
+    append(pos, quat, record.X_WM);
   }
   npz.add(prefix + "force", {n, 3}, force);
   npz.add(prefix + "area", {n}, area);
   npz.add(prefix + "polygons", {n}, polygons);
   npz.add(prefix + "readings", {n, sensor.taxel_ids.size()}, readings);
+  npz.add(prefix + "readings_unit", sensor.reading_unit);
   if (sensor.calibrated_unit) {
     npz.add(prefix + "calibrated", {n, sensor.taxel_ids.size()}, calibrated);
     npz.add(prefix + "calibrated_unit", *sensor.calibrated_unit);
@@ -75,12 +69,8 @@ void add_objects(NpzWriter& npz, const Recording& recording) {
   const std::size_t n = recording.rows.size();
   const std::size_t m = recording.objects.size();
   std::vector<double> pos, quat;
-  for (const RecordedRow& row : recording.rows) {
-    for (const Pose& pose : row.objects) {
-      append(pos, pose.p);
-      append(quat, pose.q);
-    }
-  }
+  for (const RecordedRow& row : recording.rows)
+    for (const Pose& pose : row.objects) append(pos, quat, pose);
   npz.add("object_names", recording.objects);
   npz.add("object_pos", {n, m, 3}, pos);
   npz.add("object_quat", {n, m, 4}, quat);
@@ -88,10 +78,7 @@ void add_objects(NpzWriter& npz, const Recording& recording) {
 
 void add_mocap(NpzWriter& npz, const Recording& recording) {
   std::vector<double> pos, quat;
-  for (const Pose& pose : recording.mocap) {
-    append(pos, pose.p);
-    append(quat, pose.q);
-  }
+  for (const Pose& pose : recording.mocap) append(pos, quat, pose);
   npz.add("mocap_pos", {recording.mocap.size(), 3}, pos);
   npz.add("mocap_quat", {recording.mocap.size(), 4}, quat);
   npz.add("timestep", {}, std::span(&recording.timestep, 1));

@@ -6,11 +6,13 @@
 //   geom_names, geom_bodies (g texts); geom_rgba (g, 4), geom_plane, geom_sensor, geom_mesh (g: number of a mesh),
 //   geom_pos (g, 3), geom_quat (g, 4); meshes (count); mesh<i>/vertices (n, 3), mesh<i>/faces (m, 3)
 //   path (p, 3); sensor_geoms (s texts)
-//   sensor<i>/layout (JSON text), mesh (number), quality, pos, quat, force, uncovered, readings
+//   sensor<i>/layout (JSON text), mesh (number), quality, pos, quat, force, uncovered, readings,
+//   shear (taxels, 2: along e1 and e2; where the layout asks for it)
 //   sensor<i>/rays (count), hit_rays (h), hit_surface_polygon (h, 2), hit_depth_pressure (h, 2): of the rays that hit
 //   sensor<i>/surfaces (count); sensor<i>/surface<k>/... in the frame of the mesh file: vertices (v, 3), pressure (v),
 //   polygons (p, 5: first, count, tet, tet_b, face), planes (p, 11: normal, area, centroid, pressure, gradient),
 //   rejected (reasons, 3: count, area, force), filtered (f, 3: reason, first, count), filtered_vertices (w, 3)
+//   what the sensors touch: touched_bodies.h
 // and beside them the files picture.png and state.json, where the caller has them.
 #pragma once
 

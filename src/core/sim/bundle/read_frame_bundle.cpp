@@ -2,8 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/layout/layout_json.h"
-#include "core/project/recording/npz.h"
 #include "core/sim/bundle/frame_bundle.h"
+#include "core/sim/bundle/touched_bodies.h"
 #include "core/sim/history/step_history.h"
 
 namespace taxel {
@@ -11,39 +11,9 @@ namespace {
 
 constexpr std::size_t kAny = NpzReader::kAny;
 
-dvec3 vector_at(const std::vector<double>& flat, std::size_t i) {
-  return {flat[i], flat[i + 1], flat[i + 2]};
-}
-std::vector<dvec3> vectors_of(const NpzReader& in, const std::string& name) {
-  const std::vector<double> flat = in.doubles(name, {kAny, 3});
-  std::vector<dvec3> vectors;
-  for (std::size_t i = 0; i < flat.size(); i += 3) vectors.push_back(vector_at(flat, i));
-  return vectors;
-}
-double number(const NpzReader& in, const std::string& name) {
-  return in.doubles(name, {})[0];
-}
-std::string text(const NpzReader& in, const std::string& name) {
-  const std::vector<std::string> texts = in.texts(name);
-  if (texts.size() != 1) throw Error(in.file(), name, "is no single text");
-  return texts[0];
-}
-
-/// A whole number within [least, end).
-int index_of(const NpzReader& in, const std::string& name, std::int64_t value, std::int64_t least, std::size_t end) {
-  if (value < least || value >= static_cast<std::int64_t>(end))
-    throw Error(in.file(), name,
-                fmt::format("{} is not among {} to {}", value, least, static_cast<std::int64_t>(end) - 1));
-  return static_cast<int>(value);
-}
-std::size_t count(const NpzReader& in, const std::string& name) {
-  constexpr std::size_t kMost = 1'000'000;
-  return static_cast<std::size_t>(index_of(in, name, in.integers(name, {})[0], 0, kMost));
-}
-
 std::vector<TriMeshPtr> read_meshes(const NpzReader& in) {
   std::vector<TriMeshPtr> meshes;
-  for (std::size_t i = 0; i < count(in, "meshes"); ++i) {
+  for (std::size_t i = 0; i < count_of(in, "meshes"); ++i) {
     const std::string prefix = fmt::format("mesh{}/", i), name = prefix + "faces";
     std::vector<dvec3> vertices = vectors_of(in, prefix + "vertices");
     const std::vector<std::int64_t> flat = in.integers(name, {kAny, 3});
@@ -57,16 +27,6 @@ std::vector<TriMeshPtr> read_meshes(const NpzReader& in) {
     meshes.push_back(std::make_shared<const TriMesh>(std::move(vertices), std::move(faces)));
   }
   return meshes;
-}
-
-Pose pose_at(const std::vector<double>& positions, const std::vector<double>& quaternions, std::size_t i) {
-  Pose pose;
-  pose.p = vector_at(positions, 3 * i);
-  pose.q.w = quaternions[4 * i];
-  pose.q.x = quaternions[4 * i + 1];
-  pose.q.y = quaternions[4 * i + 2];
-  pose.q.z = quaternions[4 * i + 3];
-  return pose;
 }
 
 void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimScene& scene, SimFrame& frame) {
@@ -86,7 +46,7 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
     geom.sensor = index_of(in, "geom_sensor", sensor[g], -1, scene.sensor_geoms.size());
     const int number = index_of(in, "geom_mesh", mesh[g], -1, meshes.size());
     if (number >= 0) geom.mesh = meshes[static_cast<std::size_t>(number)];
-    frame.geom_poses.push_back(pose_at(positions, quaternions, g));
+    frame.geom_poses.push_back(pose_of_row(positions, quaternions, g));
   }
 }
 
@@ -149,9 +109,9 @@ std::vector<RayHit> read_hits(const NpzReader& in, const std::string& prefix,
 
 SensorModelPtr read_model(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes,
                           SensorBuild how) {
-  const Layout layout = parse_layout(text(in, prefix + "layout"), in.file());
+  const Layout layout = parse_layout(in.text(prefix + "layout"), in.file());
   const int mesh = index_of(in, prefix + "mesh", in.integers(prefix + "mesh", {})[0], 0, meshes.size());
-  const std::string quality = text(in, prefix + "quality");
+  const std::string quality = in.text(prefix + "quality");
   how.quality = quality == to_string(SampleQuality::preview) ? SampleQuality::preview : SampleQuality::polished;
   return build_sensor_model(layout, meshes[static_cast<std::size_t>(mesh)], layout.mesh.sha256, in.file(), how);
 }
@@ -168,16 +128,26 @@ std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& 
   return motions;
 }
 
+/// Likewise, and none where the layout asks for none.
+std::vector<dvec2> read_shear_rows(const NpzReader& in, const std::string& name, const SensorModel& model) {
+  std::vector<dvec2> shear;
+  if (!model.layout.readout.shear || !in.has(name)) return shear;
+  const std::vector<double> numbers = in.doubles(name, {static_cast<std::size_t>(model.taxel_count()), 2});
+  for (std::size_t i = 0; i < numbers.size(); i += 2) shear.emplace_back(numbers[i], numbers[i + 1]);
+  return shear;
+}
+
 SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, const SensorModel& model) {
   SensorFrameState state;
-  state.X_WM = pose_at(in.doubles(prefix + "pos", {3}), in.doubles(prefix + "quat", {4}), 0);
+  state.X_WM = pose_of_row(in.doubles(prefix + "pos", {3}), in.doubles(prefix + "quat", {4}), 0);
   state.force_W = vectors_of(in, prefix + "force").at(0);
   state.uncovered_W = vectors_of(in, prefix + "uncovered").at(0);
   state.readings = in.doubles(prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
-  for (std::size_t k = 0; k < count(in, prefix + "surfaces"); ++k)
+  state.shear = read_shear_rows(in, prefix + "shear", model);
+  for (std::size_t k = 0; k < count_of(in, prefix + "surfaces"); ++k)
     state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k)));
   state.motions = read_motions(in, prefix + "motions", state.surfaces.size());
-  const std::size_t rays = count(in, prefix + "rays");
+  const std::size_t rays = count_of(in, prefix + "rays");
   if (rays != model.rays.size())
     throw Error(in.file(), prefix + "rays",
                 fmt::format("has {} rays, this version makes {} of its layout", rays, model.rays.size()));
@@ -201,27 +171,28 @@ void remember(SimFrame& frame) {
 
 SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBuild& how) {
   const NpzReader in(path);
-  if (!in.has("format") || text(in, "format") != "taxel-frame")
+  if (!in.has("format") || in.text("format") != "taxel-frame")
     throw Error(in.file(), "is no frame of a simulation (.taxelframe)");
   if (const std::int64_t version = in.integers("version", {})[0]; version != 1)
     throw Error(in.file(), "version", fmt::format("is {}, this program reads version 1", version));
   const std::vector<TriMeshPtr> meshes = read_meshes(in);
   auto scene = std::make_shared<SimScene>();
   auto frame = std::make_shared<SimFrame>();
-  scene->title = text(in, "title");
-  scene->duration = number(in, "duration");
-  scene->timestep = number(in, "timestep");
+  scene->title = in.text("title");
+  scene->duration = number_of(in, "duration");
+  scene->timestep = number_of(in, "timestep");
   scene->path_W = vectors_of(in, "path");
   scene->sensor_geoms = in.texts("sensor_geoms");
   frame->step = static_cast<std::uint64_t>(in.integers("step", {})[0]);
-  frame->time = number(in, "time");
-  frame->travel = number(in, "travel");
+  frame->time = number_of(in, "time");
+  frame->travel = number_of(in, "travel");
   read_geoms(in, meshes, *scene, *frame);
   for (std::size_t s = 0; s < scene->sensor_geoms.size(); ++s) {
     const std::string prefix = fmt::format("sensor{}/", s);
     scene->sensors.push_back(read_model(in, prefix, meshes, how));
     frame->sensors.push_back(read_sensor(in, prefix, *scene->sensors.back()));
   }
+  read_touched(in, meshes, *scene);
   frame->scene = frame->simulated = std::move(scene);
   remember(*frame);
   return frame;

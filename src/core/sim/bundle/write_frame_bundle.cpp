@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/layout/layout_json.h"
-#include "core/project/recording/npz.h"
 #include "core/sim/bundle/frame_bundle.h"
+#include "core/sim/bundle/touched_bodies.h"
 
 namespace taxel {
 namespace {
@@ -12,54 +10,7 @@ namespace {
 using Integers = std::vector<std::int64_t>;
 using Doubles = std::vector<double>;
 
-void append(Doubles& to, const dvec3& v) {
-  to.insert(to.end(), {v.x, v.y, v.z});
-}
-
-void add_number(NpzWriter& out, const std::string& name, double value) {
-  out.add(name, {}, std::span<const double>(&value, 1));
-}
-void add_number(NpzWriter& out, const std::string& name, std::int64_t value) {
-  out.add(name, {}, std::span<const std::int64_t>(&value, 1));
-}
-
-template <class Vectors>
-void add_vectors(NpzWriter& out, const std::string& name, const Vectors& vectors) {
-  Doubles flat;
-  for (const dvec3& v : vectors) append(flat, v);
-  out.add(name, {vectors.size(), 3}, std::span<const double>(flat));
-}
-
-/// Each mesh once, however many use it.
-class Meshes {
- public:
-  std::int64_t number(const TriMeshPtr& mesh) {
-    const auto found = std::find(meshes_.begin(), meshes_.end(), mesh);
-    const auto at = found - meshes_.begin();
-    if (found == meshes_.end()) meshes_.push_back(mesh);
-    return at;
-  }
-  void write(NpzWriter& out) const {
-    add_number(out, "meshes", static_cast<std::int64_t>(meshes_.size()));
-    for (std::size_t i = 0; i < meshes_.size(); ++i) {
-      const std::string prefix = fmt::format("mesh{}/", i);
-      add_vectors(out, prefix + "vertices", meshes_[i]->vertices());
-      Integers faces;
-      for (const ivec3& face : meshes_[i]->faces()) faces.insert(faces.end(), {face.x, face.y, face.z});
-      out.add(prefix + "faces", {meshes_[i]->faces().size(), 3}, std::span<const std::int64_t>(faces));
-    }
-  }
-
- private:
-  std::vector<TriMeshPtr> meshes_;
-};
-
-void add_pose(const Pose& pose, Doubles& positions, Doubles& quaternions) {
-  append(positions, pose.p);
-  quaternions.insert(quaternions.end(), {pose.q.w, pose.q.x, pose.q.y, pose.q.z});
-}
-
-void write_geoms(const SimFrame& frame, Meshes& meshes, NpzWriter& out) {
+void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
   const std::vector<SceneGeom>& geoms = frame.scene->geoms;
   std::vector<std::string> names, bodies;
   Doubles rgba, positions, quaternions;
@@ -71,7 +22,7 @@ void write_geoms(const SimFrame& frame, Meshes& meshes, NpzWriter& out) {
     plane.push_back(geoms[g].plane ? 1 : 0);
     sensor.push_back(geoms[g].sensor);
     mesh.push_back(geoms[g].mesh ? meshes.number(geoms[g].mesh) : -1);
-    add_pose(frame.geom_poses[g], positions, quaternions);
+    append(positions, quaternions, frame.geom_poses[g]);
   }
   out.add("geom_names", names);
   out.add("geom_bodies", bodies);
@@ -122,18 +73,21 @@ void write_hits(const std::vector<RayHit>& hits, const std::string& prefix, NpzW
   out.add(prefix + "hit_depth_pressure", {rays.size(), 2}, std::span<const double>(values));
 }
 
-void write_sensor(const SensorFrameState& state, const SensorModel& model, const std::string& prefix, Meshes& meshes,
-                  NpzWriter& out) {
+void write_sensor(const SensorFrameState& state, const SensorModel& model, const std::string& prefix,
+                  BundledMeshes& meshes, NpzWriter& out) {
   out.add(prefix + "layout", layout_to_json(model.layout));
   add_number(out, prefix + "mesh", meshes.number(model.mesh));
   out.add(prefix + "quality", to_string(model.quality));
   Doubles position, quaternion;
-  add_pose(state.X_WM, position, quaternion);
+  append(position, quaternion, state.X_WM);
   out.add(prefix + "pos", {3}, std::span<const double>(position));
   out.add(prefix + "quat", {4}, std::span<const double>(quaternion));
   add_vectors(out, prefix + "force", std::vector{state.force_W});
   add_vectors(out, prefix + "uncovered", std::vector{state.uncovered_W});
   out.add(prefix + "readings", {state.readings.size()}, std::span<const double>(state.readings));
+  Doubles shear;
+  for (const dvec2& s : state.shear) append(shear, s);
+  if (!shear.empty()) out.add(prefix + "shear", {state.shear.size(), 2}, std::span<const double>(shear));
   write_hits(state.hits, prefix, out);
   Doubles motions;
   for (const SurfaceMotion& motion : state.motions) {
@@ -159,12 +113,13 @@ std::string frame_to_bundle(const SimFrame& frame, const BundledFiles& files) {
   add_number(out, "travel", frame.travel);
   add_number(out, "timestep", frame.scene->timestep);
   add_number(out, "duration", frame.scene->duration);
-  Meshes meshes;
+  BundledMeshes meshes;
   write_geoms(frame, meshes, out);
   add_vectors(out, "path", frame.scene->path_W);
   out.add("sensor_geoms", frame.scene->sensor_geoms);
   for (std::size_t s = 0; s < frame.sensors.size(); ++s)
     write_sensor(frame.sensors[s], *frame.scene->sensors[s], fmt::format("sensor{}/", s), meshes, out);
+  write_touched(*frame.scene, meshes, out);
   meshes.write(out);
   for (const auto& [name, bytes] : files) out.add_file(name, bytes);
   return out.bytes();

@@ -52,7 +52,7 @@ ModelComparison::ModelComparison(std::shared_ptr<const SimScene> scene, std::siz
     throw Error(fmt::format("there is no sensor {}, the scene has {}", sensor_, scene_->sensors.size()));
   const SensorModel& model = *scene_->sensors[sensor_];
   if (scene_->touched.size() != scene_->sensors.size()) {
-    no_star_ = no_mujoco_ = "the step was read from a file, which does not hold the bodies that are touched";
+    no_star_ = no_mujoco_ = "the step was read from a file of a version that left out the bodies that are touched";
     return;
   }
   try {

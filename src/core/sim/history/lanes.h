@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <vector>
+#include "core/sim/history/column.h"
 
 namespace taxel {
 
@@ -53,10 +53,13 @@ struct SensorSummary {
 
 /// Rows ascend by one step each.
 struct HistoryLanes {
-  std::vector<StepMark> steps;
+  Column<StepMark> steps;
   std::size_t sensor_count = 0, reading_count = 0;  ///< of each row
-  std::vector<SensorSummary> sensors;               ///< rows x sensor_count
-  std::vector<double> readings;                     ///< rows x reading_count: all sensors, one after the other
+  Column<SensorSummary> sensors;                    ///< rows x sensor_count
+  Column<double> readings;                          ///< rows x reading_count: all sensors, one after the other
+  /// Of the history that they are of: in one edition a step's row stays as it is, new ones follow, the first are
+  /// forgotten.
+  std::uint64_t edition = 0;
 
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
   [[nodiscard]] const SensorSummary& sensor(std::size_t row, std::size_t sensor) const {
@@ -64,6 +67,16 @@ struct HistoryLanes {
   }
   [[nodiscard]] std::span<const double> readings_of(std::size_t row) const {
     return {readings.data() + row * reading_count, reading_count};
+  }
+  void forget_front(std::size_t rows) {
+    steps.forget_front(rows);
+    sensors.forget_front(rows * sensor_count);
+    readings.forget_front(rows * reading_count);
+  }
+  void forget_back(std::size_t rows) {
+    steps.forget_back(rows);
+    sensors.forget_back(rows * sensor_count);
+    readings.forget_back(rows * reading_count);
   }
   /// Row of a step, or of the nearest there is. Needs a row.
   [[nodiscard]] std::size_t row_of(std::uint64_t step) const {

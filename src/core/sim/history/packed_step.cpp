@@ -2,8 +2,9 @@
 
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
-#include "core/sensor/cast_rays.h"
+#include "core/sensor/reading.h"
 #include "core/sim/history/stream_copy.h"
 
 namespace taxel {
@@ -11,7 +12,7 @@ namespace {
 
 /// Numbers of one sensor's arrays.
 struct SensorCounts {
-  std::uint32_t readings = 0, surfaces = 0, motions = 0, shear = 0;
+  std::uint32_t readings = 0, surfaces = 0, motions = 0;
 };
 struct SurfaceCounts {
   std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
@@ -116,8 +117,10 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
   int first = 0;
   dvec3 normal(0);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    constexpr std::size_t kAhead = 8;  // the tets lie apart: waiting for each took a third of the time
+    // The tets lie apart, and what is written is in no cache: waiting for each took a third of the time.
+    constexpr std::size_t kAhead = 8, kBytesAhead = 1024;
     if (i + kAhead < polygons.size()) __builtin_prefetch(gradients.of(polygons[i + kAhead].tet));
+    __builtin_prefetch(to + kBytesAhead, 1);
     const ContactPolygon& polygon = polygons[i];
     const dvec3* gradient = gradients.of(polygon.tet);
     std::uint32_t parts = 0;
@@ -189,23 +192,28 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   sink.put(sensor.X_WM);
   sink.put(sensor.force_W);
   sink.put(sensor.uncovered_W);
-  sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size()),
-                        count(sensor.shear.size())});
+  sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size())});
   sink.put_all(sensor.readings);
   sink.put_all(sensor.motions);
-  sink.put_all(sensor.shear);
   for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
 }
 
-/// What the rays met: cast anew on the recorded surfaces, which gives the same bits and takes less than keeping it.
-void cast_hits(const SensorModelPtr& model, SensorFrameState& sensor) {
-  if (!model) return sensor.hits.clear();
+/// What the rays met, and the shear, where one is asked for: read anew from the recorded surfaces and motions, which
+/// gives the same bits and takes less than keeping them.
+void read_anew(const SensorModelPtr& model, SensorFrameState& sensor) {
+  sensor.hits.clear();
+  sensor.shear.clear();
+  if (!model) return;
   std::vector<const ContactSurface*> surfaces;
   for (const ContactSurface& surface : sensor.surfaces) surfaces.push_back(&surface);
-  CastWorkspace workspace;
-  RayHits hits;
-  cast_rays(*model, surfaces, RayPath::fastest, workspace, hits);
-  sensor.hits = hits.all();
+  SensorReading reading;
+  if (model->layout.readout.shear) {
+    read_sensor(*model, surfaces, reading, RayPath::fastest, sensor.motions);
+    sensor.shear = std::move(reading.shear);
+  } else {
+    cast_rays(*model, surfaces, RayPath::fastest, reading.workspace, reading.hits);
+  }
+  sensor.hits = reading.hits.all();
 }
 
 void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& sensor) {
@@ -216,10 +224,9 @@ void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& 
   const auto counts = source.take<SensorCounts>();
   source.take_all(sensor.readings, counts.readings);
   source.take_all(sensor.motions, counts.motions);
-  source.take_all(sensor.shear, counts.shear);
   sensor.surfaces.resize(counts.surfaces);
   for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
-  cast_hits(model, sensor);
+  read_anew(model, sensor);
 }
 
 std::size_t largest_surface_size(const ContactSurface& surface) {
@@ -234,7 +241,7 @@ std::size_t largest_packed_size(const StepView& view) {
   std::size_t size = 2 * sizeof(std::uint32_t) + view.geom_poses.size() * sizeof(Pose);
   for (const SensorView& sensor : view.sensors) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
-            sensor.motions.size() * sizeof(SurfaceMotion) + sensor.shear.size() * sizeof(dvec2);
+            sensor.motions.size() * sizeof(SurfaceMotion);
     for (const ContactSurface* surface : sensor.surfaces) size += largest_surface_size(*surface);
   }
   return size;

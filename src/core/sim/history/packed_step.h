@@ -8,8 +8,8 @@
 namespace taxel {
 
 /// Flat: poses, readings, the surfaces' arrays one after the other. Shared: the scene, the sensor models, and of
-/// polygons in a tet of the sensor's own field the gradient, which is the tet's. Not kept: what rays hit, which is cast
-/// anew on the surfaces when a step is unpacked, to the same bits.
+/// polygons in a tet of the sensor's own field the gradient, which is the tet's. Not kept: what rays hit, and the
+/// shear, which follow from the surfaces and their motions when a step is unpacked, to the same bits.
 [[nodiscard]] std::size_t largest_packed_size(const StepView& view);
 /// Writes at most so many bytes, and returns how many. Only for the thread that writes them (stream_copy.h).
 std::size_t pack_step(const StepView& view, std::byte* to);

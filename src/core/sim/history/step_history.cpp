@@ -39,14 +39,10 @@ std::uint8_t bit(StepEvent event) {
   return static_cast<std::uint8_t>(event);
 }
 
+/// Appends the last of one column to another one.
 template <class T>
-void keep_last(std::vector<T>& values, std::size_t count) {
-  values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(count));
-}
-
-template <class T>
-std::vector<T> last_of(const std::vector<T>& values, std::size_t count) {
-  return {values.end() - static_cast<std::ptrdiff_t>(count), values.end()};
+void append_last(const Column<T>& values, std::size_t count, Column<T>& to) {
+  to.append(values.end() - count, values.end());
 }
 
 }  // namespace
@@ -61,7 +57,7 @@ void StepHistory::set_limits(const StepHistoryLimits& limits) {
 void StepHistory::clear() {
   steps_.clear();
   memory_.clear();
-  rows_ = {};
+  forget_rows(rows_.rows());
   detector_.restart();
 }
 
@@ -130,7 +126,8 @@ std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout
       if (!other_layout && !stop && stops(*jumps[s], breakpoints_)) stop = *jumps[s];
     }
     rows_.sensors.push_back(row);
-    rows_.readings.insert(rows_.readings.end(), view.sensors[s].readings.begin(), view.sensors[s].readings.end());
+    const std::span<const double> readings = view.sensors[s].readings;
+    rows_.readings.append(readings.data(), readings.data() + readings.size());
     reading_counts_.push_back(view.sensors[s].readings.size());
     rows_.reading_count += reading_counts_.back();
   }
@@ -139,7 +136,7 @@ std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout
     if (!stop) stop = *found;
   }
   rows_.steps.push_back(mark);
-  if (rows_.rows() >= 2 * limits_.steps) trim_rows();
+  trim_rows();
   return stop;
 }
 
@@ -160,9 +157,13 @@ std::optional<Disagreement> StepHistory::disagreement(const StepView& view) cons
 }
 
 void StepHistory::trim_rows() {
-  keep_last(rows_.steps, size());
-  keep_last(rows_.sensors, size() * rows_.sensor_count);
-  keep_last(rows_.readings, size() * rows_.reading_count);
+  rows_.forget_front(rows_.rows() - size());
+}
+
+/// The newest ones: others may take their place.
+void StepHistory::forget_rows(std::size_t count) {
+  rows_.forget_back(count);
+  ++rows_.edition;
 }
 
 void StepHistory::replace_newest(const StepView& view) {
@@ -174,6 +175,7 @@ void StepHistory::replace_newest(const StepView& view) {
   double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
   for (const SensorView& sensor : view.sensors)
     readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
+  ++rows_.edition;
   if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // else it reads so from the start
 }
 
@@ -184,9 +186,7 @@ void StepHistory::cut_after(std::uint64_t step) {
     steps_.pop_back();
   }
   if (cut == 0) return;
-  rows_.steps.resize(rows_.rows() - cut);
-  rows_.sensors.resize(rows_.sensors.size() - cut * rows_.sensor_count);
-  rows_.readings.resize(rows_.readings.size() - cut * rows_.reading_count);
+  forget_rows(cut);
   signals_.clear();
   std::vector<double> largest;
   const double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
@@ -206,12 +206,21 @@ std::size_t StepHistory::bytes() const {
 
 std::shared_ptr<const HistoryLanes> StepHistory::lanes() const {
   const auto lanes = std::make_shared<HistoryLanes>();
-  lanes->sensor_count = rows_.sensor_count;
-  lanes->reading_count = rows_.reading_count;
-  lanes->steps = last_of(rows_.steps, size());
-  lanes->sensors = last_of(rows_.sensors, size() * rows_.sensor_count);
-  lanes->readings = last_of(rows_.readings, size() * rows_.reading_count);
+  copy_lanes(*lanes);
   return lanes;
+}
+
+void StepHistory::copy_lanes(HistoryLanes& lanes) const {
+  const bool another = lanes.edition != rows_.edition || empty() || lanes.rows() == 0 ||
+                       lanes.steps.back().step < rows_.steps.front().step;
+  lanes.forget_front(another ? lanes.rows() : rows_.steps.front().step - lanes.steps.front().step);
+  lanes.edition = rows_.edition;
+  lanes.sensor_count = rows_.sensor_count;
+  lanes.reading_count = rows_.reading_count;
+  const std::size_t more = rows_.rows() - lanes.rows();
+  append_last(rows_.steps, more, lanes.steps);
+  append_last(rows_.sensors, more * rows_.sensor_count, lanes.sensors);
+  append_last(rows_.readings, more * rows_.reading_count, lanes.readings);
 }
 
 }  // namespace taxel

@@ -43,6 +43,8 @@ class StepHistory {
   [[nodiscard]] const SimState& state(std::uint64_t step) const { return at(step).state; }
   /// A copy of all rows.
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes() const;
+  /// The same. `lanes` are empty, or an earlier copy of this history's: of those only what is new is copied.
+  void copy_lanes(HistoryLanes& lanes) const;
 
  private:
   struct Step {
@@ -59,6 +61,7 @@ class StepHistory {
   /// The largest of all sensors, where it is to stop at it.
   [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view) const;
   void trim_rows();
+  void forget_rows(std::size_t count);
 
   StepHistoryLimits limits_;
   Breakpoints breakpoints_;
@@ -66,7 +69,7 @@ class StepHistory {
   RingMemory memory_;
   std::size_t state_bytes_ = 0;  // of one step, with what the ring itself has of it
   JumpDetector detector_;
-  HistoryLanes rows_;                        // the last size() of them count
+  HistoryLanes rows_;                        // of steps_
   std::vector<std::size_t> reading_counts_;  // of each sensor
   std::vector<SensorSignal> signals_;        // scratch
 };

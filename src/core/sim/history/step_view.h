@@ -18,6 +18,7 @@ struct SensorView {
   std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
   std::vector<SurfaceMotion> motions;           ///< see SensorFrameState
   std::span<const RayHit> hits;                 ///< by ray
+  std::span<const std::int32_t> hit_rays;       ///< those of them that are no misses; of a simulator's own view alone
   std::span<const dvec2> shear;                 ///< see SensorFrameState
 };
 
@@ -30,8 +31,14 @@ struct StepView {
   std::vector<SensorView> sensors;
 };
 
-/// Copies what a viewer needs.
+/// Copies what a viewer needs. Keeps the memory of `frame`.
 void fill_frame(const StepView& now, SimFrame& frame);
+
+/// The rays of each sensor that hit in a frame.
+using FilledHits = std::vector<std::vector<std::int32_t>>;
+/// The same from a simulator's own view into a frame that was filled so before, where `hits` is not empty: of rays,
+/// most of which miss, only those that hit then or now are touched.
+void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits);
 
 /// The step of a frame that has all of it, valid as long as the frame is.
 StepView view_of(const SimFrame& frame);

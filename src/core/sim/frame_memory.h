@@ -1,0 +1,43 @@
+// What frames are made of, used again once nobody has them any more: a frame costs the simulation what it copies.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/shelf.h"
+#include "core/sim/history/step_history.h"
+#include "core/sim/simulator.h"
+
+namespace taxel {
+
+/// The memory comes back from whatever thread lets go of a frame last, also after this object is gone.
+class FrameMemory {
+ public:
+  /// A frame with the step of `history`, or with what the simulator shows; of both, what fill_frame() fills.
+  [[nodiscard]] std::shared_ptr<SimFrame> recorded_frame(const StepHistory& history, std::uint64_t step);
+  [[nodiscard]] std::shared_ptr<SimFrame> frame_of(const Simulator& simulator);
+  /// A copy of all rows. `cuts` counts how often rows were taken away: as long as none are, only new ones are copied.
+  [[nodiscard]] std::shared_ptr<const std::vector<TraceRow>> copy_of(const std::vector<TraceRow>& rows,
+                                                                     std::uint64_t cuts);
+  [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes_of(const StepHistory& history);
+
+ private:
+  struct Frame {
+    std::vector<Pose> geom_poses;
+    std::vector<SensorFrameState> sensors;
+    FilledHits hits;
+  };
+  struct Rows {
+    std::vector<TraceRow> rows;
+    std::uint64_t cuts = 0;
+  };
+  template <class Fill>
+  std::shared_ptr<SimFrame> make_frame(const Fill& fill);
+
+  std::shared_ptr<Shelf<Frame>> frames_ = std::make_shared<Shelf<Frame>>();
+  std::shared_ptr<Shelf<Rows>> rows_ = std::make_shared<Shelf<Rows>>();
+  std::shared_ptr<Shelf<HistoryLanes>> lanes_ = std::make_shared<Shelf<HistoryLanes>>();
+};
+
+}  // namespace taxel

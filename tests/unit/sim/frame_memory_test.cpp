@@ -1,0 +1,159 @@
+// Frames made of the memory of earlier ones are as frames made anew, and take no more memory.
+#include "core/sim/frame_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <optional>
+
+#include "fixtures/counted_new.h"
+#include "fixtures/same_frame.h"
+#include "fixtures/sweep_model.h"
+
+namespace taxel {
+namespace {
+
+constexpr int kTouchingFrom = 1100;  // steps of the sweep
+
+class FrameMemoryTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
+  static void TearDownTestSuite() { model_.reset(); }
+  static std::unique_ptr<Simulator> sweep(int steps) {
+    auto simulator = Simulator::make_sweep(model_, {});
+    for (int i = 0; i < steps; ++i) simulator->step();
+    return simulator;
+  }
+  static void expect_as_anew(const SimFrame& frame, const Simulator& simulator) {
+    SimFrame anew;
+    simulator.fill_frame(anew);
+    test::expect_same_frame(frame, anew);
+    EXPECT_EQ(frame.scene, anew.scene);
+    EXPECT_EQ(frame.recorded, anew.recorded);
+    EXPECT_EQ(frame.trace, nullptr) << "only memory is kept";
+  }
+  static SensorModelPtr model_;
+};
+SensorModelPtr FrameMemoryTest::model_;
+
+TEST_F(FrameMemoryTest, FramesAreAsMadeAnewWhateverTheMemoryHeld) {
+  const auto simulator = sweep(kTouchingFrom);
+  StepHistory history;
+  SimState state;
+  FrameMemory memory;
+  std::shared_ptr<SimFrame> shown, waiting;
+  Layout denser = model_->layout;
+  denser.sampling.density *= 1.3;
+  const SensorModelPtr other = build_sensor_model(denser, model_->mesh, denser.mesh.sha256, "denser");
+  for (int i = 0; i < 120; ++i) {
+    for (int k = 0; k < 7; ++k) simulator->step();
+    if (i == 60) simulator->replace_model(model_, other);
+    if (i == 100) simulator->reset();  // touches nothing
+    shown = std::exchange(waiting, memory.frame_of(*simulator));
+    expect_as_anew(*waiting, *simulator);
+    waiting->trace = std::make_shared<const std::vector<TraceRow>>();
+    waiting->recorded = true;
+    if (i % 10 != 3) continue;
+    simulator->save_state(state);
+    history.clear();
+    history.record(simulator->view(), state);
+    shown = std::exchange(waiting, memory.recorded_frame(history, state.step));
+    expect_as_anew(*waiting, *simulator);
+  }
+}
+
+TEST_F(FrameMemoryTest, AFrameOutlivesTheMemoryThatMadeIt) {
+  const auto simulator = sweep(kTouchingFrom);
+  std::optional<FrameMemory> memory(std::in_place);
+  const std::shared_ptr<SimFrame> frame = memory->frame_of(*simulator);
+  memory.reset();
+  expect_as_anew(*frame, *simulator);
+}
+
+TEST_F(FrameMemoryTest, InSteadyStateFramesTakeNoNewMemory) {
+  const auto simulator = sweep(kTouchingFrom);
+  StepHistory history;
+  SimState state;
+  history.set_limits({50, std::size_t{1} << 30});
+  FrameMemory memory;
+  std::shared_ptr<SimFrame> shown, waiting;
+  std::shared_ptr<const HistoryLanes> lanes, lanes_waiting;
+  long last = 0;
+  for (int i = 0; i < 80; ++i) {  // always of the same step: its arrays have the same sizes
+    simulator->save_state(state);
+    StepView view = simulator->view();
+    view.step = state.step = static_cast<std::uint64_t>(i);
+    history.record(view, state);
+    const long before = allocation_count();
+    shown = std::exchange(waiting, memory.frame_of(*simulator));
+    lanes = std::exchange(lanes_waiting, memory.lanes_of(history));
+    last = allocation_count() - before;
+  }
+  EXPECT_LT(last, 40) << "the frame itself, and what stands beside the arrays";
+  EXPECT_EQ(lanes_waiting->rows(), 50U);
+}
+
+template <class T>
+bool same_bytes(const Column<T>& a, const Column<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+StepView of_step(const Simulator& simulator, std::uint64_t step) {
+  StepView view = simulator.view();
+  view.step = step;
+  return view;
+}
+
+TEST_F(FrameMemoryTest, TheTimelineIsAllOfItWhateverBecameOfItsRows) {
+  const auto simulator = sweep(kTouchingFrom);
+  StepHistory history;
+  history.set_limits({40, std::size_t{1} << 30});
+  FrameMemory memory;
+  SimState state;
+  std::shared_ptr<const HistoryLanes> shown, waiting;
+  for (int i = 0; i < 300; ++i) {
+    simulator->step();
+    simulator->save_state(state);
+    StepView view = simulator->view();
+    if (!history.empty()) view.step = state.step = history.last() + (i == 150 ? 2 : 1);  // 2: a history of its own
+    history.record(view, state);
+    if (i % 31 == 30) history.cut_after(history.last() - 4);
+    if (i % 47 == 46) simulator->step(), history.replace_newest(of_step(*simulator, history.last()));
+    if (i == 200) history.set_limits({10, std::size_t{1} << 30});
+    if (i % 3 != 0) continue;
+    shown = std::exchange(waiting, memory.lanes_of(history));
+    const auto anew = history.lanes();
+    EXPECT_EQ(waiting->rows(), history.size()) << i;
+    EXPECT_EQ(waiting->steps.back().step, history.last()) << i;
+    EXPECT_TRUE(same_bytes(waiting->steps, anew->steps) && same_bytes(waiting->sensors, anew->sensors) &&
+                same_bytes(waiting->readings, anew->readings))
+        << i;
+  }
+}
+
+bool same_rows(const std::vector<TraceRow>& a, const std::vector<TraceRow>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TraceRow& x, const TraceRow& y) {
+    return x.time == y.time && x.readings == y.readings && x.quality == y.quality;
+  });
+}
+
+TEST_F(FrameMemoryTest, TheRowsAreAllOfThemAlsoAfterSomeWereTakenAway) {
+  FrameMemory memory;
+  std::vector<TraceRow> rows;
+  std::uint64_t cuts = 0;
+  std::shared_ptr<const std::vector<TraceRow>> shown, waiting;
+  for (int i = 0; i < 200; ++i) {
+    for (int k = 0; k < i % 3; ++k) rows.push_back({0.1 * i + k, 0, {1.0 * i, 2.0 * k}, SampleQuality::polished});
+    if (i % 17 == 0 && rows.size() > 5) {  // as when it goes on from an earlier step: others take their place
+      rows.resize(rows.size() - 5);
+      ++cuts;
+      for (int k = 0; k < 6; ++k) rows.push_back({-1.0 * i, 0, {0, 0}, SampleQuality::preview});
+    }
+    shown = std::exchange(waiting, memory.copy_of(rows, cuts));
+    EXPECT_TRUE(same_rows(*waiting, rows)) << i;
+    if (shown != nullptr && i % 5 == 0) shown.reset();
+  }
+}
+
+}  // namespace
+}  // namespace taxel
