@@ -92,6 +92,7 @@ StepView Simulator::view() const {
     one.hits = reading.hits.all();
     view.sensors.push_back(std::move(one));
   }
+  view.held = held_points(s.m(), s.d());
   return view;
 }
 
@@ -99,7 +100,6 @@ void Simulator::fill_frame(SimFrame& frame) const {
   taxel::fill_frame(view(), frame);
   frame.controls = control_values(impl_->m(), impl_->d());
   frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
-  frame.held = held_points(impl_->m(), impl_->d());
 }
 
 Pose Simulator::pose_of_geom(int geom) const {

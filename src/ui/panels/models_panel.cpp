@@ -14,6 +14,7 @@
 #include "ui/tools/models_tool.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/plot_click.h"
 
 namespace taxel::ui {
 namespace {
@@ -152,12 +153,10 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
 /// A click shows the recorded step at that place.
 void scrub(UiState& ui, const UiInput& input) {
   const HistoryLanes* lanes = input.frame->history.lanes.get();
-  if (lanes == nullptr || lanes->rows() == 0 || !ImPlot::IsPlotHovered() ||
-      !ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    return;
+  if (lanes == nullptr || lanes->rows() == 0 || !plot_clicked()) return;
   const double x = ImPlot::GetPlotMousePos().x;
   const std::size_t row =
-      input.sweep ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
+      input.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
   ui.ask(ScrubTo{lanes->steps[row].step});
 }
 
@@ -166,7 +165,7 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
   constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (ImPlot::BeginPlot("##curves", size, kFlags)) {
-    ImPlot::SetupAxes(input.sweep ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
+    ImPlot::SetupAxes(input.by_travel() ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
     const double first = state.x.empty() ? 0 : state.x.front(), last = state.x.empty() ? 1 : state.x.back();
     ImPlot::SetupAxisLimits(ImAxis_X1, first, last > first ? last : first + 1, ImPlotCond_Always);
     ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08, ImPlotCond_Always);
@@ -179,7 +178,7 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
       spec.LineWeight = (model == ReadingModel::exact ? 2.6f : 1.6f) * static_cast<float>(ui.pixel_scale);
       ImPlot::PlotLine(kNames[number(model)], state.x.data(), y.data(), static_cast<int>(y.size()), spec);
     }
-    const double x = input.sweep ? 1e3 * input.frame->travel : input.frame->time;
+    const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
     ImPlotSpec spec;
     spec.LineColor = palette(ui.saved.dark).path;
     spec.LineWeight = 1.2f;
@@ -218,7 +217,7 @@ void draw_comparison(UiState& ui, const UiInput& input, const ComparedSteps& com
   const ImVec2 table(beside ? 0.54f * room.x : room.x, beside ? room.y : 0.5f * room.y);
   draw_step_table(ui, compared, step, taxel, table);
   if (taxel < 0) return;
-  update_curves(ui.models, compared, taxel, input.sweep);
+  update_curves(ui.models, compared, taxel, input.by_travel());
   if (beside) ImGui::SameLine();
   draw_curves(ui, input, ui.models, ImGui::GetContentRegionAvail());
 }

@@ -37,7 +37,7 @@ class ThreadRecording : public testing::Test {
   static void TearDownTestSuite() { model_.reset(); }
   void SetUp() override {
     thread_.set_clock_driven(false);
-    ask(LoadSweepCommand{model_, touching()});
+    ask(LoadScenarioCommand{model_, touching()});
   }
   /// In contact after a few steps.
   static Scenario touching() {
@@ -58,7 +58,7 @@ class ThreadRecording : public testing::Test {
   [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
   /// The steps from `first` to `last` (from 1) of a plain loop.
   static Recording plain(int first, int last) {
-    const auto simulator = Simulator::make_sweep(model_, touching());
+    const auto simulator = Simulator::make_scenario(model_, touching());
     RunRecorder recorder(*simulator->scene());
     for (int step = 1; step <= last; ++step) {
       simulator->step();
