@@ -14,8 +14,8 @@ constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.213f, kRight = 0.2
                 kPlot = 0.56f;
 
 /// Where text is large for the window, panels that stand side by side become tabs: heights and widths of text.
-constexpr float kCompactWidth = 60, kCompactHeight = 36;
-constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.25f, kCompactRight = 0.30f;
+constexpr float kCompactWidth = 60, kCompactHeight = 42;
+constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.22f, kCompactRight = 0.34f;
 
 void arrange_compactly(ImGuiID space) {
   ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0;

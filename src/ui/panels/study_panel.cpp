@@ -141,8 +141,12 @@ void draw_result(UiState& ui, const UiInput& input, const Project& project) {
 
 void draw_study_panel(UiState& ui, const UiInput& input) {
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowSize(ImVec2(kWidth * line, kHeight * line), ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowPos(ImVec2(ui.view.rect.x0 + line, ui.view.rect.y0 + 3 * line), ImGuiCond_FirstUseEver);
+  const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
+  const ImVec2 size(std::min(kWidth * line, room.x), std::min(kHeight * line, room.y));
+  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos(ImVec2(std::min(ui.view.rect.x0 + line, corner.x + room.x - size.x),
+                                 std::min(ui.view.rect.y0 + 3 * line, corner.y + room.y - size.y)),
+                          ImGuiCond_FirstUseEver);
   if (begin_panel(ui, kStudyTitle, &ui.saved.panels.study)) {
     if (!input.editing.project || !input.simulates_document) {
       ImGui::TextDisabled("No layout is simulated.");

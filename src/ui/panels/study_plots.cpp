@@ -19,6 +19,7 @@ namespace {
 
 /// A taxel is drawn where its peak in any run is above this part of the largest.
 constexpr double kResponding = 0.05;
+constexpr float kLeastHeight = 9;  // of a run, in heights of text: in less room the panel scrolls
 
 std::string title_of(const Study& study, const StudyRun& run) {
   const std::vector<Varied> all = varied_in(study.scenario.kind);
@@ -81,7 +82,9 @@ void draw_study_plots(UiState& ui, const UiInput& input, const Project& project,
   constexpr auto kFlags = ImPlotSubplotFlags_NoResize | ImPlotSubplotFlags_NoMenus;
   constexpr auto kPlot = ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  if (ImPlot::BeginSubplots("##runs", rows, columns, ImGui::GetContentRegionAvail(), kFlags)) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const ImVec2 size(room.x, std::max(room.y, static_cast<float>(rows) * kLeastHeight * ImGui::GetFontSize()));
+  if (ImPlot::BeginSubplots("##runs", rows, columns, size, kFlags)) {
     for (int i = 0; i < count; ++i) {
       const StudyCurve& curve = curves.runs[static_cast<std::size_t>(i)];
       const std::string title = title_of(curves.study, curve.run) + fmt::format("##{}", i);

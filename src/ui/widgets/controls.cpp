@@ -244,7 +244,9 @@ void tooltip(const std::string& text) {
 
 void caption(const char* text) {
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", text);
+  ImGui::PopTextWrapPos();
   ImGui::PopFont();
 }
 

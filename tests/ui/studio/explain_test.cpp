@@ -137,13 +137,17 @@ TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
     const double x0 = (*plot)[0], y0 = (*plot)[1], x1 = (*plot)[2], y1 = (*plot)[3];
     return dvec2(x0 + u * (x1 - x0), y1 - v * (y1 - y0));
   };
-  // the dot that lies farthest from all others, and one that no dot is near
+  // the dot that lies farthest from all others; the contact is symmetric, and many polygons have a twin
+  const auto same = [](const Json& p, const Json& q) {
+    return std::abs(p["area"].get<double>() / q["area"].get<double>() - 1) < 1e-6 &&
+           std::abs(p["mean_pressure"].get<double>() / q["mean_pressure"].get<double>() - 1) < 1e-6;
+  };
   const Json* alone = nullptr;
   double farthest = 0;
   for (const Json& p : polygons) {
     double nearest = 1e9;
     for (const Json& q : polygons)
-      if (&q != &p) nearest = std::min(nearest, glm::distance(pixel(p), pixel(q)));
+      if (!same(p, q)) nearest = std::min(nearest, glm::distance(pixel(p), pixel(q)));
     if (nearest > farthest) farthest = nearest, alone = &p;
   }
   ASSERT_GT(farthest, 2) << "pixels";
@@ -153,7 +157,13 @@ TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
                        R"({"do": "screenshot", "file": "dot.png"})"}}),
               layout);
   const Json dot = studio.state("dot.json");
-  EXPECT_EQ(dot["explain"]["selected_polygon"], Json({(*alone)["surface"], (*alone)["polygon"]})) << alone->dump();
+  const Json chosen = dot["explain"]["selected_polygon"];
+  ASSERT_TRUE(chosen.is_array());
+  for (const Json& p : polygons) {
+    if (p["surface"] == chosen[0] && p["polygon"] == chosen[1]) {
+      EXPECT_TRUE(same(p, *alone)) << p.dump() << alone->dump();
+    }
+  }
   EXPECT_EQ(dot["selection"], state["selection"]) << "the taxel stays";
   EXPECT_EQ(dot["simulation"]["step"], state["simulation"]["step"]);
 }

@@ -27,7 +27,7 @@ TEST(PathRecording, WhatAScenarioDidBecomesAPathThatDoesTheSame) {
   const StudioProgram studio;
   studio.play(joined({kStill,
                       choose_kind("press"),
-                      typed_in_inspector("Hold (s)", "0.05"),
+                      typed_in_inspector("Hold (s)", "0.2"),
                       {dump("before.json"), kRecord, kIdle},
                       kRunScenario,
                       {dump("recording.json"), kOver, kIdle, dump("path.json")},

@@ -144,18 +144,17 @@ TEST(Scene, WeldsAreDrawnInStepsOfThePast) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", kScene);
   const auto picture = [](const std::string& name) { return R"({"do": "screenshot", "file": ")" + name + R"("})"; };
-  const Json ctrl = {"ctrl"};
   studio.play({kIdle,
                key("Space"),
                kIdle,
-               double_click(world(-.2, 0, 0)),
+               press("Controls/Mocap lead Z"),
                kIdle,
+               key("a", kCtrl),
+               type("20"),
+               key("Enter"),
+               kIdle,  // it leads, the other body follows
+               R"({"event": "click", "at": {"widget": "Controls"}})",
                kIdle,
-               mouse("mouse_down", {600, 300}, "right", ctrl),
-               mouse("mouse_move", {640, 300}, "right", ctrl),
-               kIdle,
-               mouse("mouse_up", {640, 300}, "right", ctrl),
-               kIdle,  // the mocap body leads, the other one follows
                key("Right"),
                kIdle,
                key("Right"),
