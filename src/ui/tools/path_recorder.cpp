@@ -36,6 +36,14 @@ double time_since(const UiState& ui, const PathRecording& recording, double time
   return ui.perturb.kind != Perturb::Kind::none ? static_cast<double>(ImGui::GetIO().DeltaTime) : 0;
 }
 
+/// Where a scenario leads the tool, which lags a little under load; where nothing leads it, or a hand holds it, where
+/// it is.
+Pose led_to(const UiState& ui, const UiInput& input, bool goes_on) {
+  const std::vector<Pose>& mocaps = input.frame->controls.mocaps;
+  const bool led = goes_on && !mocaps.empty() && ui.perturb.kind == Perturb::Kind::none;
+  return led ? mocaps.front() : input.sensor(ui)->X_WM;
+}
+
 }  // namespace
 
 bool can_record_path(const UiState& ui, const UiInput& input) {
@@ -59,9 +67,11 @@ void follow_path_recording(UiState& ui, const UiInput& input) {
   }
   if (frame.runs != recording->runs) return finish(ui, input);
   if (frame.recorded) return recording->time.reset();
-  recording->clock += time_since(ui, *recording, frame.time);
+  const bool goes_on = recording->time && frame.time > *recording->time;
+  const double later = time_since(ui, *recording, frame.time);
   recording->time = frame.time;
-  recording->last = {recording->clock, input.sensor(ui)->X_WM};
+  recording->clock += later;
+  if (later > 0 || recording->points.empty()) recording->last = {recording->clock, led_to(ui, input, goes_on)};
   std::vector<WayPoint>& points = recording->points;
   if (points.empty() || recording->clock >= points.back().time + ui.path.record_every)
     points.push_back(recording->last);

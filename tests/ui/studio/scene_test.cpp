@@ -153,8 +153,6 @@ TEST(Scene, WeldsAreDrawnInStepsOfThePast) {
                type("20"),
                key("Enter"),
                kIdle,  // it leads, the other body follows
-               R"({"event": "click", "at": {"widget": "Controls"}})",
-               kIdle,
                key("Right"),
                kIdle,
                key("Right"),
