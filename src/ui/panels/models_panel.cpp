@@ -19,7 +19,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kLeastWidth = 58;                // of table and curves beside each other, in heights of text
+constexpr float kLeastWidth = 75;                // of table and curves beside each other, in heights of text
 constexpr float kLeastHeight = 8;                // of each, likewise: in less room the panel scrolls
 constexpr std::array kColors{0, 5, 2, 3, 1, 6};  // numbers of taxel_color, by model
 constexpr std::array kNames{"Reading", "Star field", "Weighted sum", "Exact", "<tactile>", "<touch>"};

@@ -19,7 +19,7 @@ namespace {
 
 constexpr FieldUnit kPercent{"", -2, 1};
 
-constexpr float kThresholdField = 3.1f, kLeastLanes = 9.0f;  // in heights of text
+constexpr float kThresholdField = 3.1f, kLeastLanes = 7.5f;  // in heights of text
 
 float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;

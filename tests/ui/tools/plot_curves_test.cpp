@@ -77,5 +77,40 @@ TEST(PlotCurves, AreMadeAnewForOtherRowsAndOtherAxes) {
   EXPECT_EQ(drawn_curve(curves, 0, 1e-6, 0, 2).y.back(), 14);
 }
 
+/// A run that goes on adds rows; one that goes on from an earlier step has others in place of the last ones.
+TEST(PlotCurves, RowsThatAreAddedOrReplacedGiveWhatAllOfThemGive) {
+  const std::vector<TraceRow> all = trace_with_spikes(3000, 2);
+  const auto same = [](const PlotCurves& a, const PlotCurves& b) {
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.readings, b.readings);
+    EXPECT_EQ(a.peaks, b.peaks);
+    EXPECT_EQ(a.largest, b.largest);
+    EXPECT_EQ(a.polished_from, b.polished_from);
+  };
+  const auto made_of = [](const std::vector<TraceRow>& trace) {
+    PlotCurves curves;
+    update_curves(curves, trace, false);
+    return curves;
+  };
+  std::vector<TraceRow> first(all.begin(), all.begin() + 1200), changed = all;
+  for (TraceRow& row : first) row.quality = SampleQuality::preview;
+  for (std::size_t r = 0; r < 1200; ++r) changed[r].quality = SampleQuality::preview;
+  PlotCurves curves = made_of(first);
+  update_curves(curves, changed, false);
+  same(curves, made_of(changed));
+  ASSERT_TRUE(curves.polished_from);
+  EXPECT_EQ(*curves.polished_from, changed[1200].time);
+  std::vector<TraceRow> other = changed;
+  for (std::size_t r = 2500; r < 2990; ++r) other[r].readings[1] = 9000;
+  update_curves(curves, other, false);
+  same(curves, made_of(other));
+  const std::vector<TraceRow> later(all.begin() + 500, all.end()), none;
+  update_curves(curves, later, false);
+  same(curves, made_of(later));
+  update_curves(curves, none, false);
+  EXPECT_TRUE(curves.x.empty());
+  EXPECT_EQ(curves.largest, 0);
+}
+
 }  // namespace
 }  // namespace taxel::ui

@@ -5,8 +5,7 @@
 
 #include "core/mesh/mesh_io.h"
 #include "core/sim/simulator.h"
-#include "run_program.h"
-#include "temp_folder.h"
+#include "fixtures/temp_folder.h"
 
 namespace taxel::test {
 namespace {
@@ -17,6 +16,10 @@ std::vector<std::string> names(const std::vector<std::string>& files, const fs::
   std::vector<std::string> out;
   for (const std::string& file : files) out.push_back(fs::path(file).lexically_relative(folder).string());
   return out;
+}
+
+void write_text(const fs::path& path, std::string_view text) {
+  write_file_atomically(path, text);
 }
 
 constexpr const char* kNothing = "<mujoco><worldbody/></mujoco>";
