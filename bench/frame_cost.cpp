@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
   Scenario press;
   press.kind = ScenarioKind::press;
   press.hold = 2000;
-  measure("pressed fingertip", 2500, false, LoadSweepCommand{fingertip(), press}, stretches);
+  measure("pressed fingertip", 2500, false, LoadScenarioCommand{fingertip(), press}, stretches);
   measure("hand of five fingers after 20 s", 20000, true,
           LoadSceneCommand{TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", {}}, stretches);
   return 0;

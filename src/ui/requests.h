@@ -53,7 +53,7 @@ struct PolishSamples {};  ///< of the document, which shows a preview's
 struct SendCommand {
   SimCommand command;
 };
-struct RunSweep {
+struct RunScenario {
   Scenario scenario;
 };
 struct SetPlaying {
@@ -174,7 +174,7 @@ struct Quit {};
 /// makes one takes most of its compile time.
 struct Request
     : std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
-                   RunSweep, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
+                   RunScenario, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
                    SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo,
                    ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture,
                    UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs, ExportFile, AttachLayout,

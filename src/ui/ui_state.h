@@ -30,13 +30,13 @@
 #include "ui/tools/palette_state.h"
 #include "ui/tools/path_state.h"
 #include "ui/tools/perturb_state.h"
+#include "ui/tools/plot_curves.h"
 #include "ui/tools/probe_state.h"
 #include "ui/tools/real_state.h"
 #include "ui/tools/study_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
 #include "ui/widgets/field_state.h"
-#include "ui/widgets/thin_curve.h"
 #include "ui/widgets/widget_registry.h"
 
 namespace taxel::ui {
@@ -152,17 +152,6 @@ struct ViewShown {
   int draws = 0;
 };
 
-/// Curves of the plot, rebuilt when the trace changes.
-struct PlotCurves {
-  const void* trace = nullptr;
-  std::size_t rows = 0;
-  std::vector<double> travel_mm;
-  std::vector<std::vector<double>> readings;  ///< per taxel of all sensors, in SI
-  CurvePoints drawn;                          ///< scratch
-  double largest = 0;                         ///< of all [Pa]
-  std::optional<double> polished_from;        ///< x from which on the readings are of polished samples; none: all are
-};
-
 /// Where the timeline drew its lanes, and what a drag in them does.
 struct Timeline {
   Rect lanes;                               ///< all of them, without their names
@@ -209,14 +198,14 @@ struct UiState {
   VideoState video;
   PathState path;
   StudyState study;
-  std::optional<ClipPlane> clip;  ///< of the 3-D view
-  int tour_step = -1;             ///< of the tour that is shown; -1: none is
+  std::optional<ClipPlane> clip;       ///< of the 3-D view
+  int tour_step = -1;                  ///< of the tour that is shown; -1: none is
   const bool* opened_panel = nullptr;  ///< switch of a panel that comes to the front in the next picture
-  bool asks_unsaved = false;      ///< whether to save, before what is open is left
-  std::string recovery;           ///< name of a document that was lost unsaved and can be had back; empty: none
-  std::string recovery_detail;    ///< when and where
-  std::string title;              ///< of the window
-  std::optional<Pick> hovered;    ///< what the resting pointer is on in the 3-D view
+  bool asks_unsaved = false;           ///< whether to save, before what is open is left
+  std::string recovery;                ///< name of a document that was lost unsaved and can be had back; empty: none
+  std::string recovery_detail;         ///< when and where
+  std::string title;                   ///< of the window
+  std::optional<Pick> hovered;         ///< what the resting pointer is on in the 3-D view
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
@@ -263,7 +252,7 @@ struct UiInput {
   bool simulates_document = false;  ///< the running scene was built around `model`
   Editing editing;
   Scenario scenario;
-  bool sweep = false;                     ///< the running scene is the document's scenario
+  bool runs_scenario = false;             ///< the running scene is the document's scenario
   bool is_scene = false;                  ///< the document is a MuJoCo scene
   std::vector<SceneAttachment> attached;  ///< layouts on its geoms that its file does not declare
   bool playing = false;                   ///< the simulation, or recorded steps
@@ -277,7 +266,7 @@ struct UiInput {
   std::string version;
 
   /// What runs is best shown over travel, not over time.
-  [[nodiscard]] bool by_travel() const { return sweep && scenario.kind == ScenarioKind::sweep; }
+  [[nodiscard]] bool by_travel() const { return runs_scenario && scenario.kind == ScenarioKind::sweep; }
   /// State of the selected sensor in the newest frame, or null.
   [[nodiscard]] const SensorFrameState* sensor(const UiState& ui) const {
     if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))

@@ -17,7 +17,7 @@ int play(const PlayedScenario& played, Console& console) {
 
   const auto start = std::chrono::steady_clock::now();
   const SensorModelPtr model = load_model(played.layout, played.over, console);
-  const std::unique_ptr<Simulator> simulator = Simulator::make_sweep(model, played.scenario);
+  const std::unique_ptr<Simulator> simulator = Simulator::make_scenario(model, played.scenario);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   RunCost cost;
   const Recording recording = record(*simulator, 0, console, cost);

@@ -59,7 +59,7 @@ void record_run(Simulator& simulator, StudyResult& result) {
 std::unique_ptr<Simulator> make_run(Models& models, StudyResult& result) {
   const SensorModelPtr model = models.of(result.run);
   try {
-    return Simulator::make_sweep(model, result.run.scenario);
+    return Simulator::make_scenario(model, result.run.scenario);
   } catch (const Error& e) {
     result.error = e.what();
     return nullptr;

@@ -25,6 +25,8 @@ const char* to_string(ui::Tool tool) {
       return "turn";
     case ui::Tool::resize:
       return "resize";
+    case ui::Tool::way_point:
+      return "way_point";
     case ui::Tool::box:
       return "box";
     case ui::Tool::lasso:

@@ -35,15 +35,16 @@ FileWatch::Stamp FileWatch::stamp_of(const std::string& file) {
 }
 
 void FileWatch::watch(const std::vector<std::string>& files) {
-  std::erase_if(watched_, [&](const Watched& watched) {
-    return std::find(files.begin(), files.end(), watched.file) == files.end();
-  });
+  const auto same = [](const Watched& one, const std::string& file) { return one.file == file; };
+  if (std::equal(watched_.begin(), watched_.end(), files.begin(), files.end(), same)) return;
+  std::vector<Watched> watched;
   for (const std::string& file : files) {
-    const bool known = std::any_of(watched_.begin(), watched_.end(), [&](const Watched& w) { return w.file == file; });
-    if (known) continue;
-    const Stamp stamp = stamp_of(file);
-    watched_.push_back({file, stamp, stamp});
+    const auto known =
+        std::find_if(watched_.begin(), watched_.end(), [&](const Watched& one) { return same(one, file); });
+    const Stamp stamp = known == watched_.end() ? stamp_of(file) : Stamp{};
+    watched.push_back(known == watched_.end() ? Watched{file, stamp, stamp} : *known);
   }
+  watched_ = std::move(watched);
 }
 
 void FileWatch::accept(const std::string& file) {

@@ -84,6 +84,7 @@ std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
   Json json = {{"edited", Json::parse(scenario_to_json(*edited))},
                {"running", Json::parse(scenario_to_json(input.scenario))},
                {"selected", ui.path.selected},
+               {"recorded", ui.path.recording ? Json(ui.path.recording->points.size()) : Json()},
                {"way_points", Json::array()}};
   if (const auto path = ui::edited_path(ui, input)) {
     for (const dvec3& p_W : path->points_W) {
@@ -97,17 +98,21 @@ std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
   return json.dump();
 }
 
-std::string study_to_state(const ui::UiInput& input) {
-  if (!input.study.curves) return "null";
+std::string study_to_state(const ui::UiState& ui, const ui::UiInput& input) {
   Json runs = Json::array();
-  for (const StudyCurve& curve : input.study.curves->runs) {
+  const StudyCurvesPtr& curves = input.study.curves;
+  for (const StudyCurve& curve : curves ? curves->runs : std::vector<StudyCurve>{}) {
     double largest = 0;
     for (const std::vector<double>& readings : curve.readings)
       for (const double reading : readings) largest = std::max(largest, reading);
     runs.push_back(
         {{"values", curve.run.values}, {"rows", curve.time.size()}, {"largest", largest}, {"error", curve.error}});
   }
-  return Json{{"busy", input.study.busy}, {"problem", input.study.curves->problem}, {"runs", runs}}.dump();
+  return Json{{"busy", input.study.busy},
+              {"cancelled", ui.study.cancelled},
+              {"problem", curves ? curves->problem : ""},
+              {"runs", runs}}
+      .dump();
 }
 
 }  // namespace taxel::studio

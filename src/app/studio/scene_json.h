@@ -14,6 +14,6 @@ std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input);
 /// "way_points": [{"at": world, "pixel"}]}; null where no scenario runs.
 std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input);
 /// {"busy", "problem", "runs": [{"values", "rows", "largest", "error"}]}; null where none were run.
-std::string study_to_state(const ui::UiInput& input);
+std::string study_to_state(const ui::UiState& ui, const ui::UiInput& input);
 
 }  // namespace taxel::studio

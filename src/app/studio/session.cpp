@@ -106,13 +106,13 @@ void Session::drop_scene() {
   frame_.reset();
   settled_.reset();
   explain_wish_.reset();
-  playing_ = sweep_ = simulates_document_ = still_ = false;
+  playing_ = runs_scenario_ = simulates_document_ = still_ = false;
   attached_.clear();
   replay_.stop();
   loop_.reset();
 }
 
-bool Session::run_sweep(const Scenario& scenario) {
+bool Session::run_scenario(const Scenario& scenario) {
   if (!document_ || !document_->model || document_->model->taxel_count() == 0) return false;
   if (!edits_.problem().empty()) {
     refusal_ = document_->name + ": " + edits_.problem();
@@ -120,15 +120,15 @@ bool Session::run_sweep(const Scenario& scenario) {
   }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
   const bool elsewhere = scenario.kind != scenario_.kind || scenario.place != scenario_.place;
-  build_scene({.document = *document_, .sweep = true, .scenario = scenario, .play = true, .framed = elsewhere});
+  build_scene({.document = *document_, .in_scenario = true, .scenario = scenario, .play = true, .framed = elsewhere});
   return true;
 }
 
 void Session::build_scene(Pending pending) {
   pending.load = ++loads_;
   pending_ = std::move(pending);
-  if (pending_->sweep) {
-    simulation_.send(LoadSweepCommand{pending_->document.model, pending_->scenario});
+  if (pending_->in_scenario) {
+    simulation_.send(LoadScenarioCommand{pending_->document.model, pending_->scenario});
   } else {
     simulation_.send(LoadSceneCommand{pending_->document.file, pending_->attachments});
   }
@@ -215,11 +215,11 @@ void Session::accept_document(Document document, SessionNews& news) {
   // What one saves, one goes on with; what cannot be simulated can be looked at.
   const bool to_edit = document.kind == DocumentKind::project || !document.problem.empty();
   if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
-    const bool sweep = layout_with_taxels;
-    const Scenario scenario = sweep ? scenario_ : Scenario{};
+    const bool in_scenario = layout_with_taxels;
+    const Scenario scenario = in_scenario ? scenario_ : Scenario{};
     const bool again = reloading_ && document_ && document.file == document_->file;
     build_scene({.document = std::move(document),
-                 .sweep = sweep,
+                 .in_scenario = in_scenario,
                  .scenario = scenario,
                  .attachments = again ? attached_ : std::vector<SceneAttachment>{},
                  .play = play,
@@ -285,8 +285,8 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   attached_ = std::move(pending.attachments);
   if (pending.another) show_document(std::move(pending.document));
   take_sensors(frame);
-  sweep_ = pending.sweep;
-  scenario_ = pending.sweep ? pending.scenario : scenario_;
+  runs_scenario_ = pending.in_scenario;
+  scenario_ = pending.in_scenario ? pending.scenario : scenario_;
   simulates_document_ = true;
   still_ = false;
   warned_.clear();
@@ -336,7 +336,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;
   input.scenario = scenario_;
-  input.sweep = sweep_;
+  input.runs_scenario = runs_scenario_;
   input.is_scene = document_ && document_->kind == DocumentKind::scene;
   input.attached = attached_;
   input.playing = (playing() && !(frame_ && frame_->finished)) || replaying();

@@ -83,7 +83,7 @@ class Session {
   [[nodiscard]] DocumentKind kind() const { return document_ ? document_->kind : DocumentKind::layout; }
 
   /// False: there is nothing to simulate, or it cannot be, which is told.
-  bool run_sweep(const Scenario& scenario);
+  bool run_scenario(const Scenario& scenario);
   void set_playing(bool playing);
   void step_by(int steps);  ///< through recorded steps, and one more than there are is simulated
   void scrub(std::uint64_t step);
@@ -130,7 +130,7 @@ class Session {
   /// A scene that the simulation was asked to build; what is open stays until it stands.
   struct Pending {
     Document document;
-    bool sweep = false;
+    bool in_scenario = false;  ///< else it is its own scene
     Scenario scenario = {};
     std::vector<SceneAttachment> attachments = {};
     bool play = false, framed = true;
@@ -225,12 +225,12 @@ class Session {
   std::optional<Document> document_;
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
-  Scenario scenario_;                      ///< of the sweep that runs, or of the last one
+  Scenario scenario_;                      ///< that runs, or the last one
   bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
   std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
   std::uint64_t told_recording_ = 0;       ///< likewise of the written recording
-  bool sweep_ = false, simulates_document_ = false;
+  bool runs_scenario_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
   double speed_ = 1;
   double unspent_ = 0;  ///< simulated time that did not fill a step [s]

@@ -184,7 +184,7 @@ void Session::hand_over_newest() {
     polished_ = Replacement{Polished{simulated, document_->model}};
   } else if (document_->model->taxel_count() > 0 && edits_.problem().empty()) {
     build_scene({.document = *document_,
-                 .sweep = true,
+                 .in_scenario = true,
                  .scenario = scenario_,
                  .play = playing(),
                  .framed = false,

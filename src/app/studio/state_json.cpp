@@ -287,7 +287,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["real"] = Json::parse(real_to_json(ui, input));
   json["video"] = {{"active", input.video.active}, {"done", input.video.done}, {"total", input.video.total}};
   json.update(Json::parse(live_to_json(ui, input)));
-  json["study"] = Json::parse(study_to_state(input));
+  json["study"] = Json::parse(study_to_state(ui, input));
   json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
   json["clicks"] = {{"left", ui.clicks.left},

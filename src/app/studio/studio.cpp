@@ -19,6 +19,7 @@
 #include "ui/tools/explain_tool.h"
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/models_tool.h"
+#include "ui/tools/path_recorder.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/widgets/format.h"
 
@@ -203,6 +204,7 @@ void Studio::act_on(const SessionNews& news) {
     video_.reset();
     ui_.controls = {};
     ui_.study = {};
+    ui_.path.recording.reset();
     ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (news.resized) turn_cameras_ = true;
@@ -216,7 +218,7 @@ void Studio::act_on(const SessionNews& news) {
     ui_.selection.body = -1;  // bodies may have other numbers now
     ui_.perturb = {};
     ui_.mode = *news.opened;
-    ui_.path = {};
+    ui::let_go_of_way_points(ui_);
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
     if (news.framed) turn_cameras_ = true;
   }
@@ -244,7 +246,7 @@ void Studio::frame_cameras() {
     if (box.empty()) continue;
     ui_.camera().frame(box);
     // The box around a whole path is larger than what there is to see at any time.
-    if (each == ui::Mode::simulate && input_.sweep) ui_.camera().distance *= kSweepCloseness;
+    if (each == ui::Mode::simulate && input_.runs_scenario) ui_.camera().distance *= kSweepCloseness;
   }
   ui_.mode = mode;
 }

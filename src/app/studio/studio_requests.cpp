@@ -49,10 +49,10 @@ void Studio::carry_out(const ui::Request& request) {
     session_.cancel_loading();
   } else if (std::holds_alternative<ui::PolishSamples>(request)) {
     session_.polish();
-  } else if (const auto* sweep = std::get_if<ui::RunSweep>(&request)) {
-    session_.run_sweep(sweep->scenario);
+  } else if (const auto* run = std::get_if<ui::RunScenario>(&request)) {
+    session_.run_scenario(run->scenario);
   } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {
-    if (!session_.shows_scene() && !session_.run_sweep(session_.scenario())) return;
+    if (!session_.shows_scene() && !session_.run_scenario(session_.scenario())) return;
     session_.hand_over();
     session_.set_playing(play->playing);
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
@@ -112,7 +112,8 @@ bool Studio::carry_out_in_scene(const ui::Request& request) {
 
 void Studio::set_mode(ui::Mode mode) {
   const bool runs = session_.shows_scene() || session_.frame() != nullptr;
-  if (mode == ui::Mode::simulate && !session_.shows_scene() && !session_.run_sweep(session_.scenario()) && !runs) return;
+  if (mode == ui::Mode::simulate && !session_.shows_scene() && !session_.run_scenario(session_.scenario()) && !runs)
+    return;
   if (mode == ui::Mode::simulate) session_.hand_over();
   ui_.mode = mode;
 }

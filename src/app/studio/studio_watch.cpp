@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/studio/documents.h"
 #include "app/studio/studio.h"
@@ -47,6 +48,12 @@ void Studio::watch_files() {
   std::vector<std::string> files;
   if (!session_.file().empty() && session_.kind() != DocumentKind::mesh) files.push_back(session_.file());
   for (const SceneAttachment& attached : input_.attached) files.push_back(attached.layout);
+  if (session_.kind() == DocumentKind::scene && input_.frame) {
+    const std::vector<std::string>& sources = input_.frame->simulated->files;
+    std::copy_if(sources.begin(), sources.end(), std::back_inserter(files), [&](const std::string& source) {
+      return std::find(files.begin(), files.end(), source) == files.end();
+    });
+  }
   if (session_.edits().is_open()) {
     const std::string& mesh = session_.edits().project()->layout.mesh.file;
     if (mesh != built_in_mesh().name) files.push_back(mesh);
@@ -65,6 +72,8 @@ void Studio::watch_files() {
 void Studio::tell_change(const std::string& file, FileChange change) {
   const bool scene = session_.kind() == DocumentKind::scene;
   const bool document = file == session_.file() && session_.kind() != DocumentKind::mesh;
+  const std::string which =
+      name_of(file) + (scene && !document ? fmt::format(", which {} uses,", name_of(session_.file())) : "");
   if (change == FileChange::changed && !document && !scene)
     return comparison_.start(session_.edits().project()->layout);
   if (change == FileChange::deleted) {
@@ -72,13 +81,12 @@ void Studio::tell_change(const std::string& file, FileChange change) {
     const char* const rest = scene      ? "The scene stays open as it was read."
                              : document ? "Nothing is lost: saving writes it again."
                                         : "It stays open; saving or exporting writes it beside the new file.";
-    return add_notice({file, fmt::format("{} was deleted or moved. {}", name_of(file), rest), {}});
+    return add_notice({file, fmt::format("{} was deleted or moved. {}", which, rest), {}});
   }
   if (document && hash_of(file) == document_hash_) return;  // only touched
   const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
                                  : "Reading it again is a step that undo takes back.";
-  add_notice(
-      {file, fmt::format("{} was changed by another program. {}", name_of(file), rest), {ui::FileOffer::reload}});
+  add_notice({file, fmt::format("{} was changed by another program. {}", which, rest), {ui::FileOffer::reload}});
 }
 
 void Studio::tell_mesh(ComparedMesh compared) {

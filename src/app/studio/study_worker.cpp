@@ -47,7 +47,7 @@ StudyCurvesPtr run_study(const StudyJob& job, Progress& progress) {
         static_cast<int>(curves->runs.size()),
         [&](int i) {
           const StudyRun& run = curves->runs[static_cast<std::size_t>(i)].run;
-          return Simulator::make_sweep(model_of(run, job.model, cache, progress), run.scenario);
+          return Simulator::make_scenario(model_of(run, job.model, cache, progress), run.scenario);
         },
         [&](int i, Simulator& simulator) {
           record_run(simulator, curves->runs[static_cast<std::size_t>(i)], progress);

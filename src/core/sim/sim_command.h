@@ -24,7 +24,7 @@ struct ResetCommand {};
 struct SpeedCommand {
   double factor = 1.0;
 };  ///< multiples of real time
-struct LoadSweepCommand {
+struct LoadScenarioCommand {
   SensorModelPtr model;
   Scenario scenario;
 };
@@ -90,7 +90,7 @@ struct ExportHistoryCommand {
 struct QuitCommand {};
 
 using SimCommand =
-    std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadSweepCommand,
+    std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadScenarioCommand,
                  ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, FollowStepBeforeCommand,
                  RecallCommand, BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand,
                  RecordCommand, EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;

@@ -52,6 +52,7 @@ struct TouchedBody {
 /// The parts of a scene that do not change while it runs.
 struct SimScene {
   std::string title;
+  std::vector<std::string> files;  ///< on disk, that it was made of beside its own: included, assets, layouts
   std::vector<SceneGeom> geoms;
   std::vector<SensorModelPtr> sensors;
   std::vector<std::string> sensor_geoms;          ///< geom name of each sensor
@@ -143,8 +144,8 @@ struct SimFrame {
   std::vector<Pose> geom_poses;  ///< X_WG parallel to scene->geoms
   std::vector<SensorFrameState> sensors;
   ControlValues controls;                 ///< of scene->controls
-  std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown, and
-  std::vector<HeldPoints> held;           ///< likewise
+  std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown
+  std::vector<HeldPoints> held;
   std::shared_ptr<const std::vector<TraceRow>>
       trace;                          ///< all rows so far (copied when a row is added, at most 30 times a second)
   std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()

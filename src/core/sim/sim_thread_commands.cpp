@@ -155,8 +155,8 @@ void SimThread::Impl::execute(const SimCommand& command) {
   } else if (const auto* factor = std::get_if<SpeedCommand>(&command)) {
     if (factor->factor > 0 && std::isfinite(factor->factor)) speed = factor->factor;
     pacing.restart(seconds_since_epoch(), speed);
-  } else if (const auto* sweep = std::get_if<LoadSweepCommand>(&command)) {
-    load([&] { return Simulator::make_sweep(sweep->model, sweep->scenario); });
+  } else if (const auto* run = std::get_if<LoadScenarioCommand>(&command)) {
+    load([&] { return Simulator::make_scenario(run->model, run->scenario); });
   } else if (const auto* replace = std::get_if<ReplaceModelCommand>(&command)) {
     replace_model(*replace);
   } else if (const auto* scene = std::get_if<LoadSceneCommand>(&command)) {

@@ -10,6 +10,7 @@
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
 #include "core/sim/model/scene_view.h"
+#include "core/sim/scene/scene_sources.h"
 #include "core/sim/simulator_impl.h"
 
 namespace taxel {
@@ -93,6 +94,7 @@ std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
 void Simulator::Impl::describe() {
   const auto scene = std::make_shared<SimScene>();
   scene->title = title;
+  if (!scenario) scene->files = scene_sources(title, compiled);
   scene->geoms = drawable_geoms(m(), drawn);
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());
@@ -156,7 +158,7 @@ void Simulator::Impl::start_at(int keyframe) {
   look();
 }
 
-std::unique_ptr<Simulator> Simulator::make_sweep(const SensorModelPtr& model, const Scenario& scenario) {
+std::unique_ptr<Simulator> Simulator::make_scenario(const SensorModelPtr& model, const Scenario& scenario) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;

@@ -36,8 +36,8 @@ struct PosedContact {
 
 class Simulator {
  public:
-  /// A scenario around any compiled layout. The scene uses `others = {"box"}`.
-  static std::unique_ptr<Simulator> make_sweep(const SensorModelPtr& model, const Scenario& scenario);
+  /// A scenario around any compiled layout: the finger is led, and meets the scenario's object.
+  static std::unique_ptr<Simulator> make_scenario(const SensorModelPtr& model, const Scenario& scenario);
   /// Any MJCF with the sensors it declares, and layouts attached to others of its geoms. `aggregate`, where given, goes
   /// over that of every layout.
   /// Throws Error that names the file and MuJoCo's reason.

@@ -102,6 +102,7 @@ void Simulator::view(StepView& view) const {
     one.hits = reading.hits.all();
     one.hit_rays = reading.hits.hit_rays();
   }
+  view.held = held_points(s.m(), s.d());
 }
 
 void Simulator::fill_frame(SimFrame& frame) const {
@@ -113,7 +114,6 @@ void Simulator::fill_frame(SimFrame& frame, FilledHits& hits) const {
   taxel::fill_frame(view(), frame, hits);
   frame.controls = control_values(impl_->m(), impl_->d());
   frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
-  frame.held = held_points(impl_->m(), impl_->d());
 }
 
 Pose Simulator::pose_of_geom(int geom) const {

@@ -71,7 +71,7 @@ void draw_keyframes(UiState& ui, const SimFrame& frame) {
 void draw_mocaps(UiState& ui, const UiInput& input, const SimFrame& frame) {
   const std::vector<std::string>& bodies = frame.scene->controls.mocaps;
   if (bodies.empty() || !header(ui, "Mocap bodies")) return;
-  if (input.sweep) return caption("The scenario leads it along its path.");
+  if (input.runs_scenario) return caption("The scenario leads it along its path.");
   for (std::size_t i = 0; i < bodies.size() && i < frame.controls.mocaps.size(); ++i) {
     if (!begin_properties(("mocap" + bodies[i]).c_str())) continue;
     Pose X_WB = frame.controls.mocaps[i];

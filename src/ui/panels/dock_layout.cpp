@@ -13,9 +13,9 @@ namespace {
 constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.213f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f,
                 kPlot = 0.56f;
 
-/// Where text is large for the window, panels that stand side by side become tabs: heights and widths of text.
-constexpr float kCompactWidth = 60, kCompactHeight = 36;
-constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.25f, kCompactRight = 0.30f;
+/// Where text is large for the window, panels that stand side by side become tabs: its size, in heights of text.
+constexpr float kCompactWidth = 60, kCompactHeight = 42;
+constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.24f, kCompactRight = 0.34f;
 
 void arrange_compactly(ImGuiID space) {
   ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0;
@@ -64,11 +64,11 @@ bool is_compact(ImVec2 size, float line) {
   return size.x < kCompactWidth * line || size.y < kCompactHeight * line;
 }
 
-void arrange(ImGuiID space, ImVec2 size) {
+void arrange(ImGuiID space, ImVec2 size, bool compactly) {
   ImGui::DockBuilderRemoveNode(space);
   ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
   ImGui::DockBuilderSetNodeSize(space, size);
-  is_compact(size, ImGui::GetFontSize()) ? arrange_compactly(space) : arrange_side_by_side(space);
+  compactly ? arrange_compactly(space) : arrange_side_by_side(space);
   ImGui::DockBuilderFinish(space);
 }
 
@@ -85,9 +85,9 @@ bool scale_wants_another(UiState& ui, ImVec2 size) {
 void draw_dock_space(UiState& ui) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImGuiID space = ImGui::GetID("Taxel Studio");
-  const bool another = scale_wants_another(ui, viewport->WorkSize);
+  const bool another = scale_wants_another(ui, viewport->Size);  // whatever rows the bars need
   if (another || ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr)
-    arrange(space, viewport->WorkSize);
+    arrange(space, viewport->WorkSize, is_compact(viewport->Size, ImGui::GetFontSize()));
   ui.reset_arrangement = false;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 
+#include "ui/panels/dock_layout.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/plot_click.h"
 
 namespace taxel::ui {
 namespace {
@@ -59,7 +61,7 @@ void plot_dots(const char* id, const Dots& dots, const ImVec4& color, float size
 /// The polygon whose dot is nearest to a click, within some pixels.
 void pick_dot(UiState& ui, const Explanation& e) {
   constexpr float kReach = 12;
-  if (!ImPlot::IsPlotHovered() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+  if (!plot_clicked()) return;
   const ImVec2 mouse = ImGui::GetMousePos();
   float nearest = kReach * kReach;
   for (const PolygonBehind& p : e.polygons) {
@@ -130,6 +132,8 @@ void draw_scatter(UiState& ui, const Explanation& e) {
   plot_dots("##serving", serving, colors.accent, 2.4f);
   plot_dots("##selected", selected, colors.text, 5.0f);
   pick_dot(ui, e);
+  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize();
+  ui.widgets.note(kExplainTitle, "Scatter dots", {lo.x, lo.y, lo.x + size.x, lo.y + size.y});
   end_plot();
   ui.widgets.note_item("Scatter");
 }

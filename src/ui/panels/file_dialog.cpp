@@ -231,11 +231,7 @@ void draw_file_dialog(UiState& ui) {
   FileDialog& dialog = ui.dialog;
   const char* const title = words_of(dialog.task).title;
   if (dialog.open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  const ImGuiViewport* viewport = ImGui::GetMainViewport();
-  const ImVec2 size(std::min(46 * ImGui::GetFontSize(), 0.9f * viewport->Size.x),
-                    std::min(30 * ImGui::GetFontSize(), 0.9f * viewport->Size.y));
-  ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-  ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  place_dialog(46, 30);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
   ImGui::TextDisabled("%s", dialog.folder.c_str());
   ui.widgets.note_item("Folder");

@@ -60,7 +60,9 @@ void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
   const int index = active_index(ui.selection, model.layout);
   const bool edited = ui.mode == Mode::layout && input.editing.project;
   if (edited ? ui.selection.empty() : index < 0) {
+    ImGui::PushTextWrapPos();
     ImGui::TextDisabled("None. Click one in the view.");
+    ImGui::PopTextWrapPos();
     return;
   }
   if (!begin_properties("taxel")) return;

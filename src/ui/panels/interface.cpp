@@ -29,6 +29,7 @@
 #include "ui/panels/view_panel.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/path_recorder.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/keyboard_focus.h"
 
@@ -80,6 +81,7 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   if (ui.summary.model != input.shown_model(ui)) ui.summary = summarize(input.shown_model(ui));
   update_problems(ui, input);
   handle_keys(ui, input);
+  follow_path_recording(ui, input);
   draw_menu_bar(ui, input);
   draw_toolbar(ui, input);
   draw_status_line(ui, input);

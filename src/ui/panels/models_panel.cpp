@@ -14,11 +14,13 @@
 #include "ui/tools/models_tool.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/plot_click.h"
 
 namespace taxel::ui {
 namespace {
 
-constexpr float kLeastWidth = 58;                // of table and curves beside each other, in heights of text
+constexpr float kLeastWidth = 75;                // of table and curves beside each other, in heights of text
+constexpr float kLeastHeight = 8;                // of each, likewise: in less room the panel scrolls
 constexpr std::array kColors{0, 5, 2, 3, 1, 6};  // numbers of taxel_color, by model
 constexpr std::array kNames{"Reading", "Star field", "Weighted sum", "Exact", "<tactile>", "<touch>"};
 constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.85f, 0.8f};  // of columns, to each other
@@ -42,8 +44,9 @@ ReadingUnit shown_unit_of(ReadingModel model, Aggregate aggregate) {
   return shown_unit(model == ReadingModel::weighted_sum ? Aggregate::weighted_sum : aggregate);
 }
 
-ImVec4 color_of(ReadingModel model) {
-  const glm::vec3 c = taxel_color(kColors[number(model)]);
+/// Light colours are not seen on a light ground.
+ImVec4 color_of(ReadingModel model, bool dark) {
+  const glm::vec3 c = (dark ? 1.0f : 0.62f) * taxel_color(kColors[number(model)]);
   return {c.x, c.y, c.z, 1};
 }
 
@@ -110,9 +113,7 @@ void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedS
   ImGui::TextDisabled("Id");
   for (const ReadingModel model : kReadingModels) {
     ImGui::TableNextColumn();
-    const float level = ui.saved.dark ? 1.0f : 0.62f;  // light colours are not read on a light ground
-    const ImVec4 c = color_of(model);
-    ImGui::TextColored({level * c.x, level * c.y, level * c.z, 1}, "%s", kNames[number(model)]);
+    ImGui::TextColored(color_of(model, ui.saved.dark), "%s", kNames[number(model)]);
     tooltip(kTips[number(model)]);
     ImGui::TextDisabled("%s", shown_unit_of(model, layout.readout.aggregate).text);
   }
@@ -152,12 +153,10 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
 /// A click shows the recorded step at that place.
 void scrub(UiState& ui, const UiInput& input) {
   const HistoryLanes* lanes = input.frame->history.lanes.get();
-  if (lanes == nullptr || lanes->rows() == 0 || !ImPlot::IsPlotHovered() ||
-      !ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    return;
+  if (lanes == nullptr || lanes->rows() == 0 || !plot_clicked()) return;
   const double x = ImPlot::GetPlotMousePos().x;
   const std::size_t row =
-      input.sweep ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
+      input.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
   ui.ask(ScrubTo{lanes->steps[row].step});
 }
 
@@ -166,7 +165,7 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
   constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (ImPlot::BeginPlot("##curves", size, kFlags)) {
-    ImPlot::SetupAxes(input.sweep ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
+    ImPlot::SetupAxes(input.by_travel() ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
     const double first = state.x.empty() ? 0 : state.x.front(), last = state.x.empty() ? 1 : state.x.back();
     ImPlot::SetupAxisLimits(ImAxis_X1, first, last > first ? last : first + 1, ImPlotCond_Always);
     ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08, ImPlotCond_Always);
@@ -175,11 +174,11 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
     for (const ReadingModel model : kReadingModels) {
       const std::vector<double>& y = state.y[number(model)];
       ImPlotSpec spec;
-      spec.LineColor = color_of(model);
+      spec.LineColor = color_of(model, ui.saved.dark);
       spec.LineWeight = (model == ReadingModel::exact ? 2.6f : 1.6f) * static_cast<float>(ui.pixel_scale);
       ImPlot::PlotLine(kNames[number(model)], state.x.data(), y.data(), static_cast<int>(y.size()), spec);
     }
-    const double x = input.sweep ? 1e3 * input.frame->travel : input.frame->time;
+    const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
     ImPlotSpec spec;
     spec.LineColor = palette(ui.saved.dark).path;
     spec.LineWeight = 1.2f;
@@ -215,12 +214,14 @@ void draw_comparison(UiState& ui, const UiInput& input, const ComparedSteps& com
   if (step == nullptr) caption("The step shown is read when the simulation stands still.");
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kLeastWidth * ImGui::GetFontSize();
-  const ImVec2 table(beside ? 0.54f * room.x : room.x, beside ? room.y : 0.5f * room.y);
+  const float least = kLeastHeight * ImGui::GetFontSize(), height = std::max(least, beside ? room.y : 0.5f * room.y);
+  const ImVec2 table(beside ? 0.54f * room.x : room.x, height);
   draw_step_table(ui, compared, step, taxel, table);
   if (taxel < 0) return;
-  update_curves(ui.models, compared, taxel, input.sweep);
+  update_curves(ui.models, compared, taxel, input.by_travel());
   if (beside) ImGui::SameLine();
-  draw_curves(ui, input, ui.models, ImGui::GetContentRegionAvail());
+  const ImVec2 rest = ImGui::GetContentRegionAvail();
+  draw_curves(ui, input, ui.models, {rest.x, std::max(least, rest.y)});
 }
 
 std::string reason(const UiState& ui, const UiInput& input) {

@@ -13,7 +13,6 @@
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 
@@ -23,35 +22,7 @@ namespace {
 constexpr double kResponding = 0.05;
 /// Above and below the upright axis, in heights of text: its name is left out where it would be longer.
 constexpr float kAroundAxis = 3.5f;
-/// Longer traces are thinned for drawing.
-constexpr std::size_t kMostPoints = 4000;
 constexpr double kTolerance = 0.2;  ///< [pixels] of curves: see thin_curve()
-
-/// x of the plot: travel in a sweep, time elsewhere.
-double plot_x(const TraceRow& row, bool sweep) {
-  return sweep ? 1e3 * row.travel : row.time;
-}
-
-void rebuild_curves(PlotCurves& curves, const std::vector<TraceRow>& trace, bool sweep) {
-  curves.trace = &trace;
-  curves.rows = trace.size();
-  curves.travel_mm.clear();
-  curves.readings.assign(trace.empty() ? 0 : trace.front().readings.size(), {});
-  curves.largest = 0;
-  curves.polished_from.reset();
-  for (std::size_t r = 1; r < trace.size(); ++r) {
-    if (trace[r - 1].quality == SampleQuality::preview && trace[r].quality == SampleQuality::polished)
-      curves.polished_from = plot_x(trace[r], sweep);
-  }
-  const std::size_t stride = 1 + trace.size() / kMostPoints;
-  for (std::size_t r = 0; r < trace.size(); r += stride) {
-    curves.travel_mm.push_back(plot_x(trace[r], sweep));
-    for (std::size_t k = 0; k < curves.readings.size() && k < trace[r].readings.size(); ++k) {
-      curves.readings[k].push_back(trace[r].readings[k]);
-      curves.largest = std::max(curves.largest, trace[r].readings[k]);
-    }
-  }
-}
 
 /// Where the selected sensor's readings begin in a trace row.
 std::size_t first_reading(const UiState& ui, const UiInput& input) {
@@ -95,20 +66,17 @@ void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit
   ImPlot::SetupFinish();
 }
 
-void draw_curve(UiState& ui, const std::vector<double>& readings, double scale, int color, int id, bool selected) {
-  PlotCurves& curves = ui.curves;
+void draw_curve(UiState& ui, std::size_t reading, double scale, int color, int id, bool selected) {
   const ImVec2 pixels = ImPlot::GetPlotSize();
   const ImPlotRect limits = ImPlot::GetPlotLimits();
-  thin_curve(curves.travel_mm, readings, limits.X.Size() / std::max(1.0f, pixels.x),
-             kTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), curves.drawn);
-  for (double& reading : curves.drawn.y) reading *= scale;
+  const CurvePoints& drawn = drawn_curve(ui.curves, reading, limits.X.Size() / std::max(1.0f, pixels.x),
+                                         kTolerance * limits.Y.Size() / std::max(1.0f, pixels.y), scale);
   const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
   spec.LineWeight = (selected ? 3.2f : 1.8f) * static_cast<float>(ui.pixel_scale);
   const std::string label = fmt::format("{}", id);
-  ImPlot::PlotLine(label.c_str(), curves.drawn.x.data(), curves.drawn.y.data(), static_cast<int>(curves.drawn.x.size()),
-                   spec);
+  ImPlot::PlotLine(label.c_str(), drawn.x.data(), drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
   if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
     click_taxel(ui, id, ImGui::GetIO().KeyShift);
 }
@@ -161,13 +129,11 @@ void draw_plot(UiState& ui, const UiInput& input) {
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (ImPlot::BeginPlot("##taxels", size, kFlags)) {
     setup_axes(ui, input, unit, curves.largest, size.y);
-    const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 0.0) : unit.scale;
+    const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 1.0) : unit.scale;
     const std::size_t first = first_reading(ui, input);
     for (std::size_t k = 0; k < layout.taxels.size() && first + k < curves.readings.size(); ++k) {
-      const std::vector<double>& readings = curves.readings[first + k];
-      const double peak = readings.empty() ? 0.0 : *std::max_element(readings.begin(), readings.end());
-      if (ui.saved.plot.responding_only && !(peak > kResponding * curves.largest)) continue;
-      draw_curve(ui, readings, scale, model.color(static_cast<int>(k)), layout.taxels[k].id,
+      if (ui.saved.plot.responding_only && !(curves.peaks[first + k] > kResponding * curves.largest)) continue;
+      draw_curve(ui, first + k, scale, model.color(static_cast<int>(k)), layout.taxels[k].id,
                  ui.selection.contains(layout.taxels[k].id));
     }
     draw_real_curves(ui, input, scale, curves.largest, first);
@@ -188,8 +154,7 @@ void draw_plot_panel(UiState& ui, const UiInput& input) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
       const std::vector<TraceRow>& trace = *input.frame->trace;
-      if (ui.curves.trace != &trace || ui.curves.rows != trace.size())
-        rebuild_curves(ui.curves, trace, input.by_travel());
+      update_curves(ui.curves, trace, input.by_travel());
       draw_options(ui, unit_of(ui, input));
       draw_plot(ui, input);
     }

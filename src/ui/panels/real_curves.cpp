@@ -6,13 +6,13 @@
 
 #include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"
+#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 
 namespace {
 
-/// Longer recordings are thinned for drawing.
-constexpr std::size_t kMostRealPoints = 3000;
+constexpr double kTolerance = 0.2;              ///< [pixels] of curves: see thin_curve()
 constexpr float kDash = 6, kBetweenDashes = 4;  // [pixels] at scale 1
 
 /// Where the plot has a time of the run: travel in a sweep [mm], else the time [s]. NaN outside of the run.
@@ -47,13 +47,12 @@ void rebuild(RealCurves& kept, const UiInput& input, double largest, std::size_t
   const RealShown& real = *input.real;
   kept = {input.real.get(), input.frame->trace.get(), first, {}};
   const TaxelSeries& series = real.recording.series;
-  const std::size_t stride = 1 + series.time.size() / kMostRealPoints;
   for (std::size_t k = 0; k < series.taxel_ids.size(); ++k) {
     RealCurves::Curve& curve = kept.curves.emplace_back();
     curve.taxel = series.taxel_ids[k];
     const AsReading reading = as_reading(real, curve.taxel, largest);
-    for (std::size_t i = 0; i < series.time.size(); i += stride) {
-      const double x = x_at(*input.frame->trace, input.sweep, series.time[i] + real.shift);
+    for (std::size_t i = 0; i < series.time.size(); ++i) {
+      const double x = x_at(*input.frame->trace, input.by_travel(), series.time[i] + real.shift);
       const double y = series.values[k][i];
       if (std::isnan(x) || std::isnan(y)) continue;
       curve.x.push_back(x);
@@ -63,7 +62,7 @@ void rebuild(RealCurves& kept, const UiInput& input, double largest, std::size_t
 }
 
 /// Dashes go on along the whole curve, whatever the length of its parts.
-void draw_dashed(const RealCurves::Curve& curve, double scale, ImU32 color, float weight, float pixel_scale) {
+void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weight, float pixel_scale) {
   ImDrawList& list = *ImPlot::GetPlotDrawList();
   const float dash = kDash * pixel_scale, period = dash + kBetweenDashes * pixel_scale;
   float walked = 0;
@@ -88,9 +87,7 @@ void draw_dashed(const RealCurves::Curve& curve, double scale, ImU32 color, floa
 /// Whether the plot leaves the taxel out, as it does with its reading.
 bool is_left_out(const UiState& ui, std::size_t reading) {
   if (!ui.saved.plot.responding_only || reading >= ui.curves.readings.size()) return false;
-  const std::vector<double>& values = ui.curves.readings[reading];
-  const double peak = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-  return !(peak > kTaxelResponds * ui.curves.largest);
+  return !(ui.curves.peaks[reading] > kTaxelResponds * ui.curves.largest);
 }
 
 }  // namespace
@@ -101,13 +98,18 @@ void draw_real_curves(UiState& ui, const UiInput& input, double scale, double la
   if (kept.shown != input.real.get() || kept.trace != input.frame->trace.get() || kept.first != first)
     rebuild(kept, input, largest, first);
   const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+  const ImVec2 pixels = ImPlot::GetPlotSize();
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  CurvePoints drawn;
   ImPlot::PushPlotClipRect();
   for (const RealCurves::Curve& curve : kept.curves) {
     for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
       if (model.layout.taxels[k].id != curve.taxel || is_left_out(ui, first + k)) continue;
       const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
       const float weight = (ui.selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
-      draw_dashed(curve, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
+      thin_curve(curve.x, curve.y, limits.X.Size() / std::max(1.0f, pixels.x),
+                 kTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
+      draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
                   static_cast<float>(ui.pixel_scale));
     }
   }

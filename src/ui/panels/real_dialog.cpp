@@ -140,12 +140,8 @@ void draw_columns(UiState& ui, const std::vector<Taxel>& taxels, float height) {
 void draw_real_dialog(UiState& ui, const UiInput& input) {
   constexpr const char* kTitle = "What the columns mean";
   if (ui.real.asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
-  const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowSize(
-      {std::min(44 * line, 0.95f * viewport->Size.x), std::min(40 * line, 0.95f * viewport->Size.y)},
-      ImGuiCond_Appearing);
-  ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  place_dialog(44, 40);
   if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
   ImGui::TextDisabled("%s", ui.real.file.c_str());
   if (begin_properties("format")) {

@@ -1,8 +1,11 @@
 #include "ui/panels/scenario_section.h"
 
-#include <array>
+#include <fmt/format.h>
+#include <imgui.h>
 
+#include "ui/panels/scenario_fields.h"
 #include "ui/panels/way_point_table.h"
+#include "ui/tools/path_recorder.h"
 #include "ui/tools/path_tool.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
@@ -12,36 +15,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr FieldUnit kMillimetres{"mm", -3, -1}, kMillimetresPerSecond{"mm/s", -3, -1}, kMilliseconds{"ms", -3, -1},
-    kDegrees{"deg", 0, -1}, kGrams{"g", -3, -1}, kPlain{"", 0, -1};
-
-struct Field {
-  double Scenario::*value;
-  const char* name;
-  FieldUnit unit;
-  const char* tip;
-};
-constexpr std::array<Field, 19> kFields{
-    {{&Scenario::depth, "Depth (mm)", kMillimetres, "How far below first touch on the object's top it is led"},
-     {&Scenario::speed, "Path speed (mm/s)", kMillimetresPerSecond, "Along straight ways"},
-     {&Scenario::before, "Before the edge (mm)", kMillimetres, "Where the lowest point of the finger starts"},
-     {&Scenario::past, "Past the edge (mm)", kMillimetres, "Where it ends"},
-     {&Scenario::tilt_deg, "Tilt (\u00b0)", kDegrees, "Of the finger's distal axis below the horizontal"},
-     {&Scenario::place, "Place (mm)", kMillimetres, "Lowest point of the finger, from the object's middle along x"},
-     {&Scenario::clearance, "Clearance (mm)", kMillimetres, "Gap between finger and object at the start"},
-     {&Scenario::angle_deg, "Angle (\u00b0)", kDegrees, "Through which it turns, and back; it rolls towards +x"},
-     {&Scenario::rate_deg, "Rate (\u00b0/s)", kDegrees, "At which it turns"},
-     {&Scenario::distance, "Slide distance (mm)", kMillimetres, "There, and the same way back"},
-     {&Scenario::direction_deg, "Direction (\u00b0)", kDegrees, "Of the slide, from +x towards +y"},
-     {&Scenario::hold, "Hold (s)", kPlain, "Rest at the depth, or at the end of the way there"},
-     {&Scenario::height, "Height (mm)", kMillimetres, "From which it drops: the gap to the object"},
-     {&Scenario::duration, "Drop lasts (s)", kPlain, "Until the scenario is over"},
-     {&Scenario::box_size, "Object size (mm)", kMillimetres,
-      "Edges of a box, sides of a plate (a tenth as thick), diameter of a sphere"},
-     {&Scenario::finger_mass, "Finger mass (g)", kGrams, "Of the whole finger"},
-     {&Scenario::record_every, "Row every (mm)", kMillimetres, "Of travel, in plots and recordings"},
-     {&Scenario::record_interval, "Row every (ms)", kMilliseconds, "In plots and recordings"},
-     {&Scenario::timestep, "Time step (ms)", kMilliseconds, "Of the simulation"}}};
+constexpr FieldUnit kMilliseconds{"ms", -3, -1};
 
 bool uses(ScenarioKind kind, double Scenario::*value) {
   for (const ScenarioParameter& parameter : scenario_parameters())
@@ -96,7 +70,7 @@ void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
     }
     show_refusal(ui, "Recording");
   }
-  for (const Field& field : kFields) {
+  for (const ScenarioField& field : scenario_fields()) {
     if (!uses(shown, field.value)) continue;
     begin_property(field.name, field.tip);
     if (const auto typed = number_field(ui, field.name, {scenario.*field.value}, field.unit)) {
@@ -107,6 +81,31 @@ void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
   }
   draw_object(ui, edited, changed);
   if (changed) ask_edit(ui, SetScenario{edited});
+}
+
+/// Its ways become a path's way points.
+void draw_recorder(UiState& ui, const UiInput& input) {
+  const std::optional<PathRecording>& recording = ui.path.recording;
+  const std::string stop =
+      fmt::format("Stop recording ({} way points)###record path", recording ? recording->points.size() : 0);
+  const bool pressed =
+      recording ? button(ui, stop.c_str(), ImVec2(-1, 0)) : button(ui, "Record a path###record path", ImVec2(-1, 0));
+  ui.widgets.note_item("Record path");
+  tooltip(
+      "Keeps where the finger is, while a scenario leads it or you drag it, until this is pressed again or the run "
+      "ends: way points of a path");
+  if (pressed) toggle_path_recording(ui, input);
+  if (!begin_properties("recorder")) return;
+  begin_property("Way point every (ms)", "Of a recorded path; no more than one a picture");
+  if (const auto every = number_field(ui, "Way point every", {ui.path.record_every}, kMilliseconds)) {
+    if (*every > 0) {
+      ui.path.record_every = *every;
+    } else {
+      refuse(ui, "must be greater than 0");
+    }
+  }
+  show_refusal(ui, "Way point every");
+  end_properties();
 }
 
 }  // namespace
@@ -121,8 +120,9 @@ void draw_scenario_section(UiState& ui, const UiInput& input) {
     end_properties();
   }
   ImGui::BeginDisabled(!input.simulates_document || !complete);
-  if (button(ui, "Run scenario", ImVec2(-1, 0))) ui.ask(RunSweep{*scenario});
+  if (button(ui, "Run scenario", ImVec2(-1, 0))) ui.ask(RunScenario{*scenario});
   ImGui::EndDisabled();
+  draw_recorder(ui, input);
   if (complete && *scenario != input.scenario) caption("What runs is the scenario before this change.");
   if (complete && shown == ScenarioKind::path) draw_way_point_table(ui, input, *scenario);
   if (begin_properties("scenario")) {

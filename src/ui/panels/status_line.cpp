@@ -43,7 +43,7 @@ void draw_rates(UiState& ui, const UiInput& input, Flow& flow) {
 void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
   if (!input.frame) return;
   item(ui, flow, "time", fmt::format("{:.3f} s", input.frame->time));
-  if (input.sweep) item(ui, flow, "travel", in_mm(input.frame->travel, 1));
+  if (input.runs_scenario) item(ui, flow, "travel", in_mm(input.frame->travel, 1));
   const SensorFrameState* sensor = input.sensor(ui);
   if (sensor == nullptr) return;
   std::size_t polygons = 0;

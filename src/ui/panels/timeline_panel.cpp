@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/panels/dock_layout.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/flow.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/timeline_lanes.h"
@@ -16,8 +19,17 @@ namespace {
 
 constexpr FieldUnit kPercent{"", -2, 1};
 
-void gap() {
-  ImGui::SameLine(0, 1.1f * ImGui::GetFontSize());
+constexpr float kThresholdField = 3.1f, kLeastLanes = 7.5f;  // in heights of text
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Buttons as those of a film; in one row.
+float film_width() {
+  float width = 4 * ImGui::GetFontSize() + 3;
+  for (const char* label : {"< Event", "Event >", "Newest", "Loop"}) width += 3 + button_width(label);
+  return width;
 }
 
 void draw_film(UiState& ui, const UiInput& input) {
@@ -46,43 +58,48 @@ void draw_film(UiState& ui, const UiInput& input) {
 /// A switch with its threshold. Returns the new part, where one was entered.
 struct Threshold {
   const char *label, *tip, *field, *field_tip;
+  [[nodiscard]] float width() const {
+    return button_width(label) + kThresholdField * ImGui::GetFontSize() + 6 + ImGui::CalcTextSize("%").x;
+  }
 };
 std::optional<double> draw_threshold(UiState& ui, const Threshold& what, bool& on, double part) {
   if (toggle(ui, what.label, on, what.tip)) on = !on;
   ImGui::SameLine(0, 3);
-  const std::optional<double> entered = number_field(ui, what.field, {part}, kPercent, 3.1f * ImGui::GetFontSize());
+  const std::optional<double> entered =
+      number_field(ui, what.field, {part}, kPercent, kThresholdField * ImGui::GetFontSize());
   tooltip(what.field_tip);
   ImGui::SameLine(0, 3);
   ImGui::TextDisabled("%%");
   return entered;
 }
 
-void draw_breakpoints(UiState& ui, const UiInput& input) {
+void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
   const Breakpoints& now = input.frame->breakpoints;
   Breakpoints wanted = now;
+  constexpr Threshold kJumps{"Jumps", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
+                             "A jump: from one step to the next, as part of the sensor's largest reading so far"};
+  flow.next(ImGui::CalcTextSize("Pause at").x + 5 + kJumps.width(), 1.1f * ImGui::GetFontSize());
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Pause at");
   ImGui::SameLine(0, 5);
-  constexpr Threshold kJumps{"Jumps", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
-                             "A jump: from one step to the next, as part of the sensor's largest reading so far"};
   if (const auto part = draw_threshold(ui, kJumps, wanted.on_jump, now.jump); part && *part > 0) wanted.jump = *part;
-  ImGui::SameLine(0, 9);
   constexpr Threshold kEqual{"at equal force", "Pause when a taxel jumps while the force stays", "Force change",
                              "The force stays where it changes by no more than this part of itself"};
+  flow.next(kEqual.width());
   if (const auto part = draw_threshold(ui, kEqual, wanted.at_equal_force, now.equal_force); part && *part >= 0)
     wanted.equal_force = *part;
-  ImGui::SameLine(0, 9);
   constexpr Threshold kOff{"samples off",
                            "Pause when samples and surface disagree: a taxel reads something else than the exact\n"
                            "integral over its field. Working that out in every step slows the simulation down",
                            "Samples off by", "As part of the sensor's largest reading so far"};
+  flow.next(kOff.width());
   if (const auto part = draw_threshold(ui, kOff, wanted.on_disagreement, now.disagreement); part && *part > 0)
     wanted.disagreement = *part;
   if (!(wanted == now)) ui.ask(SetBreakpoints{wanted});
 }
 
 /// How much is kept, and what it costs.
-void draw_memory(UiState& ui, const UiInput& input) {
+void draw_memory(UiState& ui, const UiInput& input, Flow& flow) {
   const HistoryState& history = input.frame->history;
   const std::string shown = input.frame->recorded
                                 ? fmt::format("step {} of {}", grouped(static_cast<long long>(input.frame->step)),
@@ -92,11 +109,8 @@ void draw_memory(UiState& ui, const UiInput& input) {
       fmt::format("{}   {} steps, {:.0f} MB of", shown, grouped(static_cast<long long>(history.steps)),
                   1e-6 * static_cast<double>(history.bytes));
   const float field = 4.4f * ImGui::GetFontSize();
-  const float width = ImGui::CalcTextSize(text.c_str()).x + field + 6;
-  ImGui::SameLine();
-  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width;
-  if (right < ImGui::GetCursorPosX()) return;  // no room
-  ImGui::SetCursorPosX(right);
+  flow.last(ImGui::CalcTextSize(text.c_str()).x + field + 6);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text.c_str());
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("Steps are kept as they were computed.\nRecording one takes %s of %s.",
@@ -122,12 +136,14 @@ void draw_timeline_panel(UiState& ui, const UiInput& input) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
       ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+      Flow flow(9);
+      flow.next(film_width());
       draw_film(ui, input);
-      gap();
-      draw_breakpoints(ui, input);
-      draw_memory(ui, input);
+      draw_breakpoints(ui, input, flow);
+      draw_memory(ui, input, flow);
       ImGui::PopStyleVar();
-      draw_timeline_lanes(ui, input, ImGui::GetContentRegionAvail());
+      const ImVec2 room = ImGui::GetContentRegionAvail();
+      draw_timeline_lanes(ui, input, {room.x, std::max(room.y, kLeastLanes * ImGui::GetFontSize())});
     }
   }
   ImGui::End();

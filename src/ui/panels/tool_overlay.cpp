@@ -116,6 +116,8 @@ std::string hint_of(const ToolState& tool) {
       return "Slide: " + tool.value + "   Ctrl corners, Shift finer, Esc cancels";
     case Tool::move:
       return "Move: " + tool.value + typed + "   X Y Z, digits (mm), Ctrl snaps, Shift finer" + kEnd;
+    case Tool::way_point:
+      return "Way point: " + tool.value + typed + "   X Y Z, digits (mm), Ctrl snaps, Shift finer" + kEnd;
     case Tool::turn:
       return "Turn: " + tool.value + typed + "   X Y Z, digits (\u00b0), Ctrl snaps, Shift finer" + kEnd;
     case Tool::resize:
@@ -144,9 +146,12 @@ void draw_line(const UiState& ui, ImDrawList& list, int row, const std::string& 
 }  // namespace
 
 void draw_tool_overlay(const UiState& ui, const UiInput& input) {
-  if (ui.mode != Mode::layout) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.saved.dark);
+  if (ui.mode != Mode::layout) {
+    if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_line(ui, list, 0, hint, colors.text);
+    return;
+  }
   draw_ghost(ui, input, list);
   draw_area(ui, list);
   draw_brush_ring(ui, input);

@@ -11,6 +11,7 @@
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/path_recorder.h"
 #include "ui/tools/path_tool.h"
 #include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
@@ -288,6 +289,7 @@ void perform(Action action, UiState& ui, const UiInput& input) {
 bool is_checked(Action action, const UiState& ui) {
   if (action == Action::toggle_theme) return !ui.saved.dark;
   if (action == Action::lock_range) return !ui.range.automatic;
+  if (action == Action::record_path) return ui.path.recording.has_value();
   if (action == Action::probe) return ui.probe.on;
   if (action == Action::measure) return ui.measure.on;
   if (action == Action::toggle_clip) return ui.clip.has_value();
@@ -314,6 +316,8 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::explain:
     case Action::record:
       return has_history(input);
+    case Action::record_path:
+      return can_record_path(ui, input);
     case Action::mode_layout:
     case Action::close_document:
       return input.model != nullptr || input.frame != nullptr;

@@ -5,6 +5,7 @@
 
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
+#include "ui/tools/path_tool.h"
 #include "ui/tools/surface_place.h"
 #include "ui/tools/taxel_order.h"
 
@@ -139,6 +140,9 @@ bool perform_gesture(Action action, UiState& ui, const UiInput& input) {
     case Action::move:
       begin_gesture(ui, input, Tool::move);
       return true;
+    case Action::move_way_point:
+      begin_gesture(ui, input, Tool::way_point);
+      return true;
     case Action::turn:
       begin_gesture(ui, input, Tool::turn);
       return true;
@@ -271,6 +275,8 @@ bool is_edit_enabled(Action action, const UiState& ui, const UiInput& input) {
       return editable && !input.editing.project->layout.taxels.empty();
     case Action::show_all:
       return editable && !input.editing.project->hidden.empty();
+    case Action::move_way_point:
+      return has_way_point(ui, input);
     case Action::copy:
     case Action::duplicate:
     case Action::delete_taxels:

@@ -11,6 +11,7 @@
 #include "ui/tools/brush.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/generate.h"
+#include "ui/tools/path_tool.h"
 
 namespace taxel::ui {
 
@@ -58,7 +59,8 @@ void follow(UiState& ui, const UiInput& input) {
   ToolState& tool = ui.tool;
   if (tool.done && *tool.done == tool.input) return;
   tool.done = tool.input;
-  GestureEdit result = gesture_edit(tool, gesture_view(ui, input));
+  GestureEdit result =
+      tool.tool == Tool::way_point ? moved_way_point(ui, input) : gesture_edit(tool, gesture_view(ui, input));
   if (!result.edit) return;
   tool.value = std::move(result.value);
   ui.ask(EditProject{std::move(*result.edit), {tool.gesture, true}});
@@ -71,6 +73,24 @@ void move_pointer(ToolState& tool) {
   tool.input.precise = io.KeyShift;
   tool.input.pointer += (io.KeyShift ? kPrecise : 1.0) *
                         dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
+}
+
+/// From here on pointer and keys say what the tool does.
+void follow_with(UiState& ui, const UiInput& input, Tool tool) {
+  ToolState& state = ui.tool;
+  std::vector<Taxel> start = std::move(state.start);
+  end_tool(ui);
+  state.start = std::move(start);
+  state.tool = tool;
+  ++state.gesture;
+  state.selection = ui.selection;
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 mouse(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y);  // this picture follows it yet
+  state.pointer_start = {static_cast<double>(mouse.x - ui.view.rect.x0),
+                         static_cast<double>(mouse.y - ui.view.rect.y0)};
+  state.input = {};
+  state.input.pointer = state.pointer_start;
+  follow(ui, input);
 }
 
 /// A press on a selected taxel may become a slide.
@@ -121,6 +141,7 @@ bool can_edit(const UiState& ui, const UiInput& input) {
 }
 
 void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies) {
+  if (tool == Tool::way_point && take_way_point(ui, input)) return follow_with(ui, input, tool);
   if (!can_edit(ui, input)) return;
   const Project& project = *input.editing.project;
   std::vector<Taxel> taxels = selected_taxels(ui, project, !copies);
@@ -132,19 +153,10 @@ void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies) {
     for (std::size_t i = 0; i < taxels.size(); ++i) taxels[i].id = ids[i];
     ui.selection.taxels = ids;
   }
-  end_tool(ui);
-  state.tool = tool;
-  ++state.gesture;
   state.start = std::move(taxels);
   state.adds = copies;
+  follow_with(ui, input, tool);
   state.selection = before;
-  const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 mouse(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y);  // this picture follows it yet
-  state.pointer_start = {static_cast<double>(mouse.x - ui.view.rect.x0),
-                         static_cast<double>(mouse.y - ui.view.rect.y0)};
-  state.input = {};
-  state.input.pointer = state.pointer_start;
-  follow(ui, input);
 }
 
 void accept_gesture(UiState& ui, const UiInput& input) {
@@ -179,13 +191,14 @@ void constrain_gesture(UiState& ui, int axis) {
 
 bool handle_tool_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
   ToolState& tool = ui.tool;
-  if (!can_edit(ui, input)) {
-    if (tool.tool != Tool::none) cancel_tool(ui);
-    return false;
-  }
   if (!tool.released) {  // the press that ended a gesture, or the drag that Esc has cancelled, does nothing more
     tool.released = !ImGui::IsAnyMouseDown() && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (!tool.released && tool.tool == Tool::none) return true;
+  }
+  const bool usable = tool.tool == Tool::way_point ? has_way_point(ui, input) : can_edit(ui, input);
+  if (!usable) {
+    if (tool.tool != Tool::none) cancel_tool(ui);
+    return false;
   }
   if (tool.tool == Tool::box || tool.tool == Tool::lasso) {
     if (draw_area(ui, input, {x, y}, hovered)) end_tool(ui);

@@ -12,7 +12,8 @@ namespace taxel::ui {
 /// How the layout is seen.
 [[nodiscard]] GestureView gesture_view(const UiState& ui, const UiInput& input);
 
-/// With the selected taxels; `copies`: with copies of them, which the gesture adds. Nothing where none is selected.
+/// With the selected way point, or the selected taxels; `copies`: with copies of them, which the gesture adds. Nothing
+/// where none is selected.
 void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies = false);
 void accept_gesture(UiState& ui, const UiInput& input);
 /// Of any tool: all is as it was.

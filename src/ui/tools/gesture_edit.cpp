@@ -73,17 +73,11 @@ GestureEdit slide(const ToolState& tool, const GestureView& view) {
   return {edit_of(tool, taxels), fmt::format("{:.2f} mm along the surface", 1e3 * glm::length(delta))};
 }
 
-GestureEdit move_along(const ToolState& tool, const GestureView& view, int axis, std::optional<double> typed) {
-  const dvec3 direction = axis_vector(axis), center = tool.start.back().center;
-  const dvec2 at = view.pixel_of(center);
-  const auto along = [&](const dvec2& pointer) {
-    return along_line(center, direction, view.ray_M(at + pointer - tool.pointer_start));
-  };
-  const double pulled = along(tool.input.pointer) - along(tool.pointer_start);
-  const double distance = typed ? shifted_decimal(*typed, -3) : snapped(pulled, kMoveStep, tool.input);
+GestureEdit move_along(const ToolState& tool, const GestureView& view, int axis) {
+  const double distance = distance_along(tool.input, tool.pointer_start, view, tool.start.back().center, axis);
   std::vector<Taxel> taxels = tool.start;
-  for (Taxel& taxel : taxels) taxel.center += distance * direction;
-  return {edit_of(tool, taxels), fmt::format("{:.3f} mm along {}", 1e3 * distance, axis_name(axis))};
+  for (Taxel& taxel : taxels) taxel.center += distance * axis_vector(axis);
+  return {edit_of(tool, taxels), along_text(distance, axis)};
 }
 
 GestureEdit turn(const ToolState& tool, const GestureView& view, std::optional<double> typed) {
@@ -141,6 +135,24 @@ std::optional<double> typed_number(const std::string& typed) {
   return value;
 }
 
+double distance_along(const GestureInput& input, const dvec2& pointer_start, const GestureView& view, const dvec3& p_M,
+                      int axis) {
+  if (const std::optional<double> typed = typed_number(input.typed)) return shifted_decimal(*typed, -3);
+  const dvec2 at = view.pixel_of(p_M);
+  const auto along = [&](const dvec2& pointer) {
+    return along_line(p_M, axis_vector(axis), view.ray_M(at + pointer - pointer_start));
+  };
+  return snapped_length(along(input.pointer) - along(pointer_start), input);
+}
+
+double snapped_length(double metres, const GestureInput& input) {
+  return snapped(metres, kMoveStep, input);
+}
+
+std::string along_text(double metres, int axis) {
+  return fmt::format("{:.3f} mm along {}", 1e3 * metres, axis_name(axis));
+}
+
 GestureEdit gesture_edit(const ToolState& tool, const GestureView& view) {
   if (tool.start.empty() || view.skin == nullptr) return {};
   const std::optional<double> typed = typed_number(tool.input.typed);
@@ -149,7 +161,7 @@ GestureEdit gesture_edit(const ToolState& tool, const GestureView& view) {
       return slide(tool, view);
     case Tool::move:
       if (tool.input.axis < 0 && !typed) return slide(tool, view);
-      return move_along(tool, view, std::max(0, tool.input.axis), typed);
+      return move_along(tool, view, std::max(0, tool.input.axis));
     case Tool::turn:
       return turn(tool, view, typed);
     case Tool::resize:

@@ -32,6 +32,13 @@ struct GestureEdit {
 /// The number typed so far; none: nothing or no number yet ("-", ".").
 std::optional<double> typed_number(const std::string& typed);
 
+/// How far the pointer, or the number typed, takes a point along an axis of frame M [m].
+double distance_along(const GestureInput& input, const dvec2& pointer_start, const GestureView& view, const dvec3& p_M,
+                      int axis);
+/// A length as Ctrl snaps it.
+double snapped_length(double metres, const GestureInput& input);
+std::string along_text(double metres, int axis);  ///< "1.500 mm along X"
+
 GestureEdit gesture_edit(const ToolState& tool, const GestureView& view);
 
 }  // namespace taxel::ui

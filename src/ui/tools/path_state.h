@@ -9,6 +9,16 @@
 
 namespace taxel::ui {
 
+/// Where the tool was, kept while it moves.
+struct PathRecording {
+  std::vector<WayPoint> points;
+  double clock = 0;            ///< since it began [s]: simulated, and of the hand while the simulation stands
+  std::optional<double> time;  ///< simulated, in the picture before [s]; none: not known
+  std::uint64_t runs = 0;      ///< as SimFrame counts them
+  bool over = false;           ///< the run was over in the picture before
+  WayPoint last;               ///< newest, kept or not
+};
+
 struct PathState {
   int selected = -1;            ///< way point; -1: none
   bool held = false;            ///< the button is down on it
@@ -19,6 +29,9 @@ struct PathState {
   std::optional<WayPoint> was;  ///< the way point then
   std::optional<ScenarioKind>
       chosen;  ///< a kind that lacks what it needs (a replay its recording) to be the document's
+
+  double record_every = 0.05;              ///< [s]
+  std::optional<PathRecording> recording;  ///< none: nothing is kept
 };
 
 }  // namespace taxel::ui

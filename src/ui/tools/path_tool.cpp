@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "core/project/path_curve.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
@@ -31,29 +32,38 @@ int mark_at(const UiState& ui, const ShownPath& path, const dvec2& pointer) {
   return nearest;
 }
 
-void drag(UiState& ui, const Scenario& scenario, const dvec2& pointer) {
-  PathState& state = ui.path;
-  const auto i = static_cast<std::size_t>(state.selected);
-  if (i >= scenario.points.size()) return;
-  if (!state.moved) state.gesture = ++ui.tool.gesture;
-  state.moved = true;
-  Scenario moved = scenario;
-  // in the plane through the mark that faces the camera
+/// From one pixel to another in the plane through a point that faces the camera.
+dvec3 across_view(const UiState& ui, const dvec3& p_W, const dvec2& from, const dvec2& to) {
   const Camera& camera = ui.camera();
   const dvec3 forward = glm::normalize(camera.target - camera.eye());
   const auto under = [&](const dvec2& pixel) {
     const Ray ray = camera.pixel_ray(pixel.x, pixel.y, ui.view.width, ui.view.height);
-    const double far = glm::dot(state.grabbed_W - ray.origin, forward) / glm::dot(ray.direction, forward);
+    const double far = glm::dot(p_W - ray.origin, forward) / glm::dot(ray.direction, forward);
     return ray.origin + far * ray.direction;
   };
-  moved.points[i].X_WM.p = state.was->X_WM.p + under(pointer) - under(state.start);
-  ui.ask(EditProject{SetScenario{moved}, {state.gesture, true}});
+  return under(to) - under(from);
+}
+
+/// The path with its selected way point moved.
+Edit moved_by(const UiState& ui, const Scenario& scenario, const dvec3& by_W) {
+  Scenario moved = scenario;
+  moved.points[static_cast<std::size_t>(ui.path.selected)].X_WM.p = ui.path.was->X_WM.p + by_W;
+  return SetScenario{moved};
+}
+
+void drag(UiState& ui, const Scenario& scenario, const dvec2& pointer) {
+  PathState& state = ui.path;
+  if (static_cast<std::size_t>(state.selected) >= scenario.points.size()) return;
+  if (!state.moved) state.gesture = ++ui.tool.gesture;
+  state.moved = true;
+  const dvec3 by_W = across_view(ui, state.grabbed_W, state.start, pointer);
+  ui.ask(EditProject{moved_by(ui, scenario, by_W), {state.gesture, true}});
 }
 
 }  // namespace
 
 const Scenario* edited_scenario(const UiState& ui, const UiInput& input) {
-  const bool runs = ui.mode == Mode::simulate && input.sweep && input.frame && input.frame->scene;
+  const bool runs = ui.mode == Mode::simulate && input.runs_scenario && input.frame && input.frame->scene;
   return runs && input.editing.project ? &input.editing.project->scenario : nullptr;
 }
 
@@ -103,6 +113,35 @@ void delete_way_point(UiState& ui, const UiInput& input) {
   edited.points.erase(edited.points.begin() + ui.path.selected);
   ui.path.selected = -1;
   ui.ask(EditProject{SetScenario{edited}, {}});
+}
+
+bool has_way_point(const UiState& ui, const UiInput& input) {
+  const Scenario* scenario = path_of(ui, input);
+  return scenario != nullptr && ui.path.selected >= 0 &&
+         static_cast<std::size_t>(ui.path.selected) < scenario->points.size();
+}
+
+bool take_way_point(UiState& ui, const UiInput& input) {
+  if (!has_way_point(ui, input)) return false;
+  ui.path.was = path_of(ui, input)->points[static_cast<std::size_t>(ui.path.selected)];
+  ui.path.grabbed_W = ui.path.was->X_WM * input.frame->scene->lead_M;
+  return true;
+}
+
+GestureEdit moved_way_point(const UiState& ui, const UiInput& input) {
+  if (!has_way_point(ui, input)) return {};
+  const ToolState& tool = ui.tool;
+  const Scenario& scenario = *path_of(ui, input);
+  if (tool.input.axis < 0 && !typed_number(tool.input.typed)) {
+    dvec3 by_W = across_view(ui, ui.path.grabbed_W, tool.pointer_start, tool.input.pointer);
+    for (int axis = 0; axis < 3; ++axis) by_W[axis] = snapped_length(by_W[axis], tool.input);
+    return {moved_by(ui, scenario, by_W), in_mm(glm::length(by_W))};
+  }
+  const int axis = std::max(0, tool.input.axis);
+  const GestureView view{ui.camera(), ui.view.width, ui.view.height, Pose{}, nullptr};
+  dvec3 by_W(0);
+  by_W[axis] = distance_along(tool.input, tool.pointer_start, view, ui.path.grabbed_W, axis);
+  return {moved_by(ui, scenario, by_W), along_text(by_W[axis], axis)};
 }
 
 void cancel_way_point_drag(UiState& ui) {

@@ -1,6 +1,7 @@
 // Editing the way points of a scenario in the 3-D view.
 #pragma once
 
+#include "ui/tools/gesture_edit.h"
 #include "ui/ui_state.h"
 
 namespace taxel::ui {
@@ -18,6 +19,13 @@ namespace taxel::ui {
 void add_way_point(UiState& ui, const UiInput& input);
 /// The selected one. A path keeps two.
 void delete_way_point(UiState& ui, const UiInput& input);
+/// Whether one is selected that can be moved.
+[[nodiscard]] bool has_way_point(const UiState& ui, const UiInput& input);
+/// It is where the gesture begins; false: there is none.
+bool take_way_point(UiState& ui, const UiInput& input);
+/// As the gesture has moved it: with the pointer in the plane that faces the camera, along an axis of the world, or by
+/// a number.
+[[nodiscard]] GestureEdit moved_way_point(const UiState& ui, const UiInput& input);
 /// Of the selected one, while it is dragged: it is where it was.
 void cancel_way_point_drag(UiState& ui);
 

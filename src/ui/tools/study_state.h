@@ -24,9 +24,11 @@ struct StudyState {
   std::string key2;  ///< empty: one parameter
   double from2 = 0, to2 = 0;
   int count2 = 2;
-  std::optional<StudyWish> wish;  ///< runs, or is shown
+  std::optional<StudyWish> wish;    ///< runs, or is shown
+  std::optional<StudyWish> before;  ///< was shown when that began
   std::uint64_t number = 0;
-  std::string problem;  ///< why it cannot run
+  bool cancelled = false;  ///< the last one was
+  std::string problem;     ///< why it cannot run
 };
 
 /// The runs as they are shown.

@@ -1,5 +1,7 @@
 #include "ui/tools/time_actions.h"
+
 #include "ui/tools/explain_tool.h"
+#include "ui/tools/path_recorder.h"
 
 namespace taxel::ui {
 
@@ -44,6 +46,9 @@ bool perform_in_time(Action action, UiState& ui, const UiInput& input) {
       return true;
     case Action::record:
       ui.ask(SetRecording{!input.frame->recording.on});
+      return true;
+    case Action::record_path:
+      toggle_path_recording(ui, input);
       return true;
     case Action::explain:
       explain_reading(ui, input);

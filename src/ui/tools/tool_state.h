@@ -13,14 +13,15 @@ namespace taxel::ui {
 
 enum class Tool {
   none,
-  place,   ///< every click adds a taxel
-  slide,   ///< a selected taxel is dragged along the surface
-  move,    ///< follows the pointer along the surface, or along an axis
-  turn,    ///< normals, about the line of sight or an axis
-  resize,  ///< radii
-  box,     ///< selects what lies in a rectangle
-  lasso,   ///< selects what lies in a closed path
-  brush    ///< paints the region
+  place,      ///< every click adds a taxel
+  slide,      ///< a selected taxel is dragged along the surface
+  move,       ///< follows the pointer along the surface, or along an axis
+  turn,       ///< normals, about the line of sight or an axis
+  resize,     ///< radii
+  way_point,  ///< moves the selected one of a scenario's path
+  box,        ///< selects what lies in a rectangle
+  lasso,      ///< selects what lies in a closed path
+  brush       ///< paints the region
 };
 
 struct BrushState {
@@ -34,7 +35,7 @@ struct BrushState {
 /// All that decides what a gesture does; an edit is made when it changes.
 struct GestureInput {
   dvec2 pointer{0};  ///< in pixels of the view; slower than the hand while Shift is held
-  int axis = -1;     ///< 0 x, 1 y, 2 z of the mesh file; -1: free
+  int axis = -1;     ///< 0 x, 1 y, 2 z of the mesh file, or of the world for a way point; -1: free
   std::string typed;
   bool snap = false, precise = false;
   bool operator==(const GestureInput&) const = default;
@@ -61,7 +62,8 @@ struct ToolState {
 
   /// A gesture that follows pointer and keys until it is accepted or cancelled.
   [[nodiscard]] bool follows() const {
-    return tool == Tool::slide || tool == Tool::move || tool == Tool::turn || tool == Tool::resize;
+    return tool == Tool::slide || tool == Tool::move || tool == Tool::turn || tool == Tool::resize ||
+           tool == Tool::way_point;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/theme.h"
@@ -92,6 +93,16 @@ bool checkbox(UiState& ui, const char* label, bool* value) {
   const bool changed = ImGui::Checkbox(label, value);
   ui.widgets.note_item(label);
   return changed;
+}
+
+void place_dialog(float width, float height) {
+  constexpr float kMost = 0.95f;  // of the room
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const ImVec2 room = viewport->WorkSize;
+  const float line = ImGui::GetFontSize();
+  ImGui::SetNextWindowSize({std::min(width * line, kMost * room.x), std::min(height * line, kMost * room.y)},
+                           ImGuiCond_Appearing);
+  ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
 }
 
 bool menu_item(UiState& ui, const char* label, const std::string& shortcut, bool checked, bool enabled) {
@@ -244,7 +255,9 @@ void tooltip(const std::string& text) {
 
 void caption(const char* text) {
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", text);
+  ImGui::PopTextWrapPos();
   ImGui::PopFont();
 }
 

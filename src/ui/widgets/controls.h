@@ -12,6 +12,10 @@ namespace taxel::ui {
 /// Opens the window of a panel and notes its tab. Then ImGui::End(), whatever it returns.
 bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags = 0);
 
+/// Where the next window comes up: in the middle below the bars, of so many heights of text, or as large as there is
+/// room.
+void place_dialog(float width, float height);
+
 /// The "##id" part of a label is an id for ImGui only.
 bool button(UiState& ui, const char* label, const ImVec2& size = ImVec2(0, 0));
 bool checkbox(UiState& ui, const char* label, bool* value);

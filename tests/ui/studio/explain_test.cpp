@@ -114,6 +114,60 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   EXPECT_TRUE(studio.state("stepped.json")["explain"]["selected_polygon"].is_null()) << "numbers are of one step";
 }
 
+TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
+  const StudioProgram studio;
+  std::vector<std::string> layout = coarse_layout(studio);
+  layout.insert(layout.begin(), {"--size", "1400x1900"});  // all of the panel is in sight
+  studio.play(kInContact, layout);
+  const Json state = studio.state("explained.json");
+  const Json* plot = nullptr;
+  for (const Json& widget : state["widgets"])
+    if (widget["label"] == "Scatter dots") plot = &widget["rect"];
+  ASSERT_NE(plot, nullptr);
+  const Json& polygons = state["explain"]["polygons"];
+  ASSERT_GT(polygons.size(), 20U);
+  double area = 0, mean = 0;
+  for (const Json& p : polygons) {
+    area = std::max(area, p["area"].get<double>());
+    mean = std::max(mean, p["mean_pressure"].get<double>());
+  }
+  // the axes end a little above the largest
+  const auto pixel = [&](const Json& p) {
+    const double u = p["area"].get<double>() / (1.08 * area), v = p["mean_pressure"].get<double>() / (1.08 * mean);
+    const double x0 = (*plot)[0], y0 = (*plot)[1], x1 = (*plot)[2], y1 = (*plot)[3];
+    return dvec2(x0 + u * (x1 - x0), y1 - v * (y1 - y0));
+  };
+  // the dot that lies farthest from all others; the contact is symmetric, and many polygons have a twin
+  const auto same = [](const Json& p, const Json& q) {
+    return std::abs(p["area"].get<double>() / q["area"].get<double>() - 1) < 1e-6 &&
+           std::abs(p["mean_pressure"].get<double>() / q["mean_pressure"].get<double>() - 1) < 1e-6;
+  };
+  const Json* alone = nullptr;
+  double farthest = 0;
+  for (const Json& p : polygons) {
+    double nearest = 1e9;
+    for (const Json& q : polygons)
+      if (!same(p, q)) nearest = std::min(nearest, glm::distance(pixel(p), pixel(q)));
+    if (nearest > farthest) farthest = nearest, alone = &p;
+  }
+  ASSERT_GT(farthest, 2) << "pixels";
+  const auto at = [](const dvec2& p) { return Json({p.x, p.y}).dump(); };
+  studio.play(joined({kInContact,
+                      {click(at(pixel(*alone) + dvec2(0.3, -0.3))), kIdle, dump("dot.json"),
+                       R"({"do": "screenshot", "file": "dot.png"})"}}),
+              layout);
+  const Json dot = studio.state("dot.json");
+  const Json chosen = dot["explain"]["selected_polygon"];
+  ASSERT_TRUE(chosen.is_array());
+  for (const Json& p : polygons) {
+    if (p["surface"] == chosen[0] && p["polygon"] == chosen[1]) {
+      EXPECT_TRUE(same(p, *alone)) << p.dump() << alone->dump();
+    }
+  }
+  EXPECT_EQ(dot["selection"], state["selection"]) << "the taxel stays";
+  EXPECT_EQ(dot["simulation"]["step"], state["simulation"]["step"]);
+}
+
 TEST(Explain, ASwitchTakesTheGhostAway) {
   const StudioProgram studio;
   studio.play(joined({kInContact, {press("Ghost of the step before"), kIdle, kIdle, dump("without.json")}}),

@@ -141,6 +141,62 @@ TEST(FileWatch, ASceneChangedOnDiskIsReadAgainWithTheViewKept) {
   EXPECT_TRUE(reloaded["notices"].empty());
 }
 
+TEST(FileWatch, AFileThatASceneIncludesIsWatchedAsTheSceneIs) {
+  const StudioProgram studio;
+  const auto part = [&](const char* size) {
+    write_text(studio.folder() / "new part",
+               std::string("<mujoco><worldbody><body><freejoint/><geom name='thing' type='box' size='.02 .02 ") + size +
+                   "'/></body></worldbody></mujoco>");
+    std::filesystem::rename(studio.folder() / "new part", studio.folder() / "part.xml");
+  };
+  part(".02");
+  save_mesh(studio.folder() / "thing.obj", *load_mesh(kMeshFile).mesh);
+  write_text(studio.folder() / "scene.xml",
+             "<mujoco><include file='part.xml'/><asset><mesh name='tip' file='thing.obj'/></asset>"
+             "<worldbody><body pos='.1 0 0'><geom name='tip' type='mesh' mesh='tip'/></body></worldbody></mujoco>");
+  const auto picture = [](const char* name) {
+    return R"({"do": "screenshot", "file": ")" + std::string(name) + R"("})";
+  };
+  play_while(studio,
+             joined({{kIdle, key("Space"), kIdle},
+                     kTurn,
+                     {picture("opened.png"), dump("opened.json"), told("part.xml, which scene.xml uses, was changed"),
+                      told("thing.obj, which scene.xml uses, was deleted"), dump("told.json"), press("Read it again"),
+                      kIdle, kIdle, dump("failed.json")}}),
+             "scene.xml", [&] {
+               part(".04");
+               std::filesystem::remove(studio.folder() / "thing.obj");
+             });
+  const Json opened = studio.state("opened.json"), told = studio.state("told.json"),
+             failed = studio.state("failed.json");
+  EXPECT_EQ(told["simulation"]["step"], opened["simulation"]["step"]) << "nothing happens unasked";
+  ASSERT_EQ(told["notices"].size(), 2U);
+  EXPECT_NE(failed["messages"].dump().find("thing.obj"), std::string::npos) << "it cannot be read any more, and";
+  EXPECT_EQ(failed["scene"]["geoms"], opened["scene"]["geoms"]) << "the scene stays open as it was";
+}
+
+TEST(FileWatch, WhatASceneIncludesIsReadAgain) {
+  const StudioProgram studio;
+  const auto part = [&](const char* name) {
+    write_text(studio.folder() / "new part",
+               "<mujoco><worldbody><geom name='" + std::string(name) + "' size='.02'/></worldbody></mujoco>");
+    std::filesystem::rename(studio.folder() / "new part", studio.folder() / "part.xml");
+  };
+  part("before");
+  write_text(studio.folder() / "scene.xml", "<mujoco><include file='part.xml'/><worldbody/></mujoco>");
+  play_while(studio,
+             joined({{kIdle, key("Space"), kIdle},
+                     kTurn,
+                     {dump("opened.json"), told("part.xml, which scene.xml uses, was changed"), press("Read it again"),
+                      kIdle, kIdle, dump("reloaded.json")}}),
+             "scene.xml", [&] { part("after"); });
+  const Json opened = studio.state("opened.json"), reloaded = studio.state("reloaded.json");
+  EXPECT_EQ(opened["scene"]["geoms"][0]["name"], "before");
+  EXPECT_EQ(reloaded["scene"]["geoms"][0]["name"], "after");
+  EXPECT_EQ(reloaded["camera"], opened["camera"]);
+  EXPECT_TRUE(reloaded["notices"].empty());
+}
+
 TEST(FileWatch, WhatWasOnlyTouchedIsNotTold) {
   const StudioProgram studio;
   OwnFiles files(studio);

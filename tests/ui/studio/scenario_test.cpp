@@ -2,47 +2,26 @@
 // hand.
 #include <gtest/gtest.h>
 
-#include "script_lines.h"
+#include "scenario_lines.h"
 
 namespace taxel::test {
 namespace {
 
-Lines choose(const std::string& kind) {
-  return {press("Inspector/Kind"), kIdle, press(kind), kIdle};
-}
-Lines typed(const std::string& field, const std::string& text) {
-  return {press("Inspector/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
-}
-/// The scenario alone in the inspector.
-const Lines kOpen{kIdle, press("Inspector/Selected taxel"), kIdle, press("Inspector/Sampling"),
-                  kIdle, press("Inspector/Material"),       kIdle, press("Inspector/Scene"),
-                  kIdle};
-const Lines kRun{press("Inspector/Run scenario"), kIdle};
-/// Our fingertip, with few samples.
-std::vector<std::string> coarse_layout(const StudioProgram& studio) {
-  Json layout = Json::parse(file_text(kLayoutFile));
-  layout["mesh"]["file"] = kMeshFile;
-  layout["sampling"]["density"] = 1e5;
-  write_text(studio.folder() / "coarse.taxels.json", layout.dump());
-  std::vector<std::string> arguments = tall_window(studio, "coarse.taxels.json");
-  arguments[3] = "1400x1000";
-  return arguments;
-}
 std::string until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
 
 TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
   const StudioProgram studio;
-  studio.play(joined({kOpen,
+  studio.play(joined({kScenarioAlone,
                       {key("Space"), dump("sweep.json")},
-                      choose("twist"),
-                      typed("Angle (\u00b0)", "20"),
+                      choose_kind("twist"),
+                      typed_in_inspector("Angle (\u00b0)", "20"),
                       {dump("twist.json")},
-                      kRun,
+                      kRunScenario,
                       {until(0.3), key("Space"), kIdle, dump("run.json"), key("z", kCtrl), kIdle, dump("undone.json"),
                        key("z", kCtrl), kIdle, dump("back.json")}}),
-              coarse_layout(studio));
+              coarse_fingertip(studio));
   const Json twist = studio.state("twist.json"), run = studio.state("run.json"), back = studio.state("back.json");
   EXPECT_EQ(twist["scenario"]["edited"]["kind"], "twist");
   EXPECT_EQ(twist["scenario"]["edited"]["angle_deg"], 20);
@@ -58,13 +37,13 @@ TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
 
 TEST(Scenario, EveryKindRuns) {
   const StudioProgram studio;
-  Lines lines = kOpen;
+  Lines lines = kScenarioAlone;
   for (const char* kind : {"roll", "drop", "path"})
     lines = joined({lines,
-                    choose(kind),
-                    kRun,
+                    choose_kind(kind),
+                    kRunScenario,
                     {until(0.05), key("Space"), kIdle, dump(std::string(kind) + ".json"), key("Space")}});
-  studio.play(lines, coarse_layout(studio));
+  studio.play(lines, coarse_fingertip(studio));
   for (const char* kind : {"roll", "drop", "path"}) {
     const Json state = studio.state(std::string(kind) + ".json");
     EXPECT_EQ(state["scenario"]["running"]["kind"], kind);
@@ -76,13 +55,13 @@ TEST(Scenario, EveryKindRuns) {
 
 TEST(Scenario, AReplayWaitsForItsRecording) {
   const StudioProgram studio;
-  studio.play(joined({kOpen,
-                      choose("replay"),
+  studio.play(joined({kScenarioAlone,
+                      choose_kind("replay"),
                       {dump("chosen.json")},
-                      typed("Recording", "nowhere"),
-                      kRun,
+                      typed_in_inspector("Recording", "nowhere"),
+                      kRunScenario,
                       {dump("refused.json")}}),
-              coarse_layout(studio));
+              coarse_fingertip(studio));
   EXPECT_EQ(studio.state("chosen.json")["history"]["depth"], 0);
   const Json refused = studio.state("refused.json");
   EXPECT_EQ(refused["scenario"]["edited"]["source"], "nowhere");
@@ -92,8 +71,9 @@ TEST(Scenario, AReplayWaitsForItsRecording) {
 
 TEST(Scenario, ValuesOutOfRangeStayInTheirField) {
   const StudioProgram studio;
-  studio.play(joined({kOpen, choose("press"), typed("Depth (mm)", "-1"), {dump("refused.json")}}),
-              coarse_layout(studio));
+  studio.play(
+      joined({kScenarioAlone, choose_kind("press"), typed_in_inspector("Depth (mm)", "-1"), {dump("refused.json")}}),
+      coarse_fingertip(studio));
   const Json state = studio.state("refused.json");
   EXPECT_EQ(state["scenario"]["edited"]["depth"], 0.0015);
   EXPECT_NE(state["refused"]["words"].get<std::string>().find("greater than 0"), std::string::npos) << state["refused"];
@@ -101,8 +81,9 @@ TEST(Scenario, ValuesOutOfRangeStayInTheirField) {
 
 TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
   const StudioProgram studio;
-  const auto layout = coarse_layout(studio);
-  const Lines start = joined({kOpen, {until(0.2), key("Space"), kIdle}, choose("path"), {kIdle, dump("path.json")}});
+  const auto layout = coarse_fingertip(studio);
+  const Lines start =
+      joined({kScenarioAlone, {until(0.2), key("Space"), kIdle}, choose_kind("path"), {kIdle, dump("path.json")}});
   studio.play(start, layout);
   const Json path = studio.state("path.json")["scenario"];
   ASSERT_EQ(path["edited"]["points"].size(), 2U) << "the ends of the sweep";
@@ -119,7 +100,7 @@ TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
                        mouse("mouse_move", x + 60, y - 40), kIdle, mouse("mouse_up", x + 60, y - 40), kIdle,
                        dump("dragged.json"), press("Inspector/Add here"), kIdle, dump("added.json"),
                        press("Inspector/Delete way point"), kIdle, dump("deleted.json")},
-                      typed("Time 1", "9"),
+                      typed_in_inspector("Time 1", "9"),
                       {dump("typed.json"), key("z", kCtrl), key("z", kCtrl), key("z", kCtrl), key("z", kCtrl), kIdle,
                        dump("undone.json")}}),
               layout);
@@ -142,11 +123,11 @@ TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
 
 TEST(Scenario, ASavedProjectKeepsIt) {
   const StudioProgram studio;
-  studio.play(joined({kOpen,
-                      choose("path"),
+  studio.play(joined({kScenarioAlone,
+                      choose_kind("path"),
                       {key("s", kCtrl), kIdle, key("a", kCtrl), type("kept.taxelproj"), key("Enter"), kIdle,
                        dump("saved.json")}}),
-              coarse_layout(studio));
+              coarse_fingertip(studio));
   const Json saved = studio.state("saved.json");
   const Json file = Json::parse(file_text(studio.folder() / "kept.taxelproj"));
   EXPECT_EQ(file["scenario"], saved["scenario"]["edited"]);

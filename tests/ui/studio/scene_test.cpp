@@ -140,6 +140,53 @@ TEST(Scene, ControlsAreSetReadAndKeptOutOfThePast) {
   EXPECT_EQ(bent["simulation"]["step"], 0);
 }
 
+TEST(Scene, WeldsAreDrawnInStepsOfThePast) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "scene.xml", kScene);
+  const auto picture = [](const std::string& name) { return R"({"do": "screenshot", "file": ")" + name + R"("})"; };
+  studio.play({kIdle,
+               key("Space"),
+               kIdle,
+               press("Controls/Mocap lead Z"),
+               kIdle,
+               key("a", kCtrl),
+               type("20"),
+               key("Enter"),
+               kIdle,  // it leads, the other body follows
+               key("Right"),
+               kIdle,
+               key("Right"),
+               kIdle,
+               dump("second.json"),
+               picture("second.png"),
+               key("Right"),
+               kIdle,
+               press("hold"),
+               kIdle,
+               key("Right"),
+               kIdle,
+               dump("loose.json"),
+               key("Left"),
+               kIdle,
+               key("Left"),
+               kIdle,
+               dump("back.json"),
+               picture("back.png"),
+               key("End"),
+               kIdle,
+               dump("end.json")},
+              tall_window(studio, "scene.xml"));
+  const Json second = studio.state("second.json"), back = studio.state("back.json");
+  ASSERT_EQ(second["scene"]["held"].size(), 1U);
+  const Json held = second["scene"]["held"][0];
+  EXPECT_GT(glm::distance(vector_of(held["a"]), vector_of(held["b"])), 1e-4) << "they are apart";
+  ASSERT_EQ(back["simulation"]["step"], second["simulation"]["step"]);
+  EXPECT_TRUE(back["simulation"]["history"]["recorded"]);
+  EXPECT_EQ(back["scene"]["held"], second["scene"]["held"]);
+  EXPECT_TRUE(studio.state("loose.json")["scene"]["held"].empty()) << "it was let go";
+  EXPECT_TRUE(studio.state("end.json")["scene"]["held"].empty());
+}
+
 /// A finger without a sensor, pressed into the floor.
 constexpr const char* kFinger = R"(<mujoco><asset><mesh name='tip' file='fingertip.obj'/></asset><worldbody>
   <geom name='floor' type='plane' size='.2 .2 .1'/>

@@ -1,7 +1,7 @@
 // Parameter studies in the window: run in a worker, shown side by side, and a click makes one the document's.
 #include <gtest/gtest.h>
 
-#include "script_lines.h"
+#include "scenario_lines.h"
 
 namespace taxel::test {
 namespace {
@@ -10,18 +10,18 @@ Lines entered(const std::string& field, const std::string& text) {
   return {press("Study/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
 }
 
+const Lines kStudyPanel{kIdle, key("Space"), press("Panels"), kIdle, press("Study panel"), kIdle};
+
 TEST(StudyPanel, RunsAreShownAndAClickLoadsOne) {
   const StudioProgram studio;
-  Json layout = Json::parse(file_text(kLayoutFile));
-  layout["mesh"]["file"] = kMeshFile;
-  layout["sampling"]["density"] = 1e5;
-  write_text(studio.folder() / "coarse.taxels.json", layout.dump());
-  studio.play(joined({{kIdle, key("Space"), press("Panels"), kIdle, press("Study panel"), kIdle},
-                      entered("Vary from", "0.0005"), entered("Vary to", "0.001"), entered("Vary values", "2"),
-                      {press("Study/Run study"), kIdle, kIdle, dump("run.json"),
-                       R"({"do": "screenshot", "file": "study.png"})", press("Study/Run 1"), kIdle, key("Space"),
-                       kIdle, dump("loaded.json")}}),
-              tall_window(studio, "coarse.taxels.json"));
+  studio.play(
+      joined({kStudyPanel,
+              entered("Vary from", "0.5"),
+              entered("Vary to", "1 mm"),
+              entered("Vary values", "2"),
+              {press("Study/Run study"), kIdle, kIdle, dump("run.json"), R"({"do": "screenshot", "file": "study.png"})",
+               press("Study/Run 1"), kIdle, key("Space"), kIdle, dump("loaded.json")}}),
+      coarse_fingertip(studio, "1500x2600"));
   const Json run = studio.state("run.json")["study"];
   ASSERT_EQ(run["runs"].size(), 2U);
   EXPECT_EQ(run["problem"], "");
@@ -31,6 +31,45 @@ TEST(StudyPanel, RunsAreShownAndAClickLoadsOne) {
   const Json loaded = studio.state("loaded.json")["scenario"];
   EXPECT_EQ(loaded["edited"]["depth"], 0.001);
   EXPECT_EQ(loaded["running"], loaded["edited"]);
+}
+
+/// The simulation follows the clock, and so does the worker: what is told is waited for.
+TEST(StudyPanel, ACancelledStudyLeavesNothingHalfDone) {
+  const StudioProgram studio;
+  const auto study = [](const std::string& key, const std::string& equals) {
+    return R"({"do": "wait_for", "pointer": "/study/)" + key + R"(", "equals": )" + equals + "}";
+  };
+  const Lines run{press("Study/Run study"), study("busy", "true")}, done{study("busy", "false")};
+  const Lines cancel{press("Study/Cancel study"), study("busy", "false"), kIdle};
+  std::vector<std::string> arguments = coarse_fingertip(studio, "1500x2600");
+  arguments.insert(arguments.begin(), "--live");
+  studio.play(joined({kStudyPanel,
+                      entered("Vary values", "90"),
+                      run,
+                      cancel,
+                      {dump("cancelled.json"), R"({"do": "screenshot", "file": "cancelled.png"})"},
+                      entered("Vary values", "1"),
+                      run,
+                      done,
+                      {kIdle, dump("again.json")},
+                      entered("Vary values", "90"),
+                      run,
+                      cancel,
+                      {dump("kept.json")}}),
+              arguments);
+  const Json cancelled = studio.state("cancelled.json"), again = studio.state("again.json"),
+             kept = studio.state("kept.json");
+  EXPECT_TRUE(cancelled["study"]["cancelled"].get<bool>());
+  EXPECT_TRUE(cancelled["study"]["runs"].empty()) << "none of its runs";
+  EXPECT_EQ(again["study"]["runs"].size(), 1U);
+  EXPECT_FALSE(again["study"]["cancelled"].get<bool>());
+  EXPECT_GT(again["study"]["runs"][0]["largest"].get<double>(), 0);
+  EXPECT_TRUE(kept["study"]["cancelled"].get<bool>());
+  EXPECT_EQ(kept["study"]["runs"], again["study"]["runs"]) << "those of the one before stay";
+  for (const Json& state : {cancelled, again, kept}) {
+    EXPECT_EQ(state["scenario"], cancelled["scenario"]) << "the document stays";
+    for (const Json& message : state["messages"]) EXPECT_NE(message["severity"], "error") << message.dump();
+  }
 }
 
 }  // namespace

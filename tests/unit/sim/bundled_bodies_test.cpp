@@ -37,7 +37,7 @@ SimFramePtr opened_again(const SimFrame& frame) {
 }
 
 TEST(BundledBodies, EveryModelReadsASavedSweepAsItWas) {
-  const auto simulator = Simulator::make_sweep(test::fingertip_model(1e5), {});
+  const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), {});
   for (int i = 0; i < 1300; ++i) simulator->step();
   SimFrame frame;
   simulator->fill_frame(frame);
@@ -93,7 +93,7 @@ void expect_same_body(const HydroBody& a, const HydroBody& b) {
 
 SimFrame touching_all() {
   SimFrame frame;
-  Simulator::make_sweep(test::fingertip_model(1e5), {})->fill_frame(frame);
+  Simulator::make_scenario(test::fingertip_model(1e5), {})->fill_frame(frame);
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched[0] = all_kinds(*scene->sensors[0]);
   frame.scene = scene;

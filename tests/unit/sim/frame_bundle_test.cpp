@@ -19,7 +19,7 @@ constexpr int kInContact = 1100;  // steps of the sweep
 class FrameBundleTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const auto simulator = Simulator::make_sweep(test::fingertip_model(1e6), Scenario{});
+    const auto simulator = Simulator::make_scenario(test::fingertip_model(1e6), Scenario{});
     for (int i = 0; i < kInContact; ++i) simulator->step();
     auto frame = std::make_shared<SimFrame>();
     fill_frame(simulator->view(), *frame);

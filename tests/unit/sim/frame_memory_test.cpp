@@ -20,7 +20,7 @@ class FrameMemoryTest : public testing::Test {
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
   static std::unique_ptr<Simulator> sweep(int steps) {
-    auto simulator = Simulator::make_sweep(model_, {});
+    auto simulator = Simulator::make_scenario(model_, {});
     for (int i = 0; i < steps; ++i) simulator->step();
     return simulator;
   }

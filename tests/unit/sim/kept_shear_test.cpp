@@ -23,7 +23,7 @@ class KeptShear : public testing::TestWithParam<Aggregate> {
   }
   /// Sliding, and recorded.
   void run_to_contact() {
-    simulator_ = Simulator::make_sweep(model(GetParam()), {});
+    simulator_ = Simulator::make_scenario(model(GetParam()), {});
     for (int i = 0; i < 1500; ++i) simulator_->step();
     step();
   }

@@ -35,7 +35,7 @@ class ReplaceModel : public testing::Test {
     return build_sensor_model(*source_, how);
   }
   static std::unique_ptr<Simulator> sweep(const SensorModelPtr& model, int steps) {
-    auto simulator = Simulator::make_sweep(model, {});
+    auto simulator = Simulator::make_scenario(model, {});
     for (int i = 0; i < steps; ++i) simulator->step();
     return simulator;
   }
@@ -120,7 +120,7 @@ TEST_F(ReplaceModel, OtherNumbersOfTaxelsAreRefusedAndTheSensorStays) {
 TEST_F(ReplaceModel, RowsOfTheThreadTellWhichSamplesTheyAreOf) {
   SimThread thread;
   thread.set_clock_driven(false);
-  thread.send(LoadSweepCommand{preview_, {}});
+  thread.send(LoadScenarioCommand{preview_, {}});
   thread.send(StepCommand{25});
   thread.send(ReplaceModelCommand{preview_, polished_});
   thread.send(StepCommand{25});

@@ -19,13 +19,13 @@ class ThreadHistory : public testing::Test, protected test::AskedThread {
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
   SimFramePtr run_to(int step) {
-    ask(LoadSweepCommand{model_, {}});
+    ask(LoadScenarioCommand{model_, {}});
     return ask(StepCommand{step});
   }
   /// Plays a sweep with these breakpoints; not longer than it lasts.
   SimFramePtr sweep_until_stopped(const Breakpoints& limits) {
     ask(BreakpointsCommand{limits});
-    ask(LoadSweepCommand{model_, {}});
+    ask(LoadScenarioCommand{model_, {}});
     ask(PlayCommand{});
     SimFramePtr frame = ask(StepCommand{2401});
     EXPECT_FALSE(frame->playing);
@@ -80,7 +80,7 @@ TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
 TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
   Scenario scenario;
   scenario.before = scenario.past = 0.001;
-  ask(LoadSweepCommand{model_, scenario});
+  ask(LoadScenarioCommand{model_, scenario});
   const SimFramePtr end = ask(StepCommand{100000});
   ASSERT_TRUE(end->finished);
   ask(ScrubCommand{100});
@@ -96,7 +96,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree
   Breakpoints limits;
   limits.disagreement = 0.15;
   // by the definition, over a plain loop
-  const auto simulator = Simulator::make_sweep(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, {});
   double largest = limits.least_pressure;
   std::uint64_t expected = 0;
   SampleGap gap;
@@ -125,7 +125,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   Breakpoints limits;
   limits.jump = 0.03;
   // by the definition, over a plain loop
-  const auto simulator = Simulator::make_sweep(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, {});
   simulator->step();  // the look before the first step reads the same
   std::vector<double> before = simulator->row().readings[0];
   double largest = limits.least_pressure;

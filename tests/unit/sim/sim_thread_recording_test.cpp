@@ -33,7 +33,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
  protected:
   static void SetUpTestSuite() { model_ = remembering_model(); }
   static void TearDownTestSuite() { model_.reset(); }
-  void SetUp() override { ask(LoadSweepCommand{model_, touching()}); }
+  void SetUp() override { ask(LoadScenarioCommand{model_, touching()}); }
   /// In contact after a few steps.
   static Scenario touching() {
     Scenario scenario;
@@ -44,7 +44,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
   [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
   /// The steps from `first` to `last` (from 1) of a plain loop.
   static Recording plain(int first, int last) {
-    const auto simulator = Simulator::make_sweep(model_, touching());
+    const auto simulator = Simulator::make_scenario(model_, touching());
     RunRecorder recorder(*simulator->scene());
     for (int step = 1; step <= last; ++step) {
       simulator->step();

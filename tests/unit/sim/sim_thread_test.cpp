@@ -32,7 +32,7 @@ class Thread : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void load(const Scenario& scenario = {}) { thread_.send(LoadSweepCommand{model_, scenario}); }
+  void load(const Scenario& scenario = {}) { thread_.send(LoadScenarioCommand{model_, scenario}); }
   static SensorModelPtr model_;
   SimThread thread_;
 };
@@ -51,7 +51,7 @@ TEST_F(Thread, StepsExactlyWhenTold) {
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock goes on, the simulation does not
   // the same as the plain loop
-  const auto simulator = Simulator::make_sweep(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, {});
   std::vector<TraceRow> rows;
   for (int n = 0; n < 1300; ++n) {
     simulator->step();

@@ -22,7 +22,7 @@ bool operator==(const SimRow& a, const SimRow& b) {
 class Sweep : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    simulator_ = Simulator::make_sweep(test::fingertip_model(1e6), {});
+    simulator_ = Simulator::make_scenario(test::fingertip_model(1e6), {});
     while (!simulator_->finished()) {
       simulator_->step();
       ++steps_;
@@ -91,7 +91,7 @@ TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
 }
 
 TEST_F(Sweep, AnotherSimulatorRepeatsBitForBit) {
-  const auto other = Simulator::make_sweep(test::fingertip_model(1e6), {});
+  const auto other = Simulator::make_scenario(test::fingertip_model(1e6), {});
   for (std::size_t i = 0; i < 130;) {
     other->step();
     if (other->row_due()) {
@@ -179,7 +179,7 @@ TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
   scenario.past = 0.00033;
   scenario.speed = 0.0071;
   scenario.record_every = 0.00017;
-  const auto simulator = Simulator::make_sweep(test::fingertip_model(1e5), scenario);
+  const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), scenario);
   int rows = 0;
   double travel = -1;
   while (!simulator->finished()) {

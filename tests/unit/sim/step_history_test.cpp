@@ -51,7 +51,7 @@ class History : public testing::Test {
   }
   static void TearDownTestSuite() { model_.reset(), edited_.reset(); }
   static Recorder sweep(int skipped = kBeforeContact) {
-    Recorder recorder{Simulator::make_sweep(model_, {}), {}, {}};
+    Recorder recorder{Simulator::make_scenario(model_, {}), {}, {}};
     recorder.skip(skipped);
     return recorder;
   }
@@ -142,7 +142,8 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
     EXPECT_EQ(frame.sensors[0].readings[3], lanes->readings_of(row)[3]);
     EXPECT_EQ(glm::length(frame.sensors[0].force_W), lanes->sensor(row, 0).force);
   }
-  // bytes, as the sum of what a frame has and nothing else tells: of polygons area, centroid, pressure, tet, face, count
+  // bytes, as the sum of what a frame has and nothing else tells: of polygons area, centroid, pressure, tet, face,
+  // count
   constexpr std::size_t kPolygon = 5 * sizeof(double) + 3 * sizeof(int);
   std::size_t arrays = 0;
   for (std::uint64_t step = run.history.first(); step <= run.history.last(); ++step) {

@@ -29,6 +29,7 @@ struct StepView {
   bool finished = false;
   std::vector<Pose> geom_poses;
   std::vector<SensorView> sensors;
+  std::vector<HeldPoints> held;
 };
 
 /// Copies what a viewer needs. Keeps the memory of `frame`.

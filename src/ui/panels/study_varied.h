@@ -1,0 +1,27 @@
+// What a parameter study can vary, as the window shows it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/panels/scenario_fields.h"
+
+namespace taxel::ui {
+
+inline constexpr std::string_view kDensityKey = "density", kSeedKey = "seed";  // of the layout's samples
+
+struct Varied {
+  std::string_view key;   ///< in files
+  std::string_view name;  ///< with its unit in brackets
+  FieldUnit unit;
+  double Scenario::*value = nullptr;  ///< null: not the scenario's
+
+  [[nodiscard]] std::string_view unit_text() const;  ///< "mm"; empty: none
+  [[nodiscard]] std::string with(double si) const;   ///< "Depth 0.5 mm"
+};
+
+/// Numbers that this kind of scenario has, in the order of the inspector, then those of the samples.
+std::vector<Varied> varied_in(ScenarioKind kind);
+
+}  // namespace taxel::ui

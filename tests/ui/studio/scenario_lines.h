@@ -1,0 +1,34 @@
+// Lines of scripts about scenarios, in the inspector.
+#pragma once
+
+#include "script_lines.h"
+
+namespace taxel::test {
+
+inline Lines choose_kind(const std::string& kind) {
+  return {press("Inspector/Kind"), kIdle, press(kind), kIdle};
+}
+inline Lines typed_in_inspector(const std::string& field, const std::string& text) {
+  return {press("Inspector/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
+}
+/// The scenario alone in the inspector.
+inline const Lines kScenarioAlone{kIdle, press("Inspector/Selected taxel"), kIdle, press("Inspector/Sampling"),
+                                  kIdle, press("Inspector/Material"),       kIdle, press("Inspector/Scene"),
+                                  kIdle};
+inline const Lines kRunScenario{press("Inspector/Run scenario"), kIdle};
+
+/// Our fingertip, with few samples; the arguments for a window around it.
+inline std::vector<std::string> coarse_fingertip(const StudioProgram& studio, const std::string& size) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 1e5;
+  write_text(studio.folder() / "coarse.taxels.json", layout.dump());
+  std::vector<std::string> arguments = tall_window(studio, "coarse.taxels.json");
+  arguments[3] = size;
+  return arguments;
+}
+inline std::vector<std::string> coarse_fingertip(const StudioProgram& studio) {
+  return coarse_fingertip(studio, "1400x1000");
+}
+
+}  // namespace taxel::test
