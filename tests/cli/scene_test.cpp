@@ -126,7 +126,8 @@ TEST(Scenes, AGeomTakesOneLayoutHoweverItIsGiven) {
       reads += "<plugin name='" + name + "' plugin='taxel.sensor' instance='" + name + "'/>";
     }
     std::string scene = finger_scene(finger_body("tip", 0, true, "<freejoint/>"));
-    scene.insert(scene.find("<asset>"), "<extension><plugin plugin='taxel.sensor'>" + instances + "</plugin></extension>");
+    scene.insert(scene.find("<asset>"),
+                 "<extension><plugin plugin='taxel.sensor'>" + instances + "</plugin></extension>");
     scene.insert(scene.find("</mujoco>"), "<sensor>" + reads + "</sensor>");
     write_text(folder / "scene.xml", scene);
   };

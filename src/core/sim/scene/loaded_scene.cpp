@@ -170,8 +170,8 @@ void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>&
     if (std::any_of(added.begin(), added.end(), is_added))
       throw Error(name, fmt::format("geom \"{}\" has a sensor already, \"{}\": a geom takes one layout", first->first,
                                     first->second));
-    throw Error(name, fmt::format("geom \"{}\" has two sensors, \"{}\" and \"{}\": a geom takes one layout", first->first,
-                                  first->second, config.name));
+    throw Error(name, fmt::format("geom \"{}\" has two sensors, \"{}\" and \"{}\": a geom takes one layout",
+                                  first->first, first->second, config.name));
   }
 }
 
