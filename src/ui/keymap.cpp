@@ -178,7 +178,7 @@ constexpr std::array kGestures = {
     Gesture{kWidget, "Esc", "Leave a field as it was, close a menu, leave a panel"},
     Gesture{kWidget, "Tab, Shift+Tab", "Next and previous field of the panel"},
     Gesture{kWidget, "Space, arrows, Ctrl+Tab", "Press, choose; next panel, once the keyboard is in one"},
-    Gesture{kEverywhere, "Drop a file", "Open a layout, a mesh or a MuJoCo scene"},
+    Gesture{kEverywhere, "Drop a file", "Open a project, layout, mesh, MuJoCo scene or saved step"},
 };
 
 const char* key_name(int key) {

@@ -50,6 +50,17 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
   for (const Json& p : found["polygons"]) polygons += p["share"].get<double>();
   EXPECT_NEAR(share, 1, 1e-9);
   EXPECT_NEAR(polygons, 1, 1e-9);
+  // the budget: the force of the recorded row, and what of it taxels look at
+  const Table table = read_csv(run / "readings.csv");
+  const Json& budget = found["budget"];
+  for (std::size_t row = 0; row < table.at("time").size(); ++row) {
+    if (std::abs(table.at("time")[row] - jump.time) > 1e-9) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(budget["net"][k].get<double>(), table.at(std::string("force_") + "xyz"[k])[row], 1e-9) << k;
+  }
+  EXPECT_NEAR(budget["pressed"].get<double>(), budget["covered"].get<double>() + budget["uncovered"].get<double>(),
+              1e-9);
+  EXPECT_GT(budget["covered"], 0);
   EXPECT_EQ(found["convergence"]["values"][1].get<double>(), jump.after);
   // The exact integral is nearer to what four times the samples read than the few samples are.
   const double exact = found["exact"]["value"], four = found["convergence"]["values"][2];

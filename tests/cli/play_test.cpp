@@ -78,6 +78,23 @@ TEST(Play, ARolledAndASlidFingerPassThePressureOn) {
     const std::vector<double>& force = table.at("force_x");
     EXPECT_GT(largest(force), 0) << kind;  // friction there and back
     EXPECT_LT(*std::min_element(force.begin(), force.end()), 0) << kind;
+    const Arrays arrays = arrays_of(out);
+    const std::vector<double> pos = arrays.at("mocap_pos").doubles(), quat = arrays.at("mocap_quat").doubles();
+    const Json scenario = Json::parse(file_text(out / "scenario.json"))["scenario"];
+    double way = 0, turn = 0;
+    for (std::size_t step = 0; 3 * step < pos.size(); ++step) {
+      double dot = 0;
+      for (std::size_t k = 0; k < 4; ++k) dot += quat[k] * quat[4 * step + k];
+      way = std::max(way, std::hypot(pos[3 * step] - pos[0], pos[3 * step + 1] - pos[1]));
+      turn = std::max(turn, 2 * std::acos(std::min(1.0, std::abs(dot))) * 180 / 3.14159265358979);
+    }
+    if (std::string(kind) == "slide") {
+      EXPECT_NEAR(way, scenario["distance"].get<double>(), 1e-9);
+      EXPECT_LT(turn, 1e-5);
+    } else {
+      EXPECT_NEAR(turn, std::abs(scenario["angle_deg"].get<double>()), 0.5);
+      EXPECT_GT(way, 1e-3);
+    }
   }
 }
 

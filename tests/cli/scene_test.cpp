@@ -99,5 +99,47 @@ TEST(Scenes, WhatCannotRunIsSaidWithFileBodyAndNumber) {
   EXPECT_NE(unstable.err.find("body \"rocket\""), std::string::npos) << unstable.err;
 }
 
+TEST(Scenes, ATimeStepThatIsNoneIsRefused) {
+  const fs::path folder = test_folder();
+  for (const std::string step : {"0", "-0.001", "nan"}) {
+    write_text(folder / "step.xml",
+               "<mujoco><option timestep='" + step + "'/><worldbody><geom name='g' size='1'/></worldbody></mujoco>");
+    const std::string complaint = "taxel: step.xml: option timestep: must be greater than 0, is " + step;
+    expect_refusal(taxel({"run", "step.xml", "--layout", TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json",
+                          "--geom", "g", "--seconds", "0.01"},
+                         folder),
+                   complaint);
+    EXPECT_EQ(taxel({"check", "step.xml"}, folder).err, complaint + "\n");
+  }
+}
+
+TEST(Scenes, AGeomTakesOneLayoutHoweverItIsGiven) {
+  const fs::path folder = test_folder();
+  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
+  changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "fingertip.obj"},
+                                         {"op": "replace", "path": "/sampling/density", "value": 1e6}])"));
+  const auto write_scene = [&](const std::vector<std::string>& sensors) {
+    std::string instances, reads;
+    for (const std::string& name : sensors) {
+      instances += "<instance name='" + name + "'><config key='layout' value='changed.taxels.json'/>" +
+                   "<config key='geom' value='tip'/></instance>";
+      reads += "<plugin name='" + name + "' plugin='taxel.sensor' instance='" + name + "'/>";
+    }
+    std::string scene = finger_scene(finger_body("tip", 0, true, "<freejoint/>"));
+    scene.insert(scene.find("<asset>"),
+                 "<extension><plugin plugin='taxel.sensor'>" + instances + "</plugin></extension>");
+    scene.insert(scene.find("</mujoco>"), "<sensor>" + reads + "</sensor>");
+    write_text(folder / "scene.xml", scene);
+  };
+  write_scene({"left", "right"});
+  expect_refusal(taxel({"run", "scene.xml"}, folder),
+                 "taxel: scene.xml: geom \"tip\" has two sensors, \"left\" and \"right\": a geom takes one layout");
+  write_scene({"left"});
+  expect_refusal(taxel({"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "tip"}, folder),
+                 "taxel: scene.xml: geom \"tip\" has a sensor already, \"left\": a geom takes one layout");
+  expect_refusal(taxel({"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "top"}, folder),
+                 "taxel: scene.xml: taxel.sensor \"taxels of top\": geom: there is no geom named \"top\"");
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -34,10 +34,10 @@ ParsedOptions parse_options(int argc, char** argv) {
       "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
       "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
       "taxelstudio");
-  app.add_option(
-      "FILE", o.file,
-      "Project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb) or MuJoCo scene (.xml); "
-      "without one the fingertip sweep");
+  app.add_option("FILE", o.file,
+                 "Project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb), MuJoCo scene "
+                 "(.xml) or saved "
+                 "step (.taxelframe); without one the fingertip sweep");
   app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
   CLI::Option* const script =
       app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");

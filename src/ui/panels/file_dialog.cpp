@@ -23,7 +23,7 @@ struct Words {
 Words words_of(FileTask task) {
   switch (task) {
     case FileTask::open:
-      return {"Open a project, a layout, a mesh or a scene", "Open", ""};
+      return {"Open a project, layout, mesh, MuJoCo scene or saved step", "Open", ""};
     case FileTask::save_project:
       return {"Save the project", "Save", ".taxelproj"};
     case FileTask::export_layout:

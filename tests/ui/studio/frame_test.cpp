@@ -29,8 +29,18 @@ Lines saved_at(double time, const std::string& file) {
 
 TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
   const StudioProgram studio;
-  const std::string file = (studio.folder() / "press").string();
-  studio.play(saved_at(1.2, file), {kLayoutFile});
+  // a layout of its own, which is gone when the step is opened elsewhere
+  const std::filesystem::path here = studio.folder() / "here", elsewhere = studio.folder() / "elsewhere";
+  for (const auto& folder : {here, elsewhere}) std::filesystem::create_directory(folder);
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = "own.obj";
+  layout["sampling"]["density"] = 1e6;
+  std::filesystem::copy_file(kMeshFile, here / "own.obj");
+  write_text(here / "own.taxels.json", layout.dump());
+  studio.play(saved_at(1.2, (here / "press").string()), {"here/own.taxels.json"});
+  const std::string file = (elsewhere / "press").string();
+  std::filesystem::copy_file(here / "press.taxelframe", file + ".taxelframe");
+  std::filesystem::remove_all(here);
   studio.play({kIdle, dump("opened.json"), R"({"do": "screenshot", "file": "opened.png"})"}, {file + ".taxelframe"});
   const Json saved = studio.state("saved.json"), opened = studio.state("opened.json");
   EXPECT_GT(saved["polygons"].size(), 50U);

@@ -37,15 +37,26 @@ TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
 
 TEST(Scenario, EveryKindRuns) {
   const StudioProgram studio;
+  const auto running = [](const std::string& kind, const Lines& more) {
+    return joined({choose_kind(kind),
+                   more,
+                   kRunScenario,
+                   {until(0.05), key("Space"), kIdle, dump(kind + ".json"), key("Space"), kIdle}});
+  };
+  std::vector<std::string> kinds{"press", "roll", "twist", "slide", "drop", "path"};
   Lines lines = kScenarioAlone;
-  for (const char* kind : {"roll", "drop", "path"})
-    lines = joined({lines,
-                    choose_kind(kind),
-                    kRunScenario,
-                    {until(0.05), key("Space"), kIdle, dump(std::string(kind) + ".json"), key("Space")}});
+  for (const std::string& kind : kinds) lines = joined({lines, running(kind, {})});
+#ifdef TAXEL_PROGRAM
+  write_text(studio.folder() / "slide.json", R"({"kind": "slide", "distance": 0.001})");
+  const Outcome played = run_program(
+      TAXEL_PROGRAM, {"play", "slide.json", "--density", "1e5", "--out", "slid", "--quiet"}, studio.folder());
+  ASSERT_EQ(played.status, 0) << played.err;
+  lines = joined({lines, running("replay", typed_in_inspector("Recording", "slid"))});
+  kinds.push_back("replay");
+#endif
   studio.play(lines, coarse_fingertip(studio));
-  for (const char* kind : {"roll", "drop", "path"}) {
-    const Json state = studio.state(std::string(kind) + ".json");
+  for (const std::string& kind : kinds) {
+    const Json state = studio.state(kind + ".json");
     EXPECT_EQ(state["scenario"]["running"]["kind"], kind);
     EXPECT_GE(state["simulation"]["time"], 0.04) << kind;
     EXPECT_NE(state["simulation"]["title"].get<std::string>().find(kind), std::string::npos);

@@ -153,6 +153,8 @@ TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
   const Json free = studio.state("state.json")["simulation"];
   EXPECT_TRUE(free["finished"]);
   EXPECT_EQ(free["history"]["breakpoints"]["jump"], 0.01);
+  EXPECT_GE(free["history"]["steps"], 2000) << "of the whole sweep";
+  EXPECT_GT(free["history"]["bytes"], 2000 * 1000) << "and told in the timeline";
   int first = 0;
   for (const Json& event : free["history"]["events"]) {
     const std::string what = event["what"].dump();

@@ -90,6 +90,7 @@ TEST(LargestStep, OfOneMassOnASpringIsTheClosedForm) {
   mode.inverse_inertia[2][2] = 1 / 0.001;
   mode.stiffness[2][2] = 4e4;
   EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1), 2 / std::sqrt(4e7), 1e-9);
+  EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1e10), 2 / std::sqrt(4e7), 1e-9);  // from however far
   EXPECT_NEAR(largest_stable_step(mode, kRungeKuttaLimit, 1), std::sqrt(8 / 4e7), 1e-9);
   mode.damping[2][2] = 3;  // h^2 lambda = 4 + 2 h sigma
   const double lambda = 4e7, sigma = 3e3;

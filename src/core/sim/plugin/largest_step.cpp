@@ -90,7 +90,7 @@ double largest_stable_step(const ContactMode& mode, double limit, double timeste
   if (stable(timestep)) return timestep;
   // The eigenvalue is a maximum of functions h^2 a - 2 h b with a, b >= 0: what is unstable stays so as h grows.
   double lo = 0, hi = timestep;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 200 && hi - lo > 1e-9 * hi; ++i) {
     const double h = 0.5 * (lo + hi);
     (stable(h) ? lo : hi) = h;
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
@@ -29,9 +31,18 @@ std::string one_line(const std::string& text) {
   return joined;
 }
 
+/// Without what MuJoCo says before a sensor's own reason, which names the sensor and the key.
+std::string reason_of(const std::string& text) {
+  const std::size_t own = text.find(std::string(kPluginName) + " \"");
+  return own != std::string::npos ? text.substr(own) : text;
+}
+
 void compile(CompiledScene& scene, const mjVFS* vfs, const std::string& name) {
   scene.model.reset(mj_compile(scene.spec.get(), vfs));
-  if (scene.model == nullptr) throw Error(name, one_line(mjs_getError(scene.spec.get())));
+  if (scene.model == nullptr) throw Error(name, reason_of(one_line(mjs_getError(scene.spec.get()))));
+  const double timestep = scene.model->opt.timestep;
+  if (!std::isfinite(timestep) || timestep <= 0)
+    throw Error(name, "option timestep", fmt::format("must be greater than 0, is {}", timestep));
 }
 
 CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::string& name) {
@@ -148,14 +159,19 @@ void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
   }
 }
 
+/// Two on one geom would push it twice, and have the same name in recordings.
 void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>& added, const std::string& name) {
+  std::map<std::string, std::string> sensor_on;  // by the geom's name
   for (const int i : sensor_instances(m)) {
-    const SensorConfig declared = read_sensor_config(m, i);
-    for (const AddedSensor& one : added) {
-      if (declared.geom_name == one.geom && declared.name != one.instance)
-        throw Error(name, fmt::format("geom \"{}\" has a sensor already, \"{}\": a geom takes one layout", one.geom,
-                                      declared.name));
-    }
+    const SensorConfig config = read_sensor_config(m, i);
+    const auto [first, only] = sensor_on.emplace(config.geom_name, config.name);
+    if (only) continue;
+    const auto is_added = [&](const AddedSensor& one) { return one.instance == config.name; };
+    if (std::any_of(added.begin(), added.end(), is_added))
+      throw Error(name, fmt::format("geom \"{}\" has a sensor already, \"{}\": a geom takes one layout", first->first,
+                                    first->second));
+    throw Error(name, fmt::format("geom \"{}\" has two sensors, \"{}\" and \"{}\": a geom takes one layout",
+                                  first->first, first->second, config.name));
   }
 }
 
@@ -208,7 +224,10 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   const bool old = has_old_fields(scene.spec.get());
   if (added.empty() || old) compile(scene, nullptr, name);
   if (old) add_old_sensors(*scene.model, added, scene);
-  if (added.empty()) return scene;
+  if (added.empty()) {
+    check_one_sensor_per_geom(*scene.model, added, name);
+    return scene;
+  }
   const fs::path overlay = file.parent_path() / (file.stem().string() + "+taxels.xml");
   Vfs vfs;
   vfs.add(overlay.string(), overlay_xml(file, added));
