@@ -51,6 +51,25 @@ TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
   EXPECT_NE(bytes.find("picture.png"), std::string::npos);
 }
 
+TEST(SavedStep, OtherModelsReadItAsTheyReadTheStepItself) {
+  const StudioProgram studio;
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 2e5;
+  write_text(studio.folder() / "few.taxels.json", layout.dump());
+  const std::string file = (studio.folder() / "press").string();
+  const Lines models{press("Panels"), kIdle, press("Models panel"), kIdle};
+  studio.play(joined({saved_at(1.0, file), models, {dump("models.json")}}), {"few.taxels.json"});
+  studio.play(joined({models, {dump("opened.json")}}), {file + ".taxelframe"});
+  const Json saved = studio.state("models.json")["models"], opened = studio.state("opened.json")["models"];
+  EXPECT_EQ(opened["step"], saved["step"]);
+  for (const char* word : {"reading", "star", "weighted_sum", "exact", "tactile", "touch"}) {
+    EXPECT_EQ(opened["models"][word]["missing"], "") << word;
+    EXPECT_EQ(opened["models"][word]["values"].size(), 12U) << word;
+    EXPECT_EQ(opened["models"][word]["values"], saved["models"][word]["values"]) << word;
+  }
+}
+
 TEST(SavedStep, NothingRunsInItAndThatIsSaid) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "press").string();
