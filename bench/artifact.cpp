@@ -3,7 +3,7 @@
 // row that goes beyond what the exact integral of the same contact does, as a part of the largest reading.
 //
 //   bench_artifact [FILE.csv]   a section in Markdown, for docs/validation.md; FILE: travel, and sampled and exact
-//   reading of the tip for each
+//   reading of each taxel for each
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -110,16 +110,20 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
   }
   fmt::print(
-      "\nBeyond the exact integral the last steps {:.0f} times less than the first. Taxel 4:\n\n"
-      "![One taxel, before and after](pictures/artifact.png)\n",
+      "\nBeyond the exact integral the last steps {:.0f} times less than the first. The four taxels, before (first) "
+      "and "
+      "after (last):\n\n"
+      "![Readings of four taxels over the sweep, and their exact integrals](pictures/artifact.png)\n",
       all.front().beyond_exact / all.back().beyond_exact);
   if (argc < 2) return 0;
   std::string csv = "travel";
-  for (std::size_t v = 0; v < all.size(); ++v) csv += fmt::format(",sampled_{0},exact_{0}", v);
+  for (std::size_t v = 0; v < all.size(); ++v)
+    for (const int taxel : kTaxels) csv += fmt::format(",sampled_{0}_{1},exact_{0}_{1}", v, taxel);
   csv += '\n';
   for (std::size_t r = 0; r < all.front().travel.size(); ++r) {
     csv += fmt::format("{}", all.front().travel[r]);
-    for (const Sweep& s : all) csv += fmt::format(",{},{}", s.curves[1].sampled[r], s.curves[1].exact[r]);
+    for (const Sweep& s : all)
+      for (const auto& c : s.curves) csv += fmt::format(",{},{}", c.sampled[r], c.exact[r]);
     csv += '\n';
   }
   write_file_atomically(argv[1], csv);

@@ -1,22 +1,26 @@
-# One taxel over the sweep, sampled and by its exact integral, from `bench_artifact FILE`.
+# Four taxels over the sweep, sampled and by their exact integrals, from `bench_artifact FILE`.
 # Usage: gnuplot -e "csv='FILE'; out='PICTURE.png'" plot_artifact.gp
 if (!exists('csv') || !exists('out')) { exit error "name both: gnuplot -e \"csv='FILE'; out='PICTURE.png'\" plot_artifact.gp" }
 set datafile separator ','
 set terminal pngcairo size 1400,800 font 'DejaVu Sans,12'
 set output out
 array title[4] = ['star, few samples', 'star, many samples', 'pad, few samples', 'pad, many samples, Voronoi weights']
-array col[4] = [2, 4, 6, 10]
+array variant[4] = [0, 1, 2, 4]  # of the table
+array taxel[4] = [3, 4, 9, 10]
+array color[4] = [0xD55E00, 0x0072B2, 0xE69F00, 0x56B4E9]
 set multiplot layout 2,2
 set xlabel 'travel of the finger [mm]'
 set ylabel 'pressure [kPa]'
-set xrange [7:17]
+set xrange [7:24]
 set yrange [0:*]
-set key bottom right
+set key at graph 0.97, graph 0.71 right Left reverse maxrows 3
 set grid lc rgb '#dddddd'
 do for [i = 1:4] {
-  c = col[i]
+  first = 2 + 8 * variant[i]
   set title title[i]
-  plot csv skip 1 using ($1*1e3):(column(c + 1)*1e-3) with lines lw 2 lc rgb '#bbbbbb' title 'exact integral', \
-       csv skip 1 using ($1*1e3):(column(c)*1e-3) with lines lw 1.6 lc rgb '#0072B2' title 'samples'
+  plot for [k = 1:4] csv skip 1 using ($1*1e3):(column(first + 2*k - 1)*1e-3) with lines lw 2 lc rgb '#bbbbbb' \
+         title (k == 1 ? 'exact integral' : ''), \
+       for [k = 1:4] csv skip 1 using ($1*1e3):(column(first + 2*k - 2)*1e-3) with lines lw 1.6 lc rgb color[k] \
+         title sprintf('taxel %d', taxel[k])
 }
 unset multiplot
