@@ -82,7 +82,8 @@ Json overlays_json(const ui::Overlays& o) {
           {"normal_angles", o.normal_angles},
           {"path", o.path},
           {"grid", o.grid},
-          {"constraints", o.constraints}};
+          {"constraints", o.constraints},
+          {"geom_groups", o.geom_groups}};
 }
 
 /// What the overlays about receptive fields say; null where they are off.

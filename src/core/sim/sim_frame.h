@@ -28,6 +28,7 @@ struct SceneGeom {
   std::array<float, 4> rgba{0.6f, 0.6f, 0.6f, 1.0f};
   bool plane = false;
   int sensor = -1;  ///< index of the sensor whose skin this is (drawn from its SensorModel instead), or -1
+  int group = 0;    ///< MuJoCo's, 0 to 5: what viewers show together
 };
 
 /// A taxel's values of the past, one entry per recorded row (every 0.1 mm in a sweep, every step otherwise).

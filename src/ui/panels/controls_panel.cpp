@@ -105,7 +105,9 @@ void draw_physics(UiState& ui, const SimScene& scene) {
   property("Time step", fmt::format("{:.4g} ms", 1e3 * scene.timestep));
   property("Integrator", scene.controls.integrator);
   const auto count = scene.controls.bodies.size();
-  property("Bodies, geoms", fmt::format("{}, {} drawn", count - std::min<std::size_t>(count, 1), scene.geoms.size()));
+  const auto shown = std::count_if(scene.geoms.begin(), scene.geoms.end(),
+                                   [&](const SceneGeom& geom) { return shows(ui.saved.overlays, geom); });
+  property("Bodies, geoms", fmt::format("{}, {} drawn", count - std::min<std::size_t>(count, 1), shown));
   end_properties();
 }
 

@@ -16,7 +16,7 @@ std::optional<GeomHit> cast_geoms(const SceneInput& input, const Ray& ray_W) {
   double t_max = ray_W.t_max;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
     const SceneGeom& geom = scene.geoms[i];
-    if (!geom.mesh || geom.sensor >= 0) continue;
+    if (!geom.mesh || geom.sensor >= 0 || !shows(input.overlays, geom)) continue;
     const Ray ray = in_frame(input.frame->geom_poses[i], ray_W);
     if (SlabTest(ray).entry(geom.mesh->bounds(), t_max) == SlabTest::kMiss) continue;
     const RayTriangleTest test(ray);

@@ -1,6 +1,7 @@
 // The 3-D view: draws one SimFrame into an offscreen texture. Knows no ImGui, no MuJoCo, no files.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,8 +51,14 @@ struct Overlays {
   bool grid = true;
   bool constraints = true;  // points that welds and connections hold together
   bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
+  std::array<bool, 6> geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
   bool operator==(const Overlays&) const = default;
 };
+
+/// Whether a geom is drawn. A sensor is, whatever the group of its geom.
+[[nodiscard]] inline bool shows(const Overlays& show, const SceneGeom& geom) {
+  return geom.sensor >= 0 || show.geom_groups.at(static_cast<std::size_t>(geom.group));
+}
 
 /// Of the maps that are on, the one that says most.
 [[nodiscard]] inline FieldMap field_map(const Overlays& show) {

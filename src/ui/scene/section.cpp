@@ -131,7 +131,7 @@ void add_objects(const SceneInput& input, Section& out) {
   if (!input.frame || !input.frame->scene) return;
   const SimScene& scene = *input.frame->scene;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
-    if (!scene.geoms[i].mesh || scene.geoms[i].sensor >= 0) continue;
+    if (!scene.geoms[i].mesh || scene.geoms[i].sensor >= 0 || !shows(input.overlays, scene.geoms[i])) continue;
     const Pose& X_WG = input.frame->geom_poses[i];
     const Pose X_GW = X_WG.inverse();
     const auto pieces = slice_mesh(*scene.geoms[i].mesh, X_GW * out.plane.origin_W, X_GW.rotate(out.plane.z));

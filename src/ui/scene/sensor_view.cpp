@@ -68,7 +68,8 @@ Aabb scene_bounds(const SceneInput& input) {
   const SimScene& scene = *input.frame->scene;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
     const SceneGeom& geom = scene.geoms[i];
-    if (geom.mesh && !geom.plane && geom.sensor < 0) box.include(posed_bounds(*geom.mesh, input.frame->geom_poses[i]));
+    if (geom.mesh && !geom.plane && geom.sensor < 0 && shows(input.overlays, geom))
+      box.include(posed_bounds(*geom.mesh, input.frame->geom_poses[i]));
   }
   return box;
 }
@@ -78,7 +79,7 @@ SceneGround scene_ground(const SceneInput& input) {
   if (input.frame && input.frame->scene) {
     const SimScene& scene = *input.frame->scene;
     for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
-      if (scene.geoms[i].plane) return {input.frame->geom_poses[i], true};
+      if (scene.geoms[i].plane && shows(input.overlays, scene.geoms[i])) return {input.frame->geom_poses[i], true};
     }
   }
   const Aabb box = scene_bounds(input);

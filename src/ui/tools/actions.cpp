@@ -69,6 +69,14 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.overlays.grid;
     case Action::toggle_constraints:
       return &saved.overlays.constraints;
+    case Action::toggle_group_0:
+    case Action::toggle_group_1:
+    case Action::toggle_group_2:
+    case Action::toggle_group_3:
+    case Action::toggle_group_4:
+    case Action::toggle_group_5:
+      return &saved.overlays.geom_groups.at(static_cast<std::size_t>(action) -
+                                            static_cast<std::size_t>(Action::toggle_group_0));
     case Action::toggle_outliner:
       return &saved.panels.outliner;
     case Action::toggle_taxel_table:

@@ -163,7 +163,7 @@ Aabb scene_box(const UiState& ui, const UiInput& input) {
   if (!scene.path_W.empty()) return box;
   const Aabb sensors = box;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
-    if (!scene.geoms[i].plane && scene.geoms[i].mesh)
+    if (!scene.geoms[i].plane && scene.geoms[i].mesh && shows(ui.saved.overlays, scene.geoms[i]))
       include_mesh(box, *scene.geoms[i].mesh, input.frame->geom_poses[i]);
   }
   constexpr double kMuchLarger = 5;  // a room around a hand

@@ -35,8 +35,10 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
   if (bodies.size() != n) throw Error(in.file(), "geom_bodies", "are not as many as geom_names");
   const std::vector<double> rgba = in.doubles("geom_rgba", {n, 4}), positions = in.doubles("geom_pos", {n, 3}),
                             quaternions = in.doubles("geom_quat", {n, 4});
+  const std::vector<std::int64_t> zeros(n, 0);  // of a version that left groups out
   const std::vector<std::int64_t> plane = in.integers("geom_plane", {n}), sensor = in.integers("geom_sensor", {n}),
-                                  mesh = in.integers("geom_mesh", {n});
+                                  mesh = in.integers("geom_mesh", {n}),
+                                  group = in.has("geom_group") ? in.integers("geom_group", {n}) : zeros;
   for (std::size_t g = 0; g < n; ++g) {
     SceneGeom& geom = scene.geoms.emplace_back();
     geom.name = names[g];
@@ -44,6 +46,7 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
     for (std::size_t k = 0; k < 4; ++k) geom.rgba[k] = static_cast<float>(rgba[4 * g + k]);
     geom.plane = plane[g] != 0;
     geom.sensor = index_of(in, "geom_sensor", sensor[g], -1, scene.sensor_geoms.size());
+    geom.group = index_of(in, "geom_group", group[g], 0, 6);
     const int number = index_of(in, "geom_mesh", mesh[g], -1, meshes.size());
     if (number >= 0) geom.mesh = meshes[static_cast<std::size_t>(number)];
     frame.geom_poses.push_back(pose_of_row(positions, quaternions, g));

@@ -14,13 +14,14 @@ void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
   const std::vector<SceneGeom>& geoms = frame.scene->geoms;
   std::vector<std::string> names, bodies;
   Doubles rgba, positions, quaternions;
-  Integers plane, sensor, mesh;
+  Integers plane, sensor, group, mesh;
   for (std::size_t g = 0; g < geoms.size(); ++g) {
     names.push_back(geoms[g].name);
     bodies.push_back(geoms[g].body);
     for (const float level : geoms[g].rgba) rgba.push_back(static_cast<double>(level));
     plane.push_back(geoms[g].plane ? 1 : 0);
     sensor.push_back(geoms[g].sensor);
+    group.push_back(geoms[g].group);
     mesh.push_back(geoms[g].mesh ? meshes.number(geoms[g].mesh) : -1);
     append(positions, quaternions, frame.geom_poses[g]);
   }
@@ -29,6 +30,7 @@ void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
   out.add("geom_rgba", {geoms.size(), 4}, std::span<const double>(rgba));
   out.add("geom_plane", {geoms.size()}, std::span<const std::int64_t>(plane));
   out.add("geom_sensor", {geoms.size()}, std::span<const std::int64_t>(sensor));
+  out.add("geom_group", {geoms.size()}, std::span<const std::int64_t>(group));
   out.add("geom_mesh", {geoms.size()}, std::span<const std::int64_t>(mesh));
   out.add("geom_pos", {geoms.size(), 3}, std::span<const double>(positions));
   out.add("geom_quat", {geoms.size(), 4}, std::span<const double>(quaternions));

@@ -1,5 +1,7 @@
 #include "core/sim/model/scene_view.h"
 
+#include <algorithm>
+
 #include "core/mesh/primitives.h"
 #include "core/sim/model/geometry.h"
 
@@ -47,6 +49,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     if (geom.mesh == nullptr) continue;
     geom.rgba = {rgba[0], rgba[1], rgba[2], rgba[3]};
     geom.plane = m.geom_type[g] == mjGEOM_PLANE;
+    geom.group = std::clamp(m.geom_group[g], 0, mjNGROUP - 1);  // as MuJoCo's viewer
     drawn.push_back(std::move(geom));
     geoms.push_back(g);
   }

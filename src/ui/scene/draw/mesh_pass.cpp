@@ -51,7 +51,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     const SceneGeom& geom = scene.geoms[i];
     const auto sensor = static_cast<std::size_t>(std::max(geom.sensor, 0));
     if (geom.sensor >= 0 && sensor < skins.size()) mark_selected(skins[sensor], geom, input, look);
-    if (!geom.mesh || geom.plane || geom.sensor >= 0) continue;
+    if (!geom.mesh || geom.plane || geom.sensor >= 0 || !shows(input.overlays, geom)) continue;
     const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
     list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline});
     mark_selected(list.solids.back(), geom, input, look);
