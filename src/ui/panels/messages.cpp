@@ -35,7 +35,7 @@ void copy_text(const std::string& text) {
 /// One floating message with its lower right corner at `corner`. Returns its height.
 float draw_toast(UiState& ui, Message& message, ImVec2 corner) {
   const Palette& colors = palette(ui.saved.dark);
-  const float width = 30 * ImGui::GetFontSize();
+  const float width = std::min(30 * ImGui::GetFontSize(), corner.x - 12);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 1));
   ImGui::SetNextWindowSize(ImVec2(width, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.raised);

@@ -55,15 +55,20 @@ TEST(SceneSources, AreWhatMujocoReads) {
 }
 
 TEST(SceneSources, HaveTheLayoutsThatTheSceneNames) {
-  const fs::path scene = TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml";
-  const auto simulator = Simulator::load(scene);
-  const std::vector<std::string> files = simulator->scene()->files;
-  const auto has = [&](const char* end) {
-    return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return file.ends_with(end); });
-  };
-  EXPECT_TRUE(has(".taxels.json"));
-  EXPECT_TRUE(has(".obj"));
-  EXPECT_FALSE(has("five_fingers.xml")) << "its own file is not among them";
+  const TempFolder temp;
+  fs::create_directories(temp / "layouts");
+  fs::copy_file(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj", temp / "fingertip.obj");
+  fs::copy_file(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj", temp / "layouts/own.obj");
+  write_text(temp / "layouts/few.taxels.json", R"({"format": "taxel-layout", "version": 1, "mesh": {"file": "own.obj"},
+    "sampling": {"density": 1e4}, "taxels": [{"id": 0, "center": [0, 0, 0.03], "normal": [0, 0, 1], "radius": 0.01}]})");
+  write_text(temp / "scene.xml", R"(<mujoco><extension><plugin plugin="taxel.sensor"><instance name="s">
+    <config key="layout" value="layouts/few.taxels.json"/><config key="geom" value="tip"/></instance></plugin></extension>
+    <asset><mesh name="tip" file="fingertip.obj"/></asset>
+    <worldbody><body><freejoint/><geom name="tip" type="mesh" mesh="tip"/></body></worldbody>
+    <sensor><plugin name="t" plugin="taxel.sensor" instance="s"/></sensor></mujoco>)");
+  const auto simulator = Simulator::load(temp / "scene.xml");
+  EXPECT_EQ(names(simulator->scene()->files, temp.path()),
+            (std::vector<std::string>{"fingertip.obj", "layouts/few.taxels.json", "layouts/own.obj"}));
 }
 
 TEST(SceneSources, AnIncludeThatIncludesItselfEnds) {
