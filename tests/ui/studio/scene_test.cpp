@@ -89,6 +89,34 @@ TEST(Scene, BodiesAreSelectedTurnedAndPulledAsInMujocosViewer) {
   EXPECT_EQ(studio.state("escaped.json")["scene"]["body"], nullptr);
 }
 
+TEST(Scene, GroupsOfGeomsAreSwitchedAsInMujocosViewer) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "scene.xml", R"(<mujoco><option gravity='0 0 0'/><worldbody>
+  <body name='ball' pos='0 0 .1'><freejoint/><geom name='ball' type='sphere' size='.05' group='2' contype='0'/></body>
+  <body name='shell' pos='0 0 .1'><freejoint/><geom name='shell' type='box' size='.06 .06 .06' group='3' contype='0'
+    conaffinity='0'/></body></worldbody></mujoco>)");
+  const auto look = [](const std::string& name) {
+    return Lines{R"({"do": "screenshot", "file": ")" + name + R"(.png"})", double_click(world(0, 0, 0.1)), kIdle, kIdle,
+                 dump(name + ".json"), key("Escape"), kIdle};
+  };
+  studio.play(joined({{kIdle, key("Space"), kIdle},
+                      look("first"),
+                      {key("3"), kIdle},
+                      look("both"),
+                      {key("3"), kIdle, key("2"), kIdle},
+                      look("none"),
+                      {key("2"), kIdle},
+                      look("again")}),
+              {"scene.xml"});
+  EXPECT_EQ(studio.state("first.json")["scene"]["body"], "ball") << "of the groups 0 to 2";
+  EXPECT_EQ(studio.state("both.json")["scene"]["body"], "shell");
+  EXPECT_EQ(studio.state("none.json")["scene"]["body"], nullptr);
+  EXPECT_EQ(studio.state("first.json")["scene"]["geoms"].size(), 2U) << "hidden ones are there, too";
+  EXPECT_NE(studio.picture("first.png").rgb, studio.picture("both.png").rgb);
+  EXPECT_NE(studio.picture("first.png").rgb, studio.picture("none.png").rgb);
+  EXPECT_EQ(studio.picture("first.png").rgb, studio.picture("again.png").rgb);
+}
+
 TEST(Scene, ControlsAreSetReadAndKeptOutOfThePast) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", kScene);

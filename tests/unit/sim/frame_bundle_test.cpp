@@ -37,6 +37,16 @@ class FrameBundleTest : public testing::Test {
 };
 SimFramePtr FrameBundleTest::frame_;
 
+TEST_F(FrameBundleTest, KeepsTheGroupsOfGeoms) {
+  auto scene = std::make_shared<SimScene>(*frame_->scene);
+  for (std::size_t g = 0; g < scene->geoms.size(); ++g) scene->geoms[g].group = static_cast<int>(5 - g);
+  SimFrame frame = *frame_;
+  frame.scene = scene;
+  const SimFramePtr opened = read_frame_bundle(write(frame_to_bundle(frame)));
+  for (std::size_t g = 0; g < scene->geoms.size(); ++g)
+    EXPECT_EQ(opened->scene->geoms.at(g).group, scene->geoms[g].group);
+}
+
 TEST_F(FrameBundleTest, OpensWithTheSameBits) {
   ASSERT_FALSE(frame_->sensors[0].surfaces.at(0).empty());
   const SimFramePtr opened = read_frame_bundle(write(frame_to_bundle(*frame_)));
