@@ -164,7 +164,8 @@ TriMeshPtr with_speck(const TriMesh& body) {
   std::vector<ivec3> faces = body.faces();
   const int first = body.vertex_count();
   for (const double angle : {0.0, 2.0, 4.0})
-    vertices.push_back(glm::mix(body.vertices()[0], body.centroid(), 0.5) + 1e-5 * dvec3(std::cos(angle), std::sin(angle), 0));
+    vertices.push_back(glm::mix(body.vertices()[0], body.centroid(), 0.5) +
+                       1e-5 * dvec3(std::cos(angle), std::sin(angle), 0));
   faces.emplace_back(first, first + 1, first + 2);
   return std::make_shared<const TriMesh>(std::move(vertices), std::move(faces));
 }

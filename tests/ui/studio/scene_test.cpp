@@ -96,8 +96,13 @@ TEST(Scene, GroupsOfGeomsAreSwitchedAsInMujocosViewer) {
   <body name='shell' pos='0 0 .1'><freejoint/><geom name='shell' type='box' size='.06 .06 .06' group='3' contype='0'
     conaffinity='0'/></body></worldbody></mujoco>)");
   const auto look = [](const std::string& name) {
-    return Lines{R"({"do": "screenshot", "file": ")" + name + R"(.png"})", double_click(world(0, 0, 0.1)), kIdle, kIdle,
-                 dump(name + ".json"), key("Escape"), kIdle};
+    return Lines{R"({"do": "screenshot", "file": ")" + name + R"(.png"})",
+                 double_click(world(0, 0, 0.1)),
+                 kIdle,
+                 kIdle,
+                 dump(name + ".json"),
+                 key("Escape"),
+                 kIdle};
   };
   studio.play(joined({{kIdle, key("Space"), kIdle},
                       look("first"),

@@ -34,7 +34,7 @@ class GpuMesh {
 
  private:
   TriMeshPtr mesh_;
-  bool outward_;  ///< closed, faces look outwards
+  bool outward_;                                                       ///< closed, faces look outwards
   static constexpr int kMostSorted = 60'000, kMostOutlined = 300'000;  // faces
   std::optional<std::vector<MeshEdge>> edges_;
   std::vector<glm::vec3> centroids_;

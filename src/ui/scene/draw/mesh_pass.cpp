@@ -106,7 +106,8 @@ void MeshPass::make_key_shadow(const MeshList& list, const Aabb& box_W, const Aa
     shown.lo = glm::max(shown.lo, sensors_W.lo - around);
     shown.hi = glm::min(shown.hi, sensors_W.hi + around);
   }
-  key_shadow_.make(shown, box_W, look.key_direction, [&](const gl::Program& program) { draw_casters(program, list, GL_BACK); });
+  key_shadow_.make(shown, box_W, look.key_direction,
+                   [&](const gl::Program& program) { draw_casters(program, list, GL_BACK); });
 }
 
 void MeshPass::draw_casters(const gl::Program& program, const MeshList& list, GLenum hidden) const {
