@@ -1,60 +1,46 @@
 #include "core/sim/scene/scene_sources.h"
 
+#include <tinyxml2.h>
+
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/layout/layout_json.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/plugin/sensor_config.h"
-#include "core/sim/scene/xml_attributes.h"
 
 namespace taxel {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kSpace = " \t\r\n";
-
-/// Value of the attribute `file` in the text of a tag; empty: it has none.
-std::string file_attribute(std::string_view tag) {
-  for (std::size_t at = tag.find("file"); at != std::string_view::npos; at = tag.find("file", at + 1)) {
-    if (at == 0 || kSpace.find(tag[at - 1]) == std::string_view::npos) continue;
-    const std::size_t equals = tag.find_first_not_of(kSpace, at + 4);
-    if (equals == std::string_view::npos || tag[equals] != '=') continue;
-    const std::size_t quote = tag.find_first_not_of(kSpace, equals + 1);
-    if (quote == std::string_view::npos || (tag[quote] != '"' && tag[quote] != '\'')) continue;
-    const std::size_t end = tag.find(tag[quote], quote + 1);
-    if (end == std::string_view::npos) continue;
-    return xml_unescaped(std::string(tag.substr(quote + 1, end - quote - 1)));
-  }
-  return "";
-}
-
 struct NamedFile {
   std::string name;
   bool model = false;  ///< of a scene of its own
 };
 
-/// What the tags `include` and `model` of MJCF text name.
-std::vector<NamedFile> named_files(std::string_view xml) {
-  std::vector<NamedFile> files;
-  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at)) {
-    const bool comment = xml.substr(at).starts_with("<!--");
-    const std::string_view close = comment ? "-->" : ">";
-    const std::size_t end = xml.find(close, at);
-    if (end == std::string_view::npos) break;
-    const std::string_view tag = xml.substr(at + 1, end - at - 1);
-    at = end + close.size();
-    if (comment) continue;
-    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/"));
-    const bool model = name == "model";
-    if (name != "include" && !model) continue;
-    if (std::string file = file_attribute(tag); !file.empty()) files.push_back({std::move(file), model});
+/// What the elements `include` and `model` of MJCF name, read as MuJoCo reads it. None where it is no XML.
+class FileNames : public tinyxml2::XMLVisitor {
+ public:
+  explicit FileNames(const std::string& xml) {
+    tinyxml2::XMLDocument document;
+    if (document.Parse(xml.data(), xml.size()) == tinyxml2::XML_SUCCESS) document.Accept(this);
   }
-  return files;
-}
+  [[nodiscard]] const std::vector<NamedFile>& files() const { return files_; }
+
+ private:
+  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* /*first*/) override {
+    const std::string_view name = element.Name();
+    const char* const file = element.Attribute("file");
+    if (file != nullptr && *file != '\0' && (name == "include" || name == "model"))
+      files_.push_back({file, name == "model"});
+    return true;
+  }
+  std::vector<NamedFile> files_;
+};
 
 /// `scene`: the file beside which names are looked for first.
 void find_included(const fs::path& file, const fs::path& scene, std::set<fs::path>& found) {
@@ -65,7 +51,8 @@ void find_included(const fs::path& file, const fs::path& scene, std::set<fs::pat
     return;
   }
   std::error_code ignored;
-  for (const NamedFile& named : named_files(xml)) {
+  const FileNames names(xml);
+  for (const NamedFile& named : names.files()) {
     for (const fs::path& from : {scene, file}) {
       const fs::path path = (from.parent_path() / named.name).lexically_normal();
       if (!fs::is_regular_file(path, ignored)) continue;
