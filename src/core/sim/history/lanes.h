@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+
 #include "core/sim/history/column.h"
 
 namespace taxel {
