@@ -70,7 +70,7 @@ void subdivide_on_unit_sphere(Polyhedron& p) {
 }
 
 constexpr int kMostSubdivisions = 9;  // 5 million triangles
-constexpr int kDrawnSides = 40;       // of the prism that is drawn for a cylinder
+constexpr int kDrawnSteps = 7;        // from the pole of a ball to its rim, which has 5 times as many corners
 
 Polyhedron unit_icosphere(int subdivisions) {
   if (subdivisions < 0 || subdivisions > kMostSubdivisions)
@@ -109,7 +109,8 @@ TriMesh cylinder(double radius, double half_length, int discs, int rows) {
   return surface.mesh();
 }
 
-/// Round caps of rings of 5 k points, k `steps` from the pole: even triangles at the pole and at the rim.
+/// Round caps of rings of 5 k points, k `steps` from the pole: even triangles at the pole and at the rim. Without rows
+/// a ball.
 TriMesh capsule(double radius, double half_length, int steps, int rows) {
   const auto cap_ring = [&](int k, double side) {
     const double angle = 0.5 * kPi * k / steps;
@@ -209,7 +210,7 @@ TriMesh make_capsule(double radius, double half_length, double edge_length) {
 }
 
 TriMesh make_drawn_capsule(double radius, double half_length) {
-  return capsule(radius, half_length, kDrawnSides / 5, 1);
+  return capsule(radius, half_length, kDrawnSteps, 1);
 }
 
 TriMesh make_drawn_cylinder(double radius, double half_length) {
@@ -217,15 +218,14 @@ TriMesh make_drawn_cylinder(double radius, double half_length) {
   for (const double side : {-1.0, 1.0}) {
     const std::vector<dvec3> pole{{0, 0, side * half_length}};
     if (side < 0) surface.add_ring(pole);
-    surface.add_ring(circle(radius, side * half_length, kDrawnSides));
+    surface.add_ring(circle(radius, side * half_length, 5 * kDrawnSteps));
     if (side > 0) surface.add_ring(pole);
   }
   return surface.mesh();
 }
 
 TriMesh make_drawn_ellipsoid(const dvec3& semi_axes) {
-  constexpr int kSubdivisions = 4;
-  const TriMesh sphere = make_icosphere(1, kSubdivisions);
+  const TriMesh sphere = capsule(1, 0, kDrawnSteps, 0);
   std::vector<dvec3> vertices = sphere.vertices();
   for (dvec3& v : vertices) v *= semi_axes;
   return {std::move(vertices), sphere.faces()};

@@ -15,7 +15,7 @@ TriMeshPtr drawn_mesh(const mjModel& m, int geom) {
                                              std::vector<ivec3>{{0, 1, 2}, {0, 2, 3}});
     }
     case mjGEOM_SPHERE:
-      return std::make_shared<const TriMesh>(make_sphere(size.x, 0.2 * size.x));
+      return std::make_shared<const TriMesh>(make_drawn_ellipsoid(dvec3(size.x)));
     case mjGEOM_CAPSULE:
       return std::make_shared<const TriMesh>(make_drawn_capsule(size.x, size.y));
     case mjGEOM_CYLINDER:
