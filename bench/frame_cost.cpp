@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/sensor/sensor_model.h"
 #include "core/sim/sim_thread.h"
+#include "our_fingertip.h"
 
 namespace {
 using namespace taxel;
@@ -139,12 +139,6 @@ void measure(const char* what, int steps_before, bool again, const SimCommand& l
       1e6 * part * plain / frames_per_step, stood(without), stood(with));
 }
 
-SensorModelPtr fingertip() {
-  SensorSource source = read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
-  source.layout.sampling.density *= kSamples / static_cast<double>(build_sensor_model(source)->samples.size());
-  return build_sensor_model(source);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -157,7 +151,7 @@ int main(int argc, char** argv) {
   Scenario press;
   press.kind = ScenarioKind::press;
   press.hold = 2000;
-  measure("pressed fingertip", 2500, false, LoadScenarioCommand{fingertip(), press}, stretches);
+  measure("pressed fingertip", 2500, false, LoadScenarioCommand{bench::our_fingertip(kSamples), press}, stretches);
   measure("hand of five fingers after 20 s", 20000, true,
           LoadSceneCommand{TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", {}}, stretches);
   return 0;

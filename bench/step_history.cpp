@@ -11,9 +11,9 @@
 #include <ctime>
 #include <vector>
 
-#include "core/sensor/sensor_model.h"
 #include "core/sim/history/step_history.h"
 #include "core/sim/simulator.h"
+#include "our_fingertip.h"
 
 namespace {
 using namespace taxel;
@@ -65,18 +65,12 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-SensorModelPtr fingertip() {
-  SensorSource source = read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
-  source.layout.sampling.density *= kSamples / static_cast<double>(build_sensor_model(source)->samples.size());
-  return build_sensor_model(source);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   int rounds = 7;
   if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
-  const SensorModelPtr model = fingertip();
+  const SensorModelPtr model = bench::our_fingertip(kSamples);
   const auto simulator = Simulator::make_scenario(model, {});
   StepHistory full;
   full.set_limits({kSteps / 3, std::size_t{1} << 31});

@@ -1,0 +1,15 @@
+// Our fingertip with its twelve taxels.
+#pragma once
+
+#include "core/sensor/sensor_model.h"
+
+namespace taxel::bench {
+
+/// With about so many samples, however dense that makes them.
+inline SensorModelPtr our_fingertip(double samples) {
+  SensorSource source = read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
+  source.layout.sampling.density *= samples / static_cast<double>(build_sensor_model(source)->samples.size());
+  return build_sensor_model(source);
+}
+
+}  // namespace taxel::bench
