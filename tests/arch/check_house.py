@@ -22,7 +22,7 @@ LIBRARIES = {
     "CLI/": ["app/**/*"],
     "iostream": [],
 }
-UI_MAY_USE_OF_SIM = {"core/sim/sim_frame.h", "core/sim/sim_command.h", "core/sim/history/lanes.h", "core/sim/scene_controls.h",
+UI_MAY_USE_OF_SIM = {"core/sim/sim_frame.h", "core/sim/trace.h", "core/sim/sim_command.h", "core/sim/history/lanes.h", "core/sim/scene_controls.h",
                      "core/sim/history/breakpoints.h"}
 UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h", "core/layout/layout_json.h")
 MAX_FILE_LINES = 400

@@ -150,6 +150,8 @@ TEST(BadInput, Usage) {
   refused({"sweep", "--depth", "-0.001"}, "sweep: --depth: must be greater than 0, is -0.001");
   refused({"sweep", "--depth", "nan"}, "sweep: --depth: must be greater than 0, is nan");
   refused({"sweep", "--before", "0", "--past", "0"}, "/past: before and past together must be greater than 0");
+  refused({"sweep", "--timestep", "1e-8"},
+          "the scenario would take 2.4e+08 steps, at most 1e+08 are made: is the time step too small?");
   refused({"sweep", "--density", "0"}, "sweep: --density: must be greater than 0, is 0");
   const std::string words = R"("weighted_mean", "weighted_sum", "mean", "nearest", "max", "force")";
   for (const char* command : {"sweep", "run", "read"})

@@ -24,7 +24,7 @@ TaxelSeries run_series(const SimFramePtr& frame, int sensor) {
   series.unit = reading_unit(layout.readout.aggregate);
   for (const Taxel& taxel : layout.taxels) series.taxel_ids.push_back(taxel.id);
   series.values.resize(series.taxel_ids.size());
-  for (const TraceRow& row : *frame->trace) {
+  for (const TraceRow& row : frame->trace->rows) {
     const bool later = series.time.empty() || row.time > series.time.back();
     if (!later || row.readings.size() < first + series.values.size()) continue;
     series.time.push_back(row.time);

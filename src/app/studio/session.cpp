@@ -257,7 +257,7 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   tell_stop(*frame, news);
   tell_saved(*frame, news);
   tell_written(*frame, news);
-  if (!frame->recorded) note_pressures(*frame, frame->runs != noted_run_);
+  if (!frame->recorded) note_pressures(*frame);
   if (frame->finished || frame->failed || frame->stop) playing_ = false;
   frame_ = std::move(frame);
   news.new_frame = true;
@@ -306,15 +306,14 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   }
 }
 
-void Session::note_pressures(const SimFrame& frame, bool another_run) {
-  noted_run_ = frame.runs;
-  const std::size_t rows = frame.trace ? frame.trace->size() : 0;
-  if (another_run || rows < rows_seen_) {
+void Session::note_pressures(const SimFrame& frame) {
+  const Trace& trace = *frame.trace;
+  if (std::exchange(noted_trace_, trace.edition) != trace.edition) {
     peaks_.clear();
     rows_seen_ = 0;
     largest_pressure_ = 0;
   }
-  for (; rows_seen_ < rows; ++rows_seen_) raise(peaks_, (*frame.trace)[rows_seen_].readings);
+  for (; rows_seen_ < trace.rows.size(); ++rows_seen_) raise(peaks_, trace.rows[rows_seen_].readings);
   raise(peaks_, all_readings(frame));
   for (const SensorFrameState& sensor : frame.sensors) {
     for (const ContactSurface& surface : sensor.surfaces) {

@@ -181,7 +181,7 @@ class Session {
   void drop_scene();
   void show_saved_step();
   [[nodiscard]] bool runs_or_refuses();
-  void note_pressures(const SimFrame& frame, bool another_run);
+  void note_pressures(const SimFrame& frame);
   /// Waits for a frame for which `done` holds; not by clock only. Throws Error when none comes.
   template <class Done>
   void settle(const Done& done);
@@ -243,7 +243,7 @@ class Session {
   double largest_pressure_ = 0;
   std::vector<double> peaks_;  ///< of all sensors, one after the other [Pa]
   std::size_t rows_seen_ = 0;
-  std::uint64_t noted_run_ = 0;  ///< SimFrame::runs of the peaks
+  std::uint64_t noted_trace_ = 0;  ///< Trace::edition of the peaks
   std::string last_error_;
   std::set<std::string> warned_;  ///< warnings of the scene that were told
 };

@@ -17,7 +17,7 @@ bool Session::runs_or_refuses() {
 void Session::show_saved_step() {
   frame_ = document_->frame;
   still_ = true;
-  note_pressures(*frame_, true);
+  note_pressures(*frame_);
 }
 
 void Session::set_playing(bool playing) {

@@ -143,9 +143,10 @@ Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["playing"] = input.playing;
   json["finished"] = frame.finished;
   json["speed"] = input.speed;
-  json["rows"] = frame.trace ? frame.trace->size() : 0;
+  json["rows"] = frame.trace ? frame.trace->rows.size() : 0;
   const auto is_preview = [](const TraceRow& row) { return row.quality == SampleQuality::preview; };
-  json["preview_rows"] = frame.trace ? std::count_if(frame.trace->begin(), frame.trace->end(), is_preview) : 0;
+  json["preview_rows"] =
+      frame.trace ? std::count_if(frame.trace->rows.begin(), frame.trace->rows.end(), is_preview) : 0;
   json["sensors"] = Json::array();
   for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
     const SensorFrameState& sensor = frame.sensors[s];

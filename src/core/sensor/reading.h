@@ -9,6 +9,9 @@
 
 namespace taxel {
 
+/// A taxel responds where its peak, or its range, is above this part of the largest one.
+inline constexpr double kTaxelResponds = 0.05;
+
 /// One value per taxel in layout order, pascals; Aggregate::force is no sum over rays (force_integral.h). A taxel
 /// without samples reads 0. weighted_mean: sum w p / sum w (the paper); weighted_sum: sum w p (its released code);
 /// mean; nearest; max. Sums run over the rays that were hit, in ascending order: the same bits whatever was read

@@ -40,17 +40,15 @@ std::shared_ptr<SimFrame> FrameMemory::frame_of(const Simulator& simulator) {
   return make_frame([&](SimFrame& frame, FilledHits& hits) { simulator.fill_frame(frame, hits); });
 }
 
-std::shared_ptr<const std::vector<TraceRow>> FrameMemory::copy_of(const std::vector<TraceRow>& rows,
-                                                                  std::uint64_t cuts) {
-  Rows copy = rows_->take();
-  if (copy.cuts == cuts && copy.rows.size() <= rows.size()) {
-    copy.rows.insert(copy.rows.end(), rows.begin() + static_cast<std::ptrdiff_t>(copy.rows.size()), rows.end());
+std::shared_ptr<const Trace> FrameMemory::copy_of(const Trace& trace) {
+  Trace copy = traces_->take();
+  const std::size_t known = copy.rows.size();
+  if (copy.edition == trace.edition && known <= trace.rows.size()) {
+    copy.rows.insert(copy.rows.end(), trace.rows.begin() + static_cast<std::ptrdiff_t>(known), trace.rows.end());
   } else {
-    copy.rows = rows;
+    copy = trace;
   }
-  return shared(std::move(copy.rows), [shelf = rows_, cuts](std::vector<TraceRow>& done) {
-    shelf->put({std::move(done), cuts});
-  });
+  return shared(std::move(copy), [shelf = traces_](Trace& done) { shelf->put(std::move(done)); });
 }
 
 std::shared_ptr<const HistoryLanes> FrameMemory::lanes_of(const StepHistory& history) {

@@ -17,9 +17,8 @@ class FrameMemory {
   /// A frame with the step of `history`, or with what the simulator shows; of both, what fill_frame() fills.
   [[nodiscard]] std::shared_ptr<SimFrame> recorded_frame(const StepHistory& history, std::uint64_t step);
   [[nodiscard]] std::shared_ptr<SimFrame> frame_of(const Simulator& simulator);
-  /// A copy of all rows. `cuts` counts how often rows were taken away: as long as none are, only new ones are copied.
-  [[nodiscard]] std::shared_ptr<const std::vector<TraceRow>> copy_of(const std::vector<TraceRow>& rows,
-                                                                     std::uint64_t cuts);
+  /// A copy, of the same edition: of memory that held rows of that, only new ones are copied.
+  [[nodiscard]] std::shared_ptr<const Trace> copy_of(const Trace& trace);
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes_of(const StepHistory& history);
 
  private:
@@ -28,15 +27,11 @@ class FrameMemory {
     std::vector<SensorFrameState> sensors;
     FilledHits hits;
   };
-  struct Rows {
-    std::vector<TraceRow> rows;
-    std::uint64_t cuts = 0;
-  };
   template <class Fill>
   std::shared_ptr<SimFrame> make_frame(const Fill& fill);
 
   std::shared_ptr<Shelf<Frame>> frames_ = std::make_shared<Shelf<Frame>>();
-  std::shared_ptr<Shelf<Rows>> rows_ = std::make_shared<Shelf<Rows>>();
+  std::shared_ptr<Shelf<Trace>> traces_ = std::make_shared<Shelf<Trace>>();
   std::shared_ptr<Shelf<HistoryLanes>> lanes_ = std::make_shared<Shelf<HistoryLanes>>();
 };
 

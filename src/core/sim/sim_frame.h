@@ -16,6 +16,7 @@
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/history/lanes.h"
 #include "core/sim/scene_controls.h"
+#include "core/sim/trace.h"
 
 namespace taxel {
 
@@ -29,14 +30,6 @@ struct SceneGeom {
   bool plane = false;
   int sensor = -1;  ///< index of the sensor whose skin this is (drawn from its SensorModel instead), or -1
   int group = 0;    ///< MuJoCo's, 0 to 5: what viewers show together
-};
-
-/// A taxel's values of the past, one entry per recorded row (every 0.1 mm in a sweep, every step otherwise).
-struct TraceRow {
-  double time = 0, travel = 0;
-  std::vector<double> readings;  ///< all sensors, one after the other
-  /// preview: some of them are of samples that were replaced since.
-  SampleQuality quality = SampleQuality::polished;
 };
 
 /// A body that a sensor touches.
@@ -147,11 +140,10 @@ struct SimFrame {
   ControlValues controls;                 ///< of scene->controls
   std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown
   std::vector<HeldPoints> held;
-  std::shared_ptr<const std::vector<TraceRow>>
-      trace;                          ///< all rows so far (copied when a row is added, at most 30 times a second)
-  std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()
-  double step_seconds = 0;            ///< mean wall time of one of the latest steps [s]; 0: none was made
-  bool recorded = false;              ///< a step of the past is shown; the newest is history.last
+  std::shared_ptr<const Trace> trace;  ///< copied when a row is added, at most 30 times a second
+  std::vector<std::string> warnings;   ///< all that the sensors have to say about the scene, as Simulator::warnings()
+  double step_seconds = 0;             ///< mean wall time of one of the latest steps [s]; 0: none was made
+  bool recorded = false;               ///< a step of the past is shown; the newest is history.last
   std::shared_ptr<const SimScene> simulated;  ///< of the newest step: another than `scene` where its layout changed
   HistoryState history;
   /// Where it is asked for (FollowStepBeforeCommand), the simulation does not run by itself, and it is kept; else null.

@@ -105,21 +105,21 @@ void SimThread::Impl::add_trace_row() {
     if (sensor && sensor->quality == SampleQuality::preview) traced.quality = SampleQuality::preview;
   for (const SensorView& sensor : view.sensors)
     traced.readings.insert(traced.readings.end(), sensor.readings.begin(), sensor.readings.end());
+  std::vector<TraceRow>& rows = trace.rows;
   rows.push_back(std::move(traced));
   if (simulator->scene()->duration > 0 || rows.size() < 2 * kEndlessRows) return;
   rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
-  ++row_cuts;
+  trace.edition = new_trace_edition();
 }
 
 /// The rows for plots and timeline, copied only when there are others, and not too often.
 void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
-  const std::uint64_t last = history.empty() ? 0 : history.last();
-  const Column<StepMark>& copied = lanes->steps;
-  const bool other_steps = copied.size() != history.size() || (!copied.empty() && copied.back().step != last);
-  const bool other_rows = trace->size() != rows.size() || rows.empty() || trace->back().time != rows.back().time;
-  const bool shrunk = trace->size() > rows.size() || (!copied.empty() && copied.back().step > last);
-  if (!shrunk && !even_if_recent && now - last_trace < kTraceInterval) return;
-  if (other_rows) trace = memory.copy_of(rows, row_cuts);
+  const bool rows_cut = posted_trace->edition != trace.edition, steps_cut = lanes->edition != history.edition();
+  const bool other_rows = rows_cut || posted_trace->rows.size() != trace.rows.size();
+  const bool other_steps =
+      steps_cut || lanes->rows() != history.size() || (!history.empty() && lanes->steps.back().step != history.last());
+  if (!rows_cut && !steps_cut && !even_if_recent && now - last_trace < kTraceInterval) return;
+  if (other_rows) posted_trace = memory.copy_of(trace);
   if (other_steps || even_if_recent) lanes = memory.lanes_of(history);
   if (other_rows || other_steps) last_trace = now;
 }
@@ -177,7 +177,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->speed = speed;
   frame->measured_speed = playing ? pacing.measured_speed(now) : 0.0;
   frame->step_seconds = step_time.mean_seconds();
-  frame->trace = trace;
+  frame->trace = posted_trace;
   frame->runs = runs;
   frame->commands = commands;
   frame->saved = saved;

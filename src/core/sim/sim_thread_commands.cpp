@@ -19,8 +19,7 @@ void SimThread::Impl::begin_run() {
   end_recording("the run began anew");
   ++runs;
   error.clear();
-  rows.clear();
-  ++row_cuts;
+  trace = {};
   scrubbed.reset();
   stop.reset();
   history.clear();
@@ -34,8 +33,8 @@ void SimThread::Impl::go_on_from_shown() {
   if (!scrubbed) return;
   const SimState& from = history.state(*scrubbed);
   simulator->restore_state(from);
-  while (!rows.empty() && rows.back().time > from.time) rows.pop_back();
-  ++row_cuts;
+  while (!trace.rows.empty() && trace.rows.back().time > from.time) trace.rows.pop_back();
+  trace.edition = new_trace_edition();
   history.cut_after(*scrubbed);
   if (recording) recording->go_back_to(*scrubbed);
   scrubbed.reset();

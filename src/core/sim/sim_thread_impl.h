@@ -52,10 +52,9 @@ struct SimThread::Impl {
   SimState state;  // scratch, and
   StepView view;   // likewise, of the step just made
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
-  std::vector<TraceRow> rows;
-  std::uint64_t row_cuts = 0;  // times that rows were taken away
+  Trace trace;
   FrameMemory memory;
-  std::shared_ptr<const std::vector<TraceRow>> trace = std::make_shared<const std::vector<TraceRow>>();
+  std::shared_ptr<const Trace> posted_trace = std::make_shared<const Trace>();  // a copy
   StepTime step_time, record_time;
   double last_frame = 0, last_trace = 0, last_taken = 0;
   bool answered = true;  // the last frame answers a command, or is the last of a run

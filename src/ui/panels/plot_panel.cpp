@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/sensor/reading.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"
@@ -18,11 +19,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// A taxel responds when its peak is above this part of the largest.
-constexpr double kResponding = 0.05;
 /// Above and below the upright axis, in heights of text: its name is left out where it would be longer.
 constexpr float kAroundAxis = 3.5f;
-constexpr double kTolerance = 0.2;  ///< [pixels] of curves: see thin_curve()
 
 /// Where the selected sensor's readings begin in a trace row.
 std::size_t first_reading(const UiState& ui, const UiInput& input) {
@@ -46,7 +44,7 @@ void draw_options(UiState& ui, const ReadingUnit& unit) {
   tooltip(std::string("Readings in ") + unit.text);
   ImGui::SameLine(0, 14);
   checkbox(ui, "Responding only", &ui.saved.plot.responding_only);
-  tooltip("Only taxels whose peak is above 5 % of the largest");
+  tooltip(fmt::format("Only taxels whose peak is above {:g} % of the largest", 100 * kTaxelResponds));
   ImGui::PopStyleVar();
 }
 
@@ -70,7 +68,7 @@ void draw_curve(UiState& ui, std::size_t reading, double scale, int color, int i
   const ImVec2 pixels = ImPlot::GetPlotSize();
   const ImPlotRect limits = ImPlot::GetPlotLimits();
   const CurvePoints& drawn = drawn_curve(ui.curves, reading, limits.X.Size() / std::max(1.0f, pixels.x),
-                                         kTolerance * limits.Y.Size() / std::max(1.0f, pixels.y), scale);
+                                         kCurveTolerance * limits.Y.Size() / std::max(1.0f, pixels.y), scale);
   const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
@@ -132,7 +130,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
     const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 1.0) : unit.scale;
     const std::size_t first = first_reading(ui, input);
     for (std::size_t k = 0; k < layout.taxels.size() && first + k < curves.readings.size(); ++k) {
-      if (ui.saved.plot.responding_only && !(curves.peaks[first + k] > kResponding * curves.largest)) continue;
+      if (ui.saved.plot.responding_only && !(curves.peaks[first + k] > kTaxelResponds * curves.largest)) continue;
       draw_curve(ui, first + k, scale, model.color(static_cast<int>(k)), layout.taxels[k].id,
                  ui.selection.contains(layout.taxels[k].id));
     }
@@ -153,8 +151,7 @@ void draw_plot_panel(UiState& ui, const UiInput& input) {
     if (input.sensor(ui) == nullptr || !input.frame->trace) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
-      const std::vector<TraceRow>& trace = *input.frame->trace;
-      update_curves(ui.curves, trace, input.by_travel());
+      update_curves(ui.curves, *input.frame->trace, input.by_travel());
       draw_options(ui, unit_of(ui, input));
       draw_plot(ui, input);
     }

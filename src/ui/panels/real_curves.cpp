@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sensor/reading.h"
 #include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"
 #include "ui/widgets/thin_curve.h"
@@ -12,15 +13,14 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kTolerance = 0.2;              ///< [pixels] of curves: see thin_curve()
 constexpr float kDash = 6, kBetweenDashes = 4;  // [pixels] at scale 1
 
 /// Where the plot has a time of the run: travel in a sweep [mm], else the time [s]. NaN outside of the run.
-double x_at(const std::vector<TraceRow>& trace, bool sweep, double time) {
-  if (trace.size() < 2 || time < trace.front().time || time > trace.back().time)
+double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
+  if (rows.size() < 2 || time < rows.front().time || time > rows.back().time)
     return std::numeric_limits<double>::quiet_NaN();
   if (!sweep) return time;
-  const auto next = std::upper_bound(trace.begin() + 1, trace.end() - 1, time,
+  const auto next = std::upper_bound(rows.begin() + 1, rows.end() - 1, time,
                                      [](double t, const TraceRow& row) { return t < row.time; });
   const TraceRow &a = *(next - 1), &b = *next;
   const double part = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0;
@@ -45,14 +45,15 @@ AsReading as_reading(const RealShown& real, int taxel, double largest) {
 
 void rebuild(RealCurves& kept, const UiInput& input, double largest, std::size_t first) {
   const RealShown& real = *input.real;
-  kept = {input.real.get(), input.frame->trace.get(), first, {}};
+  const Trace& trace = *input.frame->trace;
+  kept = {input.real, trace.edition, trace.rows.size(), first, {}};
   const TaxelSeries& series = real.recording.series;
   for (std::size_t k = 0; k < series.taxel_ids.size(); ++k) {
     RealCurves::Curve& curve = kept.curves.emplace_back();
     curve.taxel = series.taxel_ids[k];
     const AsReading reading = as_reading(real, curve.taxel, largest);
     for (std::size_t i = 0; i < series.time.size(); ++i) {
-      const double x = x_at(*input.frame->trace, input.by_travel(), series.time[i] + real.shift);
+      const double x = x_at(trace.rows, input.by_travel(), series.time[i] + real.shift);
       const double y = series.values[k][i];
       if (std::isnan(x) || std::isnan(y)) continue;
       curve.x.push_back(x);
@@ -95,7 +96,9 @@ bool is_left_out(const UiState& ui, std::size_t reading) {
 void draw_real_curves(UiState& ui, const UiInput& input, double scale, double largest, std::size_t first) {
   if (!input.real || !input.frame->trace || input.real->sensor != ui.selection.sensor) return;
   RealCurves& kept = ui.real.curves;
-  if (kept.shown != input.real.get() || kept.trace != input.frame->trace.get() || kept.first != first)
+  const Trace& trace = *input.frame->trace;
+  if (kept.shown != input.real || kept.edition != trace.edition || kept.rows != trace.rows.size() ||
+      kept.first != first)
     rebuild(kept, input, largest, first);
   const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
   const ImVec2 pixels = ImPlot::GetPlotSize();
@@ -108,7 +111,7 @@ void draw_real_curves(UiState& ui, const UiInput& input, double scale, double la
       const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
       const float weight = (ui.selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
       thin_curve(curve.x, curve.y, limits.X.Size() / std::max(1.0f, pixels.x),
-                 kTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
+                 kCurveTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
       draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
                   static_cast<float>(ui.pixel_scale));
     }

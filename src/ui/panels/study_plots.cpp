@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sensor/reading.h"
 #include "ui/panels/study_varied.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
@@ -17,8 +18,6 @@ namespace taxel::ui {
 
 namespace {
 
-/// A taxel is drawn where its peak in any run is above this part of the largest.
-constexpr double kResponding = 0.05;
 constexpr float kLeastHeight = 9;  // of a run, in heights of text: in less room the panel scrolls
 
 std::string title_of(const Study& study, const StudyRun& run) {
@@ -60,12 +59,13 @@ void draw_curves(const UiInput& input, const StudyCurves& curves, const StudyCur
   }
 }
 
+/// In any run.
 std::vector<bool> responding(const StudyCurves& curves) {
   std::vector<bool> responds(curves.taxel_ids.size(), false);
   for (const StudyCurve& curve : curves.runs)
     for (std::size_t k = 0; k < curve.readings.size(); ++k)
       for (const double reading : curve.readings[k])
-        responds[k] = responds[k] || reading > kResponding * curves.largest_reading;
+        responds[k] = responds[k] || reading > kTaxelResponds * curves.largest_reading;
   return responds;
 }
 

@@ -6,52 +6,37 @@ namespace taxel::ui {
 
 namespace {
 
-/// Rows looked at to know that a trace goes on from the one before: more than a simulation that goes on from an
-/// earlier step makes anew between two pictures.
-constexpr std::size_t kLookBack = 1000;
-
 double x_of(const TraceRow& row, bool by_travel) {
   return by_travel ? 1e3 * row.travel : row.time;
 }
 
-/// Whether the rows that are known are the first ones of the trace.
-bool goes_on(const PlotCurves& curves, const std::vector<TraceRow>& trace, bool by_travel) {
-  const std::size_t known = curves.x.size();
-  if (known == 0 || known > trace.size() || trace.front().readings.size() != curves.readings.size()) return false;
-  if (curves.x.front() != x_of(trace.front(), by_travel)) return false;
-  for (std::size_t r = known - std::min(known, kLookBack); r < known; ++r) {
-    if (curves.x[r] != x_of(trace[r], by_travel)) return false;
-    for (std::size_t k = 0; k < curves.readings.size(); ++k)
-      if (curves.readings[k][r] != trace[r].readings[k]) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
-void update_curves(PlotCurves& curves, const std::vector<TraceRow>& trace, bool by_travel) {
-  if (curves.trace == &trace && curves.rows == trace.size()) return;
-  const std::size_t readings = trace.empty() ? 0 : trace.front().readings.size();
-  if (!goes_on(curves, trace, by_travel)) {
+void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel) {
+  const std::vector<TraceRow>& rows = trace.rows;
+  const bool same = curves.edition == trace.edition && curves.by_travel == by_travel && curves.x.size() <= rows.size();
+  const std::size_t known = same ? curves.x.size() : 0;
+  if (same && known == rows.size()) return;
+  if (known == 0) {
     curves = {};
+    curves.edition = trace.edition;
+    curves.by_travel = by_travel;
+    const std::size_t readings = rows.empty() ? 0 : rows.front().readings.size();
     curves.readings.resize(readings);
     curves.peaks.assign(readings, 0.0);
   }
-  const std::size_t known = curves.x.size();
-  curves.trace = &trace;
-  curves.rows = trace.size();
-  for (std::size_t r = known; r < trace.size(); ++r) {
-    const TraceRow& row = trace[r];
+  for (std::size_t r = known; r < rows.size(); ++r) {
+    const TraceRow& row = rows[r];
     curves.x.push_back(x_of(row, by_travel));
-    for (std::size_t k = 0; k < readings; ++k) {
+    for (std::size_t k = 0; k < curves.readings.size(); ++k) {
       curves.readings[k].push_back(k < row.readings.size() ? row.readings[k] : 0.0);
       curves.peaks[k] = std::max(curves.peaks[k], curves.readings[k].back());
     }
-    if (r > 0 && trace[r - 1].quality == SampleQuality::preview && row.quality == SampleQuality::polished)
+    if (r > 0 && rows[r - 1].quality == SampleQuality::preview && row.quality == SampleQuality::polished)
       curves.polished_from = curves.x.back();
   }
   for (const double peak : curves.peaks) curves.largest = std::max(curves.largest, peak);
-  curves.drawn.assign(readings, {});
+  curves.drawn.assign(curves.readings.size(), {});
 }
 
 const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double column, double tolerance, double scale) {

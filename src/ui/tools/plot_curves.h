@@ -2,17 +2,18 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/sim/sim_frame.h"
+#include "core/sim/trace.h"
 #include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 
 struct PlotCurves {
-  const void* trace = nullptr;
-  std::size_t rows = 0;
+  std::uint64_t edition = 0;  ///< of the trace
+  bool by_travel = false;
   std::vector<double> x;                      ///< travel [mm] or time [s]
   std::vector<std::vector<double>> readings;  ///< per taxel of all sensors, in SI
   std::vector<double> peaks;                  ///< parallel to readings
@@ -22,8 +23,8 @@ struct PlotCurves {
   std::array<double, 3> drawn_for{};          ///< column, tolerance, scale
 };
 
-/// Of another trace, or of one that has got other rows. `by_travel`: over travel, else over time.
-void update_curves(PlotCurves& curves, const std::vector<TraceRow>& trace, bool by_travel);
+/// Those of a trace: of the one they are of, only new rows are looked at. `by_travel`: over travel, else over time.
+void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel);
 
 /// One taxel's curve, its readings times `scale`: see thin_curve(). `tolerance` is in scaled readings. Kept until
 /// something else is asked for.

@@ -27,9 +27,10 @@ using RealShownPtr = std::shared_ptr<const RealShown>;
 
 /// Its curves as the plot has them.
 struct RealCurves {
-  const void* shown = nullptr;  ///< made of this recording,
-  const void* trace = nullptr;  ///< these rows,
-  std::size_t first = 0;        ///< and this sensor
+  RealShownPtr shown;         ///< made of this recording,
+  std::uint64_t edition = 0;  ///< this trace,
+  std::size_t rows = 0;       ///< so much of it,
+  std::size_t first = 0;      ///< and this sensor
   struct Curve {
     int taxel = 0;
     std::vector<double> x, y;  ///< of the plot; the reading's unit

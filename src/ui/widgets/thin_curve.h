@@ -6,6 +6,8 @@
 
 namespace taxel::ui {
 
+inline constexpr double kCurveTolerance = 0.2;  ///< [pixels]: less than can be told apart
+
 struct CurvePoints {
   std::vector<double> x, y;
 };

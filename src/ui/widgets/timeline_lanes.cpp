@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/sensor/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
@@ -20,10 +21,8 @@ namespace {
 constexpr float kRuler = 1.05f, kEvents = 0.55f, kTaxelsLane = 2.0f;
 /// Widths in lines of text: the names at the left, the values at the right.
 constexpr float kNames = 7.6f, kValues = 7.2f;
-/// A taxel that never reads more than this part of the largest has no curve.
-constexpr double kResponding = 0.02;
-constexpr float kLeastLane = 0.8f;                 ///< in lines of small text
-constexpr double kColumn = 2.0, kTolerance = 0.2;  ///< [pixels] of curves: see thin_curve()
+constexpr float kLeastLane = 0.8f;  ///< in lines of small text
+constexpr double kColumn = 2.0;     ///< [pixels] of curves: see thin_curve()
 
 struct Lane {
   const char* name;
@@ -137,10 +136,10 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
   CurvePoints curve;
   std::vector<ImVec2> points;
   for (std::size_t k = 0; k < p.readings && largest > 0; ++k) {
-    if (!(peaks[k] > kResponding * largest)) continue;
+    if (!(peaks[k] > kTaxelResponds * largest)) continue;
     for (std::size_t r = 0; r < y.size(); ++r)
       y[r] = y1 - 1 - p.lanes.readings_of(r)[p.first_reading + k] / largest * (y1 - y0 - 3);
-    thin_curve(x, y, kColumn, kTolerance, curve);
+    thin_curve(x, y, kColumn, kCurveTolerance, curve);
     points.clear();
     for (std::size_t i = 0; i < curve.x.size(); ++i)
       points.emplace_back(static_cast<float>(curve.x[i]), static_cast<float>(curve.y[i]));

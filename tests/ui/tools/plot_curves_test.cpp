@@ -14,17 +14,19 @@ namespace {
 constexpr double kStep = 1e-3;  // [s]
 
 /// Slow waves, with a spike of one row here and there.
-std::vector<TraceRow> trace_with_spikes(std::size_t rows, std::size_t taxels) {
+Trace trace_with_spikes(std::size_t rows, std::size_t taxels) {
   const CounterRng rng(7);
   std::uint64_t n = 0;
-  std::vector<TraceRow> trace(rows);
+  Trace trace;
+  trace.rows.resize(rows);
   for (std::size_t r = 0; r < rows; ++r) {
-    trace[r].time = kStep * static_cast<double>(r);
-    trace[r].travel = 2 * trace[r].time;
+    TraceRow& row = trace.rows[r];
+    row.time = kStep * static_cast<double>(r);
+    row.travel = 2 * row.time;
     for (std::size_t k = 0; k < taxels; ++k) {
       const bool spike = rng.uniform(n++) < 1e-4;
-      trace[r].readings.push_back(100 * (1 + std::sin(0.3 * trace[r].time + static_cast<double>(k))) +
-                                  (spike ? 5000 * rng.uniform(n++) : 0));
+      row.readings.push_back(100 * (1 + std::sin(0.3 * row.time + static_cast<double>(k))) +
+                             (spike ? 5000 * rng.uniform(n++) : 0));
     }
   }
   return trace;
@@ -32,18 +34,18 @@ std::vector<TraceRow> trace_with_spikes(std::size_t rows, std::size_t taxels) {
 
 TEST(PlotCurves, EveryExtremeOfALongTraceIsDrawn) {
   constexpr std::size_t kRows = 100000, kTaxels = 3;
-  const std::vector<TraceRow> trace = trace_with_spikes(kRows, kTaxels);
+  const Trace trace = trace_with_spikes(kRows, kTaxels);
   PlotCurves curves;
   update_curves(curves, trace, false);
   ASSERT_EQ(curves.x.size(), kRows);
   constexpr int kColumns = 600;
-  const double column = trace.back().time / kColumns, tolerance = 0.1, scale = 1e-3;
+  const double column = trace.rows.back().time / kColumns, tolerance = 0.1, scale = 1e-3;
   for (std::size_t k = 0; k < kTaxels; ++k) {
     const CurvePoints& drawn = drawn_curve(curves, k, column, 1e-3 * tolerance, scale);
     EXPECT_LE(drawn.x.size(), 4U * (kColumns + 1));
     std::vector<double> highest(kColumns + 1, 0), shown(kColumns + 1, 0);
     const auto column_of = [&](double x) { return static_cast<std::size_t>(std::floor(x / column)); };
-    for (const TraceRow& row : trace) {
+    for (const TraceRow& row : trace.rows) {
       double& most = highest[column_of(row.time)];
       most = std::max(most, row.readings[k]);
     }
@@ -64,22 +66,23 @@ TEST(PlotCurves, EveryExtremeOfALongTraceIsDrawn) {
 }
 
 TEST(PlotCurves, AreMadeAnewForOtherRowsAndOtherAxes) {
-  std::vector<TraceRow> trace = trace_with_spikes(50, 1);
+  Trace trace = trace_with_spikes(50, 1);
   PlotCurves curves;
   update_curves(curves, trace, true);
-  EXPECT_EQ(curves.x.back(), 1e3 * trace.back().travel);
+  EXPECT_EQ(curves.x.back(), 1e3 * trace.rows.back().travel);
   const double first = drawn_curve(curves, 0, 1e-6, 0, 1).y.back();
-  EXPECT_EQ(first, trace.back().readings[0]);
+  EXPECT_EQ(first, trace.rows.back().readings[0]);
   EXPECT_EQ(drawn_curve(curves, 0, 1e-6, 0, 2).y.back(), 2 * first);
-  trace.push_back({1, 2, {7}});
-  trace.back().quality = SampleQuality::polished;
+  trace.rows.push_back({1, 2, {7}});
   update_curves(curves, trace, true);
   EXPECT_EQ(drawn_curve(curves, 0, 1e-6, 0, 2).y.back(), 14);
+  update_curves(curves, trace, false);
+  EXPECT_EQ(curves.x.back(), 1);
 }
 
 /// A run that goes on adds rows; one that goes on from an earlier step has others in place of the last ones.
 TEST(PlotCurves, RowsThatAreAddedOrReplacedGiveWhatAllOfThemGive) {
-  const std::vector<TraceRow> all = trace_with_spikes(3000, 2);
+  const Trace all = trace_with_spikes(3000, 2);
   const auto same = [](const PlotCurves& a, const PlotCurves& b) {
     EXPECT_EQ(a.x, b.x);
     EXPECT_EQ(a.readings, b.readings);
@@ -87,24 +90,25 @@ TEST(PlotCurves, RowsThatAreAddedOrReplacedGiveWhatAllOfThemGive) {
     EXPECT_EQ(a.largest, b.largest);
     EXPECT_EQ(a.polished_from, b.polished_from);
   };
-  const auto made_of = [](const std::vector<TraceRow>& trace) {
+  const auto made_of = [](const Trace& trace) {
     PlotCurves curves;
     update_curves(curves, trace, false);
     return curves;
   };
-  std::vector<TraceRow> first(all.begin(), all.begin() + 1200), changed = all;
-  for (TraceRow& row : first) row.quality = SampleQuality::preview;
-  for (std::size_t r = 0; r < 1200; ++r) changed[r].quality = SampleQuality::preview;
+  Trace more = all, first;
+  for (std::size_t r = 0; r < 1200; ++r) more.rows[r].quality = SampleQuality::preview;
+  first = {{more.rows.begin(), more.rows.begin() + 1200}, more.edition};
   PlotCurves curves = made_of(first);
-  update_curves(curves, changed, false);
-  same(curves, made_of(changed));
+  update_curves(curves, more, false);
+  same(curves, made_of(more));
   ASSERT_TRUE(curves.polished_from);
-  EXPECT_EQ(*curves.polished_from, changed[1200].time);
-  std::vector<TraceRow> other = changed;
-  for (std::size_t r = 2500; r < 2990; ++r) other[r].readings[1] = 9000;
+  EXPECT_EQ(*curves.polished_from, more.rows[1200].time);
+  Trace other{more.rows};
+  other.rows[3].readings[1] = 9000;  // far behind the end
   update_curves(curves, other, false);
   same(curves, made_of(other));
-  const std::vector<TraceRow> later(all.begin() + 500, all.end()), none;
+  EXPECT_EQ(curves.largest, 9000);
+  const Trace later{{all.rows.begin() + 500, all.rows.end()}}, none;
   update_curves(curves, later, false);
   same(curves, made_of(later));
   update_curves(curves, none, false);

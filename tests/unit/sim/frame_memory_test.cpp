@@ -51,7 +51,7 @@ TEST_F(FrameMemoryTest, FramesAreAsMadeAnewWhateverTheMemoryHeld) {
     if (i == 100) simulator->reset();  // touches nothing
     shown = std::exchange(waiting, memory.frame_of(*simulator));
     expect_as_anew(*waiting, *simulator);
-    waiting->trace = std::make_shared<const std::vector<TraceRow>>();
+    waiting->trace = std::make_shared<const Trace>();
     waiting->recorded = true;
     if (i % 10 != 3) continue;
     simulator->save_state(state);
@@ -139,18 +139,19 @@ bool same_rows(const std::vector<TraceRow>& a, const std::vector<TraceRow>& b) {
 
 TEST_F(FrameMemoryTest, TheRowsAreAllOfThemAlsoAfterSomeWereTakenAway) {
   FrameMemory memory;
-  std::vector<TraceRow> rows;
-  std::uint64_t cuts = 0;
-  std::shared_ptr<const std::vector<TraceRow>> shown, waiting;
+  Trace trace;
+  std::vector<TraceRow>& rows = trace.rows;
+  std::shared_ptr<const Trace> shown, waiting;
   for (int i = 0; i < 200; ++i) {
     for (int k = 0; k < i % 3; ++k) rows.push_back({0.1 * i + k, 0, {1.0 * i, 2.0 * k}, SampleQuality::polished});
     if (i % 17 == 0 && rows.size() > 5) {  // as when it goes on from an earlier step: others take their place
       rows.resize(rows.size() - 5);
-      ++cuts;
+      trace.edition = new_trace_edition();
       for (int k = 0; k < 6; ++k) rows.push_back({-1.0 * i, 0, {0, 0}, SampleQuality::preview});
     }
-    shown = std::exchange(waiting, memory.copy_of(rows, cuts));
-    EXPECT_TRUE(same_rows(*waiting, rows)) << i;
+    shown = std::exchange(waiting, memory.copy_of(trace));
+    EXPECT_TRUE(same_rows(waiting->rows, rows)) << i;
+    EXPECT_EQ(waiting->edition, trace.edition);
     if (shown != nullptr && i % 5 == 0) shown.reset();
   }
 }

@@ -133,7 +133,7 @@ TEST_F(ReplaceModel, RowsOfTheThreadTellWhichSamplesTheyAreOf) {
   EXPECT_EQ(frame->error, "");
   EXPECT_EQ(frame->scene->sensors[0], polished_);
   std::vector<SampleQuality> rows;
-  for (const TraceRow& row : *frame->trace) rows.push_back(row.quality);
+  for (const TraceRow& row : frame->trace->rows) rows.push_back(row.quality);
   EXPECT_EQ(rows, (std::vector<SampleQuality>{SampleQuality::preview, SampleQuality::preview, SampleQuality::preview,
                                               SampleQuality::polished, SampleQuality::polished}))
       << "at steps 0, 10, 20 and 30, 40";

@@ -54,7 +54,7 @@ TEST_F(ThreadHistory, ScrubbingShowsTheRecordedStepAndTheTimelineStays) {
   EXPECT_EQ(scrubbed->sensors[0].readings, before->sensors[0].readings);
   EXPECT_EQ(scrubbed->sensors[0].surfaces[0].polygons.size(), before->sensors[0].surfaces[0].polygons.size());
   EXPECT_EQ(scrubbed->history.last, 1310u);
-  EXPECT_EQ(scrubbed->trace->size(), newest->trace->size());
+  EXPECT_EQ(scrubbed->trace->rows.size(), newest->trace->rows.size());
   EXPECT_EQ(ask(ScrubCommand{0})->step, 0u);
   const SimFramePtr back = ask(ScrubCommand{99999});
   EXPECT_EQ(back->step, 1310u);
@@ -65,14 +65,16 @@ TEST_F(ThreadHistory, ScrubbingShowsTheRecordedStepAndTheTimelineStays) {
 TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
   run_to(1250);
   const SimFramePtr middle = ask(StepCommand{30}), later = ask(StepCommand{70});
-  ask(ScrubCommand{1250});
+  EXPECT_EQ(later->trace->edition, middle->trace->edition) << "rows were added";
+  EXPECT_EQ(ask(ScrubCommand{1250})->trace->edition, later->trace->edition);
   const SimFramePtr again = ask(StepCommand{30});
   EXPECT_EQ(again->step, 1280u);
   EXPECT_FALSE(again->recorded);
   EXPECT_EQ(again->history.last, 1280u);
   EXPECT_EQ(again->history.lanes->steps.back().step, 1280u);
   EXPECT_EQ(again->sensors[0].readings, middle->sensors[0].readings);
-  EXPECT_EQ(again->trace->size(), middle->trace->size());
+  EXPECT_EQ(again->trace->rows.size(), middle->trace->rows.size());
+  EXPECT_NE(again->trace->edition, middle->trace->edition) << "others took the place of the last rows";
   EXPECT_EQ(again->runs, middle->runs) << "the same run";
   EXPECT_EQ(ask(StepCommand{70})->sensors[0].readings, later->sensors[0].readings) << "and so on";
 }
@@ -89,7 +91,7 @@ TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
   EXPECT_TRUE(again->finished);
   EXPECT_EQ(again->step, end->step);
   EXPECT_EQ(again->sensors[0].readings, end->sensors[0].readings);
-  EXPECT_EQ(again->trace->size(), end->trace->size());
+  EXPECT_EQ(again->trace->rows.size(), end->trace->rows.size());
 }
 
 TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree) {

@@ -59,8 +59,8 @@ TEST_F(Thread, StepsExactlyWhenTold) {
       rows.push_back({simulator->row().time, simulator->row().travel, simulator->row().readings[0]});
   }
   EXPECT_EQ(frame->sensors[0].readings, simulator->row().readings[0]);
-  ASSERT_EQ(frame->trace->size(), rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ((*frame->trace)[i].readings, rows[i].readings);
+  ASSERT_EQ(frame->trace->rows.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(frame->trace->rows[i].readings, rows[i].readings);
 }
 
 TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
@@ -74,12 +74,12 @@ TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
   ASSERT_NE(frame, nullptr);
   EXPECT_FALSE(frame->playing);
   EXPECT_EQ(frame->step, 201u);
-  EXPECT_EQ(frame->trace->size(), 21u);
+  EXPECT_EQ(frame->trace->rows.size(), 21u);
   thread_.send(PlayCommand{});
   frame = await(thread_, [](const SimFrame& f) { return f.playing; });
   ASSERT_NE(frame, nullptr);
   EXPECT_EQ(frame->step, 0u);
-  EXPECT_TRUE(frame->trace->empty());
+  EXPECT_TRUE(frame->trace->rows.empty());
 }
 
 TEST_F(Thread, ClockDrivesItAtTheWantedSpeed) {
@@ -120,7 +120,7 @@ TEST_F(Thread, ResetGoesBackAndForgetsTheTrace) {
   thread_.send(ResetCommand{});
   const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.step == 0; });
   ASSERT_NE(frame, nullptr);
-  EXPECT_TRUE(frame->trace->empty());
+  EXPECT_TRUE(frame->trace->rows.empty());
   EXPECT_EQ(frame->time, 0);
 }
 

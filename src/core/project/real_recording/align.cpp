@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sensor/reading.h"
+
 namespace taxel {
 namespace {
 

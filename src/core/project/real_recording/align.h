@@ -15,8 +15,6 @@ struct Alignment {
 
 /// Part of the shorter one of two signals that must lie over the other one.
 inline constexpr double kLeastOverlap = 0.5;
-/// A taxel responds where its range is above this part of the largest one.
-inline constexpr double kTaxelResponds = 0.05;
 
 /// The shift that maximises the cross-correlation: the mean, over the taxels that respond in both, of Pearson's
 /// coefficient over the overlap, so that neither gain nor offset of a taxel counts, nor how noise widens its range. Of

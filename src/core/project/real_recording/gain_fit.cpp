@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/project/real_recording/align.h"
+#include "core/sensor/reading.h"
 
 namespace taxel {
 namespace {

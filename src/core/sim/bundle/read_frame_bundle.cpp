@@ -167,7 +167,7 @@ void remember(SimFrame& frame) {
   StepHistory history;
   history.record(view, SimState{{}, frame.step, frame.time, frame.travel, false});
   frame.history = {frame.step, frame.step, 1, history.bytes(), 0, history.limits(), history.lanes()};
-  frame.trace = std::make_shared<const std::vector<TraceRow>>(1, row);
+  frame.trace = std::make_shared<const Trace>(Trace{{std::move(row)}});
 }
 
 }  // namespace

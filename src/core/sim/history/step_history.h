@@ -41,6 +41,7 @@ class StepHistory {
   /// The step as it was, bit for bit. Needs contains(step).
   void fill_frame(std::uint64_t step, SimFrame& frame) const;
   [[nodiscard]] const SimState& state(std::uint64_t step) const { return at(step).state; }
+  [[nodiscard]] std::uint64_t edition() const { return rows_.edition; }  ///< that of lanes()
   /// A copy of all rows.
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes() const;
   /// The same. `lanes` are empty, or an earlier copy of this history's: of those only what is new is copied.

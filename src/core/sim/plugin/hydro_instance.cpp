@@ -201,22 +201,22 @@ void HydroInstance::link_all(const mjModel& m, mjData& d) {
 
 void HydroInstance::compare_with_model(const mjModel& m) {
   const int geom = config_.geom;
-  const bool meshed = m.geom_type[geom] == mjGEOM_MESH && m.geom_dataid[geom] >= 0;
+  const std::string name = fmt::format("geom \"{}\"", geom_name(m, geom));
   const TriMeshPtr shown = drawn_mesh(m, geom);
-  const double apart = shown != nullptr ? distance_apart(*shown, *model_->mesh, X_GM_) : 0.0;
+  if (shown == nullptr) {
+    warnings_.push_back(name + " has no surface to compare: the layout's mesh is taken in the geom's own frame");
+    return;
+  }
+  const double apart = distance_apart(*shown, *model_->mesh, X_GM_);
   // single precision and re-centring stay below 1e-6
-  if (apart <= 1e-5 * model_->mesh->bounds().diagonal() && (meshed || shown != nullptr)) return;
-  const std::string name = geom_name(m, geom);
-  if (!meshed) {
-    warnings_.push_back(fmt::format(
-        "geom \"{}\" has no mesh: the layout's mesh is taken in the geom's own frame, where the surfaces lie up to "
-        "{:.3g} mm apart (the layout's mesh counts)",
-        name, 1e3 * apart));
+  if (apart <= 1e-5 * model_->mesh->bounds().diagonal()) return;
+  const std::string lie = fmt::format("the surfaces lie up to {:.3g} mm apart (the layout's mesh counts)", 1e3 * apart);
+  if (m.geom_type[geom] != mjGEOM_MESH) {
+    warnings_.push_back(name + " has no mesh: the layout's mesh is taken in the geom's own frame, where " + lie);
   } else {
-    warnings_.push_back(fmt::format(
-        "the mesh of geom \"{}\" is not the layout's{}: the surfaces lie up to {:.3g} mm apart (the layout's mesh "
-        "counts)",
-        name, another_file(m, geom, model_->layout.mesh.sha256) ? ", the hash of its file differs" : "", 1e3 * apart));
+    const bool other_file = another_file(m, geom, model_->layout.mesh.sha256);
+    warnings_.push_back(fmt::format("the mesh of {} is not the layout's{}: {}", name,
+                                    other_file ? ", the hash of its file differs" : "", lie));
   }
 }
 

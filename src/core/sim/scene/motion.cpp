@@ -44,8 +44,12 @@ dvec3 lead_point(const TriMesh& skin, const Pose& X_WM) {
 }
 
 std::uint64_t last_step_of(double steps) {
-  constexpr double kMost = 1e9;  // days, and more memory than there is
-  if (!(steps <= kMost)) throw Error("", "", fmt::format("the scenario would take {:.3g} steps", steps));
+  constexpr double kMost = 1e8;  // hours
+  if (!(steps <= kMost))
+    throw Error(
+        "", "",
+        fmt::format("the scenario would take {:.3g} steps, at most {:.0e} are made: is the time step too small?", steps,
+                    kMost));
   return static_cast<std::uint64_t>(std::ceil(whole(steps)));
 }
 
