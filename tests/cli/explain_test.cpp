@@ -12,29 +12,13 @@ fs::path coarse_sweep() {
   return shared_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
-struct LargestJump {
-  int taxel = 0;
-  double time = 0, before = 0, after = 0;
-};
-LargestJump largest_jump(const fs::path& run) {
-  const Table table = read_csv(run / "readings.csv");
-  LargestJump jump;
-  for (int id = 0; id < 12; ++id) {
-    const std::vector<double>& r = table.at("taxel_" + std::to_string(id));
-    for (std::size_t i = 1; i < r.size(); ++i)
-      if (std::abs(r[i] - r[i - 1]) > std::abs(jump.after - jump.before))
-        jump = {id, table.at("time")[i], r[i - 1], r[i]};
-  }
-  return jump;
-}
-
 Json explain(const fs::path& run, int taxel, double time) {
   return taxel_json({"explain", run.string(), "--taxel", std::to_string(taxel), "--time", std::to_string(time)});
 }
 
 TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
   const fs::path run = coarse_sweep();
-  const LargestJump jump = largest_jump(run);
+  const RecordedJump jump = largest_jump(run);
   const Json found = explain(run, jump.taxel, jump.time);
   EXPECT_EQ(found["taxel"]["id"], jump.taxel);
   EXPECT_EQ(found["reading"].get<double>(), jump.after);  // to the last bit
@@ -69,7 +53,7 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
 
 TEST(Explain, TextSaysTheVerdictFirst) {
   const fs::path run = coarse_sweep();
-  const LargestJump jump = largest_jump(run);
+  const RecordedJump jump = largest_jump(run);
   const Outcome out = taxel({"explain", (run / "readings.npz").string(), "--taxel", std::to_string(jump.taxel),
                              "--time", std::to_string(jump.time)});
   EXPECT_EQ(out.status, 0);

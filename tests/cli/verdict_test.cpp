@@ -1,0 +1,117 @@
+// The verdict of `taxel explain` on contacts whose artifact is known by construction, from the files a user has: a
+// scene, or a scenario around a layout, is run, and the largest jump of its recording explained.
+#include <cmath>
+
+#include "cli/taxel_program.h"
+#include "fixtures/labelled_touches.h"
+#include "fixtures/touch_files.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// Of contacts in which samples are no matter: enough of them, and soon made.
+constexpr double kSamples = 1.5e6;
+
+fs::path run_scene(Touch touch) {
+  touch.layout.sampling.density = kSamples;
+  const fs::path folder = test_folder();
+  const double seconds = write_scene(folder, touch);
+  const Json run =
+      taxel_json({"run", "scene.xml", "--seconds", std::to_string(seconds), "--out", "run", "--quiet"}, folder);
+  EXPECT_EQ(run["rows"], touch.path.size());
+  return folder / "run";
+}
+
+fs::path play_path(Touch touch) {
+  touch.layout.sampling.density = kSamples;
+  const fs::path folder = test_folder();
+  write_path(folder, touch);
+  const Json run =
+      taxel_json({"play", "scenario.json", "--layout", "skin.taxels.json", "--out", "run", "--quiet"}, folder);
+  EXPECT_EQ(run["rows"], touch.path.size());
+  return folder / "run";
+}
+
+double force_in(const Table& table, std::size_t row) {
+  return std::hypot(table.at("force_x")[row], table.at("force_y")[row], table.at("force_z")[row]);
+}
+
+/// Explains the largest jump: the cause, whose part of the change is the largest, and the first words.
+void expect_verdict(const fs::path& run, const std::string& cause, const std::string& words) {
+  const RecordedJump jump = largest_jump(run);
+  const std::vector<std::string> arguments{
+      "explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time", std::to_string(jump.time)};
+  const Json found = taxel_json(arguments), &v = found["verdict"];
+  ASSERT_TRUE(v.is_object()) << found.dump();
+  EXPECT_EQ(v["cause"], cause) << v["text"];
+  const std::string text = v["text"];
+  EXPECT_EQ(text.rfind(words + ": ", 0), 0U) << text;
+  const double change = v["change"], noise = v["noise"], field = v["field"], contact = v["contact"];
+  EXPECT_EQ(change, jump.after - jump.before) << "as recorded";
+  EXPECT_GT(std::abs(change), v["limit"].get<double>());
+  EXPECT_NEAR(noise + field + contact, change, 1e-9 * std::abs(change));
+  const double sign = change < 0 ? -1 : 1;
+  const bool method = cause == "star_field" || cause == "inverted_tets";
+  EXPECT_GT(sign * (method ? field : contact), sign * (method ? contact : field));
+  EXPECT_GT(sign * (method ? field : contact), sign * noise);
+  const Table table = read_csv(run / "readings.csv");
+  const double before = force_in(table, jump.row - 1), now = force_in(table, jump.row);
+  const bool stays = std::abs(now - before) <= 0.02 * std::max(before, now);
+  EXPECT_EQ(v["force_stays"], stays);
+  if (!method) {
+    EXPECT_EQ(cause == "redistribution", stays);
+  }
+  // a taxel's polygons lie on tets that are inside out, or they do not
+  bool inverted = false;
+  for (const Json& polygon : found["polygons"]) inverted |= polygon["inverted"].get<bool>();
+  EXPECT_EQ(inverted, cause == "inverted_tets");
+  const Outcome out = taxel(arguments);
+  EXPECT_EQ(out.status, 0);
+  EXPECT_EQ(out.err, "");
+  EXPECT_EQ(out.out.substr(0, out.out.find('\n')), text) << "the verdict comes first";
+}
+
+TEST(Verdict, ABallThatTapsAnEggOnAStar) {
+  expect_verdict(run_scene(taps_on_egg(0.004, 0.0018)), "star_field", "Pressure field");
+}
+TEST(Verdict, AFingertipOnAStarThatTapsABall) {
+  expect_verdict(play_path(taps_on_fingertip(0.005, 0.0018)), "star_field", "Pressure field");
+}
+
+TEST(Verdict, ABallThatTapsTheInsideOfATorus) {
+  expect_verdict(run_scene(taps_on_torus(0.016, 0.006, 133, 0.0035)), "inverted_tets", "Inverted tets");
+}
+TEST(Verdict, ABentFingerThatTapsABallWithItsInside) {
+  expect_verdict(play_path(taps_in_hook(0.9, 0.0035, 0.0018)), "inverted_tets", "Inverted tets");
+}
+
+TEST(Verdict, ABallThatIsLedAlongAFinger) {
+  expect_verdict(run_scene(led_along(0.003, 0.0005)), "redistribution", "Redistribution");
+}
+TEST(Verdict, AFingerThatIsLedAlongABall) {
+  expect_verdict(play_path(led_along(0.005, 0.0006)), "redistribution", "Redistribution");
+}
+
+TEST(Verdict, AnEdgeThatComesOverAFinger) {
+  expect_verdict(run_scene(edge_comes({1, 0, 0, 0}, dvec3(0.0162, 0, -0.018), dvec3(0, 0, 0.0007))), "contact",
+                 "The contact itself");
+}
+TEST(Verdict, AnEggThatIsLedOverAnEdge) {
+  expect_verdict(play_path(edge_comes_over_egg(0.68)), "contact", "The contact itself");
+}
+
+// The same way as that of a ball whose jumps are explained above, but slow: nothing jumps.
+TEST(Verdict, ABallThatIsLedSlowly) {
+  const fs::path run = run_scene(smooth(FieldKind::star));
+  const RecordedJump jump = largest_jump(run);
+  const Json v = taxel_json(
+      {"explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time", std::to_string(jump.time)})["verdict"];
+  EXPECT_EQ(v["cause"], "none");
+  EXPECT_EQ(v["change"].get<double>(), jump.after - jump.before);
+  EXPECT_LT(std::abs(jump.after - jump.before), v["limit"].get<double>());
+  EXPECT_EQ(v["text"].get<std::string>().rfind("No jump: ", 0), 0U) << v["text"];
+}
+
+}  // namespace
+}  // namespace taxel::test
