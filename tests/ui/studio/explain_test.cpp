@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "script_lines.h"
 
@@ -100,6 +101,21 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const Json view = studio.state("view.json");
   ASSERT_TRUE(view["explain"]["selected_polygon"].is_array());
   EXPECT_EQ(view["selection"], state["selection"]) << "the taxel stays";
+  // what stands of it in the panel: area and pressures, share of the force, tet, taxels
+  for (const Json& p : view["explain"]["polygons"]) {
+    if (Json{p["surface"], p["polygon"]} != view["explain"]["selected_polygon"]) continue;
+    EXPECT_NEAR(p["area"].get<double>(), (*target)["area"].get<double>(), 1e-12 * p["area"].get<double>());
+    EXPECT_LE(p["lowest_pressure"], (*target)["pressure"]);
+    EXPECT_GE(p["highest_pressure"], (*target)["pressure"]);
+    EXPECT_GT(p["force_share"], 0);
+    EXPECT_GE(p["tet"], 0);
+  }
+  std::set<std::string> parts;
+  for (const Json& widget : view["widgets"])
+    if (widget["panel"] == "Explain") parts.insert(widget["label"]);
+  for (const char* part : {"Verdict", "Ghost of the step before", "Exact and sampled", "Change since the step before",
+                           "Convergence plot", "Scatter", "Samples caption", "Force budget"})
+    EXPECT_TRUE(parts.count(part) > 0) << part;
   const Json row = view["explain"]["polygons"][0];
   const std::string label = "Polygon " + std::to_string(row["surface"].get<int>()) + "/";
   std::string first;
@@ -170,9 +186,19 @@ TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
 
 TEST(Explain, ASwitchTakesTheGhostAway) {
   const StudioProgram studio;
-  studio.play(joined({kInContact, {press("Ghost of the step before"), kIdle, kIdle, dump("without.json")}}),
+  const auto shot = [](const char* name) { return std::string(R"({"do": "screenshot", "file": ")") + name + R"("})"; };
+  studio.play(joined({kInContact,
+                      {shot("with.png"), press("Ghost of the step before"), kIdle, kIdle, dump("without.json"),
+                       shot("without.png")}}),
               coarse_layout(studio));
-  EXPECT_FALSE(studio.state("without.json")["explain"]["ghost"].get<bool>());
+  const Json state = studio.state("without.json"), &view = state["view"]["rect"];
+  EXPECT_TRUE(studio.state("explained.json")["explain"]["ghost"].get<bool>());
+  EXPECT_FALSE(state["explain"]["ghost"].get<bool>());
+  const Picture with = studio.picture("with.png"), without = studio.picture("without.png");
+  int changed = 0;
+  for (double y = view[1]; y < view[3]; ++y)
+    for (double x = view[0]; x < view[2]; ++x) changed += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+  EXPECT_GT(changed, 100) << "its lines are in the view";
 }
 
 #ifdef TAXEL_PROGRAM
