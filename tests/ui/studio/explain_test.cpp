@@ -110,24 +110,30 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
     EXPECT_GT(p["force_share"], 0);
     EXPECT_GE(p["tet"], 0);
   }
-  std::set<std::string> parts;
-  for (const Json& widget : view["widgets"])
-    if (widget["panel"] == "Explain") parts.insert(widget["label"]);
-  for (const char* part : {"Verdict", "Ghost of the step before", "Exact and sampled", "Change since the step before",
-                           "Convergence plot", "Scatter", "Samples caption", "Force budget"})
-    EXPECT_TRUE(parts.count(part) > 0) << part;
   const Json row = view["explain"]["polygons"][0];
   const std::string label = "Polygon " + std::to_string(row["surface"].get<int>()) + "/";
   std::string first;
   for (const Json& widget : view["widgets"])
     if (first.empty() && widget["label"].get<std::string>().rfind(label, 0) == 0) first = widget["label"];
   ASSERT_FALSE(first.empty());
-  studio.play(
-      joined({kInContact, {press(first), kIdle, dump("table.json"), key("Left"), kIdle, kIdle, dump("stepped.json")}}),
-      layout);
+  studio.play(joined({kInContact,
+                      {press(first), kIdle, dump("table.json"), key("Left"), kIdle, kIdle, dump("stepped.json"),
+                       R"({"event": "wheel", "at": [1200, 200], "y": -99})", kIdle, kIdle, dump("below.json"),
+                       R"({"do": "screenshot", "file": "below.png"})"}}),
+              layout);
   const Json selected = studio.state("table.json")["explain"]["selected_polygon"];
   EXPECT_EQ("Polygon " + std::to_string(selected[0].get<int>()) + "/" + std::to_string(selected[1].get<int>()), first);
   EXPECT_TRUE(studio.state("stepped.json")["explain"]["selected_polygon"].is_null()) << "numbers are of one step";
+  // all parts of the panel, in sight above or after the wheel
+  std::set<std::string> parts;
+  for (const char* file : {"stepped.json", "below.json"}) {
+    const Json shown = studio.state(file);
+    for (const Json& widget : shown["widgets"])
+      if (widget["panel"] == "Explain") parts.insert(widget["label"]);
+  }
+  for (const char* part : {"Verdict", "Ghost of the step before", "Exact and sampled", "Change since the step before",
+                           "Convergence plot", "Scatter", "Samples caption", "Force budget"})
+    EXPECT_TRUE(parts.count(part) > 0) << part;
 }
 
 TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
