@@ -113,18 +113,21 @@ TEST(Verdict, TheSamplesThatItNamesCureTheNoise) {
   const fs::path few = run("few");
   expect_verdict(few, "sampling_noise", "Sampling noise");
   const RecordedJump jump = largest_jump(few);
-  const auto verdict = [&](const fs::path& of) {
-    return taxel_json({"explain", of.string(), "--taxel", std::to_string(jump.taxel), "--time",
-                       std::to_string(jump.time)})["verdict"];
+  const auto explained = [&](const fs::path& of) {
+    return taxel_json(
+        {"explain", of.string(), "--taxel", std::to_string(jump.taxel), "--time", std::to_string(jump.time)});
   };
-  const Json needed = verdict(few)["samples_needed"];
+  const Json noisy = explained(few), &needed = noisy["verdict"]["samples_needed"], &strip = noisy["convergence"];
   ASSERT_TRUE(needed.is_object());
-  EXPECT_TRUE(needed["measured"].get<bool>());
-  touch.layout.sampling.density *= needed["factor"].get<double>();
+  ASSERT_TRUE(needed["measured"].get<bool>());
+  EXPECT_EQ(needed["samples"], strip["samples"][2]);
+  EXPECT_NEAR(needed["factor"].get<double>(), strip["factors"][2].get<double>(), 0.01) << "samples are whole";
+  touch.layout.sampling.density *= strip["factors"][2].get<double>();
   write_skin(folder, touch);
-  const Json cured = verdict(run("enough"));
-  EXPECT_EQ(cured["cause"], "none") << cured["text"];
-  EXPECT_LT(std::abs(cured["noise"].get<double>()), cured["limit"].get<double>());
+  const Json cured = explained(run("enough"));
+  EXPECT_EQ(cured["verdict"]["cause"], "none") << cured["verdict"]["text"];
+  EXPECT_EQ(cured["reading"], strip["values"][2]) << "as it was told beforehand";
+  EXPECT_EQ(cured["change"]["before"], strip["values_before"][2]);
 }
 
 // The same way as that of a ball whose jumps are explained above, but slow: nothing jumps.
