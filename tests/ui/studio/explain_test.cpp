@@ -85,7 +85,7 @@ TEST(Explain, FollowsAClickedBarAndScrubbing) {
 TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const StudioProgram studio;
   std::vector<std::string> layout = coarse_layout(studio);
-  layout.insert(layout.begin(), {"--size", "1400x1900"});  // the table is in sight
+  layout.insert(layout.begin(), {"--size", "1400x2100"});  // the table is in sight
   studio.play(kInContact, layout);
   const Json state = studio.state("explained.json");
   const Json* target = nullptr;
