@@ -1,4 +1,5 @@
 // `taxel explain` on recordings: the numbers of the recording, a verdict, and refusals that name what is wrong.
+#include <algorithm>
 #include <cmath>
 
 #include "cli/taxel_program.h"
@@ -12,29 +13,13 @@ fs::path coarse_sweep() {
   return shared_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
-struct LargestJump {
-  int taxel = 0;
-  double time = 0, before = 0, after = 0;
-};
-LargestJump largest_jump(const fs::path& run) {
-  const Table table = read_csv(run / "readings.csv");
-  LargestJump jump;
-  for (int id = 0; id < 12; ++id) {
-    const std::vector<double>& r = table.at("taxel_" + std::to_string(id));
-    for (std::size_t i = 1; i < r.size(); ++i)
-      if (std::abs(r[i] - r[i - 1]) > std::abs(jump.after - jump.before))
-        jump = {id, table.at("time")[i], r[i - 1], r[i]};
-  }
-  return jump;
-}
-
 Json explain(const fs::path& run, int taxel, double time) {
   return taxel_json({"explain", run.string(), "--taxel", std::to_string(taxel), "--time", std::to_string(time)});
 }
 
 TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
   const fs::path run = coarse_sweep();
-  const LargestJump jump = largest_jump(run);
+  const RecordedJump jump = largest_jump(run);
   const Json found = explain(run, jump.taxel, jump.time);
   EXPECT_EQ(found["taxel"]["id"], jump.taxel);
   EXPECT_EQ(found["reading"].get<double>(), jump.after);  // to the last bit
@@ -67,9 +52,59 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
   EXPECT_LT(std::abs(four - exact), std::abs(found["convergence"]["values"][0].get<double>() - exact));
 }
 
+// Of what the reading is made, each to the last digit or nearly: the samples by their weights, the polygons by their
+// force, the change by the samples that began and ceased to hit.
+TEST(Explain, SamplesAndPolygonsAddUpToWhatWasRecorded) {
+  const fs::path run = coarse_sweep();
+  const RecordedJump jump = largest_jump(run);
+  const Json found = explain(run, jump.taxel, jump.time);
+  double weights = 0, sum = 0, before = 0;
+  std::map<bool, int> hits;
+  for (const Json& s : found["samples"]) {
+    const double weight = s["weight"], pressure = s["pressure"];
+    EXPECT_GT(weight, 0);
+    EXPECT_EQ(s["hit"], pressure > 0);
+    EXPECT_EQ(s["hit"], s["depth"] > 0);
+    weights += weight, sum += weight * pressure, before += weight * s["pressure_before"].get<double>();
+    ++hits[s["hit"]];
+  }
+  EXPECT_NEAR(sum / weights, jump.after, 1e-9 * jump.after) << "the weighted mean of the paper";
+  EXPECT_NEAR(before / weights, jump.before, 1e-9 * jump.after);
+  EXPECT_GT(hits[true], 0);
+  EXPECT_GT(hits[false], 0);
+  for (const Json& s : found["samples"])
+    EXPECT_NEAR(s["share"].get<double>(), s["weight"].get<double>() * s["pressure"].get<double>() / sum, 1e-12);
+
+  const Table table = read_csv(run / "readings.csv");
+  EXPECT_EQ(found["polygons"].size(), table.at("polygons")[jump.row]);
+  double area = 0, share = 0, behind = 0;
+  const double pressed = found["budget"]["pressed"];
+  for (const Json& p : found["polygons"]) {
+    area += p["area"].get<double>(), share += p["force_share"].get<double>(), behind += p["samples"].get<double>();
+    EXPECT_LE(p["lowest_pressure"], p["mean_pressure"]);
+    EXPECT_LE(p["mean_pressure"], p["highest_pressure"]);
+    EXPECT_NEAR(p["area"].get<double>() * p["mean_pressure"].get<double>(), p["force_share"].get<double>() * pressed,
+                1e-9 * pressed);
+    EXPECT_GE(p["tet"], 0) << "a pad's";
+    const Json& taxels = p["taxels"];
+    if (p["samples"] > 0) {
+      EXPECT_NE(std::find(taxels.begin(), taxels.end(), jump.taxel), taxels.end()) << p.dump();
+    }
+  }
+  EXPECT_NEAR(area, table.at("area")[jump.row], 1e-12 * area);
+  EXPECT_NEAR(share, 1, 1e-12);
+  EXPECT_EQ(behind, hits[true]);
+
+  const Json& change = found["change"];
+  double changed = 0;
+  for (const char* part : {"began", "ceased", "stayed"}) changed += change[part]["change"].get<double>();
+  EXPECT_NEAR(changed, jump.after - jump.before, 1e-9 * jump.after);
+  EXPECT_EQ(change["began"]["count"].get<int>() + change["stayed"]["count"].get<int>(), hits[true]);
+}
+
 TEST(Explain, TextSaysTheVerdictFirst) {
   const fs::path run = coarse_sweep();
-  const LargestJump jump = largest_jump(run);
+  const RecordedJump jump = largest_jump(run);
   const Outcome out = taxel({"explain", (run / "readings.npz").string(), "--taxel", std::to_string(jump.taxel),
                              "--time", std::to_string(jump.time)});
   EXPECT_EQ(out.status, 0);

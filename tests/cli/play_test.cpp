@@ -147,6 +147,15 @@ TEST(Play, AReplayRepeatsTheRunBitForBit) {
   }
 }
 
+TEST(Play, ALayoutWithoutANameIsToldSo) {
+  const fs::path folder = test_folder();
+  write_text(folder / "drop.json", R"({"kind": "drop", "duration": 0.005})");
+  const fs::path layout = changed_layout(folder, Json::parse(R"([{"op": "remove", "path": "/name"}])"));
+  const Outcome outcome = taxel({"play", "drop.json", "--layout", layout.string(), "--density", "1e5"}, folder);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("drop of a layout without a name: ", 0), 0U) << outcome.out;
+}
+
 TEST(Play, BadInputIsNamed) {
   const fs::path folder = test_folder();
   const auto complaint = [&](const Json& scenario) {

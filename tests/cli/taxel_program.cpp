@@ -1,6 +1,7 @@
 #include "cli/taxel_program.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace taxel::test {
@@ -88,6 +89,19 @@ Table read_csv(const fs::path& path) {
     }
   }
   return table;
+}
+
+RecordedJump largest_jump(const fs::path& run) {
+  const Table table = read_csv(run / "readings.csv");
+  const std::string prefix = "taxel_";
+  RecordedJump jump;
+  for (const auto& [head, r] : table) {
+    if (head.rfind(prefix, 0) != 0) continue;
+    for (std::size_t i = 1; i < r.size(); ++i)
+      if (std::abs(r[i] - r[i - 1]) > std::abs(jump.after - jump.before))
+        jump = {std::stoi(head.substr(prefix.size())), table.at("time")[i], i, r[i - 1], r[i]};
+  }
+  return jump;
 }
 
 fs::path shared_sweep(const std::vector<std::string>& options) {

@@ -40,6 +40,15 @@ std::string box_obj(double half, int first = 1, bool outward = true);
 using Table = std::map<std::string, std::vector<double>>;
 Table read_csv(const std::filesystem::path& path);
 
+/// The largest change of a taxel from a row of a recording to the next.
+struct RecordedJump {
+  int taxel = 0;        ///< its id
+  double time = 0;      ///< of the later row
+  std::size_t row = 0;  ///< the later one
+  double before = 0, after = 0;
+};
+RecordedJump largest_jump(const std::filesystem::path& run);
+
 /// The folder of `taxel sweep` with these options; made once by whichever test needs it first, and made again when the
 /// program changed.
 std::filesystem::path shared_sweep(const std::vector<std::string>& options = {});

@@ -12,9 +12,10 @@ std::string head_text(const RecordingReport& report) {
                                        report.recording.timestep);
   if (!report.scenario) return fmt::format("run of {}: {}\n", report.scene, rows);
   const Scenario& s = *report.scenario;
-  const std::string& layout = report.models.front()->layout.name;
-  if (s.kind != ScenarioKind::sweep) return fmt::format("{} of \"{}\": {}\n", to_word(s.kind), layout, rows);
-  return fmt::format("sweep of \"{}\" over {}: {}, {} m deep, {} m/s, tilt {} degrees\n", layout,
+  const std::string& name = report.models.front()->layout.name;
+  const std::string layout = name.empty() ? "a layout without a name" : "\"" + name + "\"";
+  if (s.kind != ScenarioKind::sweep) return fmt::format("{} of {}: {}\n", to_word(s.kind), layout, rows);
+  return fmt::format("sweep of {} over {}: {}, {} m deep, {} m/s, tilt {} degrees\n", layout,
                      s.object.empty() ? "the edge of a box" : s.object, rows, s.depth, s.speed, s.tilt_deg);
 }
 

@@ -91,9 +91,11 @@ void draw_samples(UiState& ui, const Explanation& e) {
   std::stable_sort(rows.begin(), rows.end(),
                    [&](std::size_t a, std::size_t b) { return e.samples[a].share > e.samples[b].share; });
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  caption(fmt::format("{} of {} samples hit, now or before", rows.size(), e.samples.size()).c_str());
+  caption(fmt::format("{} of {} samples hit, now or before: share in %, depth in mm, weight in mm\xc2\xb2", rows.size(),
+                      e.samples.size())
+              .c_str());
   ui.widgets.note_item("Samples caption");
-  constexpr std::array kHeads{"Sample", "Share %", "Depth mm", "kPa", "Before"};
+  constexpr std::array kHeads{"No.", "Share", "Depth", "kPa", "Before", "Weight"};
   if (!rows.empty() && begin_rows("samples", kHeads, rows.size())) {
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));
@@ -107,6 +109,7 @@ void draw_samples(UiState& ui, const Explanation& e) {
         cell(s.hit ? fmt::format("{:.3f}", 1e3 * s.depth) : "miss");
         cell(fmt::format("{:.4g}", 1e-3 * s.pressure));
         cell(hit_before(i) ? fmt::format("{:.4g}", 1e-3 * e.samples_before[i].pressure) : "miss");
+        cell(fmt::format("{:.3g}", 1e6 * s.weight));
       }
     }
     ImGui::EndTable();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "script_lines.h"
 
@@ -84,7 +85,7 @@ TEST(Explain, FollowsAClickedBarAndScrubbing) {
 TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const StudioProgram studio;
   std::vector<std::string> layout = coarse_layout(studio);
-  layout.insert(layout.begin(), {"--size", "1400x1900"});  // the table is in sight
+  layout.insert(layout.begin(), {"--size", "1400x2100"});  // the table is in sight
   studio.play(kInContact, layout);
   const Json state = studio.state("explained.json");
   const Json* target = nullptr;
@@ -100,18 +101,39 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const Json view = studio.state("view.json");
   ASSERT_TRUE(view["explain"]["selected_polygon"].is_array());
   EXPECT_EQ(view["selection"], state["selection"]) << "the taxel stays";
+  // what stands of it in the panel: area and pressures, share of the force, tet, taxels
+  for (const Json& p : view["explain"]["polygons"]) {
+    if (Json{p["surface"], p["polygon"]} != view["explain"]["selected_polygon"]) continue;
+    EXPECT_NEAR(p["area"].get<double>(), (*target)["area"].get<double>(), 1e-12 * p["area"].get<double>());
+    EXPECT_LE(p["lowest_pressure"], (*target)["pressure"]);
+    EXPECT_GE(p["highest_pressure"], (*target)["pressure"]);
+    EXPECT_GT(p["force_share"], 0);
+    EXPECT_GE(p["tet"], 0);
+  }
   const Json row = view["explain"]["polygons"][0];
   const std::string label = "Polygon " + std::to_string(row["surface"].get<int>()) + "/";
   std::string first;
   for (const Json& widget : view["widgets"])
     if (first.empty() && widget["label"].get<std::string>().rfind(label, 0) == 0) first = widget["label"];
   ASSERT_FALSE(first.empty());
-  studio.play(
-      joined({kInContact, {press(first), kIdle, dump("table.json"), key("Left"), kIdle, kIdle, dump("stepped.json")}}),
-      layout);
+  studio.play(joined({kInContact,
+                      {press(first), kIdle, dump("table.json"), key("Left"), kIdle, kIdle, dump("stepped.json"),
+                       R"({"event": "wheel", "at": [1200, 200], "y": -99})", kIdle, kIdle, dump("below.json"),
+                       R"({"do": "screenshot", "file": "below.png"})"}}),
+              layout);
   const Json selected = studio.state("table.json")["explain"]["selected_polygon"];
   EXPECT_EQ("Polygon " + std::to_string(selected[0].get<int>()) + "/" + std::to_string(selected[1].get<int>()), first);
   EXPECT_TRUE(studio.state("stepped.json")["explain"]["selected_polygon"].is_null()) << "numbers are of one step";
+  // all parts of the panel, in sight above or after the wheel
+  std::set<std::string> parts;
+  for (const char* file : {"stepped.json", "below.json"}) {
+    const Json shown = studio.state(file);
+    for (const Json& widget : shown["widgets"])
+      if (widget["panel"] == "Explain") parts.insert(widget["label"]);
+  }
+  for (const char* part : {"Verdict", "Ghost of the step before", "Exact and sampled", "Change since the step before",
+                           "Convergence plot", "Scatter", "Samples caption", "Force budget"})
+    EXPECT_TRUE(parts.count(part) > 0) << part;
 }
 
 TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
@@ -170,9 +192,19 @@ TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
 
 TEST(Explain, ASwitchTakesTheGhostAway) {
   const StudioProgram studio;
-  studio.play(joined({kInContact, {press("Ghost of the step before"), kIdle, kIdle, dump("without.json")}}),
+  const auto shot = [](const char* name) { return std::string(R"({"do": "screenshot", "file": ")") + name + R"("})"; };
+  studio.play(joined({kInContact,
+                      {shot("with.png"), press("Ghost of the step before"), kIdle, kIdle, dump("without.json"),
+                       shot("without.png")}}),
               coarse_layout(studio));
-  EXPECT_FALSE(studio.state("without.json")["explain"]["ghost"].get<bool>());
+  const Json state = studio.state("without.json"), &view = state["view"]["rect"];
+  EXPECT_TRUE(studio.state("explained.json")["explain"]["ghost"].get<bool>());
+  EXPECT_FALSE(state["explain"]["ghost"].get<bool>());
+  const Picture with = studio.picture("with.png"), without = studio.picture("without.png");
+  int changed = 0;
+  for (double y = view[1]; y < view[3]; ++y)
+    for (double x = view[0]; x < view[2]; ++x) changed += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+  EXPECT_GT(changed, 100) << "its lines are in the view";
 }
 
 #ifdef TAXEL_PROGRAM

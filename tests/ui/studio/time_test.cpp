@@ -188,6 +188,30 @@ TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
   EXPECT_TRUE(std::regex_search(state["messages"].dump(), said)) << state["messages"].dump();
 }
 
+TEST(Time, KeepsAsManyStepsAsAskedAndTellsWhatTheyTake) {
+  const StudioProgram studio;
+  studio.play(joined({kInContact,
+                      {dump("all.json"), press("Kept steps"), key("a", kCtrl), type("300"), key("Enter"), kIdle, kIdle,
+                       dump("fewer.json"), key("Space"), wait_time(1.4), key("Space"), kIdle, dump("later.json")},
+                      times(3, {key("Left"), kIdle}),
+                      {dump("past.json")}}));
+  const Json all = studio.state("all.json")["simulation"]["history"], fewer = studio.state("fewer.json")["simulation"];
+  const Json later = studio.state("later.json")["simulation"], past = studio.state("past.json")["simulation"];
+  EXPECT_EQ(all["limit"], 2000);
+  EXPECT_GT(all["steps"], 1200);
+  EXPECT_EQ(fewer["history"]["limit"], 300);
+  EXPECT_LT(fewer["history"]["bytes"], all["bytes"]);
+  for (const Json& simulation : {fewer, later}) {
+    const Json& history = simulation["history"];
+    EXPECT_EQ(history["steps"], 300);
+    EXPECT_EQ(history["last"], simulation["step"]) << "the latest ones stay";
+    EXPECT_EQ(history["first"].get<int>(), history["last"].get<int>() - 299);
+  }
+  EXPECT_GT(later["step"], fewer["step"]);
+  EXPECT_EQ(past["step"].get<int>(), later["step"].get<int>() - 3);
+  EXPECT_TRUE(past["history"]["recorded"]);
+}
+
 TEST(Time, TheTimelineScrubsLoopsAndPlaysBackwards) {
   const StudioProgram studio;
   Lines start = joined({kInContact, {dump("start.json")}});

@@ -1,15 +1,13 @@
 // Contacts whose artifact is known by construction: a sensor, what it touches, and poses one after the other.
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/hydro/intersect.h"
-#include "core/mesh/primitives.h"
 #include "core/sensor/explain/explanation.h"
-#include "fixtures/pad_meshes.h"
+#include "fixtures/touches.h"
 
 namespace taxel::test {
 
@@ -63,62 +61,7 @@ struct LabelledCase {
 };
 
 inline HydroBodyPtr rigid_ball(double radius) {
-  Shape shape;
-  shape.type = ShapeType::sphere;
-  shape.size = dvec3(radius);
-  shape.resolution = radius / 12;
-  return make_body(shape, {}, "ball");
-}
-inline HydroBodyPtr rigid_box(const dvec3& half) {
-  Shape shape;
-  shape.type = ShapeType::box;
-  shape.size = half;
-  return make_body(shape, {}, "box");
-}
-
-/// A finger along z of radius 7 mm, 40 mm long.
-inline TriMeshPtr finger_mesh(double edge = 0.002) {
-  return std::make_shared<const TriMesh>(make_capsule(0.007, 0.013, edge));
-}
-inline TriMeshPtr egg_mesh() {
-  return std::make_shared<const TriMesh>(make_ellipsoid(dvec3(0.007, 0.007, 0.018), 0.0015));
-}
-
-inline TriMesh round_ring(double radius, double tube) {
-  return make_torus(radius, tube, 64, 32);
-}
-
-/// A finger of radius 6 mm bent to most of a half circle of radius 18 mm about (-18 mm, 0, 0): its inner side is turned
-/// toward its centroid.
-inline TriMeshPtr hook_mesh() {
-  const TriMesh straight = make_capsule(0.006, 0.020, 0.0015);
-  std::vector<dvec3> vertices = straight.vertices();
-  constexpr double kBend = 0.018;
-  for (dvec3& v : vertices)
-    v = {(kBend + v.x) * std::cos(v.z / kBend) - kBend, v.y, (kBend + v.x) * std::sin(v.z / kBend)};
-  return std::make_shared<const TriMesh>(std::move(vertices), straight.faces());
-}
-
-inline Layout layout_of(FieldKind field, double density, SampleWeights weights = SampleWeights::voronoi,
-                        std::uint64_t seed = 42) {
-  Layout layout;
-  layout.mesh.file = "case";
-  layout.material.field = field;
-  layout.sampling.density = density;
-  layout.sampling.weights = weights;
-  layout.sampling.seed = seed;
-  return layout;
-}
-
-/// A taxel at the skin's point nearest to p.
-inline void add_taxel(Layout& layout, const TriMeshPtr& mesh, const dvec3& p, double radius) {
-  const SurfacePoint s = MeshIndex(mesh).closest_point(p);
-  const int id = static_cast<int>(layout.taxels.size()) + 1;
-  layout.taxels.push_back({id, "", s.position, mesh->face_normals()[static_cast<std::size_t>(s.face)], radius, {}});
-}
-/// Five taxels in a row along z on the side +x of the finger.
-inline void add_row(Layout& layout, const TriMeshPtr& mesh) {
-  for (int i = -2; i <= 2; ++i) add_taxel(layout, mesh, dvec3(0.007, 0, 0.005 * i), 0.004);
+  return make_body(ball_shape(radius), {}, "ball");
 }
 
 inline SensorModelPtr preview_model(const Layout& layout, const TriMeshPtr& mesh) {
@@ -127,25 +70,13 @@ inline SensorModelPtr preview_model(const Layout& layout, const TriMeshPtr& mesh
   return build_sensor_model(layout, mesh, "", layout.mesh.file, how);
 }
 
-/// Led in a straight line.
-inline std::vector<Pose> led(const dquat& q, const dvec3& from, const dvec3& step, int count) {
-  std::vector<Pose> path;
-  for (int i = 0; i < count; ++i) path.push_back({q, from + static_cast<double>(i) * step});
-  return path;
-}
-/// A ball along z on the side +x of the finger.
-inline std::vector<Pose> along_finger(double ball, double depth, double from, double step, int count) {
-  return led({1, 0, 0, 0}, dvec3(0.007 + ball - depth, 0, from), dvec3(0, 0, step), count);
-}
-/// A ball pressed at the skin's point nearest to p, against its normal.
-inline Pose tap(const TriMeshPtr& mesh, const dvec3& p, double ball, double depth) {
-  const SurfacePoint s = MeshIndex(mesh).closest_point(p);
-  return {{1, 0, 0, 0}, s.position + (ball - depth) * mesh->face_normals()[static_cast<std::size_t>(s.face)]};
-}
-/// Two taps, before and behind a taxel at p in the direction `across`.
-inline std::vector<Pose> two_taps(const TriMeshPtr& mesh, const dvec3& p, const dvec3& across, double ball,
-                                  double depth) {
-  return {tap(mesh, p - across, ball, depth), tap(mesh, p + across, ball, depth)};
+/// A touch, sensed by a preview of its samples.
+inline LabelledCase sensed(const Touch& touch) {
+  LabelledCase c;
+  c.model = preview_model(touch.layout, touch.mesh);
+  c.other = make_body(touch.other, {}, "other");
+  c.path = touch.path;
+  return c;
 }
 /// Taps, each as deep as it takes for a force.
 inline std::vector<Pose> equal_taps(const LabelledCase& c, const TriMeshPtr& mesh, const std::vector<dvec3>& at,

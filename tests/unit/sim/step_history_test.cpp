@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/sim/simulator.h"
 #include "fixtures/counted_new.h"
+#include "fixtures/recorded_simulation.h"
 #include "fixtures/same_frame.h"
 #include "fixtures/sweep_model.h"
 
@@ -13,33 +13,9 @@ namespace taxel {
 namespace {
 
 using test::expect_same_frame;
+using test::RecordedSimulation;
 
 constexpr int kBeforeContact = 800;  // steps of the sweep
-
-/// A sweep that records what it does.
-struct Recorder {
-  std::unique_ptr<Simulator> simulator;
-  StepHistory history;
-  SimState state;
-  std::optional<Stop> step() {
-    simulator->step();
-    simulator->save_state(state);
-    return history.record(simulator->view(), state);
-  }
-  void skip(int steps) {
-    for (int i = 0; i < steps; ++i) simulator->step();
-  }
-  [[nodiscard]] SimFrame now() const {
-    SimFrame frame;
-    simulator->fill_frame(frame);
-    return frame;
-  }
-  [[nodiscard]] SimFrame recorded(std::uint64_t number) const {
-    SimFrame frame;
-    history.fill_frame(number, frame);
-    return frame;
-  }
-};
 
 class History : public testing::Test {
  protected:
@@ -50,17 +26,17 @@ class History : public testing::Test {
     edited_ = build_sensor_model(moved, model_->mesh, moved.mesh.sha256, "edited");
   }
   static void TearDownTestSuite() { model_.reset(), edited_.reset(); }
-  static Recorder sweep(int skipped = kBeforeContact) {
-    Recorder recorder{Simulator::make_scenario(model_, {}), {}, {}};
-    recorder.skip(skipped);
-    return recorder;
+  static RecordedSimulation sweep(int skipped = kBeforeContact) {
+    RecordedSimulation run{Simulator::make_scenario(model_, {}), {}, {}};
+    run.skip(skipped);
+    return run;
   }
   static SensorModelPtr model_, edited_;
 };
 SensorModelPtr History::model_, History::edited_;
 
 TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
-  Recorder run = sweep();
+  RecordedSimulation run = sweep();
   std::vector<SimFrame> kept;
   for (int i = 0; i < 520; ++i) {
     run.step();
@@ -83,7 +59,7 @@ TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
 }
 
 TEST_F(History, TheNewestStepIsReadAnewByAnotherLayoutAndSaysSo) {
-  Recorder run = sweep(1500);
+  RecordedSimulation run = sweep(1500);
   for (int i = 0; i < 10; ++i) run.step();
   const SimFrame before = run.now();
   run.simulator->replace_model(model_, edited_);
@@ -99,7 +75,7 @@ TEST_F(History, TheNewestStepIsReadAnewByAnotherLayoutAndSaysSo) {
 }
 
 TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
-  Recorder run = sweep();
+  RecordedSimulation run = sweep();
   std::vector<SimFrame> frames;
   for (int i = 0; i < 400; ++i) {
     run.step();
@@ -120,14 +96,14 @@ TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
 }
 
 TEST_F(History, AStateOfAnotherSceneIsRefused) {
-  Recorder run = sweep(0);
+  RecordedSimulation run = sweep(0);
   SimState other;
   other.integration = {1, 2, 3};
   EXPECT_THROW(run.simulator->restore_state(other), std::exception);
 }
 
 TEST_F(History, KeepsTheLatestStepsThatFit) {
-  Recorder run = sweep(1200);
+  RecordedSimulation run = sweep(1200);
   run.history.set_limits({300, std::size_t{1} << 30});
   for (int i = 0; i < 450; ++i) run.step();
   EXPECT_EQ(run.history.size(), 300u);
@@ -166,7 +142,7 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
 }
 
 TEST_F(History, AFullOneTakesNoNewMemoryInSteadyState) {
-  Recorder run = sweep(1500);
+  RecordedSimulation run = sweep(1500);
   run.history.set_limits({20, std::size_t{1} << 30});
   for (int i = 0; i < 60; ++i) run.step();
   const StepView view = run.simulator->view();
@@ -181,7 +157,7 @@ TEST_F(History, AFullOneTakesNoNewMemoryInSteadyState) {
 }
 
 TEST_F(History, RowsTellWhatHappened) {
-  Recorder run = sweep(700);
+  RecordedSimulation run = sweep(700);
   while (run.history.empty() || run.history.last() < 3000) {
     if (run.simulator->finished()) break;
     run.step();
