@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stopwatch.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/field_legend.h"
 #include "ui/panels/filtered_legend.h"
 #include "ui/panels/probe_panel.h"
+#include "ui/panels/scene_overlay.h"
 #include "ui/panels/tool_overlay.h"
 #include "ui/scene/sample_use.h"
 #include "ui/theme.h"
@@ -30,6 +32,7 @@ void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& rendere
   const bool same =
       view.drawn && view.width == width && view.height == height && view.camera == ui.camera() && view.input == scene;
   if (same) return;
+  const Stopwatch watch(ui.profile.scene_seconds);
   renderer.render(scene, ui.camera(), width, height);
   const double text_height = static_cast<double>(kSmallText * ImGui::GetFontSize());
   view.numbers = renderer.field_numbers();
@@ -152,7 +155,8 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   if (const SensorModelPtr model = input.shown_model(ui)) draw_field_legends(ui, ui.view.numbers, *model, bottom);
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
-  draw_tool_overlay(ui, input);
+  const int row = draw_tool_overlay(ui, input);
+  draw_scene_overlay(ui, input, row);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random_pose.h"
 #include "core/base/rng.h"
 
 namespace taxel::ui {
@@ -17,6 +18,7 @@ Camera random_camera(int number) {
   camera.elevation_deg = 178 * rng.uniform(4) - 89;
   camera.distance = 0.01 + rng.uniform(5);
   camera.fov_deg = 20 + 60 * rng.uniform(6);
+  if (number % 2 != 0) camera.roll_deg = 360 * rng.uniform(7) - 180;
   return camera;
 }
 
@@ -32,6 +34,23 @@ TEST(Camera, PixelRayIsTheInverseOfProject) {
     EXPECT_NEAR(back.x, pixel.x, 1e-8);
     EXPECT_NEAR(back.y, pixel.y, 1e-8);
     EXPECT_GT(back.z, 0);
+  }
+}
+
+TEST(Camera, LooksFromAnyPose) {
+  for (int i = 0; i < 200; ++i) {
+    const CounterRng rng(11, static_cast<std::uint64_t>(i));
+    Pose X_WC = random_pose(11, i, 1);
+    if (i % 4 == 0) X_WC.q = glm::angleAxis(360 * rng.uniform(7), dvec3(0, 0, 1));              // straight down
+    if (i % 4 == 1) X_WC.q = glm::angleAxis(kPi, dvec3(0, 1, 0)) * glm::angleAxis(rng.uniform(7), dvec3(0, 0, 1));
+    const double depth = 0.01 + rng.uniform(8);
+    Camera camera;
+    camera.look_from(X_WC, depth);
+    const glm::dmat4 pose = glm::inverse(camera.view());
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(glm::distance(dvec3(pose[axis]), X_WC.rotation()[axis]), 0, 1e-12) << i;
+    EXPECT_NEAR(glm::distance(dvec3(pose[3]), X_WC.p), 0, 1e-12);
+    EXPECT_NEAR(glm::distance(camera.target, X_WC * dvec3(0, 0, -depth)), 0, 1e-12);
   }
 }
 
