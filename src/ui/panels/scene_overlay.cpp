@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/panels/tool_overlay.h"
+#include "ui/scene/gizmo.h"
 #include "ui/scene/scene_places.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_follow.h"
@@ -15,7 +16,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kRowHeight = 1.3f, kPadding = 0.5f, kGap = 1.2f;  // in heights of text
+constexpr float kRowHeight = 1.3f, kPadding = 0.5f;  // in heights of text
 
 /// "Frames: sites", with a word where there are none.
 std::string marks_text(const UiState& ui) {
@@ -37,12 +38,18 @@ std::string body_text(const UiState& ui, const UiInput& input) {
   return ui.selection.body >= 0 && body < bodies.size() ? "Body: " + bodies[body].name : "";
 }
 
-/// Names and values in as many columns as the height asks for.
+/// Upper edge of the gizmo [pixels of the window].
+float gizmo_top(const UiState& ui) {
+  const double height = kGizmoMargin + 2 * (kGizmoReach + kGizmoBallRadius);
+  return ui.view.rect.y1 - static_cast<float>(height * ui.pixel_scale);
+}
+
+/// Names and values, in as many columns as there must be for the gizmo to stay free.
 void draw_info(UiState& ui, const UiInput& input, float top) {
   const std::vector<InfoRow> rows = scene_info(input);
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const float line = ImGui::GetFontSize(), step = kRowHeight * line, pad = kPadding * line;
-  const float height = ui.view.rect.y1 - top - kGap * line;
+  const float height = gizmo_top(ui) - top;
   const auto fitting = static_cast<std::size_t>(std::max(1.0f, (height - 2 * pad) / step));
   const std::size_t columns = (rows.size() + fitting - 1) / fitting, per = (rows.size() + columns - 1) / columns;
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -226,9 +226,9 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
         R"({"do": "wait_time", "time": 0.1})", key("Space"), kIdle, dump("later.json"), key("Home"), key("Left"), kIdle,
         dump("past.json"), key("F2"), key("F5"), kIdle, dump("off.json")});
   const Json on = state("on.json"), info = on["info"], later = state("later.json")["info"];
-  EXPECT_EQ(info["Bodies"], "3, 1 degree of freedom");
-  EXPECT_EQ(info["Contacts of MuJoCo"], "0");
-  EXPECT_EQ(info["Step"], "1 of 2 ms");
+  EXPECT_EQ(info["Size"], "3 bodies, 3 geoms, 1 degree of freedom");
+  EXPECT_EQ(info["Contacts"], "0 of MuJoCo, 0 constraints");
+  EXPECT_EQ(info["Time"], "0.0000 s, step 1 of 2 ms");
   EXPECT_NE(info["Solver"].get<std::string>().find("Newton, "), std::string::npos);
   const auto energy = [](const Json& rows) {
     double potential = 0, kinetic = 0;
