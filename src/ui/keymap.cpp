@@ -95,8 +95,8 @@ constexpr std::array kBindings = {
             false},
     Binding{Action::select_parent, kSimulate, ImGuiKey_PageUp, false, "Select the parent body", "View", false},
     Binding{Action::cycle_frames, kSimulate, ImGuiKey_F6, false, "Frames (bodies, geoms, sites, world)", "View", true},
-    Binding{Action::cycle_labels, kSimulate, ImGuiKey_F7, false,
-            "Labels (bodies, joints, geoms, sites, cameras)", "View", false},
+    Binding{Action::cycle_labels, kSimulate, ImGuiKey_F7, false, "Labels (bodies, joints, geoms, sites, cameras)",
+            "View", false},
     Binding{Action::toggle_info, kSimulate, ImGuiKey_F2, false, "Info", "View", false},
     Binding{Action::toggle_transparent, kEverywhere, ImGuiKey_T, false, "Transparent sensor", "View", true},
     Binding{Action::toggle_wireframe, kEverywhere, ImGuiKey_W, false, "Wireframe", "View", false},
@@ -173,8 +173,10 @@ constexpr std::array kBindings = {
     Binding{Action::gesture_accept, kGesture, ImGuiKey_Enter, false, "Accept", nullptr, false, ImGuiKey_KeypadEnter},
     Binding{Action::gesture_cancel, kGesture, ImGuiKey_Escape, false, "Cancel: all as it was", nullptr, false},
     Binding{Action::walk_panels, kEverywhere, ImGuiKey_Tab, false, "Into the inspector, by keyboard", nullptr, false},
-    Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false, "Cancel, then clear the selection, then free the camera",
+    Binding{Action::walk_panels_back, kEverywhere, kShift | ImGuiKey_Tab, false, "Into the taxel table, by keyboard",
             nullptr, false},
+    Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false,
+            "Cancel, then clear the selection, then free the camera", nullptr, false},
 };
 
 constexpr std::array kGestures = {

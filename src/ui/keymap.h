@@ -86,6 +86,7 @@ enum class Action {
   select_parent,
   escape,
   walk_panels,
+  walk_panels_back,
   toggle_transparent,
   toggle_wireframe,
   toggle_rays,

@@ -143,7 +143,16 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
 Document load_frame(const std::filesystem::path& file, const SensorBuild& how) {
   const SimFramePtr frame = read_frame_bundle(file, how);
   const SensorModelPtr model = frame->scene->sensors.empty() ? nullptr : frame->scene->sensors.front();
-  return {DocumentKind::frame, file.string(), short_name(file), model, nullptr, nullptr, "", {}, nullptr, frame,
+  return {DocumentKind::frame,
+          file.string(),
+          short_name(file),
+          model,
+          nullptr,
+          nullptr,
+          "",
+          {},
+          nullptr,
+          frame,
           read_archive_member(file, "state.json")};
 }
 

@@ -114,10 +114,10 @@ Json profile_json(const ui::UiState& ui, const ui::UiInput& input) {
 }  // namespace
 
 std::string tools_to_json(const ui::UiState& ui, const ui::UiInput& input) {
-  const Json json = {{"probe", probe_json(ui, input)},   {"measure", measure_json(ui, input)},
-                     {"clip", clip_json(ui)},            {"followed", ui::follow_text(ui, input)},
-                     {"full_screen", ui.full_screen},    {"info", info_json(ui, input)},
-                     {"labels", labels_json(ui)},        {"profile", profile_json(ui, input)}};
+  const Json json = {{"probe", probe_json(ui, input)}, {"measure", measure_json(ui, input)},
+                     {"clip", clip_json(ui)},          {"followed", ui::follow_text(ui, input)},
+                     {"full_screen", ui.full_screen},  {"info", info_json(ui, input)},
+                     {"labels", labels_json(ui)},      {"profile", profile_json(ui, input)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

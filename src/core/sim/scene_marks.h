@@ -29,7 +29,7 @@ struct SceneSite {
 /// Frame C: looks along -z, y up.
 struct SceneCamera {
   std::string name;
-  double height = 45;       ///< of what is seen: its angle [degrees], or, where it is orthographic, its length [m]
+  double height = 45;  ///< of what is seen: its angle [degrees], or, where it is orthographic, its length [m]
   bool orthographic = false;
 };
 struct SceneJointPlace {
@@ -41,8 +41,9 @@ struct SceneJointPlace {
 struct SceneOverview {
   dvec3 center_W{0};
   double extent = 0;  ///< [m]; 0: unknown
-  double azimuth_deg = 90, elevation_deg = 45;  ///< of the eye, seen from the centre: about +z from +x, above the horizon
-  double fov_deg = 45;                          ///< vertical
+  double azimuth_deg = 90,
+         elevation_deg = 45;  ///< of the eye, seen from the centre: about +z from +x, above the horizon
+  double fov_deg = 45;        ///< vertical
 };
 
 /// Does not change while the scene runs.
@@ -51,10 +52,10 @@ struct SceneMarks {
   std::vector<SceneCamera> cameras;
   std::vector<SceneJointPlace> joints;  ///< all of them
   SceneOverview overview;
-  double mean_size = 0;      ///< of bodies, as MuJoCo has it: frames are drawn that long [m]; 0: unknown
-  int dofs = 0;              ///< degrees of freedom
-  std::uint64_t arena = 0;   ///< MuJoCo's memory for contacts and constraints [bytes]
-  std::string solver;        ///< as MJCF says it
+  double mean_size = 0;     ///< of bodies, as MuJoCo has it: frames are drawn that long [m]; 0: unknown
+  int dofs = 0;             ///< degrees of freedom
+  std::uint64_t arena = 0;  ///< MuJoCo's memory for contacts and constraints [bytes]
+  std::string solver;       ///< as MJCF says it
 };
 
 /// Where marks are in one step. Empty in a step that was saved to a file.

@@ -17,8 +17,8 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kLeastHeight = 7;          // of a plot, in heights of text: in less room the panel scrolls
-constexpr float kLeastWidth = 44;          // of the panel where plots stand side by side, likewise
+constexpr float kLeastHeight = 7;           // of a plot, in heights of text: in less room the panel scrolls
+constexpr float kLeastWidth = 44;           // of the panel where plots stand side by side, likewise
 constexpr std::size_t kSpikesLeftOut = 50;  // one of so many values may reach beyond the plot
 
 /// One part of a cost.
@@ -28,7 +28,7 @@ struct Part {
 };
 
 template <class Costs, class Value>
-Part part(const char* name, const Costs& costs, Value (Costs::value_type::*member)) {
+Part part(const char* name, const Costs& costs, Value(Costs::value_type::*member)) {
   Part part{name, {}};
   for (const auto& cost : costs) part.milliseconds.push_back(1e3 * static_cast<double>(cost.*member));
   return part;

@@ -168,7 +168,8 @@ int draw_tool_overlay(const UiState& ui, const UiInput& input) {
     draw_view_line(ui, list, row++, fmt::format("Measure: click on the {} point   Esc ends", which), colors.text);
   }
   if (ui.probe.held) {
-    draw_view_line(ui, list, row++, "Probe: wheel or drag sets the depth, a click puts it down   Esc ends", colors.text);
+    draw_view_line(ui, list, row++, "Probe: wheel or drag sets the depth, a click puts it down   Esc ends",
+                   colors.text);
   }
   if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_view_line(ui, list, row++, hint, colors.text);
   const std::string& problem = ui.tool.problem.empty() ? input.editing.problem : ui.tool.problem;

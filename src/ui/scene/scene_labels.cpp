@@ -19,8 +19,8 @@ constexpr int kManyTaxels = 60;  // more are labelled only where they face the e
 constexpr std::size_t kMostLabels = 250;
 constexpr double kLetterWidth = 0.62;  // of a digit, parts of its height
 constexpr std::size_t kLettersOfTaxels = 4;
-constexpr dvec2 kAround(7, 3);         // background and gap around a label, both sides together [pixel]
-constexpr double kTolerance = 4e-3;    // of the distance: what lies on a body is not hidden by it
+constexpr dvec2 kAround(7, 3);       // background and gap around a label, both sides together [pixel]
+constexpr double kTolerance = 4e-3;  // of the distance: what lies on a body is not hidden by it
 
 bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W, const dvec3& p_W) {
   const double distance = glm::length(p_W - eye_W);

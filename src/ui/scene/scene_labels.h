@@ -9,8 +9,8 @@
 namespace taxel::ui {
 
 struct SceneLabel {
-  std::string text;       ///< the taxel's id, or the name of a part of the scene
-  dvec2 pixel{0};         ///< from the upper left corner of the view: past the tip of a taxel's arrow, on the place of a part
+  std::string text;  ///< the taxel's id, or the name of a part of the scene
+  dvec2 pixel{0};  ///< from the upper left corner of the view: past the tip of a taxel's arrow, on the place of a part
   bool occluded = false;  ///< the taxel faces away, or something solid stands before it
   bool selected = false;
   int sensor = 0, taxel = -1;  ///< taxel in layout order; -1: of a part

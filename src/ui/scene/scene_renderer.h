@@ -55,7 +55,7 @@ struct Overlays {
   GroupsShown geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
   GroupsShown site_groups{true, true, true, false, false, false};  // [Shift+0] to [Shift+5], likewise
   FramesShown frames = FramesShown::none;                          // [F6]
-  LabelsShown labels = LabelsShown::none;                             // [F7]
+  LabelsShown labels = LabelsShown::none;                          // [F7]
   bool operator==(const Overlays&) const = default;
 };
 

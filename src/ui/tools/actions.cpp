@@ -116,6 +116,9 @@ bool perform_on_interface(Action action, UiState& ui) {
     case Action::walk_panels:
       enter_panel(ui, kInspectorTitle);
       return true;
+    case Action::walk_panels_back:
+      enter_panel(ui, kTaxelsTitle);
+      return true;
     case Action::palette:
       ui.palette = {};
       ui.palette.open = ui.palette.wants_focus = true;

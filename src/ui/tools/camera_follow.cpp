@@ -28,8 +28,9 @@ bool simulated(const UiState& ui, const UiInput& input) {
 
 const Pose* camera_pose(const UiState& ui, const UiInput& input) {
   const auto camera = static_cast<std::size_t>(ui.follow.camera);
-  const bool there = simulated(ui, input) && ui.follow.camera >= 0 &&
-                     camera < std::min(input.frame->scene->marks.cameras.size(), input.frame->mark_poses.cameras.size());
+  const bool there =
+      simulated(ui, input) && ui.follow.camera >= 0 &&
+      camera < std::min(input.frame->scene->marks.cameras.size(), input.frame->mark_poses.cameras.size());
   return there ? &input.frame->mark_poses.cameras[camera] : nullptr;
 }
 
@@ -121,7 +122,8 @@ void follow_scene(UiState& ui, const UiInput& input) {
     if (X_WC == nullptr) return leave_followed(ui);  // another scene
     const SceneCamera& from = input.frame->scene->marks.cameras[static_cast<std::size_t>(follow.camera)];
     ui.camera().look_from(*X_WC, follow.depth);
-    ui.camera().fov_deg = from.orthographic ? glm::degrees(2 * std::atan(0.5 * from.height / follow.depth)) : from.height;
+    ui.camera().fov_deg =
+        from.orthographic ? glm::degrees(2 * std::atan(0.5 * from.height / follow.depth)) : from.height;
   } else if (const Pose* X_WB = body_pose(input, follow.body)) {
     const dvec3 now = *X_WB * follow.point_B;
     ui.camera().target += now - follow.point_W;
@@ -152,8 +154,8 @@ void select_parent(UiState& ui, const UiInput& input) {
   const int parent = scene.controls.bodies[static_cast<std::size_t>(ui.selection.body)].parent;
   deselect_body(ui);
   ui.selection.body = parent;
-  const auto geom = std::find_if(scene.geoms.begin(), scene.geoms.end(),
-                                 [&](const SceneGeom& g) { return g.body_index == parent; });
+  const auto geom =
+      std::find_if(scene.geoms.begin(), scene.geoms.end(), [&](const SceneGeom& g) { return g.body_index == parent; });
   const Pose* X_WB = body_pose(input, parent);
   if (geom == scene.geoms.end() || X_WB == nullptr) return;
   ui.perturb.geom = static_cast<int>(geom - scene.geoms.begin());

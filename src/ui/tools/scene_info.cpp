@@ -26,7 +26,8 @@ void add_solver(const SimFrame& frame, std::vector<InfoRow>& rows) {
   rows.push_back({"Energy", facts.energy ? fmt::format("potential {:.4g} J, kinetic {:.4g} J", facts.energy->potential,
                                                        facts.energy->kinetic)
                                          : "off: <flag energy=\"enable\"/>"});
-  const double used = static_cast<double>(facts.arena), all = static_cast<double>(std::max<std::uint64_t>(marks.arena, 1));
+  const double used = static_cast<double>(facts.arena),
+               all = static_cast<double>(std::max<std::uint64_t>(marks.arena, 1));
   rows.push_back({"Memory", fmt::format("{} of {}, {:.1f} %", bytes_text(used), bytes_text(all), 100 * used / all)});
 }
 
@@ -39,9 +40,9 @@ void add_sensors(const SimFrame& frame, std::vector<InfoRow>& rows) {
     hits += static_cast<std::size_t>(
         std::count_if(sensor.hits.begin(), sensor.hits.end(), [](const RayHit& hit) { return hit.hit(); }));
   }
-  rows.push_back({"Sensors", fmt::format("{}: {}, {} of {} hit", frame.sensors.size(),
-                                         counted(polygons, "polygon", "polygons"), grouped(static_cast<long long>(hits)),
-                                         counted(rays, "ray", "rays"))});
+  rows.push_back(
+      {"Sensors", fmt::format("{}: {}, {} of {} hit", frame.sensors.size(), counted(polygons, "polygon", "polygons"),
+                              grouped(static_cast<long long>(hits)), counted(rays, "ray", "rays"))});
 }
 
 std::string size_text(const SimFrame& frame) {
@@ -59,8 +60,8 @@ std::vector<InfoRow> scene_info(const UiInput& input) {
   std::vector<InfoRow> rows;
   if (!input.frame || !input.frame->scene) return rows;
   const SimFrame& frame = *input.frame;
-  rows.push_back({"Time", fmt::format("{:.4f} s, step {} of {:.4g} ms", frame.time, frame.step,
-                                      1e3 * frame.scene->timestep)});
+  rows.push_back(
+      {"Time", fmt::format("{:.4f} s, step {} of {:.4g} ms", frame.time, frame.step, 1e3 * frame.scene->timestep)});
   const Performance& p = input.performance;
   if (p.by_clock && p.step_seconds > 0) {
     const std::string speed = input.playing ? fmt::format(", {:.2f} x real time", p.simulation_speed) : "";

@@ -41,7 +41,7 @@ TEST(Camera, LooksFromAnyPose) {
   for (int i = 0; i < 200; ++i) {
     const CounterRng rng(11, static_cast<std::uint64_t>(i));
     Pose X_WC = random_pose(11, i, 1);
-    if (i % 4 == 0) X_WC.q = glm::angleAxis(360 * rng.uniform(7), dvec3(0, 0, 1));              // straight down
+    if (i % 4 == 0) X_WC.q = glm::angleAxis(360 * rng.uniform(7), dvec3(0, 0, 1));  // straight down
     if (i % 4 == 1) X_WC.q = glm::angleAxis(kPi, dvec3(0, 1, 0)) * glm::angleAxis(rng.uniform(7), dvec3(0, 0, 1));
     const double depth = 0.01 + rng.uniform(8);
     Camera camera;

@@ -72,7 +72,13 @@ bool has_colour(const Picture& picture, const dvec2& at, const glm::vec3& color,
   return false;
 }
 void expect_near(const dvec3& a, const dvec3& b, double tolerance) {
-  EXPECT_NEAR(glm::distance(a, b), 0, tolerance) << a.x << ' ' << a.y << ' ' << a.z << "; " << b.x << ' ' << b.y << ' ' << b.z;
+  EXPECT_NEAR(glm::distance(a, b), 0, tolerance)
+      << a.x << ' ' << a.y << ' ' << a.z << "; " << b.x << ' ' << b.y << ' ' << b.z;
+}
+
+bool has_widget(const Json& state, const char* panel, const char* label) {
+  return std::any_of(state["widgets"].begin(), state["widgets"].end(),
+                     [&](const Json& w) { return w["panel"] == panel && w["label"] == label; });
 }
 
 class Marks : public testing::Test {
@@ -127,17 +133,47 @@ TEST_F(Marks, LabelsAndFramesGoThroughWhatTheSceneHas) {
 
 TEST_F(Marks, CamerasOfTheSceneAreLookedThroughUntilEsc) {
   const Json from{600, 250}, to{700, 200};
-  play({dump("free.json"), key("]"), kIdle, dump("top.json"), mouse("mouse_down", from, "left", Json::array()),
-        mouse("mouse_move", to, "left", Json::array()), kIdle, mouse("mouse_up", to, "left", Json::array()), kIdle,
-        dump("dragged.json"), key("]"), kIdle, dump("side.json"), key("["), kIdle, key("["), kIdle, dump("eye.json"),
-        key("Right"), kIdle, key("Right"), kIdle, dump("first.json"), key("Space"),
-        R"({"do": "wait_time", "time": 0.2})", key("Space"), kIdle, dump("swung.json"), key("Left"), kIdle,
-        dump("before.json"), shot("eye.png"), key("Escape"), kIdle, dump("escaped.json")});
+  play({dump("free.json"),
+        key("]"),
+        kIdle,
+        dump("top.json"),
+        mouse("mouse_down", from, "left", Json::array()),
+        mouse("mouse_move", to, "left", Json::array()),
+        kIdle,
+        mouse("mouse_up", to, "left", Json::array()),
+        kIdle,
+        dump("dragged.json"),
+        key("]"),
+        kIdle,
+        dump("side.json"),
+        key("["),
+        kIdle,
+        key("["),
+        kIdle,
+        dump("eye.json"),
+        key("Right"),
+        kIdle,
+        key("Right"),
+        kIdle,
+        dump("first.json"),
+        key("Space"),
+        R"({"do": "wait_time", "time": 0.2})",
+        key("Space"),
+        kIdle,
+        dump("swung.json"),
+        key("Left"),
+        kIdle,
+        dump("before.json"),
+        shot("eye.png"),
+        key("Escape"),
+        kIdle,
+        dump("escaped.json")});
   const Json top = state("top.json"), eye = state("eye.json"), swung = state("swung.json");
   EXPECT_EQ(top["followed"], "Camera top   [ ] others, Esc frees");
   expect_near(camera_of(top).eye(), {0.1, 0, 0.8}, 1e-9);
   EXPECT_EQ(camera_of(top).fov_deg, 30);
-  const dvec2 middle = pixel_of(top, {0.1, 0, 0}), right = pixel_of(top, {0.2, 0, 0}), up = pixel_of(top, {0.1, 0.1, 0});
+  const dvec2 middle = pixel_of(top, {0.1, 0, 0}), right = pixel_of(top, {0.2, 0, 0}),
+              up = pixel_of(top, {0.1, 0.1, 0});
   EXPECT_GT(right.x, middle.x + 20);
   EXPECT_NEAR(right.y, middle.y, 1e-6);
   EXPECT_LT(up.y, middle.y - 20);
@@ -159,16 +195,32 @@ TEST_F(Marks, CamerasOfTheSceneAreLookedThroughUntilEsc) {
 TEST_F(Marks, TheCameraAlignsAndTracksABody) {
   const Json ctrl = {"ctrl"};
   const std::string block = world({0.15, 0, 0.1});
-  play({key("A", kCtrl), kIdle, dump("aligned.json"), mouse("double_click", Json::parse(block), "right", ctrl), kIdle, kIdle,
-        dump("tracked.json"), key("Space"), R"({"do": "wait_time", "time": 0.15})", key("Space"), kIdle,
-        dump("swung.json"), mouse("double_click", Json::parse(world({-0.3, 0.3, -0.3})), "right", Json::array()), kIdle,
-        dump("centred.json"), key("Home"), kIdle, key("A", kCtrl), kIdle, dump("again.json")});
+  play({key("A", kCtrl),
+        kIdle,
+        dump("aligned.json"),
+        mouse("double_click", Json::parse(block), "right", ctrl),
+        kIdle,
+        kIdle,
+        dump("tracked.json"),
+        key("Space"),
+        R"({"do": "wait_time", "time": 0.15})",
+        key("Space"),
+        kIdle,
+        dump("swung.json"),
+        mouse("double_click", Json::parse(world({-0.3, 0.3, -0.3})), "right", Json::array()),
+        kIdle,
+        dump("centred.json"),
+        key("Home"),
+        kIdle,
+        key("A", kCtrl),
+        kIdle,
+        dump("again.json")});
   const ui::Camera aligned = camera_of(state("aligned.json"));
   expect_near(aligned.target, {0, 0, 0.1}, 1e-9);
   EXPECT_NEAR(std::remainder(aligned.azimuth_deg - 240, 360), 0, 1e-4) << "it looks to 60 degrees";
   EXPECT_NEAR(aligned.elevation_deg, 30, 1e-4);
-  EXPECT_NEAR(aligned.distance * std::tan(glm::radians(0.5 * aligned.fov_deg)),
-              0.75 * std::tan(glm::radians(22.5)), 1e-6);
+  EXPECT_NEAR(aligned.distance * std::tan(glm::radians(0.5 * aligned.fov_deg)), 0.75 * std::tan(glm::radians(22.5)),
+              1e-6);
   EXPECT_EQ(state("again.json")["camera"], state("aligned.json")["camera"]);
   const Json tracked = state("tracked.json"), swung = state("swung.json");
   EXPECT_EQ(tracked["followed"], "Tracks palm   Esc frees");
@@ -182,8 +234,8 @@ TEST_F(Marks, TheCameraAlignsAndTracksABody) {
 
 TEST_F(Marks, PageUpSelectsParentsAndCtrlAltMovesWhatIsSelected) {
   const Json mods = {"ctrl", "alt"};
-  play({R"({"event": "double_click", "at": )" + world({0.15, 0, 0.1}) + "}", kIdle, dump("palm.json"), key("PageUp"), kIdle,
-        dump("wrist.json"), key("PageUp"), kIdle, dump("arm.json"), key("PageUp"), kIdle, dump("top.json"),
+  play({R"({"event": "double_click", "at": )" + world({0.15, 0, 0.1}) + "}", kIdle, dump("palm.json"), key("PageUp"),
+        kIdle, dump("wrist.json"), key("PageUp"), kIdle, dump("arm.json"), key("PageUp"), kIdle, dump("top.json"),
         mouse("mouse_down", {600, 300}, "left", mods), mouse("mouse_move", {640, 300}, "left", mods), kIdle,
         dump("moved.json"), mouse("mouse_up", {640, 300}, "left", mods), kIdle, dump("let_go.json")});
   EXPECT_EQ(state("palm.json")["scene"]["body"], "palm");
@@ -240,6 +292,7 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
   EXPECT_GT(energy(later).second, 1e-4) << "it falls";
   EXPECT_LT(energy(later).first, energy(info).first);
   EXPECT_NE(state("past.json")["info"]["Energy"], later["Energy"]) << "what was recorded with the step";
+  EXPECT_TRUE(has_widget(on, "Taxels over time", "Taxels over time"));
   EXPECT_TRUE(on["full_screen"]);
   EXPECT_FALSE(state("off.json")["full_screen"]);
   EXPECT_TRUE(state("off.json")["info"].is_null());
@@ -247,9 +300,10 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
 
 TEST_F(Marks, TheProfilerTellsWhereTimeGoes) {
   const StudioProgram& studio = studio_;
-  studio.play({kIdle, key("F3"), R"({"do": "wait_for", "pointer": "/profile/steps", "least": 100})",
-               R"({"do": "wait_for", "pointer": "/profile/pictures", "least": 10})", dump("live.json"), shot("live.png")},
-              {"--live", kLayoutFile});
+  studio.play(
+      {kIdle, key("F3"), R"({"do": "wait_for", "pointer": "/profile/steps", "least": 100})",
+       R"({"do": "wait_for", "pointer": "/profile/pictures", "least": 10})", dump("live.json"), shot("live.png")},
+      {"--live", kLayoutFile});
   studio.play({kIdle, key("F3"), kIdle, kIdle, dump("scripted.json"), shot("scripted.png"), kIdle, shot("again.png")},
               {kLayoutFile});
   const Json live = state("live.json"), profile = live["profile"];
@@ -258,13 +312,12 @@ TEST_F(Marks, TheProfilerTellsWhereTimeGoes) {
   double step = 0;
   for (const char* part : {"mujoco", "surfaces", "forces", "readings", "history"}) step += profile[part].get<double>();
   EXPECT_LT(step, 1) << "seconds, not their sum";
-  const auto shown = [](const Json& state, const char* label) {
-    return std::any_of(state["widgets"].begin(), state["widgets"].end(),
-                       [&](const Json& w) { return w["panel"] == "Profiler" && w["label"] == label; });
-  };
-  EXPECT_TRUE(shown(live, "A step"));
-  EXPECT_TRUE(shown(live, "A picture"));
-  EXPECT_FALSE(shown(state("scripted.json"), "A step")) << "pictures of a script are the same every time";
+  EXPECT_TRUE(has_widget(live, "Profiler", "A step"));
+  EXPECT_TRUE(has_widget(live, "Profiler", "A picture"));
+  EXPECT_TRUE(has_widget(live, "Taxels over travel", "Plot"));
+  EXPECT_TRUE(has_widget(state("scripted.json"), "Profiler", "Profiler"));
+  EXPECT_FALSE(has_widget(state("scripted.json"), "Profiler", "A step"))
+      << "pictures of a script are the same every time";
 }
 
 }  // namespace

@@ -58,8 +58,8 @@ void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits) {
 }
 
 StepView view_of(const SimFrame& frame) {
-  StepView view{frame.scene,      frame.step, frame.time, frame.travel, frame.finished,
-                frame.geom_poses, {},         frame.held, frame.mark_poses,  frame.facts};
+  StepView view{frame.scene,      frame.step, frame.time, frame.travel,     frame.finished,
+                frame.geom_poses, {},         frame.held, frame.mark_poses, frame.facts};
   for (const SensorFrameState& state : frame.sensors) {
     SensorView& sensor = view.sensors.emplace_back();
     sensor.X_WM = state.X_WM;

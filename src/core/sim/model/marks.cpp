@@ -34,7 +34,8 @@ std::vector<SceneSite> drawable_sites(const mjModel& m) {
     site.body = m.site_bodyid[s];
     site.X_BS = {quat(m.site_quat + 4 * s), vec3(m.site_pos + 3 * s)};
     const auto alike = std::find_if(numbers.begin(), numbers.end(), [&](int other) { return look_alike(m, other, s); });
-    site.mesh = alike == numbers.end() ? site_mesh(m, s) : sites[static_cast<std::size_t>(alike - numbers.begin())].mesh;
+    site.mesh =
+        alike == numbers.end() ? site_mesh(m, s) : sites[static_cast<std::size_t>(alike - numbers.begin())].mesh;
     std::copy_n(rgba, 4, site.rgba.begin());
     site.group = std::clamp(m.site_group[s], 0, mjNGROUP - 1);  // as MuJoCo's viewer
     sites.push_back(std::move(site));
