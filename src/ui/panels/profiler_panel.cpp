@@ -18,7 +18,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kLeastHeight = 7;           // of a plot, in heights of text: in less room the panel scrolls
-constexpr float kLeastWidth = 44;           // of the panel where plots stand side by side, likewise
+constexpr float kLeastWidth = 62;           // of the panel where plots stand side by side, likewise
 constexpr std::size_t kSpikesLeftOut = 50;  // one of so many values may reach beyond the plot
 
 /// One part of a cost.
@@ -120,6 +120,7 @@ void draw_profiler_panel(UiState& ui, const UiInput& input) {
     } else {
       ImGui::PushTextWrapPos();
       ImGui::TextDisabled("Times are not shown where pictures follow a script: those are the same every time.");
+      ui.widgets.note_item("No times");
       ImGui::PopTextWrapPos();
     }
   }

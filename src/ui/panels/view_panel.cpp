@@ -143,7 +143,8 @@ LegendPlace legend_place(const UiState& ui) {
           std::min(17 * line, ui.view.rect.height() - 2 * margin)};
 }
 
-void draw_over_scene(UiState& ui, const UiInput& input) {
+/// Returns the first line below the heading that is free.
+int draw_over_scene(UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_labels(ui, list);
   if (input.model || input.frame) draw_heading(ui, input, list);
@@ -156,7 +157,7 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
   const int row = draw_tool_overlay(ui, input);
-  draw_scene_overlay(ui, input, row);
+  return draw_scene_overlay(ui, input, row);
 }
 
 }  // namespace
@@ -166,6 +167,7 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   const bool visible =
       begin_panel(ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
+  int free_row = 0;
   const ImVec2 size = ImGui::GetContentRegionAvail();
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
   if (visible && width > 0 && height > 0) {
@@ -185,9 +187,10 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
     list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
-    draw_over_scene(ui, input);
+    free_row = draw_over_scene(ui, input);
   }
   ImGui::End();
+  if (visible) draw_info_card(ui, input, free_row);
   if (!input.model && !input.frame && !input.loading.active) draw_start_card(ui);
   draw_probe_panel(ui, input);
 }

@@ -51,7 +51,7 @@ std::string size_text(const SimFrame& frame) {
   if (frame.mark_poses.bodies.empty()) return text;  // a step that was saved
   const auto dofs = static_cast<std::size_t>(scene.marks.dofs);
   return fmt::format("{}, {}, {}", counted(frame.mark_poses.bodies.size() - 1, "body", "bodies"), text,
-                     counted(dofs, "degree of freedom", "degrees of freedom"));
+                     counted(dofs, "DOF", "DOFs"));
 }
 
 }  // namespace
