@@ -274,9 +274,26 @@ TEST_F(Marks, GroupsOfSitesAreShownAndKept) {
 }
 
 TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
-  play({key("F2"), key("F11"), key("Right"), kIdle, dump("on.json"), shot("on.png"), key("Space"),
-        R"({"do": "wait_time", "time": 0.1})", key("Space"), kIdle, dump("later.json"), key("Home"), key("Left"), kIdle,
-        dump("past.json"), key("F2"), key("F5"), kIdle, dump("off.json")});
+  play({key("F2"),
+        key("F11"),
+        key("Right"),
+        kIdle,
+        dump("on.json"),
+        shot("on.png"),
+        key("Space"),
+        R"({"do": "wait_time", "time": 0.1})",
+        key("Space"),
+        kIdle,
+        dump("later.json"),
+        key("Right"),
+        kIdle,
+        key("Left"),
+        kIdle,
+        dump("past.json"),
+        key("F2"),
+        key("F5"),
+        kIdle,
+        dump("off.json")});
   const Json on = state("on.json"), info = on["info"], later = state("later.json")["info"];
   EXPECT_EQ(info["Size"], "3 bodies, 3 geoms, 1 DOF");
   EXPECT_EQ(info["Contacts"], "0 of MuJoCo, 0 constraints");
@@ -291,7 +308,8 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
   EXPECT_LT(energy(info).second, 1e-6) << "at rest";
   EXPECT_GT(energy(later).second, 1e-4) << "it falls";
   EXPECT_LT(energy(later).first, energy(info).first);
-  EXPECT_NE(state("past.json")["info"]["Energy"], later["Energy"]) << "what was recorded with the step";
+  for (const char* row : {"Time", "Contacts", "Solver", "Energy", "Memory"})
+    EXPECT_EQ(state("past.json")["info"][row], later[row]) << "recorded with the step";
   EXPECT_TRUE(on["full_screen"]);
   EXPECT_FALSE(state("off.json")["full_screen"]);
   EXPECT_TRUE(state("off.json")["info"].is_null());
