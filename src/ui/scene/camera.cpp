@@ -11,7 +11,7 @@ constexpr double kZoomPerNotch = 0.88;
 constexpr double kNearest = 1e-4, kFarthest = 1e3;  // of `distance` [m]: a tenth of a millimetre to a kilometre
 constexpr double kNearPart = 0.02, kFarPart = 50;   // of `distance`: near and far plane
 constexpr double kFrameMargin = 1.1;
-constexpr double kStraightDown = 1e-9;  // of a unit vector: its level part tells no direction
+constexpr double kStraightDown = 1e-13;  // a shorter level part of a unit vector tells no direction
 
 /// Right, up and backward of the view: an orthonormal right-handed basis.
 struct Basis {
@@ -96,12 +96,12 @@ void Camera::zoom(double wheel_notches) {
 void Camera::look_from(const Pose& X_WC, double depth) {
   const dmat3 R = X_WC.rotation();
   const dvec3 &right = R[0], &back = R[2];
-  const bool upright = std::hypot(back.x, back.y) > kStraightDown;
-  elevation_deg = glm::degrees(std::asin(std::clamp(back.z, -1.0, 1.0)));
-  azimuth_deg = glm::degrees(upright ? std::atan2(back.y, back.x) : std::atan2(-right.x, right.y));
+  const double level_part = std::hypot(back.x, back.y);
+  elevation_deg = glm::degrees(std::atan2(back.z, level_part));
+  azimuth_deg = glm::degrees(level_part > kStraightDown ? std::atan2(back.y, back.x) : std::atan2(-right.x, right.y));
   roll_deg = 0;
-  const Basis level = basis(*this);
-  roll_deg = glm::degrees(std::atan2(glm::dot(right, level.up), glm::dot(right, level.right)));
+  const Basis unrolled = basis(*this);
+  roll_deg = glm::degrees(std::atan2(glm::dot(right, unrolled.up), glm::dot(right, unrolled.right)));
   distance = std::clamp(depth, kNearest, kFarthest);
   target = X_WC.p - distance * back;
 }
