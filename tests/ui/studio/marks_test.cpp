@@ -315,6 +315,18 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
   EXPECT_TRUE(state("off.json")["info"].is_null());
 }
 
+TEST_F(Marks, FullScreenFillsTheScreenAndGoesBack) {
+  if (!in_a_window()) GTEST_SKIP() << "pictures offscreen fill no screen";
+  play({shot("before.png"), key("F11"), kIdle, kIdle, kIdle, shot("full.png"), key("F5"), kIdle, kIdle, kIdle,
+        shot("after.png")});
+  const Picture before = studio_.picture("before.png"), full = studio_.picture("full.png"),
+                after = studio_.picture("after.png");
+  EXPECT_GT(full.width, before.width);
+  EXPECT_GT(full.height, before.height);
+  EXPECT_EQ(after.width, before.width);
+  EXPECT_EQ(after.height, before.height);
+}
+
 TEST_F(Marks, TheProfilerTellsWhereTimeGoes) {
   const StudioProgram& studio = studio_;
   studio.play(
