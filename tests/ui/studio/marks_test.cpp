@@ -318,13 +318,14 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
 TEST_F(Marks, FullScreenFillsTheScreenAndGoesBack) {
   if (!in_a_window()) GTEST_SKIP() << "pictures offscreen fill no screen";
   play({shot("before.png"), key("F11"), kIdle, kIdle, kIdle, shot("full.png"), key("F5"), kIdle, kIdle, kIdle,
-        shot("after.png")});
+        shot("after.png"), key("F11"), kIdle, kIdle, kIdle, shot("again.png")});
   const Picture before = studio_.picture("before.png"), full = studio_.picture("full.png"),
                 after = studio_.picture("after.png");
   EXPECT_GT(full.width, before.width);
   EXPECT_GT(full.height, before.height);
   EXPECT_EQ(after.width, before.width);
   EXPECT_EQ(after.height, before.height);
+  EXPECT_EQ(studio_.picture("again.png").width, full.width);
 }
 
 TEST_F(Marks, TheProfilerTellsWhereTimeGoes) {
