@@ -290,12 +290,12 @@ const char* to_string(Context context) {
 }
 
 std::string bindings_as_text() {
-  std::string text = fmt::format("{:<22} {:<12} {}\n", "KEY", "WHERE", "WHAT");
+  std::string text = fmt::format("{:<30} {:<12} {}\n", "KEY", "WHERE", "WHAT");
   for (const Binding& b : kBindings) {
-    if (b.chord != 0) text += fmt::format("{:<22} {:<12} {}\n", chord_names(b), to_string(b.context), b.label);
+    if (b.chord != 0) text += fmt::format("{:<30} {:<12} {}\n", chord_names(b), to_string(b.context), b.label);
   }
   for (const Gesture& g : kGestures) {
-    text += fmt::format("{:<22} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
+    text += fmt::format("{:<30} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
   }
   return text;
 }
