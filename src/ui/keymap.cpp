@@ -84,11 +84,21 @@ constexpr std::array kBindings = {
     Binding{Action::record, kSimulate, kCtrl | ImGuiKey_R, false, "Record", "Simulation", false},
     Binding{Action::record_path, kSimulate, 0, false, "Record a path", "Simulation", false},
     Binding{Action::reset_simulation, kSimulate, ImGuiKey_Backspace, false, "Reset", "Simulation", false},
+    Binding{Action::select_parent, kSimulate, ImGuiKey_PageUp, false, "Select the parent body", "Simulation", false},
     Binding{Action::slower, kEverywhere, ImGuiKey_Minus, false, "Slower", "Simulation", true},
     Binding{Action::faster, kEverywhere, ImGuiKey_Equal, false, "Faster", "Simulation", false},
 
     Binding{Action::frame_all, kEverywhere, ImGuiKey_Home, false, "Frame all", "View", false},
     Binding{Action::frame_selection, kEverywhere, ImGuiKey_Period, false, "Frame selection", "View", false},
+    Binding{Action::align_camera, kEverywhere, kCtrl | ImGuiKey_A, false, "Align camera", "View/Camera", false},
+    Binding{Action::next_camera, kSimulate, ImGuiKey_RightBracket, false, "Next camera of the scene", "View/Camera",
+            false},
+    Binding{Action::previous_camera, kSimulate, ImGuiKey_LeftBracket, false, "Previous camera of the scene",
+            "View/Camera", false},
+    Binding{Action::cycle_frames, kSimulate, ImGuiKey_F6, false, "Frames (bodies, geoms, sites, world)", "View", true},
+    Binding{Action::cycle_labels, kSimulate, ImGuiKey_F7, false, "Labels (bodies, joints, geoms, sites, cameras)",
+            "View", false},
+    Binding{Action::toggle_info, kSimulate, ImGuiKey_F2, false, "Info", "View", false},
     Binding{Action::toggle_transparent, kEverywhere, ImGuiKey_T, false, "Transparent sensor", "View", true},
     Binding{Action::toggle_wireframe, kEverywhere, ImGuiKey_W, false, "Wireframe", "View", false},
     Binding{Action::toggle_rays, kEverywhere, ImGuiKey_Y, false, "Rays", "View", false},
@@ -111,12 +121,24 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_path, kEverywhere, 0, false, "Path", "View", false},
     Binding{Action::toggle_grid, kEverywhere, 0, false, "Ground grid", "View", false},
     Binding{Action::toggle_constraints, kEverywhere, 0, false, "Welds and connections", "View", false},
-    Binding{Action::toggle_group_0, kSimulate, ImGuiKey_0, false, "Geoms of group 0", "View", true},
-    Binding{Action::toggle_group_1, kSimulate, ImGuiKey_1, false, "Geoms of group 1", "View", false},
-    Binding{Action::toggle_group_2, kSimulate, ImGuiKey_2, false, "Geoms of group 2", "View", false},
-    Binding{Action::toggle_group_3, kSimulate, ImGuiKey_3, false, "Geoms of group 3", "View", false},
-    Binding{Action::toggle_group_4, kSimulate, ImGuiKey_4, false, "Geoms of group 4", "View", false},
-    Binding{Action::toggle_group_5, kSimulate, ImGuiKey_5, false, "Geoms of group 5", "View", false},
+    Binding{Action::toggle_group_0, kSimulate, ImGuiKey_0, false, "Geoms of group 0", "View/Groups", false},
+    Binding{Action::toggle_group_1, kSimulate, ImGuiKey_1, false, "Geoms of group 1", "View/Groups", false},
+    Binding{Action::toggle_group_2, kSimulate, ImGuiKey_2, false, "Geoms of group 2", "View/Groups", false},
+    Binding{Action::toggle_group_3, kSimulate, ImGuiKey_3, false, "Geoms of group 3", "View/Groups", false},
+    Binding{Action::toggle_group_4, kSimulate, ImGuiKey_4, false, "Geoms of group 4", "View/Groups", false},
+    Binding{Action::toggle_group_5, kSimulate, ImGuiKey_5, false, "Geoms of group 5", "View/Groups", false},
+    Binding{Action::toggle_site_group_0, kSimulate, kShift | ImGuiKey_0, false, "Sites of group 0", "View/Groups",
+            true},
+    Binding{Action::toggle_site_group_1, kSimulate, kShift | ImGuiKey_1, false, "Sites of group 1", "View/Groups",
+            false},
+    Binding{Action::toggle_site_group_2, kSimulate, kShift | ImGuiKey_2, false, "Sites of group 2", "View/Groups",
+            false},
+    Binding{Action::toggle_site_group_3, kSimulate, kShift | ImGuiKey_3, false, "Sites of group 3", "View/Groups",
+            false},
+    Binding{Action::toggle_site_group_4, kSimulate, kShift | ImGuiKey_4, false, "Sites of group 4", "View/Groups",
+            false},
+    Binding{Action::toggle_site_group_5, kSimulate, kShift | ImGuiKey_5, false, "Sites of group 5", "View/Groups",
+            false},
     Binding{Action::toggle_clip, kEverywhere, 0, false, "Clip plane", "View", true},
     Binding{Action::flip_clip, kEverywhere, 0, false, "Flip the clip plane", "View", false},
     Binding{Action::lock_range, kEverywhere, 0, false, "Lock pressure range", "View", true},
@@ -134,8 +156,10 @@ constexpr std::array kBindings = {
     Binding{Action::toggle_study, kSimulate, 0, false, "Study panel", "Panels", false},
     Binding{Action::toggle_section, kEverywhere, 0, false, "Section panel", "Panels", false},
     Binding{Action::toggle_messages, kEverywhere, 0, false, "Messages panel", "Panels", false},
+    Binding{Action::toggle_profiler, kEverywhere, ImGuiKey_F3, false, "Profiler panel", "Panels", false},
     Binding{Action::toggle_mesh_report, kEverywhere, 0, false, "Mesh report...", "Panels", false},
-    Binding{Action::reset_arrangement, kEverywhere, 0, false, "Reset arrangement", "Panels", true},
+    Binding{Action::full_screen, kEverywhere, ImGuiKey_F11, false, "Full screen", "Panels", true, ImGuiKey_F5},
+    Binding{Action::reset_arrangement, kEverywhere, 0, false, "Reset arrangement", "Panels", false},
     Binding{Action::toggle_theme, kEverywhere, 0, false, "Light theme", "Panels", true},
     Binding{Action::scale_up, kEverywhere, kCtrl | ImGuiKey_Equal, false, "Larger interface", "Panels", false},
     Binding{Action::scale_down, kEverywhere, kCtrl | ImGuiKey_Minus, false, "Smaller interface", "Panels", false},
@@ -150,7 +174,10 @@ constexpr std::array kBindings = {
     Binding{Action::gesture_accept, kGesture, ImGuiKey_Enter, false, "Accept", nullptr, false, ImGuiKey_KeypadEnter},
     Binding{Action::gesture_cancel, kGesture, ImGuiKey_Escape, false, "Cancel: all as it was", nullptr, false},
     Binding{Action::walk_panels, kEverywhere, ImGuiKey_Tab, false, "Into the inspector, by keyboard", nullptr, false},
-    Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false, "Cancel, then clear the selection", nullptr, false},
+    Binding{Action::walk_panels_back, kEverywhere, kShift | ImGuiKey_Tab, false, "Into the taxel table, by keyboard",
+            nullptr, false},
+    Binding{Action::escape, kEverywhere, ImGuiKey_Escape, false,
+            "Cancel, then clear the selection, then free the camera", nullptr, false},
 };
 
 constexpr std::array kGestures = {
@@ -173,6 +200,8 @@ constexpr std::array kGestures = {
     Gesture{kSimulate, "Double-click", "Select a body"},
     Gesture{kSimulate, "Ctrl+left-drag", "Turn the selected body (Shift: about level axes)"},
     Gesture{kSimulate, "Ctrl+right-drag", "Pull the selected body (Shift: keep the height)"},
+    Gesture{kSimulate, "Ctrl+Alt+left-drag", "The same, without the right button"},
+    Gesture{kSimulate, "Ctrl+right double-click", "Track the body: the camera goes along (Esc frees it)"},
     Gesture{kGesture, "0-9 . -", "Exact value, in mm or degrees (Backspace)"},
     Gesture{kGesture, "Shift", "A tenth of the pace"},
     Gesture{kGesture, "Ctrl", "Snap"},
@@ -195,6 +224,10 @@ const char* key_name(int key) {
       return "-";
     case ImGuiKey_Slash:
       return "/";
+    case ImGuiKey_LeftBracket:
+      return "[";
+    case ImGuiKey_RightBracket:
+      return "]";
     case ImGuiKey_Period:
       return ".";
     case ImGuiKey_RightArrow:
@@ -257,12 +290,12 @@ const char* to_string(Context context) {
 }
 
 std::string bindings_as_text() {
-  std::string text = fmt::format("{:<22} {:<12} {}\n", "KEY", "WHERE", "WHAT");
+  std::string text = fmt::format("{:<30} {:<12} {}\n", "KEY", "WHERE", "WHAT");
   for (const Binding& b : kBindings) {
-    if (b.chord != 0) text += fmt::format("{:<22} {:<12} {}\n", chord_names(b), to_string(b.context), b.label);
+    if (b.chord != 0) text += fmt::format("{:<30} {:<12} {}\n", chord_names(b), to_string(b.context), b.label);
   }
   for (const Gesture& g : kGestures) {
-    text += fmt::format("{:<22} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
+    text += fmt::format("{:<30} {:<12} {}\n", g.gesture, to_string(g.context), g.label);
   }
   return text;
 }

@@ -80,8 +80,13 @@ enum class Action {
   mode_simulate,
   frame_all,
   frame_selection,
+  align_camera,
+  next_camera,
+  previous_camera,
+  select_parent,
   escape,
   walk_panels,
+  walk_panels_back,
   toggle_transparent,
   toggle_wireframe,
   toggle_rays,
@@ -109,6 +114,15 @@ enum class Action {
   toggle_group_3,
   toggle_group_4,
   toggle_group_5,
+  toggle_site_group_0,
+  toggle_site_group_1,
+  toggle_site_group_2,
+  toggle_site_group_3,
+  toggle_site_group_4,
+  toggle_site_group_5,
+  cycle_frames,
+  cycle_labels,
+  toggle_info,
   toggle_clip,
   flip_clip,
   lock_range,
@@ -126,6 +140,8 @@ enum class Action {
   toggle_section,
   toggle_messages,
   toggle_mesh_report,
+  toggle_profiler,
+  full_screen,
   reset_arrangement,
   toggle_theme,
   scale_up,
@@ -142,7 +158,7 @@ struct Binding {
   int chord;     ///< ImGuiKeyChord; 0: menu only
   bool repeats;  ///< while the key is held
   const char* label;
-  const char* menu;  ///< the menu it stands in; null: none
+  const char* menu;  ///< the menu it stands in, or "Menu/Submenu"; null: none
   bool separated;    ///< a line stands above it in the menu
   int also = 0;      ///< a second chord
 };

@@ -21,6 +21,7 @@
 #include "ui/scene/scene_renderer.h"
 #include "ui/selection.h"
 #include "ui/tools/explain_state.h"
+#include "ui/tools/follow_state.h"
 #include "ui/tools/generate_state.h"
 #include "ui/tools/layout_problems.h"
 #include "ui/tools/map_state.h"
@@ -32,6 +33,7 @@
 #include "ui/tools/perturb_state.h"
 #include "ui/tools/plot_curves.h"
 #include "ui/tools/probe_state.h"
+#include "ui/tools/profile_state.h"
 #include "ui/tools/real_state.h"
 #include "ui/tools/study_state.h"
 #include "ui/tools/table_state.h"
@@ -46,7 +48,7 @@ struct PanelsShown {
   bool outliner = true, taxels = true, inspector = true, bars = true, plot = true, section = true, timeline = true;
   bool controls = true;
   bool messages = false, help = false, explain = false, map = false, models = false, study = false;
-  bool mesh_report = false;
+  bool mesh_report = false, info = false, profiler = false;
 };
 
 struct PlotOptions {
@@ -193,6 +195,8 @@ struct UiState {
   MapState map;
   ModelsState models;
   PerturbState perturb;
+  FollowState follow;
+  ProfileState profile;
   ControlsState controls;
   RealState real;
   VideoState video;
@@ -201,6 +205,7 @@ struct UiState {
   std::optional<ClipPlane> clip;       ///< of the 3-D view
   int tour_step = -1;                  ///< of the tour that is shown; -1: none is
   const bool* opened_panel = nullptr;  ///< switch of a panel that comes to the front in the next picture
+  bool full_screen = false;            ///< the window, without frame
   bool asks_unsaved = false;           ///< whether to save, before what is open is left
   std::string recovery;                ///< name of a document that was lost unsaved and can be had back; empty: none
   std::string recovery_detail;         ///< when and where

@@ -16,6 +16,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
 #include "core/project/project_json.h"
+#include "core/project/recording/npz.h"
 #include "core/sim/bundle/frame_bundle.h"
 
 namespace taxel::studio {
@@ -142,7 +143,17 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
 Document load_frame(const std::filesystem::path& file, const SensorBuild& how) {
   const SimFramePtr frame = read_frame_bundle(file, how);
   const SensorModelPtr model = frame->scene->sensors.empty() ? nullptr : frame->scene->sensors.front();
-  return {DocumentKind::frame, file.string(), short_name(file), model, nullptr, nullptr, "", {}, nullptr, frame};
+  return {DocumentKind::frame,
+          file.string(),
+          short_name(file),
+          model,
+          nullptr,
+          nullptr,
+          "",
+          {},
+          nullptr,
+          frame,
+          read_archive_member(file, "state.json")};
 }
 
 }  // namespace

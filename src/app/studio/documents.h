@@ -32,6 +32,7 @@ struct Document {
   /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
   SimFramePtr frame = nullptr;  ///< a step that was saved, with nothing to simulate; null for all else
+  std::string state = {};       ///< of the window when it was saved (state.json); empty: unknown
 
   /// Shows samples that are yet to be polished.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "app/studio/glfw_keys.h"
 #include "app/studio/window.h"
@@ -83,6 +84,7 @@ class GlfwWindow final : public Window {
   void show() override { glfwSwapBuffers(window_); }
   void wake() override { glfwPostEmptyEvent(); }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
+  void set_full_screen(bool on) override;
   void set_cursor(ImGuiMouseCursor shape) override;
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
   [[nodiscard]] const std::string& clipboard() override {
@@ -126,7 +128,48 @@ class GlfwWindow final : public Window {
   std::vector<InputEvent> events_;
   std::map<int, GLFWcursor*> cursors_;  ///< by GLFW's shape
   std::string clipboard_;
+  struct Place {
+    int x = 0, y = 0, width = 0, height = 0;  ///< screen coordinates
+  };
+  std::optional<Place> windowed_;  ///< where it stood before it filled the screen
 };
+
+/// The monitor that shows most of a window; null where there is none.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+  int x = 0, y = 0, width = 0, height = 0, count = 0;
+  glfwGetWindowPos(window, &x, &y);
+  glfwGetWindowSize(window, &width, &height);
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  GLFWmonitor* best = nullptr;
+  long most = -1;
+  for (int i = 0; i < count; ++i) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    if (mode == nullptr) continue;
+    const long wide = std::max(0, std::min(x + width, left + mode->width) - std::max(x, left));
+    const long high = std::max(0, std::min(y + height, top + mode->height) - std::max(y, top));
+    if (wide * high > most) most = wide * high, best = monitors[i];
+  }
+  return best;
+}
+
+void GlfwWindow::set_full_screen(bool on) {
+  if (on == windowed_.has_value()) return;
+  if (!on) {
+    const Place& p = *windowed_;
+    glfwSetWindowMonitor(window_, nullptr, p.x, p.y, p.width, p.height, GLFW_DONT_CARE);
+    windowed_.reset();
+    return;
+  }
+  GLFWmonitor* monitor = monitor_of(window_);
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  Place& p = windowed_.emplace();
+  glfwGetWindowPos(window_, &p.x, &p.y);
+  glfwGetWindowSize(window_, &p.width, &p.height);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
 
 void GlfwWindow::set_mouse_callbacks() {
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {

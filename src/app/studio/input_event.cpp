@@ -38,11 +38,11 @@ bool feed(const InputEvent& event, ImGuiIO& io) {
 }
 
 ImGuiKey key_of_name(const std::string& name) {
-  constexpr std::array kAliases = {Alias{".", ImGuiKey_Period},         Alias{"=", ImGuiKey_Equal},
-                                   Alias{"-", ImGuiKey_Minus},          Alias{"/", ImGuiKey_Slash},
-                                   Alias{"esc", ImGuiKey_Escape},       Alias{"left", ImGuiKey_LeftArrow},
-                                   Alias{"right", ImGuiKey_RightArrow}, Alias{"up", ImGuiKey_UpArrow},
-                                   Alias{"down", ImGuiKey_DownArrow},   Alias{"return", ImGuiKey_Enter}};
+  constexpr std::array kAliases = {
+      Alias{".", ImGuiKey_Period},   Alias{"=", ImGuiKey_Equal},        Alias{"-", ImGuiKey_Minus},
+      Alias{"/", ImGuiKey_Slash},    Alias{"[", ImGuiKey_LeftBracket},  Alias{"]", ImGuiKey_RightBracket},
+      Alias{"esc", ImGuiKey_Escape}, Alias{"left", ImGuiKey_LeftArrow}, Alias{"right", ImGuiKey_RightArrow},
+      Alias{"up", ImGuiKey_UpArrow}, Alias{"down", ImGuiKey_DownArrow}, Alias{"return", ImGuiKey_Enter}};
   for (const Alias& alias : kAliases) {
     if (same_name(name, alias.name)) return alias.key;
   }

@@ -234,6 +234,7 @@ void Session::accept_document(Document document, SessionNews& news) {
   news.another_document = true;
   news.opened = still_ ? ui::Mode::simulate : ui::Mode::layout;
   news.opened_file = document_->file;
+  news.saved_state = document_->state;
   news.framed = framed;
 }
 

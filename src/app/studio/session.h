@@ -30,6 +30,7 @@ struct SessionNews {
   bool another_document = false;   ///< not the same one in another scene
   std::string saved_scene;         ///< file that was written
   std::string unwritten;           ///< why a recording could not be written: it is kept, to be written elsewhere
+  std::string saved_state;         ///< of the window, when the step that was opened was saved
   std::string opened_file;         ///< where it came from; empty: built in
   bool framed = false;             ///< the cameras should turn to it (not after a reload)
   bool new_frame = false;

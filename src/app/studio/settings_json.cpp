@@ -4,6 +4,23 @@
 #include "app/studio/settings.h"
 #include "core/base/files.h"
 
+namespace taxel::ui {
+
+// As words; of one that it does not know, none.
+NLOHMANN_JSON_SERIALIZE_ENUM(FramesShown, {{FramesShown::none, "none"},
+                                           {FramesShown::bodies, "bodies"},
+                                           {FramesShown::geoms, "geoms"},
+                                           {FramesShown::sites, "sites"},
+                                           {FramesShown::world, "world"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(LabelsShown, {{LabelsShown::none, "none"},
+                                           {LabelsShown::bodies, "bodies"},
+                                           {LabelsShown::joints, "joints"},
+                                           {LabelsShown::geoms, "geoms"},
+                                           {LabelsShown::sites, "sites"},
+                                           {LabelsShown::cameras, "cameras"}})
+
+}  // namespace taxel::ui
+
 namespace taxel::studio {
 
 namespace {
@@ -41,6 +58,10 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("grid", s.overlays.grid);
   visit("ghost", s.overlays.ghost);
   visit("constraints", s.overlays.constraints);
+  visit("geom_groups", s.overlays.geom_groups);
+  visit("site_groups", s.overlays.site_groups);
+  visit("frames", s.overlays.frames);
+  visit("labels", s.overlays.labels);
   visit("panel_outliner", s.panels.outliner);
   visit("panel_taxels", s.panels.taxels);
   visit("panel_inspector", s.panels.inspector);
@@ -55,6 +76,8 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("panel_study", s.panels.study);
   visit("panel_messages", s.panels.messages);
   visit("panel_mesh_report", s.panels.mesh_report);
+  visit("panel_profiler", s.panels.profiler);
+  visit("info", s.panels.info);
   visit("tour_seen", s.tour_seen);
   visit("recent", s.recent);
 }

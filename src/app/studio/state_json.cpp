@@ -58,7 +58,8 @@ Json camera_json(const ui::Camera& camera) {
           {"azimuth_deg", camera.azimuth_deg},
           {"elevation_deg", camera.elevation_deg},
           {"distance", camera.distance},
-          {"fov_deg", camera.fov_deg}};
+          {"fov_deg", camera.fov_deg},
+          {"roll_deg", camera.roll_deg}};
 }
 
 Json overlays_json(const ui::Overlays& o) {
@@ -83,7 +84,10 @@ Json overlays_json(const ui::Overlays& o) {
           {"path", o.path},
           {"grid", o.grid},
           {"constraints", o.constraints},
-          {"geom_groups", o.geom_groups}};
+          {"geom_groups", o.geom_groups},
+          {"site_groups", o.site_groups},
+          {"frames", to_word(o.frames)},
+          {"labels", to_word(o.labels)}};
 }
 
 /// What the overlays about receptive fields say; null where they are off.
@@ -308,6 +312,26 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["widgets"] = widgets_json(ui);
   json["pace"] = pace_json(input, pace);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote what is no text
+}
+
+std::optional<ui::Camera> camera_of_state(const std::string& json) {
+  try {
+    const Json state = Json::parse(json);
+    if (state.at("mode") != "simulate") return std::nullopt;
+    const Json& from = state.at("camera");
+    ui::Camera camera;
+    for (int i = 0; i < 3; ++i) camera.target[i] = from.at("target").at(static_cast<std::size_t>(i)).get<double>();
+    from.at("azimuth_deg").get_to(camera.azimuth_deg);
+    from.at("elevation_deg").get_to(camera.elevation_deg);
+    from.at("distance").get_to(camera.distance);
+    from.at("fov_deg").get_to(camera.fov_deg);
+    camera.roll_deg = from.value("roll_deg", 0.0);
+    const bool possible = is_finite(camera.target) && std::abs(camera.elevation_deg) <= 90 && camera.distance > 0 &&
+                          camera.fov_deg > 0 && camera.fov_deg < 180;
+    return possible ? std::optional(camera) : std::nullopt;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 void check_expectation(const ExpectCommand& expect, const std::string& state_json) {

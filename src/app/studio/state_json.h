@@ -1,6 +1,7 @@
 // The state of the window as JSON: what --dump-state writes and tests compare with the picture.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "ui/ui_state.h"
@@ -17,5 +18,8 @@ struct Pace {
 
 /// Pixels are of the window, from its top left corner. SI units; keys carry full names.
 std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const Pace& pace);
+
+/// The camera of SIMULATE in such a text; none: it is of LAYOUT, or no such text.
+std::optional<ui::Camera> camera_of_state(const std::string& json);
 
 }  // namespace taxel::studio

@@ -15,6 +15,7 @@
 #include "ui/panels/messages.h"
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
+#include "ui/tools/camera_follow.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/explain_tool.h"
 #include "ui/tools/measure_tool.h"
@@ -39,9 +40,6 @@ constexpr double kBusyWait = 0.004, kAlertWait = 0.05, kQuietWait = 0.25;
 constexpr double kPaceWindow = 0.5;
 /// The least upper end of the pressure range [Pa].
 constexpr double kLeastRange = 1000;
-/// Where the cameras look from at first.
-constexpr double kSweepCloseness = 0.7;
-constexpr double kAzimuthDeg = -108, kElevationDeg = 15, kLayoutAzimuthDeg = -60;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -79,9 +77,7 @@ Studio::Studio(const Options& options)
     }
     start_autosave();
   }
-  for (ui::Camera& camera : ui_.cameras) camera.elevation_deg = kElevationDeg;
-  ui_.cameras[0].azimuth_deg = kLayoutAzimuthDeg;
-  ui_.cameras[1].azimuth_deg = kAzimuthDeg;
+  ui_.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
   ui_.range.hi = kLeastRange;
   input_.version = versions().taxel;
   // Scripts and pictures begin without it, unless it is asked for.
@@ -217,10 +213,12 @@ void Studio::act_on(const SessionNews& news) {
   if (news.opened) {
     ui_.selection.body = -1;  // bodies may have other numbers now
     ui_.perturb = {};
+    ui::leave_followed(ui_);
     ui_.mode = *news.opened;
     ui::let_go_of_way_points(ui_);
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
     if (news.framed) turn_cameras_ = true;
+    saved_camera_ = camera_of_state(news.saved_state);
   }
   const bool framable = !ui::scene_box(ui_, input_).empty();
   if (turn_cameras_ && framable) frame_cameras();
@@ -242,13 +240,10 @@ void Studio::frame_cameras() {
   const ui::Mode mode = ui_.mode;
   for (const ui::Mode each : {ui::Mode::layout, ui::Mode::simulate}) {
     ui_.mode = each;
-    const Aabb box = ui::scene_box(ui_, input_);
-    if (box.empty()) continue;
-    ui_.camera().frame(box);
-    // The box around a whole path is larger than what there is to see at any time.
-    if (each == ui::Mode::simulate && input_.runs_scenario) ui_.camera().distance *= kSweepCloseness;
+    if (!ui::scene_box(ui_, input_).empty()) ui::frame_scene(ui_, input_);
   }
   ui_.mode = mode;
+  if (saved_camera_) ui_.cameras[1] = *std::exchange(saved_camera_, std::nullopt);
 }
 
 void Studio::update_range() {
@@ -271,6 +266,7 @@ void Studio::update_title() {
 
 void Studio::draw_picture(double seconds) {
   const Clock::time_point began = Clock::now();
+  window_->set_full_screen(ui_.full_screen);
   const float scale = ui_.saved.scale * window_->content_scale();
   ui_.pixel_scale = scale;
   if (ui_.saved.dark != themed_dark_ || scale != themed_scale_) ui::apply_theme(ui_.saved.dark, scale);
@@ -305,6 +301,8 @@ void Studio::draw_picture(double seconds) {
 }
 
 void Studio::draw_contents() {
+  const Clock::time_point begin = Clock::now();
+  ui_.profile.scene_seconds = 0;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   ui::draw_interface(ui_, input_, *renderer_);
@@ -314,10 +312,19 @@ void Studio::draw_contents() {
   session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays), ui_.saved.overlays.readings_on_skin);
   carry_out_requests();
   window_->set_cursor(ImGui::GetMouseCursor());
+  const Clock::time_point laid_out = Clock::now();
   ImGui::Render();
   fill_window();
+  note_cost(seconds_between(begin, laid_out), seconds_between(laid_out, Clock::now()));
   make_video();
   if (std::exchange(screenshot_wanted_, false)) save_numbered_screenshot();
+}
+
+/// For the profiler.
+void Studio::note_cost(double layout, double window) {
+  ui::ProfileState& profile = ui_.profile;
+  if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();
+  profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
 }
 
 void Studio::fill_window() {

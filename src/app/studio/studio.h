@@ -53,6 +53,7 @@ class Studio {
   void update_range();
   void draw_picture(double seconds);
   void draw_contents();
+  void note_cost(double layout, double window);
   void fill_window();  ///< with the picture laid out last
   void carry_out_requests();
   void carry_out(const ui::Request& request);
@@ -125,6 +126,7 @@ class Studio {
   std::unique_ptr<ScriptPlayer> script_;
   InputQueue input_queue_;
   bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
+  std::optional<ui::Camera> saved_camera_;  ///< of a step that was opened: what the cameras turn to
   bool anything_opened_ = false, argument_refused_ = false;
   bool themed_dark_ = true;
   float themed_scale_ = 0;

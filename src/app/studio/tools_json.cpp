@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/vector_json.h"
+#include "ui/tools/camera_follow.h"
+#include "ui/tools/scene_info.h"
 
 namespace taxel::studio {
 
@@ -70,11 +72,53 @@ Json clip_json(const ui::UiState& ui) {
   return {{"normal", numbers<Json>(ui.clip->normal)}, {"offset", ui.clip->offset}};
 }
 
+Json info_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!ui.saved.panels.info) return nullptr;
+  Json json = Json::object();
+  for (const ui::InfoRow& row : ui::scene_info(input)) json[row.name] = row.value;
+  return json;
+}
+
+Json labels_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::SceneLabel& label : ui.view.labels)
+    json.push_back({{"text", label.text},
+                    {"taxel", label.taxel >= 0},
+                    {"pixel",
+                     {label.pixel.x + static_cast<double>(ui.view.rect.x0),
+                      label.pixel.y + static_cast<double>(ui.view.rect.y0)}}});
+  return json;
+}
+
+/// Means over what the profiler draws [s].
+Json profile_json(const ui::UiState& ui, const ui::UiInput& input) {
+  const std::vector<StepCost> steps = input.frame ? input.frame->costs : std::vector<StepCost>{};
+  const auto mean = [](const auto& costs, auto member) {
+    double sum = 0;
+    for (const auto& cost : costs) sum += static_cast<double>(cost.*member);
+    return costs.empty() ? 0.0 : sum / static_cast<double>(costs.size());
+  };
+  const auto& pictures = ui.profile.pictures;
+  return {{"steps", steps.size()},
+          {"mujoco", mean(steps, &StepCost::mujoco)},
+          {"surfaces", mean(steps, &StepCost::surfaces)},
+          {"forces", mean(steps, &StepCost::forces)},
+          {"readings", mean(steps, &StepCost::readings)},
+          {"history", mean(steps, &StepCost::history)},
+          {"pictures", pictures.size()},
+          {"panels", mean(pictures, &ui::PictureCost::panels)},
+          {"scene", mean(pictures, &ui::PictureCost::scene)},
+          {"window", mean(pictures, &ui::PictureCost::window)}};
+}
+
 }  // namespace
 
 std::string tools_to_json(const ui::UiState& ui, const ui::UiInput& input) {
-  const Json json = {{"probe", probe_json(ui, input)}, {"measure", measure_json(ui, input)}, {"clip", clip_json(ui)}};
-  return json.dump();
+  const Json json = {{"probe", probe_json(ui, input)}, {"measure", measure_json(ui, input)},
+                     {"clip", clip_json(ui)},          {"followed", ui::follow_text(ui, input)},
+                     {"full_screen", ui.full_screen},  {"info", info_json(ui, input)},
+                     {"labels", labels_json(ui)},      {"profile", profile_json(ui, input)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace taxel::studio

@@ -33,6 +33,7 @@ class Window {
   virtual void show() = 0;
   virtual void wake() {}  ///< ends a wait in take_events(); from any thread
   virtual void set_title(const std::string& title) = 0;
+  virtual void set_full_screen(bool /*on*/) {}  ///< and back to where it was; nothing where it is so already
   virtual void set_cursor(ImGuiMouseCursor cursor) = 0;
   virtual void set_clipboard(const std::string& text) = 0;
   [[nodiscard]] virtual const std::string& clipboard() = 0;

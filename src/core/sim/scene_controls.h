@@ -37,6 +37,7 @@ struct SceneBody {
   std::string name;
   int mocap = -1;      ///< its number among the mocap bodies
   bool fixed = false;  ///< to the world: nothing moves it
+  int parent = 0;      ///< its number
 };
 
 /// Does not change while the scene runs.

@@ -16,6 +16,8 @@
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/history/lanes.h"
 #include "core/sim/scene_controls.h"
+#include "core/sim/scene_marks.h"
+#include "core/sim/step_cost.h"
 #include "core/sim/trace.h"
 
 namespace taxel {
@@ -57,6 +59,7 @@ struct SimScene {
   double duration = 0;               ///< scenario length [s]; 0: endless
   double timestep = 0;               ///< [s]
   SceneControls controls;
+  SceneMarks marks;
 };
 
 /// One sensor in one step.
@@ -140,9 +143,12 @@ struct SimFrame {
   ControlValues controls;                 ///< of scene->controls
   std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown
   std::vector<HeldPoints> held;
+  MarkPoses mark_poses;  ///< of scene->marks
+  StepFacts facts;
   std::shared_ptr<const Trace> trace;  ///< copied when a row is added, at most 30 times a second
   std::vector<std::string> warnings;   ///< all that the sensors have to say about the scene, as Simulator::warnings()
   double step_seconds = 0;             ///< mean wall time of one of the latest steps [s]; 0: none was made
+  std::vector<StepCost> costs;         ///< of the latest steps that were made, oldest first
   bool recorded = false;               ///< a step of the past is shown; the newest is history.last
   std::shared_ptr<const SimScene> simulated;  ///< of the newest step: another than `scene` where its layout changed
   HistoryState history;

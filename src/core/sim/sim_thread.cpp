@@ -16,6 +16,17 @@ constexpr double kBurst = 0.005;               // [s] of stepping before command
 constexpr double kNap = 0.002;                 // [s] shortest wait for the clock: several steps are then due at once
 constexpr std::size_t kEndlessRows = 10000;    // rows kept, at least, of a scene that has no end
 
+StepCost cost_of(Clock::duration step, Clock::duration history, const SensorTimes& before, const SensorTimes& after) {
+  const auto seconds = [](Clock::duration d) { return std::chrono::duration<float>(d).count(); };
+  StepCost cost;
+  cost.surfaces = static_cast<float>(after.surfaces - before.surfaces);
+  cost.forces = static_cast<float>(after.forces - before.forces);
+  cost.readings = static_cast<float>(after.readings - before.readings);
+  cost.mujoco = std::max(0.0f, seconds(step) - cost.surfaces - cost.forces - cost.readings);
+  cost.history = seconds(history);
+  return cost;
+}
+
 }  // namespace
 
 std::vector<SimCommand> SimThread::Impl::take_commands() {
@@ -78,14 +89,17 @@ bool SimThread::Impl::step_once() {
   }
   stop.reset();
   try {
+    const SensorTimes before = simulator->sensor_times();
     const Clock::time_point begin = Clock::now();
     simulator->step();
     const Clock::time_point stepped = Clock::now();
     simulator->save_state(state);
     simulator->view(view);
     stop = history.record(view, state);
-    record_time.add(Clock::now() - stepped);
-    step_time.add(Clock::now() - begin);
+    const Clock::time_point recorded = Clock::now();
+    record_time.add(recorded - stepped);
+    step_time.add(recorded - begin);
+    costs.add(cost_of(stepped - begin, recorded - stepped, before, simulator->sensor_times()));
     record_step();
   } catch (const std::exception& e) {  // what was computed of this step is no step: the one before is shown
     error = e.what();
@@ -177,6 +191,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->speed = speed;
   frame->measured_speed = playing ? pacing.measured_speed(now) : 0.0;
   frame->step_seconds = step_time.mean_seconds();
+  frame->costs = costs.latest();
   frame->trace = posted_trace;
   frame->runs = runs;
   frame->commands = commands;

@@ -114,6 +114,7 @@ void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& ma
   refused.clear();
   begin_run();
   step_time = record_time = {};
+  costs = {};
   pacing.restart(seconds_since_epoch(), speed);
 }
 

@@ -56,6 +56,7 @@ struct SimThread::Impl {
   FrameMemory memory;
   std::shared_ptr<const Trace> posted_trace = std::make_shared<const Trace>();  // a copy
   StepTime step_time, record_time;
+  StepCosts costs;
   double last_frame = 0, last_trace = 0, last_taken = 0;
   bool answered = true;  // the last frame answers a command, or is the last of a run
   bool changed = true;   // something to show since the last frame

@@ -9,6 +9,7 @@
 #include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
+#include "core/sim/model/marks.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/scene/scene_sources.h"
 #include "core/sim/simulator_impl.h"
@@ -98,6 +99,7 @@ void Simulator::Impl::describe() {
   scene->geoms = drawable_geoms(m(), drawn);
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());
+  scene->marks = scene_marks(m());
   for (std::size_t i = 0; i < instances.size(); ++i) {
     scene->sensors.push_back(sensor(i).model());
     scene->sensor_geoms.push_back(geom_name(m(), sensor(i).config().geom));

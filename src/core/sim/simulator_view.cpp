@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/model/marks.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/pair_surface.h"
 #include "core/sim/simulator_impl.h"
@@ -103,6 +104,8 @@ void Simulator::view(StepView& view) const {
     one.hit_rays = reading.hits.hit_rays();
   }
   view.held = held_points(s.m(), s.d());
+  pose_marks(s.m(), s.d(), view.mark_poses);
+  view.facts = step_facts(s.m(), s.d());
 }
 
 void Simulator::fill_frame(SimFrame& frame) const {

@@ -21,9 +21,9 @@ constexpr auto kCardFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoD
 void help_row(const char* key, const char* where, const char* what) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(key);
+  ImGui::TextWrapped("%s", key);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(what);
+  ImGui::TextWrapped("%s", what);
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", where);
 }

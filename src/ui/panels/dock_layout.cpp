@@ -27,7 +27,7 @@ void arrange_compactly(ImGuiID space) {
   for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle, kRealTitle})
     ImGui::DockBuilderDockWindow(title, right);
   for (const char* title :
-       {kBarsTitle, kMapTitle, kPlotTitle, kModelsTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
+       {kBarsTitle, kMapTitle, kPlotTitle, kModelsTitle, kProfilerTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
     ImGui::DockBuilderDockWindow(title, bottom);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
@@ -57,6 +57,7 @@ void arrange_side_by_side(ImGuiID space) {
   ImGui::DockBuilderDockWindow(kSectionTitle, section);
   ImGui::DockBuilderDockWindow(kTimelineTitle, timeline);
   ImGui::DockBuilderDockWindow(kModelsTitle, timeline);
+  ImGui::DockBuilderDockWindow(kProfilerTitle, timeline);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
 }
 

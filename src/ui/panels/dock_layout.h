@@ -13,11 +13,14 @@ inline constexpr const char* kControlsTitle = "Controls";
 inline constexpr const char* kGenerateTitle = "Generate";
 inline constexpr const char* kBarsTitle = "Pressure bars";
 inline constexpr const char* kPlotTitle = "Taxels over travel";
+/// The same panel where it shows time: an arrangement that is kept knows it by the other name.
+inline constexpr const char* kTimePlotTitle = "Taxels over time###Taxels over travel";
 inline constexpr const char* kTimelineTitle = "Timeline";
 inline constexpr const char* kExplainTitle = "Explain";
 inline constexpr const char* kRealTitle = "Real recording";
 inline constexpr const char* kMapTitle = "Taxel map";
 inline constexpr const char* kModelsTitle = "Models";
+inline constexpr const char* kProfilerTitle = "Profiler";
 inline constexpr const char* kStudyTitle = "Study";
 inline constexpr const char* kSectionTitle = "Section";
 inline constexpr const char* kMessagesTitle = "Messages";

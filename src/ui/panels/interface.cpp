@@ -18,6 +18,7 @@
 #include "ui/panels/outliner_panel.h"
 #include "ui/panels/palette_card.h"
 #include "ui/panels/plot_panel.h"
+#include "ui/panels/profiler_panel.h"
 #include "ui/panels/real_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/study_panel.h"
@@ -28,6 +29,7 @@
 #include "ui/panels/video_card.h"
 #include "ui/panels/view_panel.h"
 #include "ui/tools/actions.h"
+#include "ui/tools/camera_follow.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/path_recorder.h"
 #include "ui/widgets/controls.h"
@@ -69,6 +71,7 @@ void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   draw_real_panel(ui, input);
   if (shown.models && ui.mode == Mode::simulate) draw_models_panel(ui, input);
   if (shown.study && ui.mode == Mode::simulate) draw_study_panel(ui, input);
+  if (shown.profiler) draw_profiler_panel(ui, input);
   if (shown.messages) draw_messages_panel(ui);
 }
 
@@ -86,6 +89,7 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_toolbar(ui, input);
   draw_status_line(ui, input);
   draw_dock_space(ui);
+  follow_scene(ui, input);
   draw_panels(ui, input, renderer);
   draw_brush_card(ui, input);
   draw_generate_panel(ui, input);

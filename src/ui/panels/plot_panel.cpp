@@ -147,7 +147,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
 }  // namespace
 
 void draw_plot_panel(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kPlotTitle, &ui.saved.panels.plot)) {
+  if (begin_panel(ui, input.by_travel() ? kPlotTitle : kTimePlotTitle, &ui.saved.panels.plot)) {
     if (input.sensor(ui) == nullptr || !input.frame->trace) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {

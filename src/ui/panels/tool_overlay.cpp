@@ -132,25 +132,29 @@ std::string hint_of(const ToolState& tool) {
   return {};
 }
 
-/// A line of text below the heading of the view; lines go down.
-void draw_line(const UiState& ui, ImDrawList& list, int row, const std::string& text, const ImVec4& color) {
+}  // namespace
+
+float view_line_top(const UiState& ui, int row) {
+  const float line = ImGui::GetFontSize();
+  return std::round(ui.view.rect.y0 + 2.9f * line + 1.7f * line * static_cast<float>(row));
+}
+
+void draw_view_line(const UiState& ui, ImDrawList& list, int row, const std::string& text, const ImVec4& color) {
   const float line = ImGui::GetFontSize();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 at(ui.view.rect.x0 + 0.8f * line,
-                  std::round(ui.view.rect.y0 + 2.9f * line + 1.7f * line * static_cast<float>(row)));
+  const ImVec2 at(ui.view.rect.x0 + 0.8f * line, view_line_top(ui, row));
   list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
                      to_u32(palette(ui.saved.dark).panel, 0.85f), 3);
   list.AddText(at, to_u32(color), text.c_str());
 }
 
-}  // namespace
-
-void draw_tool_overlay(const UiState& ui, const UiInput& input) {
+int draw_tool_overlay(const UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.saved.dark);
   if (ui.mode != Mode::layout) {
-    if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_line(ui, list, 0, hint, colors.text);
-    return;
+    const std::string hint = hint_of(ui.tool);
+    if (!hint.empty()) draw_view_line(ui, list, 0, hint, colors.text);
+    return hint.empty() ? 0 : 1;
   }
   draw_ghost(ui, input, list);
   draw_area(ui, list);
@@ -161,14 +165,16 @@ void draw_tool_overlay(const UiState& ui, const UiInput& input) {
   int row = 0;
   if (ui.measure.on) {
     const char* which = ui.measure.points.size() == 1 ? "second" : "first";
-    draw_line(ui, list, row++, fmt::format("Measure: click on the {} point   Esc ends", which), colors.text);
+    draw_view_line(ui, list, row++, fmt::format("Measure: click on the {} point   Esc ends", which), colors.text);
   }
   if (ui.probe.held) {
-    draw_line(ui, list, row++, "Probe: wheel or drag sets the depth, a click puts it down   Esc ends", colors.text);
+    draw_view_line(ui, list, row++, "Probe: wheel or drag sets the depth, a click puts it down   Esc ends",
+                   colors.text);
   }
-  if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_line(ui, list, row++, hint, colors.text);
+  if (const std::string hint = hint_of(ui.tool); !hint.empty()) draw_view_line(ui, list, row++, hint, colors.text);
   const std::string& problem = ui.tool.problem.empty() ? input.editing.problem : ui.tool.problem;
-  if (!problem.empty()) draw_line(ui, list, row++, problem, colors.error);
+  if (!problem.empty()) draw_view_line(ui, list, row++, problem, colors.error);
+  return row;
 }
 
 }  // namespace taxel::ui

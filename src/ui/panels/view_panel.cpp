@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stopwatch.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/field_legend.h"
 #include "ui/panels/filtered_legend.h"
 #include "ui/panels/probe_panel.h"
+#include "ui/panels/scene_overlay.h"
 #include "ui/panels/tool_overlay.h"
 #include "ui/scene/sample_use.h"
 #include "ui/theme.h"
@@ -30,6 +32,7 @@ void render_if_changed(UiState& ui, const UiInput& input, SceneRenderer& rendere
   const bool same =
       view.drawn && view.width == width && view.height == height && view.camera == ui.camera() && view.input == scene;
   if (same) return;
+  const Stopwatch watch(ui.profile.scene_seconds);
   renderer.render(scene, ui.camera(), width, height);
   const double text_height = static_cast<double>(kSmallText * ImGui::GetFontSize());
   view.numbers = renderer.field_numbers();
@@ -140,7 +143,8 @@ LegendPlace legend_place(const UiState& ui) {
           std::min(17 * line, ui.view.rect.height() - 2 * margin)};
 }
 
-void draw_over_scene(UiState& ui, const UiInput& input) {
+/// Returns the first line below the heading that is free.
+int draw_over_scene(UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_labels(ui, list);
   if (input.model || input.frame) draw_heading(ui, input, list);
@@ -152,7 +156,8 @@ void draw_over_scene(UiState& ui, const UiInput& input) {
   if (const SensorModelPtr model = input.shown_model(ui)) draw_field_legends(ui, ui.view.numbers, *model, bottom);
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
-  draw_tool_overlay(ui, input);
+  const int row = draw_tool_overlay(ui, input);
+  return draw_scene_overlay(ui, input, row);
 }
 
 }  // namespace
@@ -162,6 +167,7 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
   const bool visible =
       begin_panel(ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
+  int free_row = 0;
   const ImVec2 size = ImGui::GetContentRegionAvail();
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
   if (visible && width > 0 && height > 0) {
@@ -181,9 +187,10 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
     list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
-    draw_over_scene(ui, input);
+    free_row = draw_over_scene(ui, input);
   }
   ImGui::End();
+  if (visible) draw_info_card(ui, input, free_row);
   if (!input.model && !input.frame && !input.loading.active) draw_start_card(ui);
   draw_probe_panel(ui, input);
 }

@@ -11,6 +11,7 @@ constexpr double kZoomPerNotch = 0.88;
 constexpr double kNearest = 1e-4, kFarthest = 1e3;  // of `distance` [m]: a tenth of a millimetre to a kilometre
 constexpr double kNearPart = 0.02, kFarPart = 50;   // of `distance`: near and far plane
 constexpr double kFrameMargin = 1.1;
+constexpr double kStraightDown = 1e-13;  // a shorter level part of a unit vector tells no direction
 
 /// Right, up and backward of the view: an orthonormal right-handed basis.
 struct Basis {
@@ -20,7 +21,10 @@ struct Basis {
 Basis basis(const Camera& camera) {
   const double az = glm::radians(camera.azimuth_deg), el = glm::radians(camera.elevation_deg);
   const dvec3 back(std::cos(el) * std::cos(az), std::cos(el) * std::sin(az), std::sin(el));
-  const dvec3 right(-std::sin(az), std::cos(az), 0);
+  const dvec3 level(-std::sin(az), std::cos(az), 0), upright = glm::cross(back, level);
+  if (camera.roll_deg == 0) return {level, upright, back};
+  const double roll = glm::radians(camera.roll_deg);
+  const dvec3 right = std::cos(roll) * level + std::sin(roll) * upright;
   return {right, glm::cross(back, right), back};
 }
 
@@ -87,6 +91,19 @@ void Camera::pan(double dx_pixels, double dy_pixels, int height, bool horizontal
 
 void Camera::zoom(double wheel_notches) {
   distance = std::clamp(distance * std::pow(kZoomPerNotch, wheel_notches), kNearest, kFarthest);
+}
+
+void Camera::look_from(const Pose& X_WC, double depth) {
+  const dmat3 R = X_WC.rotation();
+  const dvec3 &right = R[0], &back = R[2];
+  const double level_part = std::hypot(back.x, back.y);
+  elevation_deg = glm::degrees(std::atan2(back.z, level_part));
+  azimuth_deg = glm::degrees(level_part > kStraightDown ? std::atan2(back.y, back.x) : std::atan2(-right.x, right.y));
+  roll_deg = 0;
+  const Basis unrolled = basis(*this);
+  roll_deg = glm::degrees(std::atan2(glm::dot(right, unrolled.up), glm::dot(right, unrolled.right)));
+  distance = std::clamp(depth, kNearest, kFarthest);
+  target = X_WC.p - distance * back;
 }
 
 void Camera::frame(const Aabb& box_W) {

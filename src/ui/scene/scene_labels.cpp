@@ -8,6 +8,7 @@
 
 #include "ui/scene/draw/model_marks.h"
 #include "ui/scene/scene_cast.h"
+#include "ui/scene/scene_places.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::ui {
@@ -17,8 +18,9 @@ constexpr double kPastTip = 9;   // [pixel]
 constexpr int kManyTaxels = 60;  // more are labelled only where they face the eye
 constexpr std::size_t kMostLabels = 250;
 constexpr double kLetterWidth = 0.62;  // of a digit, parts of its height
-constexpr dvec2 kAround(7, 3);         // background and gap around a label, both sides together [pixel]
-constexpr double kTolerance = 4e-3;    // of the distance: what lies on a body is not hidden by it
+constexpr std::size_t kLettersOfTaxels = 4;
+constexpr dvec2 kAround(7, 3);       // background and gap around a label, both sides together [pixel]
+constexpr double kTolerance = 4e-3;  // of the distance: what lies on a body is not hidden by it
 
 bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W, const dvec3& p_W) {
   const double distance = glm::length(p_W - eye_W);
@@ -57,7 +59,7 @@ std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, 
   return Candidate{&view, k, center, at, tip.z, facing, view.selected(k)};
 }
 
-/// Where labels stand already: cells as large as a label of three digits, so that only neighbours need be looked at.
+/// Where labels stand already: cells as large as the longest label, so that only neighbours need be looked at.
 class Room {
  public:
   Room(dvec2 view, dvec2 cell) : cell_(cell), columns_(static_cast<int>(view.x / cell.x) + 3) {
@@ -103,32 +105,85 @@ std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Ca
   return found;
 }
 
-}  // namespace
+/// Labels of one picture, as long as there is room: those that come first have it.
+class Placed {
+ public:
+  Placed(dvec2 view, dvec2 letter, std::size_t longest)
+      : letter_(letter), room_(view, {static_cast<double>(longest) * letter.x + kAround.x, letter.y + kAround.y}) {}
+  /// Takes the place of a label that is then to be added. False where another one stands.
+  bool take(const SceneLabel& label) {
+    const dvec2 box = dvec2(static_cast<double>(label.text.size()) * letter_.x, letter_.y) + kAround;
+    return labels_.size() < kMostLabels && room_.take(label.pixel, 0.5 * box);
+  }
+  void add(SceneLabel label, double depth) { labels_.emplace_back(depth, std::move(label)); }
+  [[nodiscard]] bool full() const { return labels_.size() >= kMostLabels; }
+  [[nodiscard]] std::vector<SceneLabel> farthest_first() {
+    std::stable_sort(labels_.begin(), labels_.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<SceneLabel> out;
+    for (auto& [depth, label] : labels_) out.push_back(std::move(label));
+    return out;
+  }
 
-std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
-                                     double text_height) {
-  if (!input.overlays.taxel_labels) return {};
+ private:
+  dvec2 letter_;
+  Room room_;
+  std::vector<std::pair<double, SceneLabel>> labels_;
+};
+
+/// A part of the scene in the picture.
+struct NamedPixel {
+  const std::string* name = nullptr;
+  dvec2 pixel{0};
+  double depth = 0;
+};
+
+/// Nearest first.
+std::vector<NamedPixel> named_pixels(const SceneInput& input, const Camera& camera, const dvec2& size) {
+  std::vector<NamedPixel> found;
+  for (const NamedPlace& place : labelled_places(input)) {
+    if (input.clip && input.clip->hides(place.p_W)) continue;
+    const dvec3 pixel = camera.project(place.p_W, static_cast<int>(size.x), static_cast<int>(size.y));
+    const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x <= size.x && pixel.y <= size.y;
+    if (inside) found.push_back({place.name, dvec2(pixel), pixel.z});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const NamedPixel& a, const NamedPixel& b) { return a.depth < b.depth; });
+  return found;
+}
+
+void add_taxels(const SceneInput& input, const Camera& camera, const dvec2& size, Placed& placed) {
   const std::vector<SensorView> views = sensor_views(input);
-  const dvec2 size(width, height), letter(kLetterWidth * text_height, text_height);
-  Room room(size, {4 * letter.x + kAround.x, letter.y + kAround.y});
-  std::vector<std::pair<double, SceneLabel>> found;
   for (const Candidate& c : candidates(views, camera, size, input.clip)) {
-    if (found.size() >= kMostLabels) break;
+    if (placed.full()) return;
     SceneLabel label;
     label.text = fmt::format("{}", c.view->model->layout.taxels[static_cast<std::size_t>(c.taxel)].id);
-    const dvec2 box = dvec2(static_cast<double>(label.text.size()) * letter.x, letter.y) + kAround;
-    if (!room.take(c.pixel, 0.5 * box)) continue;
     label.pixel = c.pixel;
+    if (!placed.take(label)) continue;
     label.occluded = !c.facing || hidden(input, *c.view, camera.eye(), c.center_W);
     label.selected = c.selected;
     label.sensor = c.view->index;
     label.taxel = c.taxel;
-    found.emplace_back(c.depth, std::move(label));
+    placed.add(std::move(label), c.depth);
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<SceneLabel> out;
-  for (auto& [depth, label] : found) out.push_back(std::move(label));
-  return out;
+}
+
+}  // namespace
+
+std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
+                                     double text_height) {
+  const dvec2 size(width, height), letter(kLetterWidth * text_height, text_height);
+  const std::vector<NamedPixel> parts = named_pixels(input, camera, size);
+  std::size_t longest = kLettersOfTaxels;
+  for (const NamedPixel& part : parts) longest = std::max(longest, part.name->size());
+  Placed placed(size, letter, longest);
+  for (const NamedPixel& part : parts) {
+    SceneLabel label;
+    label.text = *part.name;
+    label.pixel = part.pixel;
+    if (placed.take(label)) placed.add(std::move(label), part.depth);
+  }
+  if (input.overlays.taxel_labels) add_taxels(input, camera, size, placed);
+  return placed.farthest_first();
 }
 
 }  // namespace taxel::ui

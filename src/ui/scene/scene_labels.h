@@ -9,16 +9,17 @@
 namespace taxel::ui {
 
 struct SceneLabel {
-  std::string text;       ///< the taxel's id
-  dvec2 pixel{0};         ///< from the upper left corner of the view: just past the tip of the taxel's arrow
+  std::string text;  ///< the taxel's id, or the name of a part of the scene
+  dvec2 pixel{0};  ///< from the upper left corner of the view: past the tip of a taxel's arrow, on the place of a part
   bool occluded = false;  ///< the taxel faces away, or something solid stands before it
   bool selected = false;
-  int sensor = 0, taxel = 0;  ///< taxel in layout order
+  int sensor = 0, taxel = -1;  ///< taxel in layout order; -1: of a part
 };
 
 /// Labels of the taxels in the view, farthest first: as many as have room beside each other when the selected one comes
 /// first, then those that face the eye, in an order that does not change with the camera. Of many taxels only those in
-/// sight have one. `text_height` [pixel] is that of a digit's line. Empty where overlays.taxel_labels is off.
+/// sight have one: where overlays.taxel_labels is on. Parts that overlays.labels asks for come before all taxels, the
+/// nearest first. `text_height` [pixel] is that of a digit's line.
 /// O(taxels), and a ray for each label.
 std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
                                      double text_height = 12);

@@ -7,6 +7,7 @@
 #include "ui/scene/draw/ambient_occlusion.h"
 #include "ui/scene/draw/backdrop.h"
 #include "ui/scene/draw/cuts.h"
+#include "ui/scene/draw/frame_marks.h"
 #include "ui/scene/draw/gizmo_marks.h"
 #include "ui/scene/draw/gpu_mesh.h"
 #include "ui/scene/draw/ground.h"
@@ -147,6 +148,7 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   if (input.overlays.wireframe) meshes.draw_wires(list, look, segments, clipped);
   if (clipped) cuts.draw(list.skins, look.cut_alpha, *input.clip, camera, look, segments);
   sensors.draw(input, camera, look, target->height(), segments, points);
+  draw_frame_marks(input, look, segments);
   draw_hand_marks(input, camera, look, segments, points);
   set_clipped(false);
 }

@@ -14,6 +14,7 @@
 #include "ui/scene/clip_plane.h"
 #include "ui/scene/field_numbers.h"
 #include "ui/scene/geometry/shown_fields.h"
+#include "ui/scene/marks_shown.h"
 #include "ui/scene/measured.h"
 #include "ui/scene/pressed_probe.h"
 #include "ui/scene/shown_path.h"
@@ -51,13 +52,19 @@ struct Overlays {
   bool grid = true;
   bool constraints = true;  // points that welds and connections hold together
   bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
-  std::array<bool, 6> geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
+  GroupsShown geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
+  GroupsShown site_groups{true, true, true, false, false, false};  // [Shift+0] to [Shift+5], likewise
+  FramesShown frames = FramesShown::none;                          // [F6]
+  LabelsShown labels = LabelsShown::none;                          // [F7]
   bool operator==(const Overlays&) const = default;
 };
 
 /// Whether a geom is drawn. A sensor is, whatever the group of its geom.
 [[nodiscard]] inline bool shows(const Overlays& show, const SceneGeom& geom) {
   return geom.sensor >= 0 || show.geom_groups.at(static_cast<std::size_t>(geom.group));
+}
+[[nodiscard]] inline bool shows(const Overlays& show, const SceneSite& site) {
+  return site.mesh && show.site_groups.at(static_cast<std::size_t>(site.group));
 }
 
 /// Of the maps that are on, the one that says most.

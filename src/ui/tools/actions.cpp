@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ui/panels/dock_layout.h"
-#include "ui/tools/camera_tool.h"
+#include "ui/tools/camera_follow.h"
 #include "ui/tools/edit_actions.h"
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
@@ -16,6 +16,7 @@
 #include "ui/tools/perturb_tool.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/tools/time_actions.h"
+#include "ui/tools/view_actions.h"
 #include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
@@ -24,59 +25,8 @@ namespace {
 
 /// The switch that an action turns, or null.
 bool* switch_of(Action action, SavedState& saved) {
+  if (bool* overlay = overlay_switch(action, saved.overlays)) return overlay;
   switch (action) {
-    case Action::toggle_transparent:
-      return &saved.overlays.sensor_transparent;
-    case Action::toggle_wireframe:
-      return &saved.overlays.wireframe;
-    case Action::toggle_rays:
-      return &saved.overlays.rays;
-    case Action::toggle_all_rays:
-      return &saved.overlays.all_rays;
-    case Action::toggle_contact:
-      return &saved.overlays.contact_surface;
-    case Action::toggle_contact_edges:
-      return &saved.overlays.contact_edges;
-    case Action::toggle_tractions:
-      return &saved.overlays.tractions;
-    case Action::toggle_skin:
-      return &saved.overlays.readings_on_skin;
-    case Action::toggle_ghost:
-      return &saved.overlays.ghost;
-    case Action::toggle_filtered:
-      return &saved.overlays.filtered_polygons;
-    case Action::toggle_samples:
-      return &saved.overlays.samples;
-    case Action::toggle_normals:
-      return &saved.overlays.sample_normals;
-    case Action::toggle_taxels:
-      return &saved.overlays.taxels;
-    case Action::toggle_labels:
-      return &saved.overlays.taxel_labels;
-    case Action::toggle_fields:
-      return &saved.overlays.receptive_fields;
-    case Action::toggle_fields_filled:
-      return &saved.overlays.fields_filled;
-    case Action::toggle_fields_compared:
-      return &saved.overlays.fields_compared;
-    case Action::toggle_coverage:
-      return &saved.overlays.coverage;
-    case Action::toggle_normal_angles:
-      return &saved.overlays.normal_angles;
-    case Action::toggle_path:
-      return &saved.overlays.path;
-    case Action::toggle_grid:
-      return &saved.overlays.grid;
-    case Action::toggle_constraints:
-      return &saved.overlays.constraints;
-    case Action::toggle_group_0:
-    case Action::toggle_group_1:
-    case Action::toggle_group_2:
-    case Action::toggle_group_3:
-    case Action::toggle_group_4:
-    case Action::toggle_group_5:
-      return &saved.overlays.geom_groups.at(static_cast<std::size_t>(action) -
-                                            static_cast<std::size_t>(Action::toggle_group_0));
     case Action::toggle_outliner:
       return &saved.panels.outliner;
     case Action::toggle_taxel_table:
@@ -105,6 +55,10 @@ bool* switch_of(Action action, SavedState& saved) {
       return &saved.panels.messages;
     case Action::toggle_mesh_report:
       return &saved.panels.mesh_report;
+    case Action::toggle_info:
+      return &saved.panels.info;
+    case Action::toggle_profiler:
+      return &saved.panels.profiler;
     case Action::help:
       return &saved.panels.help;
     default:
@@ -127,10 +81,12 @@ void escape(UiState& ui) {
     leave_probe(ui);
   } else if (ui.path.held) {
     cancel_way_point_drag(ui);
-  } else {
+  } else if (ui.path.selected >= 0 || !ui.selection.taxels.empty() || ui.selection.body >= 0) {
     ui.path.selected = -1;
     ui.selection.clear();
     deselect_body(ui);
+  } else {
+    free_camera(ui);
   }
 }
 
@@ -160,6 +116,9 @@ bool perform_on_interface(Action action, UiState& ui) {
     case Action::walk_panels:
       enter_panel(ui, kInspectorTitle);
       return true;
+    case Action::walk_panels_back:
+      enter_panel(ui, kTaxelsTitle);
+      return true;
     case Action::palette:
       ui.palette = {};
       ui.palette.open = ui.palette.wants_focus = true;
@@ -181,6 +140,9 @@ bool perform_on_interface(Action action, UiState& ui) {
       return true;
     case Action::scale_reset:
       ui.saved.scale = 1.0f;
+      return true;
+    case Action::full_screen:
+      ui.full_screen = !ui.full_screen;
       return true;
     case Action::reset_arrangement:
       ui.saved.panels = PanelsShown{};
@@ -232,7 +194,7 @@ void open_dialog(UiState& ui) {
 void perform(Action action, UiState& ui, const UiInput& input) {
   if (action == Action::escape && input.video.active) return ui.ask(CancelVideo{});
   if (!is_enabled(action, ui, input) || perform_on_interface(action, ui) || perform_edit(action, ui, input) ||
-      perform_in_time(action, ui, input))
+      perform_in_time(action, ui, input) || perform_on_view(action, ui, input))
     return;
   switch (action) {
     case Action::open_file:
@@ -277,18 +239,6 @@ void perform(Action action, UiState& ui, const UiInput& input) {
     case Action::measure:
       toggle_measure(ui, input);
       break;
-    case Action::toggle_clip:
-      toggle_clip(ui, input);
-      break;
-    case Action::flip_clip:
-      ui.clip = ui.clip->flipped();
-      break;
-    case Action::frame_all:
-      ui.camera().frame(scene_box(ui, input));
-      break;
-    case Action::frame_selection:
-      ui.camera().frame(selection_box(ui, input));
-      break;
     default:
       break;
   }
@@ -302,6 +252,9 @@ bool is_checked(Action action, const UiState& ui) {
   if (action == Action::measure) return ui.measure.on;
   if (action == Action::toggle_clip) return ui.clip.has_value();
   if (action == Action::mode_layout) return ui.mode == Mode::layout;
+  if (action == Action::full_screen) return ui.full_screen;
+  if (action == Action::cycle_frames) return ui.saved.overlays.frames != FramesShown::none;
+  if (action == Action::cycle_labels) return ui.saved.overlays.labels != LabelsShown::none;
   if (action == Action::mode_simulate) return ui.mode == Mode::simulate;
   SavedState saved = ui.saved;
   const bool* value = switch_of(action, saved);
@@ -309,6 +262,7 @@ bool is_checked(Action action, const UiState& ui) {
 }
 
 bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
+  if (const std::optional<bool> view = is_view_enabled(action, ui, input)) return *view;
   switch (action) {
     case Action::play_pause:
     case Action::step_forward:
@@ -334,16 +288,8 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::probe:
     case Action::measure:
       return can_probe(ui, input);
-    case Action::toggle_clip:
-      return !scene_box(ui, input).empty();
-    case Action::flip_clip:
-      return ui.clip.has_value();
     case Action::reload_file:
       return !input.file.empty();
-    case Action::frame_all:
-      return !scene_box(ui, input).empty();
-    case Action::frame_selection:
-      return !selection_box(ui, input).empty();
     default:
       return is_edit_enabled(action, ui, input);
   }

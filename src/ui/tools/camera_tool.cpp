@@ -8,6 +8,7 @@
 #include "ui/scene/gizmo.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/brush.h"
+#include "ui/tools/camera_follow.h"
 #include "ui/tools/explain_tool.h"
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
@@ -34,6 +35,7 @@ void include_mesh(Aabb& box, const TriMesh& mesh, const Pose& X_WM) {
 constexpr double kReach = 12;
 
 void drag_camera(UiState& ui) {
+  if (looks_through_camera(ui)) return;
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) ui.camera().orbit(io.MouseDelta.x, io.MouseDelta.y);
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Right)) {
@@ -67,7 +69,7 @@ void turn_wheel(UiState& ui, const UiInput& input, double notches) {
     resize_by_wheel(ui, input, notches);
   } else if (ImGui::GetIO().KeyShift) {
     move_clip(ui, input, notches);
-  } else {
+  } else if (!looks_through_camera(ui)) {
     ui.camera().zoom(notches);
   }
 }
@@ -90,6 +92,13 @@ void select_under(UiState& ui, const UiInput& input, const std::optional<Pick>& 
   } else if (!shift) {
     ui.selection.clear();
   }
+}
+
+/// With Ctrl the camera goes along with what it centres on.
+void centre_on(UiState& ui, const UiInput& input, const Pick& under) {
+  if (ImGui::GetIO().KeyCtrl && simulated(ui, input)) return track_body(ui, input, under);
+  free_camera(ui);
+  ui.camera().target = under.position_W;
 }
 
 }  // namespace
@@ -194,15 +203,15 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
   if (hovered && io.MouseWheel != 0) turn_wheel(ui, input, static_cast<double>(io.MouseWheel));
   if (handle_tool_mouse(ui, input, x, y, hovered)) return;
   if (handle_path_mouse(ui, input, x, y, hovered)) return;
-  if (handle_perturb_mouse(ui, input, x, y, hovered)) return;
+  const bool centre = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right);
+  if (!centre && handle_perturb_mouse(ui, input, x, y, hovered)) return;
   if (ImGui::IsItemActive()) drag_camera(ui);
   if (!hovered) return;
   const int axis =
       gizmo_hit(ui.camera(), dvec2(x, y) / ui.pixel_scale, dvec2(ui.view.width, ui.view.height) / ui.pixel_scale);
   const bool left = clicked_in_place(ImGuiMouseButton_Left);
-  const bool centre = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right);
   if (axis >= 0) {
-    if (left) look_from_axis(ui.camera(), axis);
+    if (left) free_camera(ui), look_from_axis(ui.camera(), axis);
     return;
   }
   if (left && (io.KeyCtrl || ui.tool.tool == Tool::place) && can_edit(ui, input)) {
@@ -216,7 +225,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
       pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
   if (left) select_under(ui, input, under);
   if (body) select_body(ui, input, under);
-  if (centre && under) ui.camera().target = under->position_W;
+  if (centre && under) centre_on(ui, input, *under);
   if (resting) ui.hovered = under;
 }
 

@@ -11,6 +11,7 @@ struct PerturbState {
   int geom = -1;                             ///< of SimScene::geoms, on which the selected body was clicked
   dvec3 point_G{0};                          ///< where
   Perturb::Kind kind = Perturb::Kind::none;  ///< while a button holds it
+  int button = 0;                            ///< that one
   std::uint64_t grip = 0;                    ///< counts how often it was taken hold of
   dvec2 start{0};                            ///< of the pointer then [pixels of the view]
   dvec3 grabbed_W{0};                        ///< the point then

@@ -8,12 +8,13 @@ namespace taxel::ui {
 
 namespace {
 
-/// A geom of a sensor is drawn from its model: it is found by the sensor's number.
-int picked_geom(const SimScene& scene, const Pick& pick) {
-  if (pick.geom >= 0) return pick.geom;
-  for (std::size_t g = 0; g < scene.geoms.size(); ++g)
-    if (pick.sensor >= 0 && scene.geoms[g].sensor == pick.sensor) return static_cast<int>(g);
-  return -1;
+/// Away from the eye along the ground; of a camera that looks straight down or up, where the top of its picture is.
+dvec3 level_direction(const Camera& camera, const dvec3& forward) {
+  constexpr double kStraight = 1e-6;
+  const glm::dmat4 view = camera.view();
+  dvec3 level(forward.x, forward.y, 0);
+  if (glm::length(level) < kStraight) level = dvec3(view[0][1], view[1][1], 0);
+  return glm::normalize(level);
 }
 
 bool can_hold(const UiState& ui, const UiInput& input) {
@@ -31,6 +32,13 @@ void ask_perturb(UiState& ui, Perturb perturb) {
 }
 
 }  // namespace
+
+int picked_geom(const SimScene& scene, const Pick& pick) {
+  if (pick.geom >= 0) return pick.geom;
+  for (std::size_t g = 0; g < scene.geoms.size(); ++g)
+    if (pick.sensor >= 0 && scene.geoms[g].sensor == pick.sensor) return static_cast<int>(g);
+  return -1;
+}
 
 void deselect_body(UiState& ui) {
   if (ui.perturb.kind != Perturb::Kind::none) ask_perturb(ui, {});
@@ -55,7 +63,7 @@ void select_body(UiState& ui, const UiInput& input, const std::optional<Pick>& u
 Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Perturb::Kind kind, bool level,
                      const dvec3& grabbed_W) {
   const dvec3 forward = glm::normalize(camera.target - camera.eye()), up(0, 0, 1);
-  const dvec3 right = glm::normalize(glm::cross(forward, up)), ahead = glm::cross(up, right);
+  const dvec3 ahead = level_direction(camera, forward), right = glm::cross(ahead, up);
   Perturb perturb;
   perturb.kind = kind;
   if (kind == Perturb::Kind::pull) {
@@ -73,9 +81,8 @@ Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Pert
 bool handle_perturb_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   PerturbState& state = ui.perturb;
-  const bool turns = state.kind == Perturb::Kind::turn;
   const bool holds = state.kind != Perturb::Kind::none;
-  if (holds && can_hold(ui, input) && ImGui::IsMouseDown(turns ? ImGuiMouseButton_Left : ImGuiMouseButton_Right)) {
+  if (holds && can_hold(ui, input) && ImGui::IsMouseDown(state.button)) {
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
       Perturb perturb = dragged_body(ui.camera(), ui.view.height, dvec2(x, y) - state.start, state.kind, io.KeyShift,
                                      state.grabbed_W);
@@ -91,7 +98,8 @@ bool handle_perturb_mouse(UiState& ui, const UiInput& input, double x, double y,
   }
   const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left), right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   if (!hovered || !io.KeyCtrl || !(left || right) || !can_hold(ui, input)) return false;
-  state.kind = left ? Perturb::Kind::turn : Perturb::Kind::pull;
+  state.kind = left && !io.KeyAlt ? Perturb::Kind::turn : Perturb::Kind::pull;
+  state.button = left ? ImGuiMouseButton_Left : ImGuiMouseButton_Right;
   ++state.grip;
   state.start = {x, y};
   state.grabbed_W = input.frame->geom_poses[static_cast<std::size_t>(state.geom)] * state.point_G;

@@ -6,6 +6,9 @@
 
 namespace taxel::ui {
 
+/// The geom that was picked, also where it is a sensor's and drawn from its model; -1: none.
+[[nodiscard]] int picked_geom(const SimScene& scene, const Pick& pick);
+
 /// Selects the body under the pointer, and where it would be grabbed; the world, or nothing: none.
 void select_body(UiState& ui, const UiInput& input, const std::optional<Pick>& under);
 void deselect_body(UiState& ui);
@@ -16,7 +19,7 @@ void deselect_body(UiState& ui);
 [[nodiscard]] Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Perturb::Kind kind,
                                    bool level, const dvec3& grabbed_W);
 
-/// Ctrl+left-drag turns, Ctrl+right-drag pulls, Shift: level. True: the mouse is taken.
+/// Ctrl+left-drag turns, Ctrl+right-drag and Ctrl+Alt+left-drag pull, Shift: level. True: the mouse is taken.
 bool handle_perturb_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
 
 }  // namespace taxel::ui

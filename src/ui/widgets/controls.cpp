@@ -66,13 +66,19 @@ bool lies_on_its_color(const char* title) {
          ImGui::DockNodeGetRootNode(window->DockNode)->IsDockSpace();
 }
 
+/// What of a title is seen.
+std::string_view shown_part(const char* title) {
+  const std::string_view whole(title);
+  return whole.substr(0, whole.find("##"));
+}
+
 }  // namespace
 
 bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
   if (lies_on_its_color(title)) ImGui::SetNextWindowBgAlpha(0);
   // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was. Not while a field of
   // the panel is typed in, or the keyboard walks through it: then Tab goes to the next one.
-  if (ui.fields.keyboard_panel != title) flags |= ImGuiWindowFlags_NoNavInputs;
+  if (ui.fields.keyboard_panel != shown_part(title)) flags |= ImGuiWindowFlags_NoNavInputs;
   if (open != nullptr && open == ui.opened_panel) {  // in a stack of tabs it would open behind another
     ImGui::SetNextWindowFocus();
     ui.opened_panel = nullptr;

@@ -31,6 +31,12 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.2f} ms", 1e3 * seconds);
 }
 
+std::string bytes_text(double bytes) {
+  if (bytes < 1e3) return fmt::format("{:.0f} bytes", bytes);
+  const bool giga = bytes >= 1e9, mega = bytes >= 1e6;
+  return fmt::format("{:.3g} {}", bytes * (giga ? 1e-9 : mega ? 1e-6 : 1e-3), giga ? "GB" : mega ? "MB" : "kB");
+}
+
 std::string in_kpa(double pascals) {
   return fmt::format("{:.2f} kPa", 1e-3 * pascals);
 }

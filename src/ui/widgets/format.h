@@ -11,6 +11,7 @@ std::string in_mm(double metres, int digits = 2);        ///< "6.00 mm"
 std::string in_mm(const dvec3& metres, int digits = 2);  ///< "1.00, 2.00, 3.00 mm"
 std::string in_mm2(double square_metres);                ///< "94.2 mm\u00b2"; large areas in cm\u00b2
 std::string duration_text(double seconds);               ///< "312 \u00b5s", "1.24 ms": of a step
+std::string bytes_text(double bytes);                    ///< "12.3 kB", "4.56 MB"
 std::string in_kpa(double pascals);                      ///< "12.34 kPa"; four significant digits at most
 /// How readings are shown.
 struct ReadingUnit {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random_pose.h"
 #include "core/base/rng.h"
 
 namespace taxel::ui {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 800, kHeight = 560;
 
-Camera random_camera(int number) {
+Camera random_camera(int number, bool rolled = false) {
   const CounterRng rng(7, static_cast<std::uint64_t>(number));
   Camera camera;
   camera.target = {rng.uniform(0) - 0.5, rng.uniform(1) - 0.5, rng.uniform(2) - 0.5};
@@ -17,12 +18,13 @@ Camera random_camera(int number) {
   camera.elevation_deg = 178 * rng.uniform(4) - 89;
   camera.distance = 0.01 + rng.uniform(5);
   camera.fov_deg = 20 + 60 * rng.uniform(6);
+  if (rolled) camera.roll_deg = 360 * rng.uniform(7) - 180;
   return camera;
 }
 
 TEST(Camera, PixelRayIsTheInverseOfProject) {
   for (int i = 0; i < 200; ++i) {
-    const Camera camera = random_camera(i);
+    const Camera camera = random_camera(i, i % 2 != 0);
     const CounterRng rng(8, static_cast<std::uint64_t>(i));
     const dvec2 pixel(kWidth * rng.uniform(0), kHeight * rng.uniform(1));
     const Ray ray = camera.pixel_ray(pixel.x, pixel.y, kWidth, kHeight);
@@ -35,9 +37,26 @@ TEST(Camera, PixelRayIsTheInverseOfProject) {
   }
 }
 
+TEST(Camera, LooksFromAnyPose) {
+  for (int i = 0; i < 200; ++i) {
+    const CounterRng rng(11, static_cast<std::uint64_t>(i));
+    Pose X_WC = random_pose(11, i, 1);
+    if (i % 4 == 0) X_WC.q = glm::angleAxis(360 * rng.uniform(7), dvec3(0, 0, 1));  // straight down
+    if (i % 4 == 1) X_WC.q = glm::angleAxis(kPi, dvec3(0, 1, 0)) * glm::angleAxis(rng.uniform(7), dvec3(0, 0, 1));
+    const double depth = 0.01 + rng.uniform(8);
+    Camera camera;
+    camera.look_from(X_WC, depth);
+    const glm::dmat4 pose = glm::inverse(camera.view());
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(glm::distance(dvec3(pose[axis]), X_WC.rotation()[axis]), 0, 1e-12) << i;
+    EXPECT_NEAR(glm::distance(dvec3(pose[3]), X_WC.p), 0, 1e-12);
+    EXPECT_NEAR(glm::distance(camera.target, X_WC * dvec3(0, 0, -depth)), 0, 1e-12);
+  }
+}
+
 TEST(Camera, ProjectAgreesWithTheMatricesThatGlGets) {
   for (int i = 0; i < 200; ++i) {
-    const Camera camera = random_camera(i);
+    const Camera camera = random_camera(i, i % 2 != 0);
     const CounterRng rng(9, static_cast<std::uint64_t>(i));
     const Ray ray = camera.pixel_ray(kWidth * rng.uniform(0), kHeight * rng.uniform(1), kWidth, kHeight);
     const dvec3 p = ray.origin + camera.distance * (0.5 + rng.uniform(2)) * ray.direction;

@@ -37,7 +37,8 @@ TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
   layout["sampling"]["density"] = 1e6;
   std::filesystem::copy_file(kMeshFile, here / "own.obj");
   write_text(here / "own.taxels.json", layout.dump());
-  studio.play(saved_at(1.2, (here / "press").string()), {"here/own.taxels.json"});
+  const std::string nearer = R"({"event": "wheel", "at": {"widget": "View"}, "y": 3})";
+  studio.play(joined({{nearer}, saved_at(1.2, (here / "press").string())}), {"here/own.taxels.json"});
   const std::string file = (elsewhere / "press").string();
   std::filesystem::copy_file(here / "press.taxelframe", file + ".taxelframe");
   std::filesystem::remove_all(here);
@@ -45,6 +46,7 @@ TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
   const Json saved = studio.state("saved.json"), opened = studio.state("opened.json");
   EXPECT_GT(saved["polygons"].size(), 50U);
   EXPECT_EQ(of_the_step(opened), of_the_step(saved));
+  EXPECT_EQ(opened["camera"], saved["camera"]);
   EXPECT_EQ(opened["mode"], "simulate");
   const std::string bytes = file_text(file + ".taxelframe");
   EXPECT_NE(bytes.find("state.json"), std::string::npos);

@@ -30,7 +30,8 @@ const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.j
 
 /// What a gesture in the view may not touch.
 Json untouched(Json state) {
-  for (const char* part : {"camera", "clicks", "taxels", "samples", "polygons", "pace"}) state.erase(part);
+  for (const char* part : {"camera", "clicks", "taxels", "samples", "polygons", "labels", "pace", "profile"})
+    state.erase(part);
   return state;
 }
 

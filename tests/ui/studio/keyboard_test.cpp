@@ -100,11 +100,32 @@ TEST(Keyboard, TabGoesFromFieldToField) {
 
 TEST(Keyboard, TabGoesIntoTheInspectorAndEscBackToTheTableOfKeys) {
   const StudioProgram studio;
-  studio.play(
-      {kLayoutMode, kIdle, click(taxel(3)),     kIdle, key("Tab"), kIdle, dump("entered.json"), key("Tab"), kIdle,
-       type("77"),  kIdle, key("Enter"),        kIdle, key("Esc"), kIdle, dump("left.json"),    key("w"),   kIdle,
-       key("Esc"),  kIdle, dump("cleared.json")},
-      {kLayoutFile});
+  studio.play({kLayoutMode,
+               kIdle,
+               click(taxel(3)),
+               kIdle,
+               key("Tab"),
+               kIdle,
+               dump("entered.json"),
+               key("Tab"),
+               kIdle,
+               type("77"),
+               kIdle,
+               key("Enter"),
+               kIdle,
+               key("Esc"),
+               kIdle,
+               dump("left.json"),
+               key("w"),
+               kIdle,
+               key("Esc"),
+               kIdle,
+               dump("cleared.json"),
+               key("Tab", kShift),
+               kIdle,
+               dump("table.json")},
+              {kLayoutFile});
+  EXPECT_EQ(studio.state("table.json")["keyboard"], "Taxels");
   EXPECT_EQ(studio.state("entered.json")["keyboard"], "Inspector");
   EXPECT_EQ(studio.state("left.json")["keyboard"], "");
   EXPECT_EQ(studio.state("left.json")["selection"]["taxels"], Json({77})) << "the first field is the id's";

@@ -65,6 +65,10 @@ class NpzReader {
   std::map<std::string, Array> arrays_;
 };
 
+/// A member that is no array, under its whole name; empty where there is none. Throws Error where the archive cannot be
+/// read.
+std::string read_archive_member(const std::filesystem::path& path, const std::string& name);
+
 /// Arrays over n rows: time, travel (n), step (n, index into the mocap arrays), object_pos (n, m, 3), object_quat (n,
 /// m, 4) of the m geoms named in object_names; per sensor force (n, 3), area, polygons (n), readings (n, taxels),
 /// readings_unit, sensor_pos (n, 3), sensor_quat (n, 4), taxel_ids, taxel_names, layout (JSON text), seed, and where

@@ -87,6 +87,13 @@ std::size_t element_size(const std::string& type) {
 
 }  // namespace
 
+std::string read_archive_member(const std::filesystem::path& path, const std::string& name) {
+  const std::string file = path.string();
+  const Archive archive = open_archive(file);
+  const zip_int64_t member = zip_name_locate(archive.get(), name.c_str(), ZIP_FL_ENC_UTF_8);
+  return member < 0 ? "" : member_bytes(archive.get(), static_cast<zip_uint64_t>(member), file, name);
+}
+
 NpzReader::NpzReader(const std::filesystem::path& path) : file_(path.string()) {
   const Archive archive = open_archive(file_);
   const zip_int64_t members = zip_get_num_entries(archive.get(), 0);

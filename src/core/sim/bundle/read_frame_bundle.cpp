@@ -46,7 +46,7 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
     for (std::size_t k = 0; k < 4; ++k) geom.rgba[k] = static_cast<float>(rgba[4 * g + k]);
     geom.plane = plane[g] != 0;
     geom.sensor = index_of(in, "geom_sensor", sensor[g], -1, scene.sensor_geoms.size());
-    geom.group = index_of(in, "geom_group", group[g], 0, 6);
+    geom.group = index_of(in, "geom_group", group[g], 0, kSceneGroups);
     const int number = index_of(in, "geom_mesh", mesh[g], -1, meshes.size());
     if (number >= 0) geom.mesh = meshes[static_cast<std::size_t>(number)];
     frame.geom_poses.push_back(pose_of_row(positions, quaternions, g));

@@ -239,7 +239,8 @@ std::size_t largest_surface_size(const ContactSurface& surface) {
 
 std::size_t largest_packed_size(const StepView& view) {
   std::size_t size =
-      3 * sizeof(std::uint32_t) + view.geom_poses.size() * sizeof(Pose) + view.held.size() * sizeof(HeldPoints);
+      5 * sizeof(std::uint32_t) + view.held.size() * sizeof(HeldPoints) + sizeof(StepFacts) +
+      (view.geom_poses.size() + view.mark_poses.bodies.size() + view.mark_poses.cameras.size()) * sizeof(Pose);
   for (const SensorView& sensor : view.sensors) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
             sensor.motions.size() * sizeof(SurfaceMotion);
@@ -253,8 +254,13 @@ std::size_t pack_step(const StepView& view, std::byte* to) {
   sink.put(count(view.geom_poses.size()));
   sink.put(count(view.sensors.size()));
   sink.put(count(view.held.size()));
+  sink.put(count(view.mark_poses.bodies.size()));
+  sink.put(count(view.mark_poses.cameras.size()));
   sink.put_all(view.geom_poses);
   sink.put_all(view.held);
+  sink.put_all(view.mark_poses.bodies);
+  sink.put_all(view.mark_poses.cameras);
+  sink.put(view.facts);
   for (std::size_t s = 0; s < view.sensors.size(); ++s) put_sensor(view.sensors[s], view.scene->sensors[s], sink);
   return static_cast<std::size_t>(sink.end() - to);
 }
@@ -262,9 +268,13 @@ std::size_t pack_step(const StepView& view, std::byte* to) {
 void unpack_step(const std::byte* from, SimFrame& frame) {
   Source source(from);
   const auto geoms = source.take<std::uint32_t>(), sensors = source.take<std::uint32_t>();
-  const auto held = source.take<std::uint32_t>();
+  const auto held = source.take<std::uint32_t>(), bodies = source.take<std::uint32_t>();
+  const auto cameras = source.take<std::uint32_t>();
   source.take_all(frame.geom_poses, geoms);
   source.take_all(frame.held, held);
+  source.take_all(frame.mark_poses.bodies, bodies);
+  source.take_all(frame.mark_poses.cameras, cameras);
+  frame.facts = source.take<StepFacts>();
   frame.sensors.resize(sensors);
   for (std::size_t s = 0; s < frame.sensors.size(); ++s) take_sensor(source, frame.scene->sensors[s], frame.sensors[s]);
 }

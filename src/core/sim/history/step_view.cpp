@@ -12,6 +12,8 @@ void fill_but_hits(const StepView& now, SimFrame& frame) {
   frame.finished = now.finished;
   frame.geom_poses = now.geom_poses;
   frame.held = now.held;
+  frame.mark_poses = now.mark_poses;
+  frame.facts = now.facts;
   frame.sensors.resize(now.sensors.size());
   for (std::size_t i = 0; i < now.sensors.size(); ++i) {
     const SensorView& sensor = now.sensors[i];
@@ -56,7 +58,8 @@ void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits) {
 }
 
 StepView view_of(const SimFrame& frame) {
-  StepView view{frame.scene, frame.step, frame.time, frame.travel, frame.finished, frame.geom_poses, {}, frame.held};
+  StepView view{frame.scene,      frame.step, frame.time, frame.travel,     frame.finished,
+                frame.geom_poses, {},         frame.held, frame.mark_poses, frame.facts};
   for (const SensorFrameState& state : frame.sensors) {
     SensorView& sensor = view.sensors.emplace_back();
     sensor.X_WM = state.X_WM;

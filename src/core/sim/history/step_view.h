@@ -30,6 +30,8 @@ struct StepView {
   std::vector<Pose> geom_poses;
   std::vector<SensorView> sensors;
   std::vector<HeldPoints> held;
+  MarkPoses mark_poses;
+  StepFacts facts;
 };
 
 /// Copies what a viewer needs. Keeps the memory of `frame`.

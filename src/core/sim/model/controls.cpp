@@ -104,7 +104,8 @@ dvec3 anchor(const mjModel& m, const mjData& d, int equality, int side) {
 SceneControls scene_controls(const mjModel& m) {
   SceneControls controls;
   for (int b = 0; b < m.nbody; ++b)
-    controls.bodies.push_back({body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0});
+    controls.bodies.push_back(
+        {body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0, m.body_parentid[b]});
   for (int a = 0; a < m.nu; ++a)
     controls.actuators.push_back({object_name(m, mjOBJ_ACTUATOR, a, "actuator"),
                                   range_of(m.actuator_ctrllimited[a] != 0, m.actuator_ctrlrange + 2 * a)});

@@ -36,8 +36,7 @@ Pose mesh_file_pose(const mjModel& m, int geom) {
   return Pose{quat(m.mesh_quat + 4 * mesh), vec3(m.mesh_pos + 3 * mesh)}.inverse();
 }
 
-TriMesh compiled_mesh(const mjModel& m, int geom) {
-  const int mesh = m.geom_dataid[geom];
+TriMesh mesh_triangles(const mjModel& m, int mesh) {
   const float* v = m.mesh_vert + 3 * m.mesh_vertadr[mesh];
   const int* f = m.mesh_face + 3 * m.mesh_faceadr[mesh];
   PolygonSoup soup;
@@ -45,6 +44,10 @@ TriMesh compiled_mesh(const mjModel& m, int geom) {
   for (int i = 0; i < m.mesh_facenum[mesh]; ++i) soup.triangles.emplace_back(f[3 * i], f[3 * i + 1], f[3 * i + 2]);
   std::vector<std::string> notes;
   return weld(soup, dvec3(1), notes);
+}
+
+TriMesh compiled_mesh(const mjModel& m, int geom) {
+  return mesh_triangles(m, m.geom_dataid[geom]);
 }
 
 TriMesh height_field_mesh(const mjModel& m, int geom) {

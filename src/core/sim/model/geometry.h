@@ -29,6 +29,9 @@ Pose geom_pose(const mjModel& m, const mjData& d, int geom);
 /// geom without a mesh. `refpos` and `refquat` of an asset are not in the model and must be left at their defaults.
 Pose mesh_file_pose(const mjModel& m, int geom);
 
+/// The triangles of a mesh asset, in the frame that it was compiled to; as compiled_mesh().
+TriMesh mesh_triangles(const mjModel& m, int mesh);
+
 /// The triangles of a mesh geom, frame G; vertices at one place welded, faces without area dropped.
 TriMesh compiled_mesh(const mjModel& m, int geom);
 

@@ -13,6 +13,10 @@ namespace taxel {
 /// function shows the mesh that MuJoCo made of it.
 TriMeshPtr drawn_mesh(const mjModel& m, int geom);
 
+/// The same of MuJoCo's shapes that need no more than a size (mjtGeom): sphere, capsule, cylinder, ellipsoid, box; else
+/// null.
+TriMeshPtr drawn_primitive(int type, const dvec3& size);
+
 /// Every geom that is not fully transparent, in model order; `geoms` gets its number in the model.
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms);
 

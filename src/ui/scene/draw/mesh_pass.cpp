@@ -2,6 +2,7 @@
 
 #include "ui/gl/state.h"
 #include "ui/scene/draw/mark_state.h"
+#include "ui/scene/scene_places.h"
 
 namespace taxel::ui {
 namespace {
@@ -31,6 +32,18 @@ void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& inpu
   if (item.selected) item.outline = look.selection;
 }
 
+/// Sites mark places: they cast no shadow, and those that MJCF has transparent hide nothing.
+void add_sites(const SceneInput& input, const Look& look, MeshCache& cache, MeshList& list) {
+  for (const SceneSite& site : input.frame->scene->marks.sites) {
+    const std::optional<Pose> X_WS = site_pose(*input.frame, site);
+    if (!X_WS || !shows(input.overlays, site)) continue;
+    const glm::vec3 albedo = linear_from_srgb({site.rgba[0], site.rgba[1], site.rgba[2]});
+    MeshItem item{&cache.get(site.mesh), *X_WS, albedo, look.solid_outline};
+    item.casts = false;
+    (site.rgba[3] < 1 ? list.skins : list.solids).push_back(item);
+  }
+}
+
 }  // namespace
 
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) {
@@ -56,6 +69,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline});
     mark_selected(list.solids.back(), geom, input, look);
   }
+  add_sites(input, look, cache, list);
   return list;
 }
 
