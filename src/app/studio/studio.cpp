@@ -217,8 +217,10 @@ void Studio::act_on(const SessionNews& news) {
     ui_.mode = *news.opened;
     ui::let_go_of_way_points(ui_);
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
-    if (news.framed) turn_cameras_ = true;
-    saved_camera_ = camera_of_state(news.saved_state);
+    if (news.framed) {
+      turn_cameras_ = true;
+      saved_cameras_ = {camera_of_project(), camera_of_state(news.saved_state)};
+    }
   }
   const bool framable = !ui::scene_box(ui_, input_).empty();
   if (turn_cameras_ && framable) frame_cameras();
@@ -243,7 +245,8 @@ void Studio::frame_cameras() {
     if (!ui::scene_box(ui_, input_).empty()) ui::frame_scene(ui_, input_);
   }
   ui_.mode = mode;
-  if (saved_camera_) ui_.cameras[1] = *std::exchange(saved_camera_, std::nullopt);
+  for (std::size_t i = 0; i < saved_cameras_.size(); ++i)
+    if (saved_cameras_[i]) ui_.cameras[i] = *std::exchange(saved_cameras_[i], std::nullopt);
 }
 
 void Studio::update_range() {

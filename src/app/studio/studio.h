@@ -1,9 +1,11 @@
 // The program with a window: wires session, interface, renderer, window and script together.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,6 +106,7 @@ class Studio {
   [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
   void answer_unsaved(ui::UnsavedAnswer answer);
   [[nodiscard]] Project project_to_save() const;
+  [[nodiscard]] std::optional<ui::Camera> camera_of_project() const;  ///< as it was saved; none: it was not
   void update_title();
   void save_settings();
   void finish_outputs();
@@ -126,7 +129,8 @@ class Studio {
   std::unique_ptr<ScriptPlayer> script_;
   InputQueue input_queue_;
   bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
-  std::optional<ui::Camera> saved_camera_;  ///< of a step that was opened: what the cameras turn to
+  /// Of the project (of LAYOUT) or step (of SIMULATE) that was opened: what the cameras turn to.
+  std::array<std::optional<ui::Camera>, 2> saved_cameras_;
   bool anything_opened_ = false, argument_refused_ = false;
   bool themed_dark_ = true;
   float themed_scale_ = 0;

@@ -71,6 +71,19 @@ Project Studio::project_to_save() const {
   return project;
 }
 
+std::optional<ui::Camera> Studio::camera_of_project() const {
+  const ProjectPtr& project = session_.edits().project();
+  if (!project || !project->view) return std::nullopt;
+  const View& view = *project->view;
+  ui::Camera camera;
+  camera.target = view.target;
+  camera.azimuth_deg = view.azimuth_deg;
+  camera.elevation_deg = view.elevation_deg;
+  camera.distance = view.distance;
+  camera.fov_deg = view.fov_deg;
+  return camera;
+}
+
 void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
   const bool again = ui_.dialog.task == task && !problem.empty();
   const std::string typed = ui_.dialog.path;
