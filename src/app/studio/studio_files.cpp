@@ -72,9 +72,8 @@ Project Studio::project_to_save() const {
 }
 
 std::optional<ui::Camera> Studio::camera_of_project() const {
-  const ProjectPtr& project = session_.edits().project();
-  if (!project || !project->view) return std::nullopt;
-  const View& view = *project->view;
+  if (!session_.edits().is_open() || !session_.edits().project()->view) return std::nullopt;
+  const View& view = *session_.edits().project()->view;
   ui::Camera camera;
   camera.target = view.target;
   camera.azimuth_deg = view.azimuth_deg;
