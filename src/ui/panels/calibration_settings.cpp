@@ -108,8 +108,7 @@ void draw_output(Rows& rows) {
     rows.number("Range low", kReported, c.range->low);
     rows.number("Range high", kReported, c.range->high);
   }
-  const Quantisation none{};
-  const Quantisation& q = c.quantisation ? *c.quantisation : none;
+  const Quantisation q = c.quantisation.value_or(Quantisation{});  // as it was: a field below may replace it
   if (const auto step =
           rows.optional("Step", fmt::format("Values are whole multiples of it, {}; empty: none", kReported), q.step)) {
     c.quantisation = *step ? std::optional(Quantisation{*step, std::nullopt}) : std::nullopt;
