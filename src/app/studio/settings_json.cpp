@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -6,18 +7,29 @@
 
 namespace taxel::ui {
 
-// As words; of one that it does not know, none.
-NLOHMANN_JSON_SERIALIZE_ENUM(FramesShown, {{FramesShown::none, "none"},
-                                           {FramesShown::bodies, "bodies"},
-                                           {FramesShown::geoms, "geoms"},
-                                           {FramesShown::sites, "sites"},
-                                           {FramesShown::world, "world"}})
-NLOHMANN_JSON_SERIALIZE_ENUM(LabelsShown, {{LabelsShown::none, "none"},
-                                           {LabelsShown::bodies, "bodies"},
-                                           {LabelsShown::joints, "joints"},
-                                           {LabelsShown::geoms, "geoms"},
-                                           {LabelsShown::sites, "sites"},
-                                           {LabelsShown::cameras, "cameras"}})
+namespace {
+
+/// A word that is not among them leaves the value as it is.
+template <class Words, class Value>
+void read_word(const nlohmann::ordered_json& json, const Words& words, Value& value) {
+  const auto found = std::find(words.begin(), words.end(), json.get<std::string>());
+  if (found != words.end()) value = static_cast<Value>(found - words.begin());
+}
+
+}  // namespace
+
+void to_json(nlohmann::ordered_json& json, FramesShown shown) {
+  json = to_word(shown);
+}
+void from_json(const nlohmann::ordered_json& json, FramesShown& shown) {
+  read_word(json, kFramesWords, shown);
+}
+void to_json(nlohmann::ordered_json& json, LabelsShown shown) {
+  json = to_word(shown);
+}
+void from_json(const nlohmann::ordered_json& json, LabelsShown& shown) {
+  read_word(json, kLabelsWords, shown);
+}
 
 }  // namespace taxel::ui
 
