@@ -32,6 +32,13 @@ bool shows(const ImDrawList& list, ImTextureID texture) {
   });
 }
 
+/// Upside down or back: the window's lower edge becomes the first row, and y is measured from there.
+void turn_over(ImDrawData& data) {
+  data.DisplayPos.y += data.DisplaySize.y;
+  data.DisplaySize.y = -data.DisplaySize.y;
+  data.FramebufferScale.y = -data.FramebufferScale.y;
+}
+
 /// Glyphs that are yet to be sent to the card.
 bool textures_pending(const ImDrawData& data) {
   return data.Textures != nullptr &&
@@ -111,10 +118,10 @@ std::vector<WindowPainter::Area> WindowPainter::changed_areas(const ImDrawData& 
   return areas;
 }
 
-/// What lies in an area, over the background.
-void WindowPainter::paint_area(ImDrawData& data, const Area& area, int height) {
+/// What lies in an area, over the background; `data` is upside down.
+void WindowPainter::paint_area(ImDrawData& data, const Area& area) {
   glEnable(GL_SCISSOR_TEST);
-  glScissor(area.x0, height - area.y1, area.x1 - area.x0, area.y1 - area.y0);
+  glScissor(area.x0, area.y0, area.x1 - area.x0, area.y1 - area.y0);
   glClear(GL_COLOR_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
   std::vector<std::pair<ImDrawCmd*, ImVec4>> clips;
@@ -123,8 +130,8 @@ void WindowPainter::paint_area(ImDrawData& data, const Area& area, int height) {
       if (command.UserCallback != nullptr) continue;
       clips.emplace_back(&command, command.ClipRect);
       ImVec4& clip = command.ClipRect;
-      clip = {std::max(clip.x, static_cast<float>(area.x0)), std::max(clip.y, static_cast<float>(area.y0)),
-              std::min(clip.z, static_cast<float>(area.x1)), std::min(clip.w, static_cast<float>(area.y1))};
+      clip = {std::max(clip.x, static_cast<float>(area.x0)), std::min(clip.w, static_cast<float>(area.y1)),
+              std::min(clip.z, static_cast<float>(area.x1)), std::max(clip.y, static_cast<float>(area.y0))};
     }
   }
   ImGui_ImplOpenGL3_RenderDrawData(&data);
@@ -152,14 +159,16 @@ void WindowPainter::paint(Window& window, ImDrawData& data, const ImVec4& backgr
   picture_->bind();
   glClearColor(background.x, background.y, background.z, 1);
   painted_ = 0;
+  turn_over(data);
   for (const Area& area : areas) {
-    paint_area(data, area, height);
+    paint_area(data, area);
     painted_ += area.pixels();
   }
+  turn_over(data);
   window.begin_picture(background);  // binds what is copied into
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  picture_->copy_color_to(static_cast<GLuint>(bound));
+  picture_->copy_to(static_cast<GLuint>(bound));
 }
 
 }  // namespace taxel::studio

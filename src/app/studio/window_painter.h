@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/studio/window.h"
+#include "ui/gl/back_buffer.h"
 
 namespace taxel::studio {
 
@@ -43,11 +44,11 @@ class WindowPainter {
   static Area bounds_of(const ImDrawList& list, const Area& window);
   static Shown copy_of(const ImDrawList& list, const Area& window);
   static void include(std::vector<Area>& areas, Area area);
-  static void paint_area(ImDrawData& data, const Area& area, int height);
+  static void paint_area(ImDrawData& data, const Area& area);
   std::vector<Area> changed_areas(const ImDrawData& data, const Area& window, ImTextureID scene, bool scene_changed);
 
   bool whole_;
-  std::optional<gl::Framebuffer> picture_;
+  std::optional<gl::BackBuffer> picture_;
   std::vector<Shown> shown_;
   ImVec4 background_;
   int scene_draws_ = -1;

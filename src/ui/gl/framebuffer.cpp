@@ -9,13 +9,6 @@
 namespace taxel::gl {
 namespace {
 
-void check_complete(GLuint framebuffer, int width, int height) {
-  const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
-  if (status == GL_FRAMEBUFFER_COMPLETE) return;
-  throw Error(
-      fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
-}
-
 /// Rows of `format`, top row first.
 std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, GLenum format, std::size_t channels) {
   const auto row = static_cast<std::size_t>(width) * channels;
@@ -37,6 +30,13 @@ std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, 
 }
 
 }  // namespace
+
+void check_complete(GLuint framebuffer, int width, int height) {
+  const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE) return;
+  throw Error(
+      fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
+}
 
 Framebuffer::Framebuffer(int width, int height, int samples, bool stencil)
     : samples_(samples),
@@ -74,11 +74,6 @@ void Framebuffer::copy_color(const Framebuffer& from) const {
 void Framebuffer::copy_depth(const Framebuffer& from) const {
   glBlitNamedFramebuffer(from.target_.id(), target_.id(), 0, 0, width(), height(), 0, 0, width(), height(),
                          GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-}
-
-void Framebuffer::copy_color_to(GLuint framebuffer) const {
-  glBlitNamedFramebuffer(resolved_ ? resolved_->id() : target_.id(), framebuffer, 0, 0, width(), height(), 0, 0,
-                         width(), height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 RgbImage Framebuffer::read() const {

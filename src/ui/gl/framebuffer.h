@@ -20,8 +20,6 @@ class Framebuffer {
   void copy_color(const Framebuffer& from) const;
   /// Takes over the depth of a framebuffer of the same size, one sample of each pixel; both with a stencil, or neither.
   void copy_depth(const Framebuffer& from) const;
-  /// Copies the colour into a framebuffer of GL (0: the window's) of the same size.
-  void copy_color_to(GLuint framebuffer) const;
   [[nodiscard]] GLuint texture() const { return color_.id(); }
   [[nodiscard]] GLuint depth_texture() const { return depth_.id(); }
   [[nodiscard]] int width() const { return color_.width(); }
@@ -41,6 +39,9 @@ class Framebuffer {
   FramebufferHandle target_;                   ///< drawn into
   std::optional<FramebufferHandle> resolved_;  ///< of color_, where target_ is multisampled
 };
+
+/// Throws Error where GL cannot draw into the framebuffer.
+void check_complete(GLuint framebuffer, int width, int height);
 
 /// Reads the colour of a framebuffer of GL (0: the window's).
 RgbImage read_pixels(GLuint framebuffer, int width, int height);

@@ -8,11 +8,26 @@ Texture::Texture(GLenum format, int width, int height, int samples) : width_(wid
     glTextureStorage2DMultisample(id_, samples, format, width, height, GL_TRUE);
     return;
   }
-  glTextureStorage2D(id_, 1, format, width, height);
+  if (format == GL_BGRA) {
+    store_blue_first();
+  } else {
+    glTextureStorage2D(id_, 1, format, width, height);
+  }
   glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(id_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(id_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+/// Sized formats leave the order of the channels to the driver. A base format takes over that of the pixels given with
+/// it, as Mesa does.
+void Texture::store_blue_first() const {
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  glBindTexture(GL_TEXTURE_2D, id_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width_, height_, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+  glTextureParameteri(id_, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 void Texture::upload(GLenum format, GLenum type, const void* pixels) const {

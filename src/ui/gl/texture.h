@@ -7,7 +7,8 @@ namespace taxel::gl {
 
 class Texture {
  public:
-  /// Storage of one level; linear filter, clamped to its edge. With `samples` > 0 multisampled.
+  /// Storage of one level; linear filter, clamped to its edge. With `samples` > 0 multisampled. GL_BGRA, not
+  /// multisampled: 8 bits a channel, in memory blue first where the driver can.
   Texture(GLenum format, int width, int height, int samples = 0);
   ~Texture() { glDeleteTextures(1, &id_); }
   Texture(const Texture&) = delete;
@@ -20,6 +21,8 @@ class Texture {
   [[nodiscard]] int height() const { return height_; }
 
  private:
+  void store_blue_first() const;
+
   GLuint id_ = 0;
   int width_, height_;
 };
