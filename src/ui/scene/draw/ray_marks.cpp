@@ -4,7 +4,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kMaxHits = 700, kMaxSelectedHits = 350, kMaxMisses = 250;
-constexpr double kStub = 0.3;  // of the allowed depth
+constexpr double kLeastSpacing = 1.0;  // [pixel]: closer ones cover each other
+constexpr double kStub = 0.3;          // of the allowed depth
 constexpr float kHitWidth = 1.1f, kMissWidth = 1.0f;
 
 /// Spreads ray numbers evenly over 32 bits, so that the rays below a power of two are a spread-out subset
@@ -18,6 +19,12 @@ std::uint32_t thinning_mask(int count, int most) {
   std::uint32_t step = 1;
   while (count / static_cast<int>(step) > most) step *= 2;
   return step - 1;
+}
+
+/// How many of `count` stand far enough apart, `most` at most.
+int most_shown(int count, double spacing, int most) {
+  const double part = std::min(1.0, spacing * spacing / (kLeastSpacing * kLeastSpacing));
+  return std::clamp(static_cast<int>(std::ceil(part * count)), 1, most);
 }
 
 std::vector<char> wanted_rays(const SensorView& view, bool all) {
@@ -37,7 +44,7 @@ std::vector<char> wanted_rays(const SensorView& view, bool all) {
 
 }  // namespace
 
-RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range, const Look& look) {
+RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range, const Look& look, double spacing) {
   RayMarks out;
   if (view.state == nullptr || view.state->hits.size() != view.model->rays.size()) return out;
   const std::vector<char> wanted = wanted_rays(view, all);
@@ -47,7 +54,8 @@ RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range,
     if (wanted[i] != 0) ++(hits[i].surface >= 0 ? hit_count : miss_count);
   }
   const int most_hits = view.selected_taxel >= 0 && !all ? kMaxSelectedHits : kMaxHits;
-  const std::uint32_t hit_mask = thinning_mask(hit_count, most_hits), miss_mask = thinning_mask(miss_count, kMaxMisses);
+  const std::uint32_t hit_mask = thinning_mask(hit_count, most_shown(hit_count, spacing, most_hits)),
+                      miss_mask = thinning_mask(miss_count, most_shown(miss_count, spacing, kMaxMisses));
   const std::uint32_t hit_color = pack(look.ray_hit), miss_color = pack(look.ray_miss);
   const double scale = range.hi > range.lo ? 1.0 / (range.hi - range.lo) : 0.0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -15,7 +15,7 @@ struct RayMarks {
 };
 
 /// Rays of the selected taxel, or of all whose reading is above 0 when none is selected, or all; thinned evenly and
-/// repeatably where there are more than a picture can show.
-RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range, const Look& look);
+/// repeatably where there are more than a picture can show. `spacing`: of samples on the screen [pixel].
+RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range, const Look& look, double spacing);
 
 }  // namespace taxel::ui

@@ -250,7 +250,8 @@ void SensorMarks::draw_filtered(const Scene& scene, const SensorView& view) {
 /// Rays of all responding taxels go behind the contact surface, so that nothing tints its colours; those of a selected
 /// taxel are what one wants to see, and go before it. What solid bodies hide is dimmed.
 void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
-  const RayMarks rays = ray_marks(view, scene.input.overlays.all_rays, scene.input.range, scene.look);
+  const double spacing = marks_of(scene, view).sample_spacing() * scene.pixels_per_metre;
+  const RayMarks rays = ray_marks(view, scene.input.overlays.all_rays, scene.input.range, scene.look, spacing);
   MarkState state{.world_from_model = matrix(view.X_WM)};
   MarkState behind = state;
   behind.hidden = true;
