@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/primitives.h"
+#include "ui/scene/draw/ray_marks.h"
 #include "ui/scene/draw/traction_marks.h"
 #include "ui/scene/geometry/coverage.h"
 #include "ui/scene/geometry/skin_weights.h"
@@ -72,6 +73,38 @@ TEST(TractionMarks, WithoutMotionsThereIsOnlyPressure) {
   EXPECT_EQ(marks.normal.size(), 1U);
   EXPECT_TRUE(marks.friction.empty());
   EXPECT_FALSE(marks.numbers.friction_known);
+}
+
+/// Ends of the rays that are shown of 400 hits and 100 misses in a square, `spacing` pixels apart.
+std::pair<std::vector<glm::vec3>, std::size_t> shown_rays(double spacing) {
+  auto model = std::make_shared<SensorModel>(*ball_model(0.005));
+  SensorFrameState state;
+  for (int i = 0; i < 500; ++i) {
+    model->rays.push_back({i, dvec3(i % 25, i / 25, 0), dvec3(0, 0, 1), 1.0});
+    state.hits.push_back({.surface = i % 5 == 4 ? -1 : 0, .polygon = 0, .depth = 0.5, .pressure = 1e3});
+  }
+  SensorView view;
+  view.model = model;
+  view.state = &state;
+  const RayMarks marks = ray_marks(view, true, {0, 1e3}, look(true), spacing);
+  EXPECT_EQ(marks.dots.size(), marks.hits.size());
+  std::vector<glm::vec3> ends;
+  for (const Segment& hit : marks.hits) ends.push_back(hit.b);
+  return {ends, marks.misses.size()};
+}
+
+// No more than one ray in each pixel, and at least one; those that a closer look shows are more of the same.
+TEST(RayMarks, ThoseThatCoverEachOtherAreThinned) {
+  const auto [near, near_misses] = shown_rays(3.0);
+  EXPECT_EQ(near.size(), 400U);
+  EXPECT_EQ(near_misses, 100U);
+  const auto [far, far_misses] = shown_rays(0.5);
+  EXPECT_GT(far.size(), 400U / 16);
+  EXPECT_LE(far.size(), 400U / 4 + 20);
+  EXPECT_LE(far_misses, 100U / 4 + 10);
+  for (const glm::vec3& end : far) EXPECT_TRUE(std::find(near.begin(), near.end(), end) != near.end());
+  EXPECT_GE(shown_rays(1e-3).first.size(), 1U);
+  EXPECT_LE(shown_rays(1e-3).first.size(), 5U);
 }
 
 double area_of(const SkinWeights& skin) {
