@@ -56,9 +56,8 @@ struct SendCommand {
 struct RunScenario {
   Scenario scenario;
 };
-struct SetPlaying {
-  bool playing = false;
-};
+/// The other of the two than when it is carried out: what was asked for before counts.
+struct PlayOrPause {};
 struct StepOnce {};
 /// A step of the history is shown; the simulation pauses.
 struct ScrubTo {
@@ -174,7 +173,7 @@ struct Quit {};
 /// makes one takes most of its compile time.
 struct Request
     : std::variant<OpenFile, OpenFingertipSweep, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand,
-                   RunScenario, SetPlaying, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
+                   RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints,
                    SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo,
                    ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture,
                    UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveProjectAs, ExportFile, AttachLayout,

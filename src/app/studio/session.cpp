@@ -259,7 +259,7 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   tell_saved(*frame, news);
   tell_written(*frame, news);
   if (!frame->recorded) note_pressures(*frame);
-  if (frame->finished || frame->failed || frame->stop) playing_ = false;
+  if (answered(*frame) && (frame->finished || frame->failed || frame->stop)) playing_ = false;
   frame_ = std::move(frame);
   news.new_frame = true;
 }
@@ -299,12 +299,7 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   news.opened_file = document_->file;
   news.framed = pending.framed;
   playing_ = pending.play;
-  if (!by_clock_) return;
-  if (pending.play) {
-    simulation_.send(PlayCommand{});
-  } else {
-    simulation_.send(PauseCommand{});
-  }
+  if (by_clock_) send_playing();
 }
 
 void Session::note_pressures(const SimFrame& frame) {
@@ -339,7 +334,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.runs_scenario = runs_scenario_;
   input.is_scene = document_ && document_->kind == DocumentKind::scene;
   input.attached = attached_;
-  input.playing = (playing() && !(frame_ && frame_->finished)) || replaying();
+  input.playing = moves();
   input.replay = replay_.direction();
   input.loop = loop_;
   input.speed = speed_;

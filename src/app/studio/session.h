@@ -118,8 +118,11 @@ class Session {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
            !fields_.busy() && !explain_.busy() && !models_.busy() && !study_.busy();
   }
-  [[nodiscard]] bool playing() const { return by_clock_ ? frame_ && frame_->playing : playing_; }
+  /// Whether the simulation runs; while it has not answered yet, whether it is to.
+  [[nodiscard]] bool playing() const { return by_clock_ && frame_ && answered(*frame_) ? frame_->playing : playing_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
+  /// Whether one step follows another by itself.
+  [[nodiscard]] bool moves() const { return (playing() && !(frame_ && frame_->finished)) || replaying(); }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
   /// There is something to look at in SIMULATE: the document's scene, or a step that was saved.
@@ -168,6 +171,10 @@ class Session {
   void accept_pending(const SimFrame& frame, SessionNews& news);
   void tell_warnings(const SimFrame& frame, SessionNews& news);
   std::uint64_t tell(SimCommand command);
+  /// By clock, tells the simulation what playing_ says.
+  void send_playing();
+  /// The simulation took notice of the last command that plays or pauses.
+  [[nodiscard]] bool answered(const SimFrame& frame) const { return frame.commands >= play_command_; }
   void step_once();
   void show_step(std::uint64_t step);
   [[nodiscard]] std::uint64_t shown_step() const;
@@ -233,6 +240,7 @@ class Session {
   std::uint64_t told_recording_ = 0;       ///< likewise of the written recording
   bool runs_scenario_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
+  std::uint64_t play_command_ = 0;  ///< the number of the last one that plays or pauses
   double speed_ = 1;
   double unspent_ = 0;  ///< simulated time that did not fill a step [s]
   Replay replay_;

@@ -7,12 +7,15 @@
 namespace taxel::studio {
 
 void Session::send(SimCommand command) {
-  if (std::holds_alternative<LoadKeyframeCommand>(command)) {  // which pauses
+  const bool pauses = std::holds_alternative<LoadKeyframeCommand>(command);
+  if (pauses) {
     replay_.stop();
     playing_ = false;
     unspent_ = 0;
   }
-  if (frame_) tell(std::move(command));
+  if (!frame_) return;
+  const std::uint64_t number = tell(std::move(command));
+  if (pauses) play_command_ = number;
 }
 
 /// The document stays, and so do cameras and pause; the run begins anew.

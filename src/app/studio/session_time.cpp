@@ -27,11 +27,11 @@ void Session::set_playing(bool playing) {
   playing_ = playing;
   if (!by_clock_ && playing && frame_->failed) tell(PlayCommand{});  // from an earlier step, or the start
   if (!by_clock_) return;
-  if (playing) {
-    simulation_.send(PlayCommand{});
-  } else {
-    simulation_.send(PauseCommand{});
-  }
+  send_playing();
+}
+
+void Session::send_playing() {
+  play_command_ = playing_ ? simulation_.send(PlayCommand{}) : simulation_.send(PauseCommand{});
 }
 
 void Session::reset() {
@@ -39,7 +39,7 @@ void Session::reset() {
   replay_.stop();
   playing_ = false;
   unspent_ = 0;
-  tell(ResetCommand{});  // which pauses
+  play_command_ = tell(ResetCommand{});  // which pauses
 }
 
 void Session::set_speed(double factor) {
@@ -75,6 +75,7 @@ void Session::scrub(std::uint64_t step) {
   playing_ = false;
   unspent_ = 0;
   show_step(step);
+  play_command_ = scrub_command_;
 }
 
 void Session::step_by(int steps) {

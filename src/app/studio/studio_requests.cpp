@@ -51,10 +51,10 @@ void Studio::carry_out(const ui::Request& request) {
     session_.polish();
   } else if (const auto* run = std::get_if<ui::RunScenario>(&request)) {
     session_.run_scenario(run->scenario);
-  } else if (const auto* play = std::get_if<ui::SetPlaying>(&request)) {
+  } else if (std::holds_alternative<ui::PlayOrPause>(request)) {
     if (!session_.shows_scene() && !session_.run_scenario(session_.scenario())) return;
     session_.hand_over();
-    session_.set_playing(play->playing);
+    session_.set_playing(!session_.moves());
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
     session_.step_by(1);
   } else if (carry_out_in_time(request) || carry_out_in_scene(request)) {

@@ -216,7 +216,7 @@ void perform(Action action, UiState& ui, const UiInput& input) {
       ui.ask(Quit{});
       break;
     case Action::play_pause:
-      ui.ask(SetPlaying{!input.playing});
+      ui.ask(PlayOrPause{});
       break;
     case Action::reset_simulation:
       ui.ask(ResetSimulation{});

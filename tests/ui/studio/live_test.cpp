@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "app/studio/session.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -35,6 +36,32 @@ Lines round(int number, Beat& pause) {
        {key("y", kCtrl), pause(2), key("z", kCtrl), pause(2), key("Backspace"), pause(2), key("Space"), pause(6),
         R"({"event": "mouse_down", "at": [640, 300]})", pause(1), R"({"event": "mouse_move", "at": [700, 320]})",
         pause(1), R"({"event": "mouse_up"})", pause(1)}});
+}
+
+// What is asked for counts at once: a key that toggles may come before the simulation has answered the one before.
+TEST(Live, PlayingIsWhatWasAskedForLast) {
+  studio::Session session(true, [] {});
+  session.open(kLayoutFile);
+  const auto run_until = [&](const auto& done) {
+    const auto began = std::chrono::steady_clock::now();
+    while (!done() && std::chrono::steady_clock::now() - began < std::chrono::seconds(60)) session.update();
+    return done();
+  };
+  ASSERT_TRUE(run_until([&] { return session.playing() && session.frame()->step > 20; }));
+  session.reset();
+  EXPECT_FALSE(session.moves());
+  session.set_playing(true);
+  EXPECT_TRUE(session.moves());
+  session.scrub(0);
+  EXPECT_FALSE(session.moves());
+  session.set_playing(true);
+  EXPECT_TRUE(session.moves());
+  const std::uint64_t asked = session.frame()->commands;
+  ASSERT_TRUE(run_until([&] { return session.frame()->commands >= asked + 4; }));
+  EXPECT_TRUE(session.moves());  // and so it is
+  ASSERT_TRUE(run_until([&] { return session.frame()->step > 20; }));
+  session.set_playing(false);
+  EXPECT_FALSE(session.moves());
 }
 
 TEST(Live, EditsWhileTheSimulationRuns) {
