@@ -119,7 +119,10 @@ class Session {
            !fields_.busy() && !explain_.busy() && !models_.busy() && !study_.busy();
   }
   /// Whether the simulation runs; while it has not answered yet, whether it is to.
-  [[nodiscard]] bool playing() const { return by_clock_ && frame_ && answered(*frame_) ? frame_->playing : playing_; }
+  [[nodiscard]] bool playing() const {
+    if (!by_clock_) return playing_;
+    return frame_ && (answered(*frame_) ? frame_->playing : playing_);
+  }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
   /// Whether one step follows another by itself.
   [[nodiscard]] bool moves() const { return (playing() && !(frame_ && frame_->finished)) || replaying(); }
