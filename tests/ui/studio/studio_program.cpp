@@ -29,7 +29,8 @@ bool in_a_window() {
 
 StudioProgram::StudioProgram() {
   const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests",
+  // Some tests run twice, perhaps at once.
+  folder_ = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / (in_a_window() ? "window_tests" : "studio_tests"),
                          std::string(info.test_suite_name()) + "." + info.name());
 }
 
