@@ -157,7 +157,8 @@ void WindowPainter::paint(Window& window, ImDrawData& data, const ImVec4& backgr
   background_ = background;
   scene_draws_ = scene_draws;
   picture_->bind();
-  glClearColor(background.x, background.y, background.z, 1);
+  const auto level = [](float part) { return std::round(255 * part) / 255; };  // a part of a window rounds otherwise
+  glClearColor(level(background.x), level(background.y), level(background.z), 1);
   painted_ = 0;
   turn_over(data);
   for (const Area& area : areas) {

@@ -41,7 +41,7 @@ class WindowPainterTest : public testing::Test {
     ImGui::End();
   }
   std::vector<unsigned char> painted(WindowPainter& painter, ImTextureID scene = 0, int draws = 0) {
-    painter.paint(*window, *ImGui::GetDrawData(), ImColor(26, 51, 77), scene, draws);
+    painter.paint(*window, *ImGui::GetDrawData(), ImVec4(0.1f, 0.2f, 0.3f, 1), scene, draws);
     return window->read().rgb;
   }
 

@@ -52,4 +52,9 @@ inline void set_mark_state(const gl::Program& program, const MarkState& state) {
   gl::apply({.depth = state.depth_test ? test : GL_ALWAYS, .depth_write = state.depth_write, .blend = true});
 }
 
+/// Of marks spread evenly over a surface, `spacing` apart on the screen, the part that can stand `least` apart [pixel].
+inline double part_apart(double spacing, double least) {
+  return std::min(1.0, spacing * spacing / (least * least));
+}
+
 }  // namespace taxel::ui

@@ -23,8 +23,7 @@ std::uint32_t thinning_mask(int count, int most) {
 
 /// How many of `count` stand far enough apart, `most` at most.
 int most_shown(int count, double spacing, int most) {
-  const double part = std::min(1.0, spacing * spacing / (kLeastSpacing * kLeastSpacing));
-  return std::clamp(static_cast<int>(std::ceil(part * count)), 1, most);
+  return std::clamp(static_cast<int>(std::ceil(part_apart(spacing, kLeastSpacing) * count)), 1, most);
 }
 
 std::vector<char> wanted_rays(const SensorView& view, bool all) {

@@ -154,7 +154,7 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
     // Where they crowd, the eye cannot tell them apart: fewer and larger ones, spread evenly, look the same.
     const double diameter = std::clamp(kSamplePart * std::max(spacing, kLeastSpacing), kSmallestSample, kLargestSample);
-    const double part = std::min(1.0, spacing * spacing / (kLeastSpacing * kLeastSpacing));
+    const double part = part_apart(spacing, kLeastSpacing);
     state.facing = Facing::eye;
     scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state, scene.camera.eye(),
                       static_cast<int>(std::ceil(part * marks.sample_count())));
