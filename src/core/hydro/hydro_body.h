@@ -9,6 +9,7 @@
 #include "core/hydro/kernel/field_index.h"
 #include "core/hydro/tet_mesh.h"
 #include "core/mesh/closest_point.h"
+#include "core/mesh/repair/repair_recipe.h"
 
 namespace taxel {
 
@@ -49,6 +50,7 @@ struct Shape {
   TetMeshPtr tets = nullptr;  ///< for type tets
   const char* rigid_only = nullptr;    ///< what the mesh stands for that can only be rigid: "a height field"
   std::vector<int> face_numbers = {};  ///< what the user calls the faces of the mesh; empty: their own numbers
+  double refine = kDefaultRefine;      ///< longest edge of a soft mesh's skin, in thicknesses of its pad
 };
 
 /// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated

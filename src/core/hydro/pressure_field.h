@@ -48,7 +48,17 @@ struct FieldReport {
   SkinPart bare;            ///< faces without a pad; worst: the largest
   int two_layer_faces = 0;  ///< faces below which the prism has two layers (pads)
   double depth_error_mean = 0, depth_error_rms = 0;  ///< of p/E - min(depth, H)/H over the pad (pad_error.h)
-  bool core = false;                                 ///< the field ends on a rigid core (pads)
+  int refined_faces = 0;                             ///< faces that refinement of the skin added (pads)
+  int tents = 0;  ///< faces whose tet was split by a vertex above it, or that got a tet of their own (pads)
+  /// How a press of part of the thickness is felt over the skin (pads).
+  struct PressError {
+    double part = 0;          ///< depth of the press over the thickness
+    double mean = 1;          ///< area-weighted mean of p H/(E d), over skin with tets at this depth
+    double deviation = 0;     ///< its standard deviation
+    double without_tets = 0;  ///< fraction of the skin where no tet reaches this depth: depth pieces serve it
+  };
+  std::vector<PressError> press_errors;
+  bool core = false;  ///< the field ends on a rigid core (pads)
   std::vector<std::string> notes;
 };
 

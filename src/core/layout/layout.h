@@ -12,6 +12,7 @@
 #include "core/base/math.h"
 #include "core/base/shared_value.h"
 #include "core/layout/calibration_settings.h"
+#include "core/mesh/repair/repair_recipe.h"
 
 namespace taxel {
 
@@ -41,7 +42,8 @@ struct Taxel {
 struct MeshRef {
   std::string file;  ///< relative to the layout file, or absolute
   dvec3 scale{1.0};
-  std::string sha256;  ///< of the mesh file's bytes; empty: unchecked
+  std::string sha256;     ///< of the mesh file's bytes; empty: unchecked
+  RepairRecipe repair{};  ///< how the file's triangles become a solid
   bool operator==(const MeshRef&) const = default;
 };
 

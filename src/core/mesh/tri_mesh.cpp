@@ -111,9 +111,10 @@ std::vector<dvec3> probe_points(const TriMesh& mesh, int shell) {
 
 }  // namespace
 
-TriMesh::TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces)
-    : vertices_(std::move(vertices)), faces_(std::move(faces)) {
+TriMesh::TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces, std::vector<ivec3> flat_faces)
+    : vertices_(std::move(vertices)), faces_(std::move(faces)), flat_faces_(std::move(flat_faces)) {
   check_input(vertices_, faces_);
+  check_input(vertices_, flat_faces_);
   for (const dvec3& v : vertices_) bounds_.include(v);
   compute_normals();
   compute_integrals();

@@ -13,10 +13,14 @@ class TriMesh {
  public:
   /// Takes vertices (finite) and faces (indices in range, three different corners, positive area): what the
   /// loaders and makers of this folder guarantee. Throws Error naming the first face that breaks this.
-  TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces);
+  /// `flat_faces`: faces without area between the same vertices (flat_faces()).
+  TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces, std::vector<ivec3> flat_faces = {});
 
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<ivec3>& faces() const { return faces_; }
+  /// Faces of the file that have no area, between vertices of other faces. They are no part of the surface, and nothing
+  /// but repair uses them: they join faces that would be torn apart without them.
+  [[nodiscard]] const std::vector<ivec3>& flat_faces() const { return flat_faces_; }
   [[nodiscard]] int vertex_count() const { return static_cast<int>(vertices_.size()); }
   [[nodiscard]] int face_count() const { return static_cast<int>(faces_.size()); }
   [[nodiscard]] const dvec3& vertex(int face, int corner) const {
@@ -45,7 +49,7 @@ class TriMesh {
   [[nodiscard]] dvec3 area_centroid() const;
 
   std::vector<dvec3> vertices_;
-  std::vector<ivec3> faces_;
+  std::vector<ivec3> faces_, flat_faces_;
   std::vector<dvec3> face_normals_, vertex_normals_;
   std::vector<double> face_areas_;
   std::vector<int> shell_of_face_;

@@ -66,7 +66,8 @@ struct Dropped {
 };
 
 std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>& points, const std::vector<int>& same,
-                               bool flip, std::vector<std::string>& notes, std::vector<int>* face_of) {
+                               bool flip, std::vector<std::string>& notes, std::vector<int>* face_of,
+                               std::vector<ivec3>& flat_faces) {
   Dropped flat, repeated;
   std::set<std::tuple<int, int, int>> seen;
   std::vector<ivec3> faces;
@@ -76,6 +77,7 @@ std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>
     if (flip) std::swap(face.y, face.z);
     if (has_no_area(points[at(face.x)], points[at(face.y)], points[at(face.z)])) {
       flat.add(f);
+      if (face.x != face.y && face.y != face.z && face.z != face.x) flat_faces.push_back(face);
     } else if (!seen.insert(rotated(face)).second) {
       repeated.add(f);
     } else {
@@ -104,7 +106,9 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   if (welded > 0) notes.push_back(fmt::format("welded {} duplicate vertices", welded));
   if (soup.fanned > 0) notes.push_back(fmt::format("cut {} polygons into triangles", soup.fanned));
   if (soup.skipped > 0) notes.push_back(fmt::format("dropped {} polygons of fewer than three corners", soup.skipped));
-  std::vector<ivec3> faces = sound_faces(soup, points, same, scale.x * scale.y * scale.z < 0, notes, face_of);
+  std::vector<ivec3> flat_faces;
+  std::vector<ivec3> faces =
+      sound_faces(soup, points, same, scale.x * scale.y * scale.z < 0, notes, face_of, flat_faces);
   if (faces.empty()) throw Error("has no triangles");
 
   std::vector<int> used(points.size(), -1);
@@ -121,7 +125,11 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   }
   if (unused > 0) notes.push_back(fmt::format("dropped {} vertices that no triangle uses", unused));
   for (ivec3& f : faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};
-  return {std::move(vertices), std::move(faces)};
+  // A flat face with a vertex of its own joins nothing.
+  std::erase_if(flat_faces,
+                [&](const ivec3& f) { return used[at(f.x)] < 0 || used[at(f.y)] < 0 || used[at(f.z)] < 0; });
+  for (ivec3& f : flat_faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};
+  return {std::move(vertices), std::move(faces), std::move(flat_faces)};
 }
 
 }  // namespace taxel

@@ -180,7 +180,9 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
   SensorCache& cache = how.cache != nullptr ? *how.cache : own;
   auto model = std::make_shared<SensorModel>();
   model->layout = input.layout;
-  model->mesh = input.mesh;
+  model->loaded = input.mesh;
+  model->repaired = repair_mesh(input.mesh, input.layout.mesh.repair, input.layout.material.thickness, how.progress);
+  model->mesh = model->repaired->mesh;
   model->problems = check_layout_values(input.layout, input.file);
   throw_first_error(model->problems);
   SensorSkinPtr skin;

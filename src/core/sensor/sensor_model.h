@@ -14,6 +14,7 @@
 #include "core/layout/receptive_field.h"
 #include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair.h"
 #include "core/sensor/ray_grid.h"
 #include "core/sensor/readout_table.h"
 #include "core/sensor/sensor_cache.h"
@@ -27,7 +28,9 @@ inline constexpr int kTaxelColors = 24;
 
 struct SensorModel {
   Layout layout;
-  TriMeshPtr mesh;                        ///< as read from the file, all shells
+  RepairedMeshPtr repaired;               ///< the mesh file as repaired, with its report; never null
+  TriMeshPtr loaded;                      ///< the mesh as read from the file, which sampling.region counts faces of
+  TriMeshPtr mesh;                        ///< repaired->mesh, all shells: `loaded` itself if nothing was repaired
   std::shared_ptr<const MeshIndex> skin;  ///< the shells that are sampled: layout.sampling.shells
   std::vector<int> skin_face_of;          ///< skin face -> face of `mesh`
   HydroBodyPtr body;                      ///< soft (layout.material), frame M

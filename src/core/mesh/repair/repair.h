@@ -1,0 +1,79 @@
+// Repair of meshes: from the triangles of a file to a solid that can be soft, with a report of every change.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/mesh/repair/repair_recipe.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+/// What one step of a repair did. Only steps that changed something are listed.
+struct RepairStep {
+  std::string code;   ///< stable word, such as "repair_fin"
+  int count = 0;      ///< number of places: fins, joined vertices, holes, shells
+  int faces = 0;      ///< faces added, removed or turned
+  double area = 0;    ///< of these faces [m^2]
+  double length = 0;  ///< largest distance moved, or width of the widest hole [m]
+  dvec3 place{0};     ///< first place, frame of the mesh [m]
+  Severity severity = Severity::note;
+  std::string message;  ///< one sentence: what was done, how much, where first
+};
+
+/// What a repair did in all. Lengths in metres, areas in square metres.
+struct RepairReport {
+  RepairLevel level = RepairLevel::keep;  ///< how far it went: keep (nothing changed), exact, or wrap
+  bool closed = false;                    ///< the repaired mesh is a closed solid
+  int faces_before = 0, faces_after = 0;
+  int shells_before = 0, shells_after = 0;
+  int vertices_moved = 0;
+  double largest_move = 0;
+  double distance_max = 0, distance_rms = 0;  ///< between the two outer surfaces, both ways; 0 if nothing was wrapped
+  double area_added = 0, area_removed = 0;
+  double seconds = 0;  ///< wall time
+  std::vector<RepairStep> steps;
+};
+
+/// What changed, for display.
+struct RepairChanges {
+  std::vector<int> filled_faces;                      ///< of the repaired mesh, ascending
+  std::vector<int> removed_faces;                     ///< of the loaded mesh, ascending
+  std::vector<std::pair<dvec3, dvec3>> parted_edges;  ///< ends of edges at which surfaces were parted [m]
+  std::vector<float> distance;  ///< of each vertex of the repaired mesh to the loaded faces [m]; empty if not wrapped
+};
+
+/// A repaired mesh. Immutable.
+struct RepairedMesh {
+  TriMeshPtr mesh;  ///< the loaded mesh itself if nothing was changed
+  /// For each repaired face the loaded face that it comes from: -1 if it was filled in, the nearest one if it was
+  /// wrapped. Empty if nothing was changed: the numbers are the same.
+  std::vector<int> loaded_face_of;
+  RepairReport report;
+  RepairChanges changes;
+
+  [[nodiscard]] int loaded_face(int face) const {
+    return loaded_face_of.empty() ? face : loaded_face_of[static_cast<std::size_t>(face)];
+  }
+};
+using RepairedMeshPtr = std::shared_ptr<const RepairedMesh>;
+
+/// Repairs a mesh as docs/theory.md describes. A pure function of its arguments, with the same result on any number of
+/// threads. `thickness` is that of the pad [m], 0 if there is none: a surface without an inside becomes a body of this
+/// thickness. Throws Error that names the place if the recipe is out of range, if its level is `exact` or `keep` and
+/// forbids what would be needed to close the mesh, or if the mesh encloses nothing; Cancelled through `progress`.
+RepairedMeshPtr repair_mesh(const TriMeshPtr& loaded, const RepairRecipe& recipe, double thickness,
+                            const Progress* progress = nullptr);
+
+/// One problem per step, with its code and severity, for `file` at /mesh/file; none if nothing was changed.
+Problems repair_problems(const RepairReport& report, const std::string& file);
+
+/// The report in one line: "repaired: 2 folded faces and 1 fin removed (14.2 mm^2, 0.8 % of the area), no vertex
+/// moved". Empty if nothing was changed.
+std::string repair_summary(const RepairReport& report);
+
+}  // namespace taxel

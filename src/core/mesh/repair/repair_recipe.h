@@ -1,0 +1,28 @@
+// How a mesh file is to be repaired: plain values, exactly what the key /mesh/repair of a layout holds.
+#pragma once
+
+#include <optional>
+
+namespace taxel {
+
+/// How far a repair may go.
+enum class RepairLevel {
+  automatic,  ///< exact steps, and a wrap of the shells that they cannot close
+  exact,      ///< exact steps only: a mesh that stays open is an error
+  wrap,       ///< every shell is wrapped
+  keep        ///< nothing is changed: a mesh that is not closed cannot be soft
+};
+
+/// Lengths in metres. An empty value means its default, which depends on the diagonal d of the mesh's bounds.
+struct RepairRecipe {
+  RepairLevel level = RepairLevel::automatic;
+  std::optional<double> join;       ///< largest distance over which rims are joined; 3e-4 d
+  std::optional<double> fill;       ///< widest hole that is filled without a warning; 0.1 d
+  std::optional<double> edge;       ///< edge length of a wrap; max(0.3 mm, d/300)
+  std::optional<double> tolerance;  ///< largest simplification error of a wrap; edge/6
+  std::optional<double> refine;     ///< longest edge of a soft skin, in thicknesses of the pad; 2
+  bool operator==(const RepairRecipe&) const = default;
+};
+inline constexpr double kDefaultRefine = 2.0;
+
+}  // namespace taxel
