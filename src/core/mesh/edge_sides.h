@@ -16,7 +16,10 @@ struct EdgeSide {
 };
 
 /// All sides: edge after edge in the order of (low, high), each in the order of faces. O(n log n).
-std::vector<EdgeSide> edge_sides(const TriMesh& mesh);
+std::vector<EdgeSide> edge_sides(std::size_t vertex_count, std::span<const ivec3> faces);
+inline std::vector<EdgeSide> edge_sides(const TriMesh& mesh) {
+  return edge_sides(mesh.vertices().size(), mesh.faces());
+}
 
 /// Calls body(sides of one edge) for every edge.
 template <class Body>

@@ -34,6 +34,7 @@ struct RepairReport {
   int vertices_moved = 0;
   double largest_move = 0;
   double distance_max = 0, distance_rms = 0;  ///< between the two outer surfaces, both ways; 0 if nothing was wrapped
+  double area_before = 0;                     ///< of the loaded faces
   double area_added = 0, area_removed = 0;
   double seconds = 0;  ///< wall time
   std::vector<RepairStep> steps;

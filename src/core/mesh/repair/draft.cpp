@@ -1,0 +1,73 @@
+#include "core/mesh/repair/draft.h"
+
+#include <fmt/format.h>
+
+namespace taxel {
+
+Draft make_draft(const TriMesh& mesh) {
+  Draft draft{mesh.vertices(), mesh.faces(), {}};
+  draft.loaded.resize(draft.faces.size());
+  for (std::size_t f = 0; f < draft.faces.size(); ++f) draft.loaded[f] = static_cast<int>(f);
+  if (!mesh.closed())
+    for (const ivec3& face : mesh.flat_faces()) draft.add(face, -1);
+  return draft;
+}
+
+void remove_faces(Draft& draft, const std::vector<char>& removed) {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < draft.faces.size(); ++f) {
+    if (removed[f] != 0) continue;
+    draft.faces[kept] = draft.faces[f];
+    draft.loaded[kept++] = draft.loaded[f];
+  }
+  draft.faces.resize(kept);
+  draft.loaded.resize(kept);
+}
+
+void drop_unused_points(Draft& draft) {
+  std::vector<int> number(draft.points.size(), -1);
+  for (const ivec3& face : draft.faces) number[at(face.x)] = number[at(face.y)] = number[at(face.z)] = 0;
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < draft.points.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<int>(kept);
+    draft.points[kept++] = draft.points[v];
+  }
+  draft.points.resize(kept);
+  for (ivec3& face : draft.faces) face = {number[at(face.x)], number[at(face.y)], number[at(face.z)]};
+}
+
+bool is_flat(const dvec3& a, const dvec3& b, const dvec3& c) {
+  constexpr double kFlat = 1e-9;
+  const dvec3 ab = b - a, ac = c - a, bc = c - b;
+  const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+  return !(0.5 * glm::length(glm::cross(ab, ac)) > kFlat * longest);
+}
+
+int corner_at(const ivec3& face, int vertex) {
+  return face.x == vertex ? 0 : face.y == vertex ? 1 : 2;
+}
+
+RepairStep start_step(const char* code) {
+  RepairStep step;
+  step.code = code;
+  return step;
+}
+
+void add_place(RepairStep& step, const dvec3& place) {
+  if (step.count++ == 0) step.place = place;
+}
+
+std::string in_mm(double length) {
+  return fmt::format("{:.3g} mm", 1e3 * length);
+}
+
+std::string in_mm2(double area) {
+  return fmt::format("{:.3g} mm^2", 1e6 * area);
+}
+
+std::string at_place(const dvec3& place) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x, place.y, place.z);
+}
+
+}  // namespace taxel

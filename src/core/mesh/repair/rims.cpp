@@ -1,0 +1,137 @@
+// Rims that rounding has torn apart: points of open edges that are almost at the same place become one.
+#include <array>
+#include <map>
+
+#include "core/mesh/repair/steps.h"
+
+namespace taxel {
+namespace {
+
+std::vector<int> rim_points(const Draft& draft) {
+  std::vector<int> points;
+  const std::vector<EdgeSide> sides = draft.sides();
+  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+    if (edge.size() != 1) return;
+    points.push_back(edge[0].low);
+    points.push_back(edge[0].high);
+  });
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Points in a grid of cells, for those within one cell's width of a place.
+class PointGrid {
+ public:
+  explicit PointGrid(double width) : width_(width) {}
+  void add(int number, const dvec3& p) { cells_[cell(p)].emplace_back(number, p); }
+
+  /// The nearest point within the width, the lowest number among equals; -1 if there is none.
+  [[nodiscard]] int nearest(const dvec3& p) const {
+    const std::array<long long, 3> middle = cell(p);
+    int best = -1;
+    double least = width_;
+    for (int i = 0; i < 27; ++i) {
+      const auto found = cells_.find({middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1});
+      if (found == cells_.end()) continue;
+      for (const auto& [number, q] : found->second) {
+        const double distance = glm::distance(p, q);
+        if (distance > least || (distance == least && best >= 0 && best < number)) continue;
+        best = number;
+        least = distance;
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] std::array<long long, 3> cell(const dvec3& p) const {
+    const dvec3 q = glm::floor(p / width_);
+    return {static_cast<long long>(q.x), static_cast<long long>(q.y), static_cast<long long>(q.z)};
+  }
+  double width_;
+  std::map<std::array<long long, 3>, std::vector<std::pair<int, dvec3>>> cells_;
+};
+
+/// For each point the one that it is joined to. A point joins an earlier rim point within r, never a chain of them, so
+/// that none moves further than r.
+std::vector<int> joined_points(const Draft& draft, const std::vector<int>& rim, double r) {
+  std::vector<int> joined(draft.points.size());
+  for (std::size_t v = 0; v < joined.size(); ++v) joined[v] = static_cast<int>(v);
+  PointGrid kept(r);
+  for (const int v : rim) {
+    const int near_point = kept.nearest(draft.points[at(v)]);
+    if (near_point >= 0)
+      joined[at(v)] = near_point;
+    else
+      kept.add(v, draft.points[at(v)]);
+  }
+  return joined;
+}
+
+std::vector<ivec3> renumbered(const std::vector<ivec3>& faces, const std::vector<int>& joined) {
+  std::vector<ivec3> result;
+  result.reserve(faces.size());
+  for (const ivec3& f : faces) result.emplace_back(joined[at(f.x)], joined[at(f.y)], joined[at(f.z)]);
+  return result;
+}
+
+bool has_equal_corners(const ivec3& face) {
+  return face.x == face.y || face.y == face.z || face.z == face.x;
+}
+
+/// How many edges have one face, and how many more than two.
+struct EdgeCounts {
+  int open = 0, crowded = 0;
+};
+EdgeCounts count_edges(std::size_t point_count, std::vector<ivec3> faces) {
+  std::erase_if(faces, has_equal_corners);
+  EdgeCounts counts;
+  const std::vector<EdgeSide> sides = edge_sides(point_count, faces);
+  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+    counts.open += edge.size() == 1 ? 1 : 0;
+    counts.crowded += edge.size() > 2 ? 1 : 0;
+  });
+  return counts;
+}
+
+void apply(Draft& draft, const std::vector<int>& joined, RepairStep& step) {
+  for (std::size_t v = 0; v < joined.size(); ++v) {
+    if (at(joined[v]) == v) continue;
+    add_place(step, draft.points[v]);
+    step.length = std::max(step.length, glm::distance(draft.points[v], draft.points[at(joined[v])]));
+  }
+  draft.faces = renumbered(draft.faces, joined);
+  std::vector<char> removed(draft.faces.size(), 0);
+  for (std::size_t f = 0; f < removed.size(); ++f) {
+    removed[f] = has_equal_corners(draft.faces[f]) ? 1 : 0;
+    step.faces += removed[f];
+  }
+  remove_faces(draft, removed);
+}
+
+}  // namespace
+
+RepairStep join_rims(Draft& draft, const RepairLimits& limits) {
+  RepairStep step = start_step("repair_joined");
+  const std::vector<int> rim = rim_points(draft);
+  if (rim.empty()) return step;
+  EdgeCounts best = count_edges(draft.points.size(), draft.faces);
+  const int crowded = best.crowded;
+  std::vector<int> best_joined;
+  // Radii from 1e-7 of the diagonal (at the default) to `join`: a larger one must leave fewer open edges.
+  constexpr std::array<double, 8> kRadii{1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4};
+  for (const double fraction : kRadii) {
+    const double r = limits.join * fraction / kRadii.back();
+    if (!(r > 0)) break;
+    std::vector<int> joined = joined_points(draft, rim, r);
+    const EdgeCounts counts = count_edges(draft.points.size(), renumbered(draft.faces, joined));
+    if (counts.crowded > crowded || counts.open >= best.open) continue;
+    best = counts;
+    best_joined = std::move(joined);
+  }
+  if (!best_joined.empty()) apply(draft, best_joined, step);
+  return step;
+}
+
+}  // namespace taxel

@@ -1,0 +1,18 @@
+// Connected shells of a draft.
+#pragma once
+
+#include "core/mesh/repair/draft.h"
+
+namespace taxel {
+
+/// Faces that hang together by shared points, numbered by their first face.
+struct Shells {
+  std::vector<std::vector<int>> faces;  ///< of each shell, ascending
+  std::vector<int> of_face;
+};
+Shells find_shells(const Draft& draft);
+
+/// Signed volume of some faces by the divergence theorem [m^3]: meaningful if they are a closed shell.
+double volume_of(const Draft& draft, const std::vector<int>& faces);
+
+}  // namespace taxel

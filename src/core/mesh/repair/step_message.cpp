@@ -1,0 +1,105 @@
+#include "core/mesh/repair/step_message.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "core/mesh/repair/draft.h"
+
+namespace taxel {
+namespace {
+
+/// A step in words: "{} {}" of its count and its noun, then its verb.
+struct Words {
+  std::string_view code, singular, plural, verb;
+  bool changes_area;
+};
+
+constexpr std::array<Words, 12> kWords{{
+    {"repair_repeated", "repeated face", "repeated faces", "removed", true},
+    {"repair_folded", "folded face", "folded faces", "removed", true},
+    {"repair_fin", "fin", "fins", "removed", true},
+    {"repair_joined", "rim vertex", "rim vertices", "joined", false},
+    {"repair_turned", "face without area", "faces without area", "turned", false},
+    {"repair_split", "edge", "edges", "split at a T-junction", false},
+    {"repair_oriented", "face", "faces", "turned outward", false},
+    {"repair_parted", "place", "places", "parted where surfaces touch", false},
+    {"repair_filled", "hole", "holes", "filled", true},
+    {"repair_united", "overlapping shell", "overlapping shells", "united", true},
+    {"repair_wrapped", "shell", "shells", "wrapped", false},
+    {"repair_sheet", "surface without an inside", "surfaces without an inside", "thickened", true},
+}};
+
+const Words& words_of(std::string_view code) {
+  return *std::find_if(kWords.begin(), kWords.end(), [&](const Words& words) { return words.code == code; });
+}
+
+/// "2 fins".
+std::string counted(const RepairStep& step) {
+  const Words& words = words_of(step.code);
+  return fmt::format("{} {}", step.count, step.count == 1 ? words.singular : words.plural);
+}
+
+/// "2 folded faces and 1 fin removed, 1 hole filled".
+std::string all_clauses(const std::vector<RepairStep>& steps) {
+  std::string text;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::string_view verb = words_of(steps[i].code).verb;
+    const bool verb_follows = i + 1 < steps.size() && words_of(steps[i + 1].code).verb == verb;
+    const bool verb_before = i > 0 && words_of(steps[i - 1].code).verb == verb;
+    if (i > 0) text += verb_before && !verb_follows ? " and " : ", ";
+    text += counted(steps[i]);
+    if (!verb_follows) text += fmt::format(" {}", verb);
+  }
+  return text;
+}
+
+std::string area_text(double area, const RepairReport& report) {
+  return fmt::format("{}, {:.2g} % of the area", in_mm2(area), 100 * area / report.area_before);
+}
+
+/// Lengths and areas of a step, in brackets.
+std::string measures(const RepairStep& step, const RepairReport& report) {
+  std::string text;
+  if (step.code == "repair_joined") text = fmt::format("moved by at most {}", in_mm(step.length));
+  if (step.code == "repair_filled") text = fmt::format("up to {} wide, ", in_mm(step.length));
+  if (step.area > 0) text += area_text(step.area, report);
+  if (step.code == "repair_wrapped")
+    text = fmt::format("distance up to {}, rms {}", in_mm(report.distance_max), in_mm(report.distance_rms));
+  return text.empty() ? text : " (" + text + ")";
+}
+
+}  // namespace
+
+void finish_step(RepairStep& step, const RepairReport& report) {
+  constexpr double kMuch = 0.01;  // of the area
+  if (words_of(step.code).changes_area && step.area > kMuch * report.area_before) step.severity = Severity::warning;
+  step.message = fmt::format("{} {}{}; first at {}", counted(step), words_of(step.code).verb, measures(step, report),
+                             at_place(step.place));
+}
+
+Problems repair_problems(const RepairReport& report, const std::string& file) {
+  Problems problems;
+  for (const RepairStep& step : report.steps)
+    problems.push_back({file, "/mesh/file", step.severity, step.code, "repaired: " + step.message, ""});
+  return problems;
+}
+
+std::string repair_summary(const RepairReport& report) {
+  if (report.steps.empty()) return "";
+  std::string text = "repaired: " + all_clauses(report.steps);
+  const double area = report.area_added + report.area_removed;
+  if (area > 0) text += fmt::format(" ({})", area_text(area, report));
+  if (report.distance_max > 0) {
+    text += fmt::format(", surface within {}", in_mm(report.distance_max));
+  } else if (report.vertices_moved > 0) {
+    text += fmt::format(", {} {} moved by at most {}", report.vertices_moved,
+                        report.vertices_moved == 1 ? "vertex" : "vertices", in_mm(report.largest_move));
+  } else {
+    text += ", no vertex moved";
+  }
+  return text;
+}
+
+}  // namespace taxel

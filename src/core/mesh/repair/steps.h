@@ -1,0 +1,32 @@
+// The steps of a repair, in the order in which they run. Each removes one kind of fault and says what it did.
+#pragma once
+
+#include "core/mesh/repair/draft.h"
+
+namespace taxel {
+
+/// Of faces with the same three corners and the same winding one is kept.
+RepairStep remove_repeated(Draft& draft);
+/// Pairs of faces with the same three corners and opposite winding are removed: they enclose nothing.
+RepairStep remove_folded(Draft& draft);
+/// Removes patches that hang on an edge of more than two faces and end open, the smallest first, as long as they make
+/// up at most 2 % of the loaded area.
+RepairStep remove_fins(Draft& draft, const RepairLimits& limits);
+/// Joins points of open edges that rounding has torn apart. `length` is the largest distance between joined points.
+/// A joined point gets the position of the one with the lowest number; `moved` counts the others.
+RepairStep join_rims(Draft& draft, const RepairLimits& limits);
+/// Flips the longest edge of each face without area, so that its apex splits the face across.
+RepairStep turn_flat_faces(Draft& draft);
+/// Splits an open edge at each rim point that lies on it within 1e-5 of the diagonal.
+RepairStep split_junctions(Draft& draft, const RepairLimits& limits);
+/// Turns faces so that neighbours wind alike. `unorientable` gets the patches on which this fails (a Moebius strip): a
+/// nonzero entry for each of their faces.
+RepairStep wind_alike(Draft& draft, std::vector<char>& unorientable);
+/// Separates surfaces that only touch along an edge or at a point, so that solid lies between the faces of each.
+RepairStep part_touching(Draft& draft, RepairChanges& changes);
+/// Fills every hole.
+RepairStep fill_holes(Draft& draft, const RepairLimits& limits);
+/// Turns shells so that their volume is positive, or negative if they are cavities inside another shell.
+RepairStep orient_shells(Draft& draft);
+
+}  // namespace taxel

@@ -1,0 +1,222 @@
+// Repair of meshes: each fault is made from a sound mesh, and healed.
+#include <gtest/gtest.h>
+
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair.h"
+#include "unit/mesh/broken_mesh.h"
+
+namespace taxel {
+namespace {
+
+RepairedMesh repair(const TriMesh& mesh, const RepairRecipe& recipe = {}) {
+  return *repair_mesh(std::make_shared<const TriMesh>(mesh), recipe, 0.002);
+}
+
+std::string codes(const RepairedMesh& repaired) {
+  std::string text;
+  for (const RepairStep& step : repaired.report.steps) text += (text.empty() ? "" : " ") + step.code;
+  return text;
+}
+
+void expect_sound(const RepairedMesh& repaired, const TriMesh& loaded) {
+  EXPECT_TRUE(repaired.mesh->closed());
+  EXPECT_TRUE(repaired.report.closed);
+  EXPECT_GT(repaired.mesh->volume(), 0);
+  if (repaired.mesh.get() != &loaded && !repaired.loaded_face_of.empty()) {
+    ASSERT_EQ(static_cast<int>(repaired.loaded_face_of.size()), repaired.mesh->face_count());
+    for (const int face : repaired.loaded_face_of) EXPECT_LT(face, loaded.face_count());
+  }
+  const RepairedMeshPtr again = repair_mesh(repaired.mesh, {}, 0.002);
+  EXPECT_EQ(again->mesh, repaired.mesh) << "repaired again: " << repair_summary(again->report);
+}
+
+TEST(Repair, KeepsTheObjectOfASoundMesh) {
+  for (const TriMesh& mesh : {make_box(dvec3(0.01)), make_icosphere(0.01, 3), make_fingertip()}) {
+    const auto loaded = std::make_shared<const TriMesh>(mesh);
+    const RepairedMeshPtr repaired = repair_mesh(loaded, {}, 0.002);
+    EXPECT_EQ(repaired->mesh, loaded);
+    EXPECT_TRUE(repaired->loaded_face_of.empty());
+    EXPECT_EQ(repaired->loaded_face(5), 5);
+    EXPECT_EQ(repair_summary(repaired->report), "");
+    EXPECT_EQ(repaired->report.level, RepairLevel::keep);
+  }
+}
+
+TEST(Repair, RemovesRepeatedAndFoldedFaces) {
+  const TriMesh sphere = make_icosphere(0.01, 2);
+  std::vector<ivec3> faces = sphere.faces();
+  const int far = static_cast<int>(sphere.vertices().size());
+  std::vector<dvec3> vertices = sphere.vertices();
+  vertices.push_back(1.2 * sphere.vertices()[test::slot(faces[0].x)]);
+  faces.push_back(faces[3]);
+  faces.emplace_back(faces[0].x, faces[0].y, far);
+  faces.emplace_back(faces[0].y, faces[0].x, far);
+  const TriMesh broken(vertices, faces);
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_repeated repair_folded");
+  EXPECT_EQ(repaired.mesh->faces(), sphere.faces());
+  EXPECT_EQ(repaired.mesh->vertices(), sphere.vertices());
+  EXPECT_EQ(repaired.changes.removed_faces.size(), 3U);
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, CutsAFinOff) {
+  const TriMesh sphere = make_icosphere(0.01, 3);
+  const TriMesh broken = test::with_fin(sphere, 0, 0.002);
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_fin");
+  EXPECT_EQ(repaired.mesh->faces(), sphere.faces());
+  EXPECT_EQ(repaired.report.vertices_moved, 0);
+  EXPECT_NE(repair_summary(repaired.report).find("1 fin removed"), std::string::npos);
+  EXPECT_NE(repair_summary(repaired.report).find("no vertex moved"), std::string::npos);
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, JoinsATornRim) {
+  const TriMesh sphere = make_icosphere(0.01, 3);
+  const TriMesh broken = test::torn(sphere, 2e-8);
+  ASSERT_FALSE(broken.closed());
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_joined");
+  EXPECT_EQ(repaired.mesh->face_count(), sphere.face_count());
+  EXPECT_GT(repaired.report.vertices_moved, 0);
+  EXPECT_LE(repaired.report.largest_move, 4e-8);
+  EXPECT_NEAR(repaired.mesh->volume(), sphere.volume(), 1e-5 * sphere.volume());
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, FillsAMissingFace) {
+  const TriMesh sphere = make_icosphere(0.01, 3);
+  const TriMesh broken = test::without_faces(sphere, {7});
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_filled");
+  ASSERT_EQ(repaired.changes.filled_faces.size(), 1U);
+  EXPECT_EQ(repaired.loaded_face(repaired.changes.filled_faces[0]), -1);
+  EXPECT_NEAR(repaired.mesh->volume(), sphere.volume(), 1e-12 * sphere.volume());
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, FillsALargeHoleOfABoxFlat) {
+  const TriMesh box = test::refined_box(0.01, 8);
+  std::vector<int> top;
+  for (int f = 0; f < box.face_count(); ++f)
+    if (box.face_normals()[test::slot(f)].z > 0.9) top.push_back(f);
+  const TriMesh broken = test::without_faces(box, top);
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_filled");
+  EXPECT_EQ(repaired.report.steps[0].severity, Severity::warning);  // wider than a tenth of the diagonal
+  EXPECT_NEAR(repaired.mesh->volume(), 8e-6, 1e-12);
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, SplitsAnEdgeAtATJunction) {
+  const TriMesh broken = test::box_with_t_junction(0.01);
+  ASSERT_FALSE(broken.closed());
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_split");
+  EXPECT_NEAR(repaired.mesh->volume(), 8e-6, 1e-15);
+  EXPECT_TRUE(repaired.changes.filled_faces.empty());
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, TurnsAFaceWithoutArea) {
+  const TriMesh with_gap = test::box_with_t_junction(0.01);
+  const TriMesh broken(with_gap.vertices(), with_gap.faces(), {test::t_junction_face()});
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_turned");
+  EXPECT_NEAR(repaired.mesh->volume(), 8e-6, 1e-15);
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, TurnsFacesAndWholeBodiesOutward) {
+  const TriMesh sphere = make_icosphere(0.01, 2);
+  for (const std::vector<int>& turned : {std::vector<int>{4, 5, 90}, test::all_faces(sphere)}) {
+    const TriMesh broken = test::with_turned_faces(sphere, turned);
+    const RepairedMesh repaired = repair(broken);
+    EXPECT_EQ(codes(repaired), "repair_oriented");
+    EXPECT_EQ(repaired.report.steps[0].faces, static_cast<int>(turned.size()));
+    EXPECT_NEAR(repaired.mesh->volume(), sphere.volume(), 1e-12 * sphere.volume());
+    expect_sound(repaired, broken);
+  }
+}
+
+TEST(Repair, KeepsCavitiesInwardAndTurnsThemWithTheirBody) {
+  const TriMesh body = test::hollow_sphere(0.01, 0.005);
+  EXPECT_EQ(codes(repair(body)), "");
+  const TriMesh inside_out = test::with_turned_faces(body, test::all_faces(body));
+  const RepairedMesh repaired = repair(inside_out);
+  EXPECT_EQ(codes(repaired), "repair_oriented");
+  EXPECT_NEAR(repaired.mesh->volume(), body.volume(), 1e-12 * body.volume());
+  expect_sound(repaired, inside_out);
+}
+
+TEST(Repair, PartsCubesThatTouchAlongAnEdgeOrAtAPoint) {
+  for (const dvec3& by : {dvec3(0.02, 0.02, 0), dvec3(0.02, 0.02, 0.02)}) {
+    const TriMesh broken = test::welded(test::together(make_box(dvec3(0.01)), test::moved(make_box(dvec3(0.01)), by)));
+    const RepairedMesh repaired = repair(broken);
+    EXPECT_EQ(codes(repaired), "repair_parted");
+    EXPECT_EQ(repaired.report.shells_after, 2);
+    EXPECT_NEAR(repaired.mesh->volume(), 16e-6, 1e-15);
+    expect_sound(repaired, broken);
+  }
+}
+
+TEST(Repair, PartsARingThatTouchesItselfAlongAnEdge) {
+  const TriMesh broken = test::closed_ring_of_cubes(0.01);
+  ASSERT_FALSE(broken.closed());
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(codes(repaired), "repair_parted");
+  EXPECT_FALSE(repaired.changes.parted_edges.empty());
+  EXPECT_NEAR(repaired.mesh->volume(), broken.volume(), 1e-15);
+  expect_sound(repaired, broken);
+}
+
+TEST(Repair, NamesTheKeyOfABadRecipe) {
+  const TriMesh box = make_box(dvec3(0.01));
+  RepairRecipe recipe;
+  recipe.edge = -0.001;
+  try {
+    repair(box, recipe);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "/mesh/repair/edge");
+    EXPECT_EQ(error.message(), "must be greater than 0, is -0.001");
+  }
+}
+
+TEST(Repair, SaysThatFoldsEncloseNothing) {
+  const TriMesh fold({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}, {0, 2, 1}});
+  try {
+    repair(fold);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.message().find("encloses nothing"), std::string::npos);
+  }
+}
+
+TEST(Repair, KeepRefusesAnOpenMesh) {
+  RepairRecipe recipe;
+  recipe.level = RepairLevel::keep;
+  const TriMesh sphere = make_icosphere(0.01, 2);
+  EXPECT_THROW(repair(test::without_faces(sphere, {3}), recipe), Error);
+  EXPECT_EQ(codes(repair(sphere, recipe)), "");
+}
+
+TEST(Repair, HealsThePapersFingertip) {
+  const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / "paper" / "ubi_tip_collision.stl";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the paper's mesh is absent: " << path;
+  const LoadedMesh loaded = load_mesh(path, dvec3(0.001));
+  ASSERT_FALSE(loaded.mesh->closed());
+  const RepairedMesh repaired = repair(*loaded.mesh);
+  EXPECT_EQ(repaired.report.faces_before, 175);
+  EXPECT_EQ(repaired.report.faces_after, 172);
+  EXPECT_EQ(codes(repaired), "repair_folded repair_fin");
+  EXPECT_EQ(repaired.report.vertices_moved, 0);
+  EXPECT_EQ(repaired.report.shells_after, 1);
+  EXPECT_EQ(repair_summary(repaired.report),
+            "repaired: 2 folded faces and 1 fin removed (2.63 mm^2, 0.16 % of the area), no vertex moved");
+  expect_sound(repaired, *loaded.mesh);
+}
+
+}  // namespace
+}  // namespace taxel
