@@ -13,6 +13,18 @@
 namespace taxel {
 namespace {
 
+void check_repair(const RepairRecipe& recipe, Check& check) {
+  for (const RepairNumber& number : kRepairNumbers) {
+    const std::optional<double>& value = recipe.*number.value;
+    const std::string pointer = fmt::format("/mesh/repair/{}", number.key);
+    if (!value) continue;
+    if (number.may_be_zero)
+      check.not_negative(pointer, *value, "repair_out_of_range");
+    else
+      check.positive(pointer, *value, "repair_out_of_range", "leave it out for its default");
+  }
+}
+
 void check_settings(const Layout& layout, Check& check) {
   if (layout.mesh.file.empty()) check.error("/mesh/file", "mesh_file_empty", "must name a mesh file, is \"\"");
   for (int axis = 0; axis < 3; ++axis) {
@@ -21,6 +33,7 @@ void check_settings(const Layout& layout, Check& check) {
       check.error(fmt::format("/mesh/scale/{}", axis), "scale_zero", fmt::format("must be finite and not 0, is {}", s),
                   "1 for a mesh in metres, 0.001 for millimetres");
   }
+  check_repair(layout.mesh.repair, check);
   const bool distal = check.direction("/frame/distal", layout.frame.distal);
   const bool pad = check.direction("/frame/pad", layout.frame.pad);
   if (distal && pad) {

@@ -30,12 +30,22 @@ void read_head(Object& root, const std::string& file) {
     throw Error(file, "/version", fmt::format("{} is unknown, this program reads version {}", v, kVersion));
 }
 
+RepairRecipe read_repair(const Value& value) {
+  Object object(value);
+  RepairRecipe recipe;
+  object.word("level", recipe.level);
+  for (const RepairNumber& number : kRepairNumbers) object.number(number.key, recipe.*number.value);
+  object.keep_unknown();
+  return recipe;
+}
+
 MeshRef read_mesh(const Value& value) {
   Object object(value);
   MeshRef mesh;
   mesh.file = object.required("file").text();
   object.vector("scale", mesh.scale);
   object.text("sha256", mesh.sha256);
+  object.optional("repair", [&](const Value& v) { mesh.repair = read_repair(v); });
   object.keep_unknown();
   return mesh;
 }

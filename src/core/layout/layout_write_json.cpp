@@ -40,9 +40,28 @@ Json region_json(const std::vector<int>& faces) {
   return runs;
 }
 
+/// Only what is set. A number that is not set means its default, which depends on the mesh.
+Json repair_json(const RepairRecipe& recipe) {
+  Json json = Json::object();
+  if (recipe.level != RepairLevel::automatic) json["level"] = word(recipe.level);
+  for (const RepairNumber& n : kRepairNumbers)
+    if (const std::optional<double>& value = recipe.*n.value)
+      json[n.key] = number(*value, fmt::format("/mesh/repair/{}", n.key));
+  return json;
+}
+
+/// Whether /mesh/repair has unknown keys, which need its object to be written back into.
+bool has_unknown_repair_keys(const Layout& layout) {
+  const std::string start = "/mesh/repair/";
+  const auto first = layout.unknown.lower_bound(start);
+  return first != layout.unknown.end() && first->first.starts_with(start);
+}
+
 void write_settings(Json& json, const Layout& layout) {
   json["mesh"] = {
       {"file", layout.mesh.file}, {"scale", vector(layout.mesh.scale, "/mesh/scale")}, {"sha256", layout.mesh.sha256}};
+  const Json repair = repair_json(layout.mesh.repair);
+  if (!repair.empty() || has_unknown_repair_keys(layout)) json["mesh"]["repair"] = repair;
   json["frame"] = {{"distal", vector(layout.frame.distal, "/frame/distal")},
                    {"pad", vector(layout.frame.pad, "/frame/pad")}};
   json["sampling"] = {{"density", number(layout.sampling.density, "/sampling/density")},

@@ -35,6 +35,23 @@ inline constexpr Word<FieldKind> kFieldKindWords[] = {{FieldKind::pad, "pad"},
                                                       {FieldKind::star, "star"},
                                                       {FieldKind::tets, "tets"}};
 
+inline constexpr Word<RepairLevel> kRepairLevelWords[] = {{RepairLevel::automatic, "auto"},
+                                                          {RepairLevel::exact, "exact"},
+                                                          {RepairLevel::wrap, "wrap"},
+                                                          {RepairLevel::keep, "keep"}};
+
+/// A number of a repair recipe and its key in /mesh/repair.
+struct RepairNumber {
+  const char* key;
+  std::optional<double> RepairRecipe::*value;
+  bool may_be_zero;
+};
+inline constexpr RepairNumber kRepairNumbers[] = {{"join", &RepairRecipe::join, true},
+                                                  {"fill", &RepairRecipe::fill, true},
+                                                  {"edge", &RepairRecipe::edge, false},
+                                                  {"tolerance", &RepairRecipe::tolerance, false},
+                                                  {"refine", &RepairRecipe::refine, false}};
+
 inline std::span<const Word<Metric>> words_of(Metric) {
   return kMetricWords;
 }
@@ -55,6 +72,9 @@ inline std::span<const Word<Aggregate>> words_of(Aggregate) {
 }
 inline std::span<const Word<FieldKind>> words_of(FieldKind) {
   return kFieldKindWords;
+}
+inline std::span<const Word<RepairLevel>> words_of(RepairLevel) {
+  return kRepairLevelWords;
 }
 
 /// The word of a value, as files spell it.

@@ -19,7 +19,7 @@ constexpr const char* kMinimal = R"({
 Layout full_layout() {
   Layout layout;
   layout.name = "tip \"A\" \xC3\xA9\n";
-  layout.mesh = {"a/b.stl", dvec3(0.001, -0.001, 1.0 / 3.0), "abc"};
+  layout.mesh = {"a/b.stl", dvec3(0.001, -0.001, 1.0 / 3.0), "abc", {RepairLevel::wrap, 0.0, 0.1, 1.0 / 3.0, 1e-9, 3}};
   layout.frame = {dvec3(0, 1, 0), dvec3(-0.0, 0, 0.1 + 0.2)};
   layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all, std::vector{1, 2, 5}};
   layout.receptive_field = {Metric::geodesic, 37.5};
@@ -45,6 +45,7 @@ Layout full_layout() {
               {.id = 3, .tare = {}, .gain = {}, .curve = {{0, 1}, {0.1 + 0.2, 2}}, .dead = 0}};
   layout.unknown = {{"/calibration/crosstalk/of", "\"skin\""}, {"/calibration/date", "\"today\""},
                     {"/calibration/taxels/1/note", "7"},       {"/mesh/made by", "\"hand\""},
+                    {"/mesh/repair/by", "\"us\""},
                     {"/taxels/1/subtaxels/0/a~1b", "[]"},      {"/taxels/0/note", "null"}};
   return layout;
 }
@@ -87,6 +88,14 @@ TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
                           "file",
                           "scale",
                           "sha256",
+                          "repair",
+                          "level",
+                          "join",
+                          "fill",
+                          "edge",
+                          "tolerance",
+                          "refine",
+                          "by",
                           "made by",
                           "frame",
                           "distal",
@@ -159,6 +168,39 @@ TEST(LayoutJson, ShellsAreWrittenOnlyWhereAllAreSampled) {
   EXPECT_EQ(layout_to_json(layout).find("shells"), std::string::npos);
   layout.sampling.shells = Shells::all;
   EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
+}
+
+TEST(LayoutJson, WritesOnlyWhatIsSetOfARepair) {
+  Layout layout = parse_layout(kMinimal);
+  EXPECT_EQ(layout.mesh.repair, RepairRecipe{});
+  EXPECT_EQ(layout_to_json(layout).find("repair"), std::string::npos);
+  layout.mesh.repair.edge = 3e-4;
+  const std::string text = layout_to_json(layout);
+  EXPECT_NE(text.find("\"edge\": 0.0003"), std::string::npos);
+  EXPECT_EQ(text.find("\"level\""), std::string::npos);
+  EXPECT_EQ(parse_layout(text), layout);
+  for (const RepairLevel level : {RepairLevel::automatic, RepairLevel::exact, RepairLevel::wrap, RepairLevel::keep}) {
+    layout.mesh.repair = {level, {}, {}, {}, {}, {}};
+    EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
+  }
+}
+
+TEST(LayoutJson, KeepsUnknownKeysOfADefaultRepair) {
+  const Layout layout = parse_layout(with("\"m.obj\"", R"("m.obj", "repair": {"level": "auto", "seen": true})"));
+  EXPECT_EQ(layout.mesh.repair, RepairRecipe{});
+  EXPECT_EQ(layout.unknown.at("/mesh/repair/seen"), "true");
+  EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
+}
+
+TEST(LayoutJson, NamesTheMistakeInARepair) {
+  const auto complaint = [](const std::string& repair) {
+    return error_of(with("\"m.obj\"", "\"m.obj\", \"repair\": " + repair));
+  };
+  EXPECT_EQ(complaint("3"), "/mesh/repair|must be an object, is 3");
+  EXPECT_EQ(complaint(R"({"level": "automatic"})"),
+            R"(/mesh/repair/level|must be one of "auto", "exact", "wrap", "keep", is "automatic")");
+  EXPECT_EQ(complaint(R"({"edge": "0.3 mm"})"), R"(/mesh/repair/edge|must be a number, is "0.3 mm")");
+  EXPECT_EQ(complaint(R"({"join": null})"), "/mesh/repair/join|must be a number, is null");
 }
 
 TEST(LayoutJson, ARegionIsWrittenInRunsAndOnlyWhereThereIsOne) {
@@ -236,7 +278,7 @@ TEST(LayoutJson, UnknownKeysOfADeletedTaxelGoWithIt) {
   Layout layout = full_layout();
   layout.taxels.clear();
   const Layout back = parse_layout(layout_to_json(layout));
-  EXPECT_EQ(back.unknown.size(), 4U);
+  EXPECT_EQ(back.unknown.size(), 5U);
 }
 
 TEST(LayoutJson, WrongTypesAreNamedWithTheirPlace) {

@@ -27,6 +27,7 @@ Json words() {
 
 TEST(LayoutSchema, HasTheReadersWords) {
   const Json p = schema()["properties"];
+  EXPECT_EQ(p["mesh"]["properties"]["repair"]["properties"]["level"]["enum"], words<RepairLevel>());
   EXPECT_EQ(p["sampling"]["properties"]["weights"]["enum"], words<SampleWeights>());
   EXPECT_EQ(p["sampling"]["properties"]["shells"]["enum"], words<Shells>());
   EXPECT_EQ(p["receptive_field"]["properties"]["metric"]["enum"], words<Metric>());
@@ -61,6 +62,9 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   EXPECT_EQ(sampling["shells"]["default"], std::string(to_word(layout.sampling.shells)));
   sampling.erase("shells");  // written only where it is not the default
   sampling.erase("region");  // likewise
+  Json& mesh = described["properties"]["mesh"]["properties"];
+  const Json repair = mesh["repair"];
+  mesh.erase("repair");  // Written only if it is not the default.
   Json& readout = described["properties"]["readout"]["properties"];
   EXPECT_EQ(readout["shear"]["default"], layout.readout.shear);  // written where it is not the default
   const Json shear = readout["shear"];
@@ -69,6 +73,11 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   layout.readout.shear = true;
   EXPECT_EQ(Json::parse(layout_to_json(layout))["readout"]["shear"], true);
   EXPECT_EQ(shear["type"], "boolean");
+  EXPECT_EQ(repair["properties"]["level"]["default"], std::string(to_word(RepairRecipe{}.level)));
+  layout.mesh.repair = {RepairLevel::exact, 1.0, 1.0, 1.0, 1.0, 1.0};
+  for (const auto& [key, value] : Json::parse(layout_to_json(layout))["mesh"]["repair"].items())
+    EXPECT_TRUE(repair["properties"].contains(key)) << key;
+  EXPECT_EQ(Json::parse(layout_to_json(layout))["mesh"]["repair"].size(), repair["properties"].size());
 
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
   expect_described(Json::parse(layout_to_json(layout))["taxels"][0], schema()["$defs"]["taxel"], "/taxels/0");
