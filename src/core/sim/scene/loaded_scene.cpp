@@ -9,6 +9,7 @@
 
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/dropped_attributes.h"
 #include "core/sim/scene/old_fields.h"
 #include "core/sim/scene/xml_attributes.h"
 
@@ -220,18 +221,21 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   const fs::path file = fs::absolute(scene_file, ignored).lexically_normal();
   if (!fs::is_regular_file(file, ignored)) throw Error(name, "no such file");
   std::vector<AddedSensor> added = attached_sensors(name, attachments);
-  CompiledScene scene = parsed(file.string(), nullptr, name);
+  std::vector<std::string> notes;
+  Vfs vfs;
+  for (const CurrentMjcf& current : current_mjcf(file, notes)) vfs.add(current.file.string(), current.text);
+  CompiledScene scene = parsed(file.string(), vfs.get(), name);
+  scene.notes = std::move(notes);
   const bool old = has_old_fields(scene.spec.get());
-  if (added.empty() || old) compile(scene, nullptr, name);
+  if (added.empty() || old) compile(scene, vfs.get(), name);
   if (old) add_old_sensors(*scene.model, added, scene);
   if (added.empty()) {
     check_one_sensor_per_geom(*scene.model, added, name);
     return scene;
   }
   const fs::path overlay = file.parent_path() / (file.stem().string() + "+taxels.xml");
-  Vfs vfs;
   vfs.add(overlay.string(), overlay_xml(file, added));
-  std::vector<std::string> notes = std::move(scene.notes);
+  notes = std::move(scene.notes);
   scene = parsed(overlay.string(), vfs.get(), name);
   scene.notes = std::move(notes);
   name_geoms(scene.spec.get(), added);
