@@ -153,7 +153,8 @@ PressureFieldPtr make_field(const Shape& shape, const Material& material) {
   if (material.field == FieldKind::star) return make_star_field(skin_of(shape).mesh, material.modulus);
   if (material.field == FieldKind::pad && (is_mesh || is_tets || material.thickness > 0)) {
     const Skin skin = skin_of(shape);
-    return make_pad_field(skin.mesh, material.modulus, pad_thickness(*skin.mesh, material), skin.face_numbers);
+    return make_pad_field(skin.mesh, material.modulus, pad_thickness(*skin.mesh, material), skin.face_numbers,
+                          PadLayering::automatic, shape.refine);
   }
   if (is_mesh || is_tets)
     throw Error(fmt::format("field medial_axis is for primitives, not for a {}", to_string(shape.type)));

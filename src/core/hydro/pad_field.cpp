@@ -4,7 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/hydro/pad_error.h"
+#include "core/hydro/pad_press.h"
 #include "core/hydro/pad_pressures.h"
+#include "core/hydro/pad_tents.h"
 #include "core/hydro/pressure_field.h"
 #include "core/mesh/mesh_check.h"
 
@@ -37,11 +39,11 @@ class SkinPartMaker {
   double worst_ = -1;
 };
 
-FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const PadLayers& layers, double thickness,
+/// `bare_faces`: whether a face has no tet, per face.
+FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const std::vector<char>& bare_faces, double thickness,
                       const std::vector<int>& face_numbers) {
   FieldReport report;
   report.core = true;
-  report.two_layer_faces = layers.two_layer_faces();
   report.thickness = thickness;
   report.skin_area = mesh.area();
   SkinPartMaker limited(mesh, face_numbers), bare(mesh, face_numbers);
@@ -54,7 +56,7 @@ FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const PadLayer
       limited_area += mesh.face_areas()[at(f)] / 3.0;
       least = std::min(least, shape.part_left(leg));
     }
-    if (layers.bare(f)) {
+    if (bare_faces[at(f)] != 0) {
       bare.add(f, mesh.face_areas()[at(f)]);
     } else if (least < 1) {
       limited.add(f, 1 - least);
@@ -80,27 +82,35 @@ PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, 
   const PadShape shape(index, thickness);
   const PadDepths depths = pad_depths(*mesh, shape, thickness);
   const PadLayers layers(shape, index, legs_with_two_layers(layering, depths, thickness));
-  std::vector<dvec3> vertices = mesh->vertices();
-  for (int leg = 0; leg < shape.leg_count(); ++leg) vertices.push_back(shape.inner_position(leg));
-  for (const int leg : layers.legs()) vertices.push_back(shape.moved(leg, layers.height(leg)));
-  std::vector<double> pressure = pad_pressures(index, shape, layers, depths, modulus, thickness);
-  FieldReport report = report_of(*mesh, shape, layers, thickness, face_numbers);
-  const PadError error = pad_error(index, vertices, layers.tets(), pressure, modulus, thickness);
+  PadTets pad{mesh->vertices(), layers.tets(), pad_pressures(index, shape, layers, depths, modulus, thickness)};
+  for (int leg = 0; leg < shape.leg_count(); ++leg) pad.vertices.push_back(shape.inner_position(leg));
+  for (const int leg : layers.legs()) pad.vertices.push_back(shape.moved(leg, layers.height(leg)));
+  std::vector<char> bare(mesh->faces().size());
+  for (int f = 0; f < mesh->face_count(); ++f) bare[at(f)] = layers.bare(f) ? 1 : 0;
+  const int split = split_by_tents(index, pad, modulus, thickness);
+  const int own = add_own_tents(index, pad, bare, modulus, thickness);
+  FieldReport report = report_of(*mesh, shape, bare, thickness, face_numbers);
+  report.two_layer_faces = layers.two_layer_faces();
+  report.tents = split + own;
+  const PadError error = pad_error(index, pad.vertices, pad.tets, pad.pressure, modulus, thickness);
   report.depth_error_mean = error.mean;
   report.depth_error_rms = error.rms;
-  return std::make_shared<const PressureField>(std::move(vertices), layers.tets(), std::move(pressure),
-                                               std::move(report));
+  const auto field = std::make_shared<PressureField>(std::move(pad.vertices), std::move(pad.tets),
+                                                     std::move(pad.pressure), std::move(report));
+  field->set_press_errors(press_errors(index, *field, modulus, thickness));
+  return field;
 }
 
 }  // namespace
 
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
-                                const std::vector<int>& face_numbers, PadLayering layering) {
+                                const std::vector<int>& face_numbers, PadLayering layering, double refine) {
   const auto require_positive = [](double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
   };
   require_positive(modulus, "modulus of a pad");
   require_positive(thickness, "thickness of a pad");
+  if (!(refine >= 0)) throw Error(fmt::format("refine of a pad must be 0 or greater, is {}", refine));
   if (!mesh->closed()) throw Error("a pad needs a closed mesh; this one is open: " + openings(*mesh));
   if (!(mesh->volume() > 0)) throw Error("a pad needs a mesh whose triangles face outward; this one is inside out");
   return fill(mesh, modulus, thickness, face_numbers, layering);

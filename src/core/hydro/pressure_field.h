@@ -4,10 +4,12 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/material.h"
 #include "core/mesh/bvh.h"
+#include "core/mesh/repair/repair_recipe.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -82,6 +84,8 @@ class PressureField {
   [[nodiscard]] const FieldReport& report() const { return report_; }
   /// Whether the face opposite to this corner lies on the skin: at the boundary, with no pressure at its vertices.
   [[nodiscard]] bool is_skin(const Tet& tet, int corner) const;
+  /// Completes the report of a pad, by its maker alone: the errors need the finished field.
+  void set_press_errors(std::vector<FieldReport::PressError> errors) { report_.press_errors = std::move(errors); }
 
  private:
   void measure_skin_stiffness();
@@ -109,10 +113,11 @@ enum class PadLayering {
 
 /// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
 /// prism and layer. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report;
-/// empty: their own numbers. Throws Error for an open mesh (naming the places), H <= 0 or E <= 0.
+/// empty: their own numbers. `refine`: longest edge, in H, of faces whose pad would be uneven (pad_refine.h); 0: the
+/// skin stays as it is. Throws Error for an open mesh (naming the places), H <= 0, E <= 0 or refine < 0.
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
                                 const std::vector<int>& face_numbers = {},
-                                PadLayering layering = PadLayering::automatic);
+                                PadLayering layering = PadLayering::automatic, double refine = kDefaultRefine);
 
 /// Tets from the volume centroid to every face, p = E there: what the paper's code does. Inverted tets are reported.
 PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
