@@ -24,8 +24,6 @@ constexpr double kShortestCrease = 0.5;
 constexpr double kLargestSlope = 1.5;
 /// Below this part it counts as folded; not zero, because planes of flatter tets are rounding.
 constexpr double kFoldedVolume = 1e-4;
-/// A face this nearly edge on to the direction of one of its corners folds back however short the offset.
-constexpr double kEdgeOn = 0.1;
 /// Folded prisms shrink by this, at most so often (to a ten thousandth).
 constexpr double kShrink = 0.8;
 constexpr int kShrinkRounds = 40;
@@ -277,26 +275,6 @@ void PadShape::shrink_folded() {
       }
     }
     for (const int f : suspects) suspected[at(f)] = 0;
-  }
-}
-
-/// Pinches the corners of prisms that no shrinking unfolded, until none is left.
-void PadShape::pinch_folded() {
-  std::vector<int> suspects(mesh_.faces().size());
-  std::iota(suspects.begin(), suspects.end(), 0);
-  while (!suspects.empty()) {
-    std::vector<int> next;
-    for (const int f : suspects) {
-      if (!can_be_filled(f) || well_shaped(f, kFoldedVolume)) continue;
-      for (int c = 0; c < 3; ++c) {
-        const int own = leg(f, c);
-        if (std::exchange(pinched_[at(own)], 1)) continue;
-        shorten(own, 0);
-        const std::span<const int> around = faces_around(own);
-        next.insert(next.end(), around.begin(), around.end());
-      }
-    }
-    suspects = std::move(next);
   }
 }
 

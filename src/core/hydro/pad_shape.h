@@ -42,6 +42,8 @@ class PadShape {
   [[nodiscard]] std::vector<int> ends() const;
 
  private:
+  /// A face this nearly edge on to the direction of one of its corners folds back however short the offset.
+  static constexpr double kEdgeOn = 0.1;
   /// What a leg may be by itself.
   struct OwnOffset {
     bool known = false;
@@ -65,6 +67,8 @@ class PadShape {
   void shorten(int leg, double offset);
   void smooth();
   void shrink_folded();
+  [[nodiscard]] bool is_sound_without(int face, unsigned corners);
+  [[nodiscard]] unsigned corners_to_pinch(int face);
   void pinch_folded();
   void lower_fans();
   bool find_folded_gaps(std::vector<char>& whole) const;

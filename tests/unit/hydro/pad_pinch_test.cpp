@@ -1,0 +1,70 @@
+// Folded prisms: as few legs as possible are pinched, so that the faces around a fold keep their tets.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/hydro/pad_shape.h"
+#include "core/mesh/mesh_io.h"
+#include "fixtures/pad_meshes.h"
+
+namespace taxel {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A ball of which one vertex is moved along the surface, over one of its neighbours: some faces around it fold back.
+TriMeshPtr make_folded_ball(double by) {
+  const TriMesh ball = make_icosphere(0.02, 2);
+  const ivec3 face = ball.faces()[7];
+  std::vector<dvec3> vertices = ball.vertices();
+  const dvec3 from = vertices[at(face.x)], to = vertices[at(face.y)];
+  vertices[at(face.x)] = 0.02 * glm::normalize(from + by * (to - from));
+  return std::make_shared<const TriMesh>(std::move(vertices), ball.faces());
+}
+
+struct Pinched {
+  int legs = 0;
+  int bare_faces = 0;
+  double bare = 0;  ///< area of the faces without tets over that of the skin
+};
+
+Pinched pinched(const TriMeshPtr& mesh, double thickness) {
+  const MeshIndex index(mesh);
+  const PadShape shape(index, thickness);
+  Pinched found;
+  for (int leg = 0; leg < shape.leg_count(); ++leg) found.legs += shape.pinched(leg) ? 1 : 0;
+  for (int f = 0; f < mesh->face_count(); ++f) {
+    if (shape.tets(f).count > 0) continue;
+    ++found.bare_faces;
+    found.bare += mesh->face_areas()[at(f)] / mesh->area();
+  }
+  return found;
+}
+
+/// Where all corners of a folded prism are pinched the first ball has 5 pinched legs and 0.36 % of its skin bare.
+TEST(PadPinch, LeavesTetsToTheFacesAroundAFold) {
+  const Pinched found = pinched(make_folded_ball(1.1), 0.002);
+  EXPECT_EQ(found.legs, 4);
+  EXPECT_LT(found.bare, 0.001);
+  const Pinched farther = pinched(make_folded_ball(1.6), 0.002);
+  EXPECT_EQ(farther.legs, 3);
+  EXPECT_EQ(farther.bare_faces, 0);
+}
+
+TEST(PadPinch, TouchesNothingWhereNoPrismFolds) {
+  for (const TriMesh& mesh : {make_icosphere(0.02, 2), make_box(dvec3(0.02)), make_spool(), make_l_block(0.005, 8)})
+    EXPECT_EQ(pinched(std::make_shared<const TriMesh>(mesh), 0.003).legs, 0);
+}
+
+/// 120 triangles. Where all corners of a folded prism are pinched 0.7 % of the skin have no tets.
+TEST(PadPinch, LeavesTetsToEveryFaceOfACoarseThumb) {
+  const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "skins/ability_thumb.glb";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const TriMeshPtr mesh = load_mesh(file, dvec3(1)).mesh;
+  EXPECT_EQ(pinched(mesh, 0.002).bare_faces, 0);
+}
+
+}  // namespace
+}  // namespace taxel
