@@ -5,6 +5,7 @@
 # | MuJoCo               | 4.0.1      | PyPI mujoco-core, by hash (FindMuJoCo)    |
 # | Dear ImGui (docking) | 1.93.0     | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | ImPlot               | 1.1        | PyPI imgui-bundle, by hash (ImGui.cmake)  |
+# | Manifold             | 3.5.4      | PyPI manifold3d, by hash (Manifold.cmake) |
 # | GLM                  | >= 0.9.9.8 | Debian libglm-dev                         |
 # | fmt                  | >= 9       | Debian libfmt-dev                         |
 # | spdlog               | >= 1.10    | Debian libspdlog-dev                      |
@@ -25,7 +26,7 @@
 # | Google Benchmark     |            | Debian libbenchmark-dev                   |
 
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
-set(TAXEL_CACHE "$ENV{TAXEL_CACHE}" CACHE PATH "Where scripts/setup unpacks MuJoCo and ImGui")
+set(TAXEL_CACHE "$ENV{TAXEL_CACHE}" CACHE PATH "Where scripts/setup unpacks MuJoCo, ImGui and Manifold")
 if(NOT TAXEL_CACHE)
   if(DEFINED ENV{XDG_CACHE_HOME})
     set(TAXEL_CACHE "$ENV{XDG_CACHE_HOME}/taxelstudio" CACHE PATH "" FORCE)
@@ -53,6 +54,7 @@ pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
 find_library(MBEDCRYPTO_LIBRARY NAMES libmbedcrypto.a mbedcrypto REQUIRED)
 find_package(MuJoCo REQUIRED)
+include(${CMAKE_CURRENT_LIST_DIR}/Manifold.cmake)
 if(TAXEL_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()
