@@ -171,6 +171,42 @@ TEST(Repair, PartsARingThatTouchesItselfAlongAnEdge) {
   expect_sound(repaired, broken);
 }
 
+TEST(Repair, UnitesBoxesThatOverlapTouchOrLieInsideEachOther) {
+  struct Case {
+    dvec3 half, by;
+    double volume;
+    int shells;
+  };
+  const TriMesh box = make_box(dvec3(0.01));
+  // Overlapping by a quarter, stacked with faces of different size, nested; apart, which stays.
+  for (const Case& c :
+       {Case{dvec3(0.01), dvec3(0.015, 0.003, 0.001), 16e-6 - 0.005 * 0.017 * 0.019, 1},
+        Case{dvec3(0.004), dvec3(0.014, 0.002, 0), 8e-6 + 512e-9, 1}, Case{dvec3(0.004), dvec3(0.001, 0, 0), 8e-6, 1},
+        Case{dvec3(0.004), dvec3(0.05, 0, 0), 8e-6 + 512e-9, 2}}) {
+    const TriMesh loaded = test::together(box, test::moved(make_box(c.half), c.by));
+    const RepairedMesh repaired = repair(loaded);
+    EXPECT_EQ(codes(repaired), c.shells == 1 ? "repair_united" : "");
+    EXPECT_NEAR(repaired.mesh->volume(), c.volume, 1e-12);
+    EXPECT_EQ(repaired.mesh->shell_count(), c.shells);
+    // Every face lies in the plane of the loaded face that it comes from.
+    for (int f = 0; f < repaired.mesh->face_count(); ++f) {
+      ASSERT_GE(repaired.loaded_face(f), 0);
+      const auto from = test::slot(repaired.loaded_face(f));
+      EXPECT_NEAR(glm::dot(repaired.mesh->face_normals()[test::slot(f)], loaded.face_normals()[from]), 1, 1e-12);
+    }
+    expect_sound(repaired, loaded);
+  }
+}
+
+TEST(Repair, StacksBoxesWithEqualFaces) {
+  const TriMesh box = make_box(dvec3(0.01));
+  const TriMesh loaded = test::welded(test::together(box, test::moved(box, dvec3(0, 0, 0.02))));
+  const RepairedMesh repaired = repair(loaded);
+  EXPECT_NEAR(repaired.mesh->volume(), 16e-6, 1e-15);
+  EXPECT_EQ(repaired.mesh->shell_count(), 1);
+  expect_sound(repaired, loaded);
+}
+
 TEST(Repair, NamesTheKeyOfABadRecipe) {
   const TriMesh box = make_box(dvec3(0.01));
   RepairRecipe recipe;

@@ -44,6 +44,13 @@ class Repair {
     if (!is_closed()) fill();
     check_encloses();
     note(orient_shells(draft_));
+    const RepairStep united = unite_shells(draft_, limits_);
+    note(united);
+    if (united.count > 0) {
+      note(turn_flat_faces(draft_));
+      note(part_touching(draft_, changes_));
+      if (!is_closed()) fill();
+    }
   }
 
   RepairedMesh finish() {
@@ -123,22 +130,22 @@ class Repair {
     throw Error("", "/mesh/file", "encloses nothing: its faces have no inside");
   }
 
+  /// A loaded face of which nothing is left is removed; where less of it is left, the rest went inside a union.
   void list_changes(RepairedMesh& repaired) const {
-    std::vector<char> kept(loaded_->faces().size(), 0);
+    std::vector<double> left(loaded_->faces().size(), 0);
     const TriMesh& mesh = *repaired.mesh;
     for (int f = 0; f < mesh.face_count(); ++f) {
       const int from = draft_.loaded[at(f)];
       if (from >= 0) {
-        kept[at(from)] = 1;
+        left[at(from)] += mesh.face_areas()[at(f)];
         continue;
       }
       repaired.changes.filled_faces.push_back(f);
       repaired.report.area_added += mesh.face_areas()[at(f)];
     }
     for (int f = 0; f < loaded_->face_count(); ++f) {
-      if (kept[at(f)] != 0) continue;
-      repaired.changes.removed_faces.push_back(f);
-      repaired.report.area_removed += loaded_->face_areas()[at(f)];
+      if (left[at(f)] == 0) repaired.changes.removed_faces.push_back(f);
+      repaired.report.area_removed += std::max(0.0, loaded_->face_areas()[at(f)] - left[at(f)]);
     }
   }
 

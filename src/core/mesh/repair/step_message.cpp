@@ -89,7 +89,8 @@ Problems repair_problems(const RepairReport& report, const std::string& file) {
 std::string repair_summary(const RepairReport& report) {
   if (report.steps.empty()) return "";
   std::string text = "repaired: " + all_clauses(report.steps);
-  const double area = report.area_added + report.area_removed;
+  double area = 0;
+  for (const RepairStep& step : report.steps) area += words_of(step.code).changes_area ? step.area : 0;
   if (area > 0) text += fmt::format(" ({})", area_text(area, report));
   if (report.distance_max > 0) {
     text += fmt::format(", surface within {}", in_mm(report.distance_max));

@@ -28,5 +28,8 @@ RepairStep part_touching(Draft& draft, RepairChanges& changes);
 RepairStep fill_holes(Draft& draft, const RepairLimits& limits);
 /// Turns shells so that their volume is positive, or negative if they are cavities inside another shell.
 RepairStep orient_shells(Draft& draft);
+/// Replaces shells that overlap, touch along faces or lie inside each other by the union of the outward ones minus the
+/// cavities. `area` is that of the surface that went inside.
+RepairStep unite_shells(Draft& draft, const RepairLimits& limits);
 
 }  // namespace taxel
