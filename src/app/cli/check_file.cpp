@@ -33,17 +33,23 @@ Problems check_layout(const Layout& layout, const std::string& file) {
     return problems;
   }
   if (any_error(problems)) return problems;
-  problems = check_layout_on_mesh(layout, MeshIndex(loaded.mesh), loaded.sha256, file);
+  SensorCache cache;
+  SensorBuild how;
+  how.cache = &cache;
+  const RepairedMeshPtr repaired = repair_for(layout, loaded.mesh, cache, file);
+  const SensorSkinPtr skin = cache.skin(repaired->mesh, layout.sampling.shells);
+  problems = check_layout_on_skin(layout, {*loaded.mesh, *repaired, *skin->sensed}, loaded.sha256, file);
   if (any_error(problems)) return problems;
-  const SensorModelPtr model = build_sensor_model(layout, loaded.mesh, loaded.sha256, file);
+  const SensorModelPtr model = build_sensor_model(layout, loaded.mesh, loaded.sha256, file, how);
   problems = model->problems;
   if (const auto* soft = std::get_if<SoftBody>(&model->body->geometry)) {
     for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
       if (p.severity == Severity::note) problems.push_back(std::move(p));  // the others are the model's
     }
   }
-  const Problems of_mesh = check_layout_mesh(*loaded.mesh, file);
-  problems.insert(problems.end(), of_mesh.begin(), of_mesh.end());
+  for (const Problems& found :
+       {check_layout_mesh(*model->mesh, file), check_loaded_mesh(*model->loaded, *model->repaired, file)})
+    problems.insert(problems.end(), found.begin(), found.end());
   for (const std::string& note : loaded.notes) {
     problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
   }

@@ -43,7 +43,8 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
   app->add_option(
          "--out", options->out,
          "Write x,y,z,nx,ny,nz,face,area,id,used: position [m] and normal in the frame of the mesh file, triangle "
-         "of that file from 0, area the sample stands for [m^2], number, whether a taxel uses it (default: stdout)")
+         "of that file from 0 (-1: filled in by its repair), area the sample stands for [m^2], number, whether a taxel "
+         "uses it (default: stdout)")
       ->type_name("FILE");
   app->add_option(
          "--fields", options->fields,

@@ -17,7 +17,7 @@ SensorModelPtr model_of(const StudyRun& run, const SensorModelPtr& model, Sensor
   SensorBuild how;
   how.cache = &cache;
   progress.stop_if_cancelled();
-  return build_sensor_model(layout, model->mesh, "", layout.name, how);
+  return build_sensor_model(layout, model->loaded, "", layout.name, how);
 }
 
 void record_run(Simulator& simulator, StudyCurve& curve, const Progress& progress) {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/layout/layout.h"
 #include "core/mesh/closest_point.h"
+#include "core/mesh/repair/repair.h"
 
 namespace taxel {
 
@@ -17,9 +18,20 @@ Problems check_layout_values(const Layout& layout, const std::string& file);
 /// samples nearby, radius larger than the body, hash differs. `sha256` is that of the mesh file read.
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file);
-/// The same where the shells that are sampled are known.
-Problems check_layout_on_skin(const Layout& layout, const TriMesh& mesh, const MeshIndex& skin,
-                              const std::string& sha256, const std::string& file);
+
+/// The mesh that a layout is checked on.
+struct LayoutMesh {
+  const TriMesh& loaded;  ///< as read from the file: /sampling/region counts its faces
+  const RepairedMesh& repaired;
+  const MeshIndex& skin;  ///< the shells of the repaired mesh that are sampled
+};
+/// The rules of check_layout_on_mesh() if the repaired mesh and the shells that are sampled are known.
+Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, const std::string& sha256,
+                              const std::string& file);
+
+/// What a mesh file itself is, for a mesh that was repaired: notes that it is open, not a manifold, not wound alike.
+/// Empty if nothing was repaired.
+Problems check_loaded_mesh(const TriMesh& loaded, const RepairedMesh& repaired, const std::string& file);
 
 /// What a mesh itself tells against its use: a size that is hardly metres, faces that cut through each other. Not part
 /// of the above, because editing a layout changes nothing about it.

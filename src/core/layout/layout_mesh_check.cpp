@@ -6,6 +6,7 @@
 #include "core/base/angle.h"
 #include "core/layout/layout_check.h"
 #include "core/layout/poisson_disk.h"
+#include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/point_triangle.h"
 #include "core/mesh/surface_brush.h"
@@ -62,8 +63,9 @@ void check_density(const Sampling& sampling, double area, Problems& out) {
                           fmt::format("at least {:.3g}", 1.0 / area)));
 }
 
-void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& skin, const std::string& sha256,
-                    Problems& out) {
+void check_own_mesh(const Layout& layout, const LayoutMesh& layout_mesh, const std::string& sha256, Problems& out) {
+  const TriMesh& mesh = *layout_mesh.repaired.mesh;
+  const TriMesh& skin = layout_mesh.skin.mesh();
   if (!layout.mesh.sha256.empty() && !sha256.empty() && layout.mesh.sha256 != sha256)
     out.push_back(problem("/mesh/sha256", Severity::warning, "mesh_changed",
                           fmt::format("is {}, but the file's is {}", layout.mesh.sha256, sha256),
@@ -71,11 +73,14 @@ void check_own_mesh(const Layout& layout, const TriMesh& mesh, const TriMesh& sk
   if (!mesh.closed() && layout.material.compliant())
     out.push_back(problem("/mesh/file", Severity::error, "mesh_open",
                           "must be a closed mesh to be soft: " + openings(mesh),
-                          "mend the mesh there, or set /material/modulus to 0"));
+                          layout.mesh.repair.level == RepairLevel::automatic
+                              ? "repair the mesh there, or set /material/modulus to 0"
+                              : "set /mesh/repair/level to \"auto\", or /material/modulus to 0"));
   check_shells(layout, mesh, skin, out);
   const std::vector<int>& region = *layout.sampling.region;
-  check_region(region, mesh, out);
-  check_density(layout.sampling, region.empty() ? skin.area() : area_of_faces(mesh, region), out);
+  check_region(region, layout_mesh.loaded, out);
+  check_density(layout.sampling,
+                region.empty() ? skin.area() : area_of_faces(mesh, repaired_faces(layout_mesh.repaired, region)), out);
 }
 
 /// Whether any face has a point within the disc's radius of `center` and a normal within its angle.
@@ -156,17 +161,27 @@ Problems check_layout_mesh(const TriMesh& mesh, const std::string& file) {
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file) {
   const TriMesh& mesh = index.mesh();
+  const RepairedMeshPtr repaired = as_loaded(index.mesh_ptr());
   const std::vector<int> outer = outer_shells(mesh);
   if (layout.sampling.shells == Shells::all || static_cast<int>(outer.size()) == mesh.shell_count())
-    return check_layout_on_skin(layout, mesh, index, sha256, file);
+    return check_layout_on_skin(layout, {mesh, *repaired, index}, sha256, file);
   const MeshIndex skin(std::make_shared<TriMesh>(extract_shells(mesh, outer)));
-  return check_layout_on_skin(layout, mesh, skin, sha256, file);
+  return check_layout_on_skin(layout, {mesh, *repaired, skin}, sha256, file);
 }
 
-Problems check_layout_on_skin(const Layout& layout, const TriMesh& mesh, const MeshIndex& skin,
-                              const std::string& sha256, const std::string& file) {
+Problems check_loaded_mesh(const TriMesh& loaded, const RepairedMesh& repaired, const std::string& file) {
   Problems out;
-  check_own_mesh(layout, mesh, skin.mesh(), sha256, out);
+  if (repaired.mesh.get() == &loaded) return out;
+  for (Problem& p : check_edges(loaded, file))
+    out.push_back({file, "/mesh/file", Severity::note, p.code, "the file has " + p.message, ""});
+  return out;
+}
+
+Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, const std::string& sha256,
+                              const std::string& file) {
+  const MeshIndex& skin = mesh.skin;
+  Problems out;
+  check_own_mesh(layout, mesh, sha256, out);
   const ReceptiveFieldRule& rule = layout.receptive_field;
   for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
     const Taxel& taxel = layout.taxels[k];

@@ -34,7 +34,7 @@ std::string holes_text(const TriMesh& mesh, const std::vector<std::pair<int, int
   return fmt::format("{} hole{}", holes.size(), plural(holes.size()));
 }
 
-void check_edges(const TriMesh& mesh, const std::string& file, Problems& problems) {
+void add_edge_problems(const TriMesh& mesh, const std::string& file, Problems& problems) {
   const HalfEdges half_edges(mesh);
   const auto& open = half_edges.boundary_edges();
   if (!open.empty()) {
@@ -85,7 +85,7 @@ void check_shells(const TriMesh& mesh, const std::string& file, Problems& proble
 
 Problems check_mesh(const TriMesh& mesh, const std::string& file) {
   Problems problems;
-  check_edges(mesh, file, problems);
+  add_edge_problems(mesh, file, problems);
   check_shells(mesh, file, problems);
   const SelfIntersections cuts = find_self_intersections(mesh);
   if (cuts.pairs > 0) {
@@ -109,11 +109,15 @@ Problems check_mesh(const TriMesh& mesh, const std::string& file) {
   return problems;
 }
 
-std::string openings(const TriMesh& mesh) {
+Problems check_edges(const TriMesh& mesh, const std::string& file) {
   Problems problems;
-  check_edges(mesh, "", problems);
+  add_edge_problems(mesh, file, problems);
+  return problems;
+}
+
+std::string openings(const TriMesh& mesh) {
   std::string text;
-  for (const Problem& p : problems) text += (text.empty() ? "" : "; ") + p.message;
+  for (const Problem& p : check_edges(mesh, "")) text += (text.empty() ? "" : "; ") + p.message;
   return text;
 }
 

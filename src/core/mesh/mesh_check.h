@@ -22,6 +22,9 @@ namespace taxel {
 /// Each names `file`, the number of places and the first of them. O(n log n).
 Problems check_mesh(const TriMesh& mesh, const std::string& file);
 
+/// The first three of check_mesh(): what the edges of a mesh that is not closed are.
+Problems check_edges(const TriMesh& mesh, const std::string& file);
+
 /// Where a mesh that is not closed lets the inside out: each kind of bad edge with its number and first place.
 std::string openings(const TriMesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/hydro/field_report.h"
+#include "core/hydro/soft_mesh.h"
 #include "core/hydro/vtk_tets.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
@@ -17,9 +18,11 @@ fs::path beside_case(const ContactCase& contact_case, const std::string& file) {
 
 namespace {
 
-/// The mesh, tets or height field that a shape names, into `shape`. What was repaired or is wrong goes into `warnings`.
-void load_shape(const ContactCase& contact_case, const CaseShape& from, const std::string& name, Shape& shape,
+/// The mesh, tets or height field that a body's shape names, into `shape`; a mesh that is to be soft is repaired. What
+/// was repaired or is wrong goes into `warnings`.
+void load_shape(const ContactCase& contact_case, const CaseBody& body, const std::string& name, Shape& shape,
                 std::vector<std::string>& warnings) {
+  const CaseShape& from = *body.shape;
   const std::string pointer = "/" + name + "/shape/file: ";
   if (from.height_field) {
     shape.mesh = std::make_shared<const TriMesh>(make_height_field(*from.height_field));
@@ -29,6 +32,8 @@ void load_shape(const ContactCase& contact_case, const CaseShape& from, const st
     shape.mesh = loaded.mesh;
     shape.face_numbers = std::move(loaded.file_face_of);
     for (const std::string& note : loaded.notes) warnings.push_back(pointer + note);
+    if (const RepairedMeshPtr repaired = repair_soft_mesh(shape, body.material))
+      for (const Problem& p : repair_problems(repaired->report, from.file)) warnings.push_back(pointer + p.message);
     for (const Problem& p : check_mesh(*shape.mesh, from.file)) {
       if (p.severity != Severity::note) warnings.push_back(pointer + p.message + (p.fix.empty() ? "" : "; " + p.fix));
     }
@@ -60,7 +65,7 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
   shape.size = body.shape->size;
   shape.resolution = body.shape->resolution;
   try {
-    load_shape(contact_case, *body.shape, name, shape, made.warnings);
+    load_shape(contact_case, body, name, shape, made.warnings);
     made.body = make_body(shape, body.material, name);
   } catch (const Error& e) {
     if (!e.file().empty()) throw;  // of another file, which it names

@@ -98,6 +98,7 @@ struct Apply {
   void operator()(const SetReceptiveField& edit) const { set(layout.receptive_field, edit.rule, "/receptive_field"); }
   void operator()(const SetReadout& edit) const { set(layout.readout, edit.readout, "/readout"); }
   void operator()(const SetMaterial& edit) const { set(layout.material, edit.material, "/material"); }
+  void operator()(const SetRepair& edit) const { set(layout.mesh.repair, edit.repair, "/mesh/repair"); }
   void operator()(const SetCalibration& edit) const { set(layout.calibration, edit.calibration, "/calibration"); }
   void operator()(const SetScenario& edit) const { set_scenario(project, edit); }
   void operator()(const ReplaceMesh& edit) const {
@@ -174,6 +175,7 @@ struct Name {
   std::string operator()(const SetReceptiveField&) const { return "Change the receptive fields"; }
   std::string operator()(const SetReadout&) const { return "Change the readout"; }
   std::string operator()(const SetMaterial&) const { return "Change the material"; }
+  std::string operator()(const SetRepair&) const { return "Change the repair of the mesh"; }
   std::string operator()(const SetCalibration& edit) const {
     return edit.calibration ? "Change the calibration" : "Remove the calibration";
   }

@@ -101,6 +101,9 @@ struct SetReadout {
 struct SetMaterial {
   Material material;
 };
+struct SetRepair {
+  RepairRecipe repair;
+};
 struct SetCalibration {
   std::optional<Calibration> calibration;
 };
@@ -137,10 +140,10 @@ struct ApplyAll {
 
 /// One of these. Copied, moved and destroyed in one place: the code for that, of so many kinds, in every file that
 /// makes one takes most of its compile time.
-struct Edit
-    : std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
-                   UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField, SetReadout,
-                   SetMaterial, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout, ReplaceProject, ApplyAll> {
+struct Edit : std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
+                           UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField,
+                           SetReadout, SetMaterial, SetRepair, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout,
+                           ReplaceProject, ApplyAll> {
   using variant::variant;
   Edit(const Edit&);
   Edit& operator=(const Edit&);

@@ -75,6 +75,16 @@ std::optional<Fix> fix_of_mesh(const Problem& problem, const Project& project, c
     edit.mesh.scale *= guess.scale;
     return Fix{fmt::format("Read the mesh in {}", guess.unit), edit};
   }
+  RepairRecipe repair = project.layout.mesh.repair;
+  if (problem.code == "mesh_open" && repair.level != RepairLevel::automatic) {
+    repair.level = RepairLevel::automatic;
+    return Fix{"Repair the mesh", SetRepair{repair}};
+  }
+  if (problem.code == "repair_out_of_range") {
+    for (const RepairNumber& number : kRepairNumbers)
+      if (problem.pointer.ends_with(std::string("/") + number.key)) repair.*number.value = std::nullopt;
+    return Fix{"Set it to its default", SetRepair{repair}};
+  }
   if (problem.code != "scale_zero") return std::nullopt;
   for (int axis = 0; axis < 3; ++axis)
     if (edit.mesh.scale[axis] == 0.0 || !std::isfinite(edit.mesh.scale[axis])) edit.mesh.scale[axis] = 1.0;

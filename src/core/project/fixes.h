@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/layout/layout_check.h"
 #include "core/mesh/closest_point.h"
 #include "core/project/edit.h"
 
@@ -16,8 +17,9 @@ struct Fix {
 };
 
 /// What mends `problem`, which must have been found on this project's layout as it is; nothing where that takes a
-/// decision (a mesh that is open, a subtaxel far away). `skin` are the shells that are sampled, null where the mesh
-/// could not be read: then there are fewer repairs. To mend many, apply one, check again, and so on, in one gesture.
+/// decision (a mesh that no repair closed, a subtaxel far away). `skin` are the shells that are sampled, null where the
+/// mesh could not be read: then there are fewer repairs. To mend many, apply one, check again, and so on, in one
+/// gesture.
 ///
 /// A place or a normal is mended alone; a twin follows in its radius only. `mesh_sha256` is that of the mesh file read.
 std::optional<Fix> fix_for(const Problem& problem, const Project& project, const MeshIndex* skin,
@@ -30,8 +32,9 @@ struct Mending {
   Problems left;
 };
 /// Fixes of taxels and settings one after the other, each round checked anew, because one may bring up or settle
-/// another. What concerns the mesh is left: that is a decision. Errors and warnings count, notes do not.
-Mending mend_all(const Project& project, const TriMesh& mesh, const MeshIndex& skin);
+/// another. What concerns the mesh is left, which is a decision, but for its repair. Errors and warnings count, notes
+/// do not. `mesh` may live longer than the repair that it is of: one that a fix asks for counts as done.
+Mending mend_all(const Project& project, const LayoutMesh& mesh);
 
 /// The taxel and its subtaxels at the nearest points of the skin, with the smooth normals there. Where a centre is not
 /// finite, what it belongs to stays.

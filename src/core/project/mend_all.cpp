@@ -13,12 +13,21 @@ namespace {
 /// A round mends one thing of each taxel: its place, its normal, its radius, those of its subtaxels.
 constexpr int kRounds = 32;
 
-Problems problems_of(const Project& project, const TriMesh& mesh, const MeshIndex& skin) {
+/// `mesh` is that of the project as it was `before`.
+Problems problems_of(const Project& project, const Project& before, const LayoutMesh& mesh) {
   Problems problems = check_layout_values(project.layout, "");
-  Problems on_skin = check_layout_on_skin(project.layout, mesh, skin, "", "");
+  const bool repairs = project.layout.mesh.repair != before.layout.mesh.repair;
+  Problems on_skin = check_layout_on_skin(project.layout, mesh, "", "");
   problems.insert(problems.end(), std::make_move_iterator(on_skin.begin()), std::make_move_iterator(on_skin.end()));
-  std::erase_if(problems, [](const Problem& problem) { return problem.severity == Severity::note; });
+  std::erase_if(problems, [&](const Problem& problem) {
+    return problem.severity == Severity::note || (repairs && problem.code == "mesh_open");
+  });
   return problems;
+}
+
+/// Another file, unit or mesh is for the user to decide; to repair the mesh is not.
+bool is_decision(const Problem& problem) {
+  return problem.pointer.starts_with("/mesh") && problem.code != "mesh_open" && problem.code != "repair_out_of_range";
 }
 
 /// What a fix is of, a taxel's id or the settings at a pointer; and where in that.
@@ -34,13 +43,13 @@ Subject subject_of(const Problem& problem, const Layout& layout) {
 
 class Mender {
  public:
-  Mender(const Project& project, const TriMesh& mesh, const MeshIndex& skin)
-      : project_(project), mesh_(mesh), skin_(skin) {}
+  Mender(const Project& project, const LayoutMesh& mesh) : before_(project), project_(project), mesh_(mesh) {}
 
   Mending mend() {
-    Problems problems = problems_of(project_, mesh_, skin_);
+    Problems problems = problems_of(project_, before_, mesh_);
     const std::size_t before = problems.size();
-    for (int round = 0; round < kRounds && mend_some(problems); ++round) problems = problems_of(project_, mesh_, skin_);
+    for (int round = 0; round < kRounds && mend_some(problems); ++round)
+      problems = problems_of(project_, before_, mesh_);
     Mending mending;
     mending.mended = static_cast<int>(before) - static_cast<int>(problems.size());
     mending.left = std::move(problems);
@@ -57,8 +66,8 @@ class Mender {
     std::vector<Edit> round;
     for (const Problem& problem : problems) {
       const Subject subject = subject_of(problem, project_.layout);
-      if (problem.pointer.starts_with("/mesh") || mended.contains(subject.whose)) continue;
-      std::optional<Fix> fix = fix_for(problem, project_, &skin_);
+      if (is_decision(problem) || mended.contains(subject.whose)) continue;
+      std::optional<Fix> fix = fix_for(problem, project_, &mesh_.skin);
       // What did not help once will not help again.
       if (!fix || !tried_.insert(subject.whose + subject.place + " " + problem.code).second) continue;
       mended.insert(subject.whose);
@@ -97,17 +106,17 @@ class Mender {
     return true;
   }
 
+  const Project& before_;
   Project project_;
-  const TriMesh& mesh_;
-  const MeshIndex& skin_;
+  const LayoutMesh& mesh_;
   std::vector<Edit> edits_;
   std::set<std::string> tried_;
 };
 
 }  // namespace
 
-Mending mend_all(const Project& project, const TriMesh& mesh, const MeshIndex& skin) {
-  return Mender(project, mesh, skin).mend();
+Mending mend_all(const Project& project, const LayoutMesh& mesh) {
+  return Mender(project, mesh).mend();
 }
 
 }  // namespace taxel

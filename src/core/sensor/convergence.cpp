@@ -21,7 +21,7 @@ ConvergenceModels make_convergence_models(const SensorModelPtr& model, SensorCac
     if (i == Convergence::kAsked) continue;
     Layout layout = model->layout;
     layout.sampling.density *= Convergence::kFactors[i];
-    models[i] = build_sensor_model(layout, model->mesh, "", layout.name, how);
+    models[i] = build_sensor_model(layout, model->loaded, "", layout.name, how);
   }
   return models;
 }

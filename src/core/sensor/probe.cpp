@@ -70,6 +70,17 @@ Shape of_mesh(TriMeshPtr mesh) {
   return shape;
 }
 
+/// A probe presses with a solid, rigid or soft.
+TriMeshPtr repaired_probe(const TriMeshPtr& mesh) {
+  try {
+    const TriMeshPtr solid = repair_mesh(mesh, {}, 0)->mesh;
+    if (!solid->closed()) refuse("the mesh must be closed: " + openings(*solid));
+    return solid;
+  } catch (const Error& e) {
+    refuse(e.message());
+  }
+}
+
 /// A shape in its own frame, and its tip there. One overload per kind of probe.
 struct MakeShape {
   dvec3& tip;
@@ -95,9 +106,9 @@ struct MakeShape {
   }
   Shape operator()(const ProbeMesh& probe) const {
     if (probe.mesh == nullptr || probe.mesh->face_count() == 0) refuse("the mesh has no triangles");
-    if (!probe.mesh->closed()) refuse("the mesh must be closed: " + openings(*probe.mesh));
-    tip = tip_of(*probe.mesh);
-    return of_mesh(probe.mesh);
+    const TriMeshPtr solid = repaired_probe(probe.mesh);
+    tip = tip_of(*solid);
+    return of_mesh(solid);
   }
 };
 

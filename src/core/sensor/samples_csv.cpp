@@ -11,9 +11,10 @@ std::string samples_to_csv(const SensorModel& model, const std::vector<int>& fil
   auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < model.samples.size(); ++i) {
     const SurfaceSample& s = model.samples[i];
-    const auto face = static_cast<std::size_t>(model.skin_face_of[static_cast<std::size_t>(s.face)]);
+    const int loaded = model.repaired->loaded_face(model.skin_face_of[static_cast<std::size_t>(s.face)]);
+    const int face = loaded < 0 ? -1 : file_face_of[static_cast<std::size_t>(loaded)];
     fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}\n", s.position.x, s.position.y, s.position.z, s.normal.x,
-                   s.normal.y, s.normal.z, file_face_of[face], s.area, i, model.taxels_of_sample[i].empty() ? 0 : 1);
+                   s.normal.y, s.normal.z, face, s.area, i, model.taxels_of_sample[i].empty() ? 0 : 1);
   }
   return text;
 }

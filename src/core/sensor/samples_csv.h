@@ -8,9 +8,10 @@
 
 namespace taxel {
 
-/// `x,y,z,nx,ny,nz,face,area,id,used`: position [m] and normal in frame M, triangle of the mesh file from 0, area that
-/// the sample stands for [m^2], number, 1 where a taxel uses it. `file_face_of`: for each face of the model's mesh its
-/// number in the file (LoadedMesh).
+/// `x,y,z,nx,ny,nz,face,area,id,used`: position [m] and normal in frame M, triangle of the mesh file from 0 (-1 on
+/// faces that a repair filled in, the nearest one on a wrapped surface), area that the sample stands for [m^2], number,
+/// 1 where a taxel uses it. `file_face_of`: for each face of the model's loaded mesh its number in the file
+/// (LoadedMesh).
 std::string samples_to_csv(const SensorModel& model, const std::vector<int>& file_face_of);
 
 /// `sample,taxel,distance,weight`: number of the sample, id of the taxel, distance [m], weight [m^2].

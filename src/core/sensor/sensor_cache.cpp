@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/mesh/loaded_faces.h"
 
 namespace taxel {
 namespace {
@@ -97,6 +98,21 @@ SampleRays::Found SampleRays::find(std::span<const int> samples) {
   return found;
 }
 
+RepairedMeshPtr SensorCache::repaired(const TriMeshPtr& loaded, const RepairRecipe& recipe, const Material& material,
+                                      Progress* progress) {
+  const bool asked = recipe.level == RepairLevel::exact || recipe.level == RepairLevel::wrap;
+  if (!material.compliant() && !asked) return as_loaded(loaded);
+  RepairKey key{{loaded}, recipe, loaded->closed() ? 0.0 : material.thickness};
+  key.recipe.refine.reset();
+  const Repaired known = repaired_.get(key, [&] {
+    return Repaired{loaded, repair_mesh(loaded, recipe, key.thickness, progress)};
+  });
+  if (known.repaired->mesh != known.loaded || known.loaded == loaded) return known.repaired;
+  auto unchanged = std::make_shared<RepairedMesh>(*known.repaired);  // of an equal mesh
+  unchanged->mesh = loaded;
+  return unchanged;
+}
+
 SensorSkinPtr SensorCache::skin(const TriMeshPtr& mesh, Shells shells) {
   return skins_.get({{mesh}, shells}, [&] { return make_sensor_skin(mesh, shells); });
 }
@@ -105,11 +121,14 @@ Problems SensorCache::mesh_problems(const TriMeshPtr& mesh) {
   return mesh_problems_.get({mesh}, [&] { return check_layout_mesh(*mesh, ""); });
 }
 
-HydroBodyPtr SensorCache::body(const TriMeshPtr& mesh, const Material& material, const std::string& name) {
-  return bodies_.get({{mesh}, material}, [&] {
+HydroBodyPtr SensorCache::body(const RepairedMesh& repaired, const Material& material, double refine,
+                               const std::string& name) {
+  return bodies_.get({{repaired.mesh}, material, refine, repaired.loaded_face_of}, [&] {
     Shape shape;
     shape.type = ShapeType::mesh;
-    shape.mesh = mesh;
+    shape.mesh = repaired.mesh;
+    shape.face_numbers = repaired.loaded_face_of;
+    shape.refine = refine;
     return make_body(shape, material, name);
   });
 }

@@ -14,6 +14,7 @@
 #include "core/layout/layout_check.h"
 #include "core/layout/poisson_disk.h"
 #include "core/mesh/closest_point.h"
+#include "core/mesh/repair/repair.h"
 #include "core/sensor/sensor_ray.h"
 #include "core/sensor/tet_crossings.h"
 
@@ -37,7 +38,7 @@ struct SampledSkin {
 };
 using SampledSkinPtr = std::shared_ptr<const SampledSkin>;
 
-/// `region`: faces of skin.mesh; those that are not sensed, or not there, are left out.
+/// `region`: faces of skin.mesh, ascending; those that are not sensed, or not there, are left out.
 SampledSkinPtr make_sampled_skin(const SensorSkin& skin, const std::vector<int>& region);
 
 /// Rays from samples into the body, against the surface normal: how deep each may go and which tets it crosses, found
@@ -73,12 +74,17 @@ void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, Sens
 /// From any thread.
 class SensorCache {
  public:
+  /// The mesh of a layout as it is used: repaired by the recipe, of which `refine` does not count, for a soft layout;
+  /// as loaded for a rigid one, which need not be closed, unless the recipe asks for `exact` or `wrap`. By the mesh,
+  /// its faces without area, recipe and, if the mesh is open, thickness. Throws as repair_mesh() does.
+  RepairedMeshPtr repaired(const TriMeshPtr& loaded, const RepairRecipe& recipe, const Material& material,
+                           Progress* progress);
   /// Skin of a mesh: by its vertices and faces, and which shells.
   SensorSkinPtr skin(const TriMeshPtr& mesh, Shells shells);
   /// What check_layout_mesh() says about a mesh, without a file: by its vertices and faces.
   Problems mesh_problems(const TriMeshPtr& mesh);
-  /// Body of a whole mesh: by its vertices and faces, and material. Throws as make_body does.
-  HydroBodyPtr body(const TriMeshPtr& mesh, const Material& material, const std::string& name);
+  /// Body of a whole mesh: by its vertices and faces, material and `refine` (Shape::refine). Throws as make_body does.
+  HydroBodyPtr body(const RepairedMesh& repaired, const Material& material, double refine, const std::string& name);
   /// The part of a skin that is sampled: by skin and region.
   SampledSkinPtr sampled(const SensorSkinPtr& skin, const FaceSet& region);
   /// Samples, with faces of the sensed skin: by what is sampled, count, seed and quality. Throws as sample_surface
@@ -98,9 +104,25 @@ class SensorCache {
       return mesh == b.mesh || (mesh->faces() == b.mesh->faces() && mesh->vertices() == b.mesh->vertices());
     }
   };
+  struct RepairKey {
+    MeshKey mesh;
+    RepairRecipe recipe;
+    double thickness = 0;
+    bool operator==(const RepairKey& b) const {
+      return recipe == b.recipe && thickness == b.thickness && mesh == b.mesh &&
+             mesh.mesh->flat_faces() == b.mesh.mesh->flat_faces();
+    }
+  };
+  /// A result under the mesh that it was made of.
+  struct Repaired {
+    TriMeshPtr loaded;
+    RepairedMeshPtr repaired;
+  };
   struct BodyKey {
     MeshKey mesh;
     Material material;
+    double refine = kDefaultRefine;
+    std::vector<int> face_numbers;
     bool operator==(const BodyKey&) const = default;
   };
   struct SampledKey {
@@ -127,6 +149,7 @@ class SensorCache {
     bool operator==(const SkinKey&) const = default;
   };
   static constexpr double kEntries = 4, kSamples = 4e6;  // about 300 MB
+  Memo<RepairKey, Repaired> repaired_{kEntries};
   Memo<SkinKey, SensorSkinPtr> skins_{kEntries};
   Memo<MeshKey, Problems> mesh_problems_{kEntries};
   Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};

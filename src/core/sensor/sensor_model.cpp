@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/hydro/field_report.h"
 #include "core/layout/layout_json.h"
+#include "core/mesh/loaded_faces.h"
 
 namespace taxel {
 namespace {
@@ -18,9 +19,9 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-HydroBodyPtr body_of(const Layout& layout, const TriMeshPtr& mesh, SensorCache& cache, const std::string& file) {
+HydroBodyPtr body_of(const Layout& layout, const RepairedMesh& mesh, SensorCache& cache, const std::string& file) {
   try {
-    return cache.body(mesh, layout.material, layout.name);
+    return cache.body(mesh, layout.material, layout.mesh.repair.refine.value_or(kDefaultRefine), layout.name);
   } catch (const Error& e) {
     throw Error(file, "/material", e.message());
   }
@@ -151,7 +152,9 @@ struct Input {
 /// Samples, and the receptive fields on them: what does not need the body.
 SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const SensorBuild& how) {
   const Sampling& sampling = model.layout.sampling;
-  const SampledSkinPtr sampled = cache.sampled(skin, sampling.region);
+  const bool renumbered = !model.repaired->loaded_face_of.empty() && !sampling.region->empty();
+  const SampledSkinPtr sampled =
+      cache.sampled(skin, renumbered ? FaceSet(repaired_faces(*model.repaired, *sampling.region)) : sampling.region);
   model.sampled_area = sampled->mesh->area();
   const int count = sample_count(sampling.density, model.sampled_area);
   const bool known = cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished);
@@ -164,6 +167,10 @@ SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCa
   add_taxels_of_samples(model);
   model.color_of_taxel = color_fields(model.layout, kTaxelColors);
   return samples;
+}
+
+void append(const Problems& found, Problems& problems) {
+  problems.insert(problems.end(), found.begin(), found.end());
 }
 
 void add_problems_of_mesh(SensorModel& model, Problems found, const Input& input) {
@@ -181,26 +188,29 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
   auto model = std::make_shared<SensorModel>();
   model->layout = input.layout;
   model->loaded = input.mesh;
-  model->repaired = repair_mesh(input.mesh, input.layout.mesh.repair, input.layout.material.thickness, how.progress);
-  model->mesh = model->repaired->mesh;
   model->problems = check_layout_values(input.layout, input.file);
   throw_first_error(model->problems);
+  model->repaired = repair_for(input.layout, input.mesh, cache, input.file, how.progress);
+  model->mesh = model->repaired->mesh;
+  append(repair_problems(model->repaired->report, input.file), model->problems);
   SensorSkinPtr skin;
   SampleSetPtr samples;
   Problems of_mesh;
   // The body needs no skin, the samples need no body.
   parallel_all(
       [&] {
-        skin = cache.skin(input.mesh, input.layout.sampling.shells);
-        const Problems found =
-            check_layout_on_skin(input.layout, *input.mesh, *skin->sensed, input.mesh_sha256, input.file);
-        model->problems.insert(model->problems.end(), found.begin(), found.end());
+        skin = cache.skin(model->mesh, input.layout.sampling.shells);
+        const Problems found = check_layout_on_skin(input.layout, {*input.mesh, *model->repaired, *skin->sensed},
+                                                    input.mesh_sha256, input.file);
+        append(found, model->problems);
         throw_first_error(found);
         samples = add_samples(*model, skin, cache, how);
       },
-      [&] { model->body = body_of(input.layout, input.mesh, cache, input.file); },
+      [&] { model->body = body_of(input.layout, *model->repaired, cache, input.file); },
       [&] {
-        if (input.mesh_notes != nullptr) of_mesh = cache.mesh_problems(input.mesh);
+        if (input.mesh_notes == nullptr) return;
+        of_mesh = cache.mesh_problems(model->mesh);
+        append(check_loaded_mesh(*input.mesh, *model->repaired, input.file), of_mesh);
       });
   add_problems_of_body(*model, input.file);
   add_rays(*model, skin, samples, cache);
@@ -216,6 +226,31 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
 double SensorModel::sample_share(int sample) const {
   if (layout.sampling.weights == SampleWeights::equal) return 1.0;
   return samples[index(sample)].area * static_cast<double>(samples.size()) / sampled_area;
+}
+
+Layout layout_on_repaired_mesh(const SensorModel& model) {
+  Layout layout = model.layout;
+  if (model.mesh == model.loaded) return layout;
+  layout.mesh.repair = {};
+  layout.mesh.repair.refine = model.layout.mesh.repair.refine;
+  if (layout.sampling.region->empty()) return layout;
+  std::vector<int> region = repaired_faces(*model.repaired, *layout.sampling.region);
+  if (region.empty()) region = {model.mesh->face_count()};  // no face is left: an empty region would mean all of them
+  layout.sampling.region = std::move(region);
+  return layout;
+}
+
+LayoutMesh layout_mesh(const SensorModel& model) {
+  return {*model.loaded, *model.repaired, *model.skin};
+}
+
+RepairedMeshPtr repair_for(const Layout& layout, const TriMeshPtr& loaded, SensorCache& cache, const std::string& file,
+                           Progress* progress) {
+  try {
+    return cache.repaired(loaded, layout.mesh.repair, layout.material, progress);
+  } catch (const Error& e) {
+    throw Error(file, e.where().starts_with("/mesh/") ? e.where() : "/mesh/file", e.message());
+  }
 }
 
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,

@@ -61,6 +61,19 @@ using SensorModelPtr = std::shared_ptr<const SensorModel>;
 /// Code of the warning that no sample lies in the field of a taxel: unlike all others it depends on the samples.
 inline constexpr const char* kFieldWithoutSamples = "field_without_samples";
 
+/// The layout of a model for its repaired mesh, to be written with that mesh: /sampling/region counts the repaired
+/// faces, and of the recipe only what the repaired mesh still needs is left. The same as before if nothing was
+/// repaired.
+Layout layout_on_repaired_mesh(const SensorModel& model);
+
+/// The mesh of a model for the rules of layout_check. Valid while the model lives.
+LayoutMesh layout_mesh(const SensorModel& model);
+
+/// The mesh of a layout as it is used: SensorCache::repaired(). Throws Error that names `file` and /mesh/file, or the
+/// pointer of a value of the recipe.
+RepairedMeshPtr repair_for(const Layout& layout, const TriMeshPtr& loaded, SensorCache& cache, const std::string& file,
+                           Progress* progress = nullptr);
+
 /// How a model is built.
 struct SensorBuild {
   SensorBuild(Progress* p = nullptr) : progress(p) {}  // NOLINT: most callers have no more to say

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "core/mesh/loaded_faces.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/scene/geometry/field_ring.h"
 #include "ui/theme.h"
@@ -22,7 +23,8 @@ constexpr double kBrushAngleDeg = SurfaceBrush{}.max_angle_deg;
 
 std::string painted_text(const SensorModel& model, const std::vector<int>& region) {
   if (region.empty()) return "Nothing painted: the whole skin senses";
-  const double area = area_of_faces(*model.mesh, region), whole = model.skin->mesh().area();
+  const double area = area_of_faces(*model.mesh, repaired_faces(*model.repaired, region)),
+               whole = model.skin->mesh().area();
   return fmt::format("Painted: {} ({:.1f} % of the skin)", in_mm2(area), 100 * area / whole);
 }
 

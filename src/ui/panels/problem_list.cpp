@@ -61,7 +61,7 @@ void draw_problem(UiState& ui, const UiInput& input, std::size_t number) {
 }
 
 void fix_all(UiState& ui, const UiInput& input) {
-  const Mending mending = mend_all(*input.editing.project, *input.model->mesh, *ui.problems.model->skin);
+  const Mending mending = mend_all(*input.editing.project, layout_mesh(*ui.problems.model));
   if (mending.edit) ui.ask(EditProject{*mending.edit, {}});
   std::string text = fmt::format("{} problem{} fixed", mending.mended, mending.mended == 1 ? "" : "s");
   if (!mending.left.empty()) text += fmt::format(", {} left for you to decide", mending.left.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/mesh/loaded_faces.h"
 #include "ui/tools/gesture.h"
 
 namespace taxel::ui {
@@ -124,15 +125,14 @@ std::vector<int> mesh_faces(const SensorModel& model, const std::vector<int>& sk
   std::vector<int> faces;
   faces.reserve(skin_faces.size());
   for (const int face : skin_faces) faces.push_back(model.skin_face_of[static_cast<std::size_t>(face)]);
-  std::sort(faces.begin(), faces.end());
-  return faces;
+  return loaded_faces(*model.repaired, faces);
 }
 
 std::vector<int> skin_faces(const SensorModel& model, const std::vector<int>& mesh_faces) {
   std::vector<int> faces;
   for (std::size_t i = 0; i < model.skin_face_of.size(); ++i) {
-    if (std::binary_search(mesh_faces.begin(), mesh_faces.end(), model.skin_face_of[i]))
-      faces.push_back(static_cast<int>(i));
+    const int face = model.repaired->loaded_face(model.skin_face_of[i]);
+    if (std::binary_search(mesh_faces.begin(), mesh_faces.end(), face)) faces.push_back(static_cast<int>(i));
   }
   return faces;
 }

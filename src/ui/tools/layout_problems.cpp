@@ -35,7 +35,7 @@ LayoutProblems layout_problems(const ProjectPtr& project, const SensorModelPtr& 
     }
   };
   add(check_layout_values(layout, ""));
-  add(check_layout_on_skin(layout, *model->mesh, *model->skin, mesh_sha256, ""));
+  add(check_layout_on_skin(layout, layout_mesh(*model), mesh_sha256, ""));
   if (!compiled || model->quality == SampleQuality::preview) return problems;
   Problems of_samples;
   for (const Problem& problem : model->problems)

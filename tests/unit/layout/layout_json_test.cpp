@@ -43,10 +43,13 @@ Layout full_layout() {
   c.dead = {0.02, -1};
   c.taxels = {{.id = 7, .tare = 1.5, .gain = -2, .curve = {}, .dead = {}},
               {.id = 3, .tare = {}, .gain = {}, .curve = {{0, 1}, {0.1 + 0.2, 2}}, .dead = 0}};
-  layout.unknown = {{"/calibration/crosstalk/of", "\"skin\""}, {"/calibration/date", "\"today\""},
-                    {"/calibration/taxels/1/note", "7"},       {"/mesh/made by", "\"hand\""},
+  layout.unknown = {{"/calibration/crosstalk/of", "\"skin\""},
+                    {"/calibration/date", "\"today\""},
+                    {"/calibration/taxels/1/note", "7"},
+                    {"/mesh/made by", "\"hand\""},
                     {"/mesh/repair/by", "\"us\""},
-                    {"/taxels/1/subtaxels/0/a~1b", "[]"},      {"/taxels/0/note", "null"}};
+                    {"/taxels/1/subtaxels/0/a~1b", "[]"},
+                    {"/taxels/0/note", "null"}};
   return layout;
 }
 

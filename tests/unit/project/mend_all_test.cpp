@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/layout/layout_check.h"
+#include "core/mesh/loaded_faces.h"
 #include "core/mesh/primitives.h"
 #include "core/project/fixes.h"
 #include "core/project/history.h"
@@ -33,7 +34,8 @@ std::vector<std::string> left(const Mending& mending) {
 const std::vector<std::string> kNone;
 
 Mending mend(const Project& project) {
-  return mend_all(project, box().mesh(), box());
+  const RepairedMeshPtr repaired = as_loaded(box().mesh_ptr());
+  return mend_all(project, {box().mesh(), *repaired, box()});
 }
 
 TEST(MendAll, NothingIsMendedWhereNothingIsWrong) {

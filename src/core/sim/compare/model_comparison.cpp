@@ -61,7 +61,7 @@ ModelComparison::ModelComparison(std::shared_ptr<const SimScene> scene, std::siz
     layout.material.field = FieldKind::star;
     SensorBuild how(progress);
     how.quality = model.quality;
-    star_ = build_sensor_model(layout, model.mesh, "", layout.name, how);
+    star_ = build_sensor_model(layout, model.loaded, "", layout.name, how);
   } catch (const Error& error) {
     no_star_ = error.message();
   }

@@ -9,6 +9,7 @@
 #include "core/base/hash.h"
 #include "core/base/stopwatch.h"
 #include "core/hydro/body_cache.h"
+#include "core/hydro/soft_mesh.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/plugin_table.h"
@@ -166,6 +167,8 @@ TouchedGeom HydroInstance::compile_other(const mjModel& m, int geom) {
   const OtherMaterial other = other_material(m, config_, geom, shape.type);
   if (m.geom_type[geom] == mjGEOM_SDF && other.resolution > 0) shape = geom_shape(m, geom, other.resolution);
   shape.resolution = other.resolution;
+  if (const RepairedMeshPtr repaired = repair_soft_mesh(shape, other.material))
+    warnings_.push_back(fmt::format("geom \"{}\": {}", geom_name(m, geom), repair_summary(repaired->report)));
   touched.body = share_body(shape, other.material, geom_name(m, geom));
   check_one_soft(*model_->body, *touched.body, geom_name(m, geom));
   touched.properties = combine(model_->body->material, other.material);
@@ -207,8 +210,10 @@ void HydroInstance::compare_with_model(const mjModel& m) {
     warnings_.push_back(name + " has no surface to compare: the layout's mesh is taken in the geom's own frame");
     return;
   }
-  const double apart = distance_apart(*shown, *model_->mesh, X_GM_);
-  // single precision and re-centring stay below 1e-6
+  double apart = distance_apart(*shown, *model_->mesh, X_GM_);
+  // A scene may hold the mesh file itself or the mesh that was made of it by a repair.
+  if (model_->mesh != model_->loaded) apart = std::min(apart, distance_apart(*shown, *model_->loaded, X_GM_));
+  // Single precision and re-centring stay below 1e-6.
   if (apart <= 1e-5 * model_->mesh->bounds().diagonal()) return;
   const std::string lie = fmt::format("the surfaces lie up to {:.3g} mm apart (the layout's mesh counts)", 1e3 * apart);
   if (m.geom_type[geom] != mjGEOM_MESH) {

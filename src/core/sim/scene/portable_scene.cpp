@@ -82,8 +82,8 @@ CopiedLayouts copy_layouts(const CompiledScene& scene, const mjData& data, const
     if (name.empty()) {
       name = fmt::format("sensor_{}.taxels.json", instance);
       const std::string mesh = obj_text(*sensor->model()->mesh);
-      Layout layout = sensor->model()->layout;
-      layout.mesh = {mesh_name, dvec3(1), sha256_hex(mesh)};
+      Layout layout = layout_on_repaired_mesh(*sensor->model());
+      layout.mesh = {mesh_name, dvec3(1), sha256_hex(mesh), layout.mesh.repair};
       out.files.push_back({beside + mesh_name, mesh});
       out.files.push_back({beside + name, layout_to_json(layout)});
       if (scene.model->geom_type[config.geom] != mjGEOM_MESH)

@@ -128,8 +128,8 @@ ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& sce
   check_scenario(scenario);
   ScenarioScene scene;
   const std::string mesh = obj_text(*model.mesh);
-  Layout layout = model.layout;
-  layout.mesh = {kFingerMesh, dvec3(1), sha256_hex(mesh)};
+  Layout layout = layout_on_repaired_mesh(model);
+  layout.mesh = {kFingerMesh, dvec3(1), sha256_hex(mesh), layout.mesh.repair};
   scene.files.files = {{kFingerMesh, mesh}, {kLayoutFile, layout_to_json(layout)}};
   const Object object = make_object(scenario, scene.files.files);
   scene.motion = make_motion(model.skin->mesh(), model.layout.frame, scenario, object.bounds);

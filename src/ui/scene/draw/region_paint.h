@@ -2,18 +2,19 @@
 #pragma once
 
 #include "core/base/shared_value.h"
-#include "core/mesh/tri_mesh.h"
+#include "core/mesh/repair/repair.h"
 #include "ui/scene/draw/paint.h"
 
 namespace taxel::ui {
 
 class RegionPaint {
  public:
-  /// Made anew where mesh or region are others than last time. Faces that the mesh has not are left out.
-  const PaintBuffer& take(const TriMeshPtr& mesh, const FaceSet& region);
+  /// Made again if mesh or region are others than last time. `region`: faces of the mesh as loaded; those that the mesh
+  /// does not have are left out.
+  const PaintBuffer& take(const RepairedMeshPtr& mesh, const FaceSet& region);
 
  private:
-  TriMeshPtr mesh_;
+  RepairedMeshPtr mesh_;
   FaceSet region_;
   PaintBuffer triangles_;
 };

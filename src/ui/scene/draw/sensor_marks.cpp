@@ -104,7 +104,7 @@ void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
   state.clipped = scene.input.clip.has_value();
   if (!scene.input.region->empty() && view.state == nullptr)
-    paint_.draw(region_.take(view.model->mesh, scene.input.region), state);
+    paint_.draw(region_.take(view.model->repaired, scene.input.region), state);
   if (shown_map(scene.input, view) == nullptr) return;
   state.depth_write = scene.input.fields->wish.map == FieldMap::coverage;
   paint_.draw(paint_of(view).map(scene.input.fields), state);
