@@ -18,6 +18,7 @@
 # | nlohmann-json        | >= 3.11    | Debian nlohmann-json3-dev                 |
 # | stb                  |            | Debian libstb-dev                         |
 # | TinyXML-2            | >= 9       | Debian libtinyxml2-dev                    |
+# | yaml-cpp             | >= 0.7     | Debian libyaml-cpp-dev                    |
 # | libzip               | >= 1.7     | Debian libzip-dev                         |
 # | GLFW                 | >= 3.3     | Debian libglfw3-dev                       |
 # | epoxy, EGL, Mesa     |            | Debian libepoxy-dev libegl-dev ...        |
@@ -50,6 +51,7 @@ pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
+pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
 find_library(MBEDCRYPTO_LIBRARY NAMES libmbedcrypto.a mbedcrypto REQUIRED)

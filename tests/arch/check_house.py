@@ -12,6 +12,7 @@ LIBRARIES = {
     "manifold/": ["core/mesh/repair/*"],
     "tiny_gltf.h": ["core/mesh/gltf_io.cpp"],
     "nlohmann/": ["**/*_json.cpp"],
+    "yaml-cpp/": ["core/layout/formats/*"],
     "zip.h": ["core/project/*", "core/project/**/*"],
     "mujoco/": ["core/sim/*", "core/sim/**/*", "app/**/*"],
     "epoxy/": ["ui/**/*", "app/studio/**/*", "app/studio/*"],

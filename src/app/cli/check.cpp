@@ -28,12 +28,12 @@ std::string problems_text(const Problems& problems, int files) {
 namespace {
 
 /// Goes on after a file that cannot be read: the others are still checked.
-int run(const std::vector<std::string>& files, Console& console) {
+int run(const std::vector<std::string>& files, const SkinChoice& skin, Console& console) {
   Problems problems;
   bool unreadable = false;
   for (const std::string& file : files) {
     try {
-      const Problems found = check_file(file);
+      const Problems found = check_file(file, skin);
       problems.insert(problems.end(), found.begin(), found.end());
     } catch (const Error& e) {
       print_failure(e.what());
@@ -52,6 +52,7 @@ int run(const std::vector<std::string>& files, Console& console) {
 
 Command add_check(CLI::App& parent, CommonOptions& common) {
   const auto files = std::make_shared<std::vector<std::string>>();
+  const auto skin = std::make_shared<SkinChoice>();
   CLI::App* app =
       add_command(parent, common, "check",
                   "Every problem of layouts, contact cases, sweeps, meshes and scenes, with its JSON pointer",
@@ -60,7 +61,8 @@ Command add_check(CLI::App& parent, CommonOptions& common) {
                   "Files to check; exit status 1 when one has an error or a warning, 2 when one cannot be read")
       ->required()
       ->option_text("(required)");
-  return {app, [files](Console& console) { return run(*files, console); }};
+  add_skin(*app, *skin);
+  return {app, [files, skin](Console& console) { return run(*files, *skin, console); }};
 }
 
 }  // namespace taxel::cli

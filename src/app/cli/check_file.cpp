@@ -12,6 +12,7 @@
 #include "core/project/project_json.h"
 #include "core/project/scenario_json.h"
 #include "core/project/study.h"
+#include "core/sensor/imported_source.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/simulator.h"
 
@@ -22,23 +23,14 @@ bool any_error(const Problems& problems) {
   return std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.severity == Severity::error; });
 }
 
-/// Values first; then on the mesh; then all that compiling the layout finds out.
-Problems check_layout(const Layout& layout, const std::string& file) {
-  Problems problems = check_layout_values(layout, file);
-  LoadedMesh loaded;
-  try {
-    loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
-  } catch (const Error& e) {
-    problems.push_back({file, "/mesh/file", Severity::error, "mesh_unreadable", e.what(), ""});
-    return problems;
-  }
-  if (any_error(problems)) return problems;
+/// On the mesh; then all that compiling the layout finds out.
+Problems check_layout_with_mesh(const Layout& layout, const LoadedMesh& loaded, const std::string& file) {
   SensorCache cache;
   SensorBuild how;
   how.cache = &cache;
   const RepairedMeshPtr repaired = repair_for(layout, loaded.mesh, cache, file);
   const SensorSkinPtr skin = cache.skin(repaired->mesh, layout.sampling.shells);
-  problems = check_layout_on_skin(layout, {*loaded.mesh, *repaired, *skin->sensed}, loaded.sha256, file);
+  Problems problems = check_layout_on_skin(layout, {*loaded.mesh, *repaired, *skin->sensed}, loaded.sha256, file);
   if (any_error(problems)) return problems;
   const SensorModelPtr model = build_sensor_model(layout, loaded.mesh, loaded.sha256, file, how);
   problems = model->problems;
@@ -53,6 +45,39 @@ Problems check_layout(const Layout& layout, const std::string& file) {
   for (const std::string& note : loaded.notes) {
     problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
   }
+  return problems;
+}
+
+/// Values first, then with the mesh.
+Problems check_layout(const Layout& layout, const std::string& file) {
+  Problems problems = check_layout_values(layout, file);
+  LoadedMesh loaded;
+  try {
+    loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
+  } catch (const Error& e) {
+    problems.push_back({file, "/mesh/file", Severity::error, "mesh_unreadable", e.what(), ""});
+    return problems;
+  }
+  return any_error(problems) ? problems : check_layout_with_mesh(layout, loaded, file);
+}
+
+/// A layout of another program: what was not carried over, then as any other one if its mesh is known.
+Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
+  Problems problems;
+  const auto add_notes = [&](const std::vector<std::string>& notes) {
+    for (const std::string& text : notes) problems.push_back({file, "", Severity::note, "import", text, ""});
+  };
+  if (skin.mesh.empty()) {
+    const ImportedLayout imported = import_layout(file, skin.sensor);
+    add_notes(imported.notes);
+    problems.push_back({file, "", Severity::note, "import", "holds no mesh: only its values are checked",
+                        "name the mesh with --mesh FILE"});
+    return problems;
+  }
+  const ImportedSource read = read_any_source(file, skin);
+  add_notes(read.notes);
+  const Problems found = check_layout_with_mesh(read.source.layout, read.source.mesh, file);
+  problems.insert(problems.end(), found.begin(), found.end());
   return problems;
 }
 
@@ -117,9 +142,10 @@ std::string format_of(const std::string& text) {
 
 }  // namespace
 
-Problems check_file(const std::string& file) {
+Problems check_file(const std::string& file, const SkinChoice& skin) {
   const std::filesystem::path path(file);
   if (is_mesh_file(path)) return check_mesh_file(file);
+  if (is_foreign_layout(path)) return check_foreign_layout(file, skin);
   const std::string text = read_file(path);
   const std::string extension = path.extension().string();
   if (extension == ".xml" || extension == ".mjcf") {

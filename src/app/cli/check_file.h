@@ -4,11 +4,13 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/layout/formats/skin_choice.h"
 
 namespace taxel::cli {
 
 /// Lists what is wrong with a file that can be read. Throws Error for one that cannot: missing, not JSON, a value of
 /// the wrong type, an unknown version or kind, a scene that does not compile.
-Problems check_file(const std::string& file);
+/// `skin`: the mesh of layouts of other programs; only their values are checked without one.
+Problems check_file(const std::string& file, const SkinChoice& skin);
 
 }  // namespace taxel::cli

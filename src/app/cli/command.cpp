@@ -53,6 +53,34 @@ void add_sampling(CLI::App& app, LayoutOptions& options) {
   app.add_option("--seed", options.seed, "Seed of the samples (default: the layout's)")->type_name("N");
 }
 
+dvec3 parse_scale(const std::string& command, const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    double number = 0;
+    if (!CLI::detail::lexical_cast(word, number) || !std::isfinite(number) || number == 0) {
+      throw Error(command, "--scale", fmt::format("must be one number or three, none of them 0, is {}", text));
+    }
+    numbers.push_back(number);
+  }
+  if (numbers.size() != 1 && numbers.size() != 3) {
+    throw Error(command, "--scale", fmt::format("must be one number or three, is {}", text));
+  }
+  return numbers.size() == 3 ? dvec3(numbers[0], numbers[1], numbers[2]) : dvec3(numbers[0]);
+}
+
+void add_skin(CLI::App& app, SkinChoice& choice) {
+  app.add_option("--mesh", choice.mesh,
+                 "Mesh of a layout that holds none (sensor .yaml, table .csv); replaces that of one that does")
+      ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--scale", [&app, &choice](const std::string& text) { choice.scale = parse_scale(app.get_name(), text); },
+         "Multiply coordinates of --mesh by one number, or by three: X,Y,Z (0.001 for mm; default: the unit with which "
+         "the taxels are on the mesh)")
+      ->type_name("X");
+  app.add_option("--sensor", choice.sensor, "Sensor of a .yaml file that holds several: its name, or that of its geom")
+      ->type_name("NAME");
+}
+
 void add_tactile_state(CLI::App& app, bool& wanted) {
   app.add_flag("--tactile-state", wanted,
                "Also tactile_state.jsonl in the folder of --out: a line a row with the fields of ROS's "

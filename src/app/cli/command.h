@@ -9,6 +9,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
+#include "core/layout/formats/skin_choice.h"
 #include "core/layout/layout.h"
 
 namespace taxel::cli {
@@ -54,7 +55,12 @@ struct LayoutOptions {
   std::optional<std::uint64_t> seed;
   std::optional<Aggregate> aggregate;
   bool preview = false;  ///< samples as they are before they are spread
+  SkinChoice skin;
 };
+/// --mesh, --scale and --sensor: what a layout of another program leaves open.
+void add_skin(CLI::App& app, SkinChoice& choice);
+/// "0.001", or three numbers such as "1,1,-1". Throws Error naming the command.
+dvec3 parse_scale(const std::string& command, const std::string& text);
 /// --density and --seed of the samples.
 void add_sampling(CLI::App& app, LayoutOptions& options);
 /// --tactile-state beside --out.

@@ -9,6 +9,7 @@
 #include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
+#include "core/sensor/imported_source.h"
 
 namespace taxel::cli {
 
@@ -21,10 +22,12 @@ struct Source {
   Layout layout;
   LoadedMesh mesh;
   std::string name;
+  std::vector<std::string> notes = {};  ///< of a layout of another program
 };
 
-Source read_source(const std::string& layout_file) {
+Source read_source(const std::string& layout_file, const SkinChoice& skin) {
   if (layout_file.empty()) {
+    if (skin != SkinChoice{}) throw Error("--mesh, --scale and --sensor go with --layout");
     const std::string name = "fingertip.taxels.json";
     const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
     PolygonSoup soup = read_obj(obj, "fingertip.obj");
@@ -35,10 +38,8 @@ Source read_source(const std::string& layout_file) {
             {mesh, sha256_hex(obj), std::move(file_face_of), {}},
             name};
   }
-  Source source{read_layout(layout_file), {}, layout_file};
-  throw_first_error(check_layout_values(source.layout, layout_file));
-  source.mesh = load_mesh(mesh_path(source.layout, layout_file), source.layout.mesh.scale);
-  return source;
+  ImportedSource read = read_any_source(layout_file, skin);
+  return {std::move(read.source.layout), std::move(read.source.mesh), layout_file, std::move(read.notes)};
 }
 
 /// Builds in another thread while this one moves the progress bar.
@@ -61,12 +62,13 @@ SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, 
 
 SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& over, Console& console,
                           std::vector<int>* file_face_of, SensorCache* cache) {
-  Source source = read_source(layout_file);
+  Source source = read_source(layout_file, over.skin);
   source.layout.sampling.density = over.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = over.seed.value_or(source.layout.sampling.seed);
   source.layout.readout.aggregate = over.aggregate.value_or(source.layout.readout.aggregate);
   const SensorModelPtr model =
       build_with_progress(source, over.preview ? SampleQuality::preview : SampleQuality::polished, cache, console);
+  for (const std::string& note : source.notes) console.note(source.name + ": " + note);
   for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
   console.tell(model->problems);
   if (file_face_of != nullptr) *file_face_of = std::move(source.mesh.file_face_of);

@@ -33,24 +33,8 @@ struct Options {
   std::string scale = "1";
 };
 
-/// "0.001", or three numbers such as "1,1,-1".
-dvec3 parse_scale(const std::string& text) {
-  std::vector<double> numbers;
-  for (const std::string& word : CLI::detail::split(text, ',')) {
-    double number = 0;
-    if (!CLI::detail::lexical_cast(word, number) || !std::isfinite(number) || number == 0) {
-      throw Error("mesh", "--scale", fmt::format("must be one number or three, none of them 0, is {}", text));
-    }
-    numbers.push_back(number);
-  }
-  if (numbers.size() != 1 && numbers.size() != 3) {
-    throw Error("mesh", "--scale", fmt::format("must be one number or three, is {}", text));
-  }
-  return numbers.size() == 3 ? dvec3(numbers[0], numbers[1], numbers[2]) : dvec3(numbers[0]);
-}
-
 int run(const Options& options, Console& console) {
-  const LoadedMesh loaded = load_mesh(options.file, parse_scale(options.scale));
+  const LoadedMesh loaded = load_mesh(options.file, parse_scale("mesh", options.scale));
   if (!options.out.empty()) save_mesh(options.out, *loaded.mesh);
   console.result(console.json() ? mesh_json(loaded) : mesh_text(loaded));
   return kDone;

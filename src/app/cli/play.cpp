@@ -33,6 +33,7 @@ Command add_play(CLI::App& parent, CommonOptions& common) {
                   "Folder for the files that `taxel sweep` writes, with scenario.json in place of sweep.json")
       ->type_name("DIR");
   add_tactile_state(*app, options->tactile_state);
+  add_skin(*app, options->over.skin);
   add_sampling(*app, options->over);
   add_aggregate(*app, options->over.aggregate);
   return {app, [options](Console& console) {

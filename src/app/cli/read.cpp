@@ -75,6 +75,7 @@ Command add_read(CLI::App& parent, CommonOptions& common) {
                   "Contact case (JSON); its `a` holds the pose of the layout's mesh-file frame, `b` what it touches")
       ->required()
       ->option_text("(required)");
+  add_skin(*app, options->over.skin);
   add_sampling(*app, options->over);
   add_aggregate(*app, options->over.aggregate);
   app->add_flag("--convergence", options->convergence,

@@ -1,4 +1,5 @@
 // taxel run: any MuJoCo scene with its tactile sensors.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -6,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/recording_report.h"
 #include "core/base/output_folder.h"
+#include "core/layout/formats/layout_format.h"
 #include "core/sim/plugin/plugin_folder.h"
 #include "core/sim/recording/write_recording.h"
 
@@ -15,16 +17,32 @@ namespace {
 struct Options {
   std::string scene, plugins, out;
   std::vector<std::string> layouts, geoms;
+  SkinChoice skin;
   std::optional<Aggregate> aggregate;
   double seconds = 1.0;
   bool tactile_state = false;
 };
 
-int run(const Options& options, Console& console) {
-  if (options.layouts.size() != options.geoms.size())
+/// Pairs of layout and geom. Layouts of other programs that name their geom need no --geom.
+std::vector<SceneAttachment> attachments_of(const Options& options) {
+  const bool named_by_layouts =
+      options.geoms.empty() && std::all_of(options.layouts.begin(), options.layouts.end(),
+                                           [](const std::string& file) { return is_foreign_layout(file); });
+  if (options.layouts.size() != options.geoms.size() && !named_by_layouts)
     throw Error("run", "--layout and --geom are given together, each as often as the other");
+  if (options.layouts.size() != 1 && options.skin != SkinChoice{})
+    throw Error("run", "--mesh, --scale and --sensor go with one --layout");
   std::vector<SceneAttachment> attachments;
-  for (std::size_t i = 0; i < options.geoms.size(); ++i) attachments.push_back({options.geoms[i], options.layouts[i]});
+  for (std::size_t i = 0; i < options.layouts.size(); ++i) {
+    if (options.skin != SkinChoice{} && !is_foreign_layout(options.layouts[i]))
+      throw Error(options.layouts[i], "has a mesh: --mesh, --scale and --sensor are for layouts without one");
+    attachments.push_back({named_by_layouts ? "" : options.geoms[i], options.layouts[i], options.skin});
+  }
+  return attachments;
+}
+
+int run(const Options& options, Console& console) {
+  const std::vector<SceneAttachment> attachments = attachments_of(options);
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
@@ -59,14 +77,18 @@ Command add_run(CLI::App& parent, CommonOptions& common) {
       parent, common, "run", "Any MuJoCo scene, with the sensors it declares or a layout attached to a geom",
       "taxel run scene.xml --layout finger.taxels.json --geom fingertip --seconds 2 --out result");
   app->add_option("SCENE", options->scene, "MuJoCo scene (.xml)")->required()->option_text("(required)");
-  app->add_option("--layout", options->layouts, "Attach this layout (*.taxels.json) ...")
+  app->add_option("--layout", options->layouts, "Attach this layout (*.taxels.json, .yaml, .csv) ...")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
-  app->add_option("--geom", options->geoms, "... to the geom of this name; both may be given again, in pairs")
+  app->add_option(
+         "--geom", options->geoms,
+         "... to the geom of this name; both may be given again, in pairs. A .yaml that names its geom needs none, and "
+         "takes the geom's mesh and scale if --mesh is not given")
       ->type_name("NAME")
       ->expected(1)
       ->take_all();
+  add_skin(*app, options->skin);
   add_aggregate(*app, options->aggregate);
   app->add_option("--plugins", options->plugins,
                   "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed "

@@ -50,6 +50,7 @@ Command add_samples(CLI::App& parent, CommonOptions& common) {
          "--fields", options->fields,
          "Write sample,taxel,distance,weight: number of the sample, id of the taxel, distance [m], weight [m^2]")
       ->type_name("FILE");
+  add_skin(*app, options->over.skin);
   add_sampling(*app, options->over);
   app->add_flag("--preview", options->over.preview,
                 "Quick samples, not polished: the same number, less even, each standing for the same area");

@@ -128,6 +128,7 @@ Command add_study(CLI::App& parent, CommonOptions& common) {
          "Folder for summary.csv (a line per run and taxel), runs.csv, study.json, and per run run_NNN.csv and "
          "run_NNN.npz as `taxel sweep` writes its readings")
       ->type_name("DIR");
+  add_skin(*app, options->over.skin);
   add_sampling(*app, options->over);
   add_aggregate(*app, options->over.aggregate);
   return {app, [options](Console& console) { return run(*options, console); }};

@@ -77,6 +77,7 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
   }
   app->add_option("--object", options->object, "Mesh file of the object, in metres (default: a box)")
       ->type_name("FILE");
+  add_skin(*app, options->over.skin);
   add_sampling(*app, options->over);
   add_aggregate(*app, options->over.aggregate);
   return {app, [options](Console& console) {

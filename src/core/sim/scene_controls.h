@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/layout/formats/skin_choice.h"
 
 namespace taxel {
 
@@ -54,8 +55,9 @@ struct SceneControls {
 
 /// A layout on a geom of a scene that does not declare it.
 struct SceneAttachment {
-  std::string geom;    ///< its name, or "geom 7" for one without
-  std::string layout;  ///< file
+  std::string geom;      ///< its name, or "geom 7" for one without; empty: the one that the layout names
+  std::string layout;    ///< file
+  SkinChoice skin = {};  ///< for layouts of other programs, which may name the geom, and take its mesh
   bool operator==(const SceneAttachment&) const = default;
 };
 

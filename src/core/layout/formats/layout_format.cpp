@@ -6,27 +6,40 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/layout/formats/sensor_yaml.h"
 #include "core/layout/layout_json.h"
 #include "core/layout/taxels_csv.h"
 
 namespace taxel {
 namespace {
 
-ImportedLayout read_own(const std::filesystem::path& path) {
-  return {read_layout(path), {}};
+/// For formats whose files hold one sensor without a name.
+void refuse_choice(const std::filesystem::path& path, const std::string& sensor) {
+  if (!sensor.empty())
+    throw Error(path.string(), fmt::format("holds one layout: it has no sensor \"{}\" to choose", sensor));
+}
+
+ImportedLayout read_own(const std::filesystem::path& path, const std::string& sensor) {
+  refuse_choice(path, sensor);
+  ImportedLayout imported;
+  imported.layout = read_layout(path);
+  return imported;
 }
 std::vector<std::string> write_own(const std::filesystem::path& path, const Layout& layout) {
   write_layout(path, layout);
   return {};
 }
 
-ImportedLayout read_table(const std::filesystem::path& path) {
+ImportedLayout read_table(const std::filesystem::path& path, const std::string& sensor) {
+  refuse_choice(path, sensor);
   CsvTaxels table = parse_taxels_csv(read_file(path), path.string());
   ImportedLayout imported;
   imported.layout.name = path.stem().string();
   imported.layout.taxels = std::move(table.taxels);
+  imported.has_normals = table.normals;
+  imported.has_density = imported.has_material = false;
   imported.notes = {"a table holds taxels only: mesh and settings are to be chosen"};
-  if (!table.normals) imported.notes.emplace_back("the table has no normals: project the taxels onto the mesh");
+  if (!table.normals) imported.notes.emplace_back("the table has no normals: those of the mesh are taken");
   if (!table.radii) imported.notes.push_back(fmt::format("the table has no radii: they are {} m", Taxel().radius));
   return imported;
 }
@@ -49,6 +62,7 @@ const std::vector<LayoutFormat>& layout_formats() {
   static const std::vector<LayoutFormat> formats = {
       {"Taxel layout", {".taxels.json", ".json"}, read_own, write_own},
       {"Table of taxels", {".csv"}, read_table, write_table},
+      {"Sensor description of mujoco_contact_surfaces", {".yaml", ".yml"}, read_sensor_yaml, nullptr},
   };
   return formats;
 }
@@ -67,8 +81,13 @@ const LayoutFormat* layout_format_of(const std::filesystem::path& path) {
   return best;
 }
 
-ImportedLayout import_layout(const std::filesystem::path& path) {
-  if (const LayoutFormat* format = layout_format_of(path)) return format->read(path);
+bool is_foreign_layout(const std::filesystem::path& path) {
+  const LayoutFormat* format = layout_format_of(path);
+  return format != nullptr && format != &layout_formats().front();
+}
+
+ImportedLayout import_layout(const std::filesystem::path& path, const std::string& sensor) {
+  if (const LayoutFormat* format = layout_format_of(path)) return format->read(path, sensor);
   std::string known;
   for (const LayoutFormat& format : layout_formats())
     for (const std::string_view extension : format.extensions)

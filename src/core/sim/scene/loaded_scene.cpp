@@ -9,6 +9,7 @@
 
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/attached_layout.h"
 #include "core/sim/scene/dropped_attributes.h"
 #include "core/sim/scene/old_fields.h"
 #include "core/sim/scene/xml_attributes.h"
@@ -97,8 +98,10 @@ void exclude_contacts(CompiledScene& scene, const SensorConfig& config) {
 
 /// A sensor to be added to a scene.
 struct AddedSensor {
-  std::string instance, geom, keys;  ///< keys: further ones, as MJCF
-  SensorModelPtr model;
+  std::string instance, geom, keys;          ///< keys: further ones, as MJCF
+  SensorModelPtr model;                      ///< null until the scene is known, for layouts of other programs
+  const SceneAttachment* foreign = nullptr;  ///< that asks for such a layout
+  ImportedLayout imported = {};
 };
 
 std::string instance_on(const std::string& geom) {
@@ -110,16 +113,38 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
   std::vector<AddedSensor> added;
   std::map<std::string, SensorModelPtr> models;
   std::error_code ignored;
+  const auto is_taken = [&](const std::string& geom) {
+    return std::any_of(added.begin(), added.end(), [&](const AddedSensor& other) { return other.geom == geom; });
+  };
   for (const SceneAttachment& one : attachments) {
-    if (one.layout.empty() || one.geom.empty()) throw Error(scene, "a layout and the geom to attach it to go together");
-    if (std::any_of(added.begin(), added.end(), [&](const AddedSensor& other) { return other.geom == one.geom; }))
-      throw Error(scene, fmt::format("two layouts are attached to geom \"{}\": a geom takes one", one.geom));
+    const bool foreign = is_foreign_layout(one.layout);
+    if (one.layout.empty() || (one.geom.empty() && !foreign))
+      throw Error(scene, "a layout and the geom to attach it to go together");
+    ImportedLayout imported = foreign ? read_attached_layout(one) : ImportedLayout();
+    const std::string geom = one.geom.empty() ? imported.geom : one.geom;
+    if (is_taken(geom))
+      throw Error(scene, fmt::format("two layouts are attached to geom \"{}\": a geom takes one", geom));
+    if (foreign) {
+      added.push_back({instance_on(geom), geom, "", nullptr, &one, std::move(imported)});
+      continue;
+    }
     SensorModelPtr& model = models[one.layout];
     if (model == nullptr) model = load_sensor_model(fs::absolute(one.layout, ignored));
     if (model->taxel_count() == 0) throw Error(one.layout, "/taxels", "has none: there is nothing to read");
     added.push_back({instance_on(one.geom), one.geom, "", model});
   }
   return added;
+}
+
+bool any_foreign(const std::vector<AddedSensor>& added) {
+  return std::any_of(added.begin(), added.end(), [](const AddedSensor& one) { return one.foreign != nullptr; });
+}
+
+/// Compiles the layouts of other programs, which take mesh and material from the compiled scene.
+void compile_foreign(std::vector<AddedSensor>& added, CompiledScene& scene) {
+  for (AddedSensor& one : added)
+    if (one.foreign != nullptr)
+      one.model = compile_attached_layout(*one.foreign, std::move(one.imported), one.geom, *scene.model, scene.notes);
 }
 
 /// The scene with the sensors. The text pretends to lie beside the scene, so that relative names keep their meaning.
@@ -227,7 +252,8 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   CompiledScene scene = parsed(file.string(), vfs.get(), name);
   scene.notes = std::move(notes);
   const bool old = has_old_fields(scene.spec.get());
-  if (added.empty() || old) compile(scene, vfs.get(), name);
+  if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
+  compile_foreign(added, scene);
   if (old) add_old_sensors(*scene.model, added, scene);
   if (added.empty()) {
     check_one_sensor_per_geom(*scene.model, added, name);

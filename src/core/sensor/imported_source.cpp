@@ -1,0 +1,74 @@
+#include "core/sensor/imported_source.h"
+
+#include <fmt/format.h>
+
+#include "core/layout/formats/imported_skin.h"
+#include "core/layout/layout_json.h"
+
+namespace taxel {
+namespace {
+
+std::string absolute_name(const std::filesystem::path& file) {
+  return std::filesystem::absolute(file).lexically_normal().string();
+}
+
+/// A layout of our own, on its own mesh or another one.
+ImportedSource read_own_source(const std::filesystem::path& file, const SkinChoice& choice) {
+  if (choice.mesh.empty() && !choice.scale) return {read_sensor_source(file), {}};
+  ImportedSource read;
+  SensorSource& source = read.source;
+  source = {file.string(), read_layout(file), {}};
+  if (!choice.mesh.empty()) {
+    source.layout.mesh = {absolute_name(choice.mesh), source.layout.mesh.scale, "", source.layout.mesh.repair};
+    read.notes.push_back("another mesh than the layout's is taken: " + choice.mesh);
+  }
+  source.layout.mesh.scale = choice.scale.value_or(source.layout.mesh.scale);
+  throw_first_error(check_layout_values(source.layout, source.file));
+  source.mesh = load_mesh(mesh_path(source.layout, file), source.layout.mesh.scale);
+  return read;
+}
+
+}  // namespace
+
+ImportedSource put_on_mesh(ImportedLayout imported, LoadedMesh mesh, const std::string& mesh_file, const dvec3& scale,
+                           const std::string& layout_file) {
+  put_on_skin(imported, mesh.mesh, layout_file);
+  const Material& m = imported.layout.material;
+  if (!imported.has_material)
+    imported.notes.push_back(fmt::format(
+        "the file holds no material: modulus {} Pa, thickness {} m, dissipation {} s/m, friction {} are taken",
+        m.modulus, m.thickness, m.dissipation, m.friction));
+  imported.layout.mesh = {mesh_file, scale, mesh.sha256};
+  throw_first_error(check_layout_values(imported.layout, layout_file));
+  return {{layout_file, std::move(imported.layout), std::move(mesh)}, std::move(imported.notes)};
+}
+
+ImportedSource put_on_mesh_file(ImportedLayout imported, const std::filesystem::path& mesh_file,
+                                const std::optional<dvec3>& scale, const std::string& layout_file) {
+  if (scale)
+    return put_on_mesh(std::move(imported), load_mesh(mesh_file, *scale), absolute_name(mesh_file), *scale,
+                       layout_file);
+  LoadedMesh mesh = load_mesh(mesh_file);
+  const double guess = guess_scale(imported, *mesh.mesh);
+  if (guess != 1) {
+    mesh = load_mesh(mesh_file, dvec3(guess));
+    imported.notes.push_back(fmt::format(
+        "{} is taken with scale {}: {}", mesh_file.filename().string(), guess,
+        imported.layout.taxels.empty() ? "its size is that of a sensor then" : "the taxels are on its surface then"));
+  }
+  return put_on_mesh(std::move(imported), std::move(mesh), absolute_name(mesh_file), dvec3(guess), layout_file);
+}
+
+ImportedSource read_any_source(const std::filesystem::path& layout_file, const SkinChoice& choice) {
+  if (!is_foreign_layout(layout_file)) {
+    if (!choice.sensor.empty()) import_layout(layout_file, choice.sensor);  // says that there is no choice
+    return read_own_source(layout_file, choice);
+  }
+  ImportedLayout imported = import_layout(layout_file, choice.sensor);
+  if (choice.mesh.empty())
+    throw Error(layout_file.string(),
+                "holds no mesh: name it with --mesh FILE, and its unit with --scale S (0.001 for millimetres)");
+  return put_on_mesh_file(std::move(imported), choice.mesh, choice.scale, layout_file.string());
+}
+
+}  // namespace taxel
