@@ -149,4 +149,21 @@ inline TriMesh closed_ring_of_cubes(double h) {
   return extract_faces(welded({std::move(vertices), rounded.faces()}), all_faces(rounded));
 }
 
+/// A band of mean radius r and half width w, turned by half around its middle line.
+inline TriMesh moebius_strip(double r, double w, int n) {
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> faces;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * kPi * i / n;
+    for (const double side : {-w, w}) {
+      const double radius = r + side * std::cos(angle / 2);
+      vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), side * std::sin(angle / 2));
+    }
+    const int next = i + 1 < n ? 2 * i + 2 : 1, other = i + 1 < n ? 2 * i + 3 : 0;
+    faces.emplace_back(2 * i, next, 2 * i + 1);
+    faces.emplace_back(2 * i + 1, next, other);
+  }
+  return {std::move(vertices), std::move(faces)};
+}
+
 }  // namespace taxel::test

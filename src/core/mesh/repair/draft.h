@@ -14,11 +14,14 @@ inline std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+inline constexpr int kFilledFace = -1;   ///< comes from no loaded face
+inline constexpr int kWrappedFace = -2;  ///< comes from the nearest loaded face, which is found at the end
+
 /// Faces may be flat, open, doubled or wound in any direction: each step of a repair removes one of these faults.
 struct Draft {
   std::vector<dvec3> points;  ///< [m]
   std::vector<ivec3> faces;   ///< counter-clockwise seen from outside, once repaired
-  std::vector<int> loaded;    ///< loaded face of each face, -1 if the repair made the face
+  std::vector<int> loaded;    ///< loaded face of each face, or one of the constants above
 
   [[nodiscard]] int face_count() const { return static_cast<int>(faces.size()); }
   [[nodiscard]] int point_count() const { return static_cast<int>(points.size()); }
@@ -45,7 +48,7 @@ struct Draft {
 struct RepairLimits {
   double diagonal = 0;  ///< of the loaded mesh's bounds
   double join = 0, fill = 0, edge = 0, tolerance = 0;
-  double thickness = 0;    ///< of the pad, 0 if there is none
+  double thickness = 0;    ///< of the body that a sheet becomes
   double loaded_area = 0;  ///< of the loaded mesh [m^2]
 };
 

@@ -94,12 +94,12 @@ void fill(Draft& draft, const Loop& loop, const dvec3& middle, KnownEdges& edges
   if (const auto triangles = triangulate(draft, loop, edges)) {
     for (const ivec3& t : *triangles) {
       const ivec3 face(loop.points[at(t.x)], loop.points[at(t.y)], loop.points[at(t.z)]);
-      draft.add(face, -1);
+      draft.add(face, kFilledFace);
       for (int c = 0; c < 3; ++c) edges.add(face[c], face[(c + 1) % 3]);
     }
   } else {
     const int center = draft.add_point(middle);
-    for (int i = 0; i < n; ++i) draft.add({loop.points[at(i)], loop.points[at((i + 1) % n)], center}, -1);
+    for (int i = 0; i < n; ++i) draft.add({loop.points[at(i)], loop.points[at((i + 1) % n)], center}, kFilledFace);
   }
   for (int f = first; f < draft.face_count(); ++f) step.area += draft.area(f);
   step.faces += draft.face_count() - first;

@@ -15,4 +15,8 @@ Shells find_shells(const Draft& draft);
 /// Signed volume of some faces by the divergence theorem [m^3]: meaningful if they are a closed shell.
 double volume_of(const Draft& draft, const std::vector<int>& faces);
 
+/// Whether a surface cuts through itself in more than a thousandth of its faces, and in more than a few. Fewer places
+/// are folds that a pressure field survives.
+bool cuts_through_itself(const Draft& draft);
+
 }  // namespace taxel

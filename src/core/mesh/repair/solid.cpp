@@ -27,7 +27,10 @@ manifold::Manifold make_solid(const Draft& draft, const std::vector<int>& faces,
   return manifold::Manifold(mesh);
 }
 
-void append_solid(Draft& draft, const manifold::Manifold& solid, const std::vector<int>& source_loaded) {
+namespace {
+
+template <class LoadedOf>
+void append(Draft& draft, const manifold::Manifold& solid, const LoadedOf& loaded_of) {
   const manifold::MeshGL64 mesh = solid.GetMeshGL64();
   const int first = draft.point_count();
   const auto points = static_cast<std::size_t>(mesh.NumVert());
@@ -41,9 +44,18 @@ void append_solid(Draft& draft, const manifold::Manifold& solid, const std::vect
     number[mesh.mergeFromVert[i]] = number[mesh.mergeToVert[i]];
   for (std::size_t t = 0; t < static_cast<std::size_t>(mesh.NumTri()); ++t) {
     const ivec3 face(number[mesh.triVerts[3 * t]], number[mesh.triVerts[3 * t + 1]], number[mesh.triVerts[3 * t + 2]]);
-    const auto source = static_cast<std::size_t>(mesh.faceID[t]);
-    draft.add(face, source < source_loaded.size() ? source_loaded[source] : -1);
+    draft.add(face, loaded_of(static_cast<std::size_t>(mesh.faceID[t])));
   }
+}
+
+}  // namespace
+
+void append_solid(Draft& draft, const manifold::Manifold& solid, const std::vector<int>& source_loaded) {
+  append(draft, solid, [&](std::size_t number) { return source_loaded[number]; });
+}
+
+void append_wrapped(Draft& draft, const manifold::Manifold& solid) {
+  append(draft, solid, [](std::size_t) { return kWrappedFace; });
 }
 
 }  // namespace taxel

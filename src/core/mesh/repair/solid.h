@@ -17,8 +17,10 @@ enum class SolidFaces {
 /// The solid within some faces of a draft, which are closed.
 manifold::Manifold make_solid(const Draft& draft, const std::vector<int>& faces, SolidFaces kind);
 
-/// Appends the faces of a solid with points of their own. Each comes from the loaded face of that face of `source`
-/// whose number it carries.
+/// Appends the faces of a solid with points of their own. Each comes from the loaded face of that numbered face which
+/// it carries the number of.
 void append_solid(Draft& draft, const manifold::Manifold& solid, const std::vector<int>& source_loaded);
+/// The same for a solid without numbers: its faces are wrapped ones.
+void append_wrapped(Draft& draft, const manifold::Manifold& solid);
 
 }  // namespace taxel

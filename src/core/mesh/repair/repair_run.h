@@ -1,0 +1,52 @@
+// One run of all steps of a repair over one mesh.
+#pragma once
+
+#include "core/mesh/repair/steps.h"
+#include "core/mesh/repair/wrap_field.h"
+
+namespace taxel {
+
+class RepairRun {
+ public:
+  RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits, const Progress* progress);
+  /// Runs the steps. Throws as repair_mesh does.
+  void run();
+  /// The result with its steps and changes, but without the totals of its report. To be called once.
+  RepairedMesh finish();
+
+ private:
+  /// Faces that are taken out of the draft to be wrapped.
+  struct ToWrap {
+    Draft faces;
+    WrapKind kind;
+  };
+
+  void note(RepairStep step);
+  void take(const std::vector<char>& chosen, WrapKind kind);
+  void close_without_filling();
+  void fill();
+  void take_open_shells();
+  void take_thin_shells();
+  void recount_filled();
+  void take_crossed_shells();
+  void take_all();
+  void check_encloses() const;
+  void refuse_wrap() const;
+  void wrap();
+  void unite();
+  [[nodiscard]] bool is_closed() const;
+  void find_nearest_faces(RepairedMesh& repaired) const;
+  void list_changes(RepairedMesh& repaired) const;
+
+  TriMeshPtr loaded_;
+  const RepairRecipe& recipe_;
+  const RepairLimits& limits_;
+  const Progress* progress_;
+  Draft draft_;
+  std::vector<ToWrap> to_wrap_;
+  bool has_wrapped_ = false;
+  RepairChanges changes_;
+  std::vector<RepairStep> steps_;
+};
+
+}  // namespace taxel

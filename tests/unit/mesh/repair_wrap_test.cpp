@@ -1,0 +1,123 @@
+// Wraps: what no exact step makes into a solid gets a new surface around.
+#include <gtest/gtest.h>
+
+#include "core/mesh/repair/repair.h"
+#include "core/mesh/self_intersection.h"
+#include "unit/mesh/broken_mesh.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kThickness = 0.002;
+
+RepairRecipe coarse(RepairLevel level = RepairLevel::automatic) {
+  RepairRecipe recipe;
+  recipe.level = level;
+  recipe.edge = 0.5e-3;
+  return recipe;
+}
+
+RepairedMesh wrapped(const TriMesh& mesh, const RepairRecipe& recipe = coarse()) {
+  return *repair_mesh(std::make_shared<const TriMesh>(mesh), recipe, kThickness);
+}
+
+/// A wrap is closed, warned of, and sound when it is repaired again.
+void expect_wrapped(const RepairedMesh& repaired, const TriMesh& loaded) {
+  EXPECT_TRUE(repaired.mesh->closed());
+  EXPECT_EQ(repaired.report.level, RepairLevel::wrap);
+  ASSERT_FALSE(repaired.report.steps.empty());
+  EXPECT_EQ(repaired.report.steps[0].severity, Severity::warning);
+  EXPECT_EQ(repaired.changes.distance.size(), repaired.mesh->vertices().size());
+  ASSERT_EQ(repaired.loaded_face_of.size(), repaired.mesh->faces().size());
+  for (const int face : repaired.loaded_face_of) {
+    EXPECT_GE(face, 0);
+    EXPECT_LT(face, loaded.face_count());
+  }
+  EXPECT_EQ(repair_mesh(repaired.mesh, coarse(), kThickness)->mesh, repaired.mesh);
+}
+
+TEST(RepairWrap, StaysNearASphere) {
+  const TriMesh sphere = make_icosphere(0.008, 4);
+  const RepairedMesh repaired = wrapped(sphere, coarse(RepairLevel::wrap));
+  expect_wrapped(repaired, sphere);
+  EXPECT_NEAR(repaired.mesh->volume(), sphere.volume(), 0.02 * sphere.volume());
+  EXPECT_LT(repaired.report.distance_max, 1e-3);  // two edges
+  EXPECT_LT(repaired.report.distance_rms, 0.1e-3);
+  EXPECT_GT(repaired.report.distance_rms, 0);
+}
+
+TEST(RepairWrap, MakesASheetIntoABodyOfThePadsThickness) {
+  const TriMesh box = test::refined_box(0.008, 6);
+  std::vector<int> others;
+  for (int f = 0; f < box.face_count(); ++f)
+    if (box.face_normals()[test::slot(f)].z < 0.9) others.push_back(f);
+  const TriMesh sheet =
+      extract_faces(test::without_faces(box, others), test::all_faces(test::without_faces(box, others)));
+  const RepairedMesh repaired = wrapped(sheet);
+  expect_wrapped(repaired, sheet);
+  EXPECT_EQ(repaired.report.steps[0].code, "repair_sheet");
+  EXPECT_EQ(repaired.report.steps.size(), 1U);
+  // 16 x 16 x 2 mm below z = 8 mm.
+  EXPECT_NEAR(repaired.mesh->volume(), 512e-9, 0.02 * 512e-9);
+  EXPECT_NEAR(repaired.mesh->bounds().hi.z, 0.008, 1e-5);
+  EXPECT_NEAR(repaired.mesh->bounds().lo.z, 0.006, 1e-4);
+}
+
+TEST(RepairWrap, MakesOneTriangleIntoABody) {
+  const TriMesh triangle({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}});
+  const RepairedMesh repaired = wrapped(triangle);
+  expect_wrapped(repaired, triangle);
+  EXPECT_NEAR(repaired.mesh->volume(), 100e-9, 0.03 * 100e-9);
+}
+
+TEST(RepairWrap, WrapsAMoebiusStrip) {
+  const TriMesh strip = test::moebius_strip(0.01, 0.003, 40);
+  const RepairedMesh repaired = wrapped(strip);
+  expect_wrapped(repaired, strip);
+  EXPECT_EQ(repaired.report.steps[0].code, "repair_sheet");
+  EXPECT_NEAR(repaired.mesh->volume(), strip.area() * kThickness, 0.1 * strip.area() * kThickness);
+}
+
+TEST(RepairWrap, WrapsASurfaceThatCutsThroughItself) {
+  // The top of a ball is pushed out through its bottom.
+  const TriMesh ball = make_icosphere(0.01, 4);
+  std::vector<dvec3> vertices = ball.vertices();
+  for (dvec3& v : vertices)
+    if (v.z > 0.008) v += dvec3(0.00037, 0.00021, -0.0185);
+  const TriMesh crossed(vertices, ball.faces());
+  ASSERT_GT(find_self_intersections(crossed).pairs, 100);
+  const RepairedMesh repaired = wrapped(crossed);
+  expect_wrapped(repaired, crossed);
+  EXPECT_EQ(repaired.report.steps[0].code, "repair_wrapped");
+}
+
+TEST(RepairWrap, IsRefusedByTheLevelExact) {
+  try {
+    wrapped(test::moebius_strip(0.01, 0.003, 40), coarse(RepairLevel::exact));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "/mesh/repair/level");
+    EXPECT_NE(error.message().find("("), std::string::npos) << error.message();  // the place
+  }
+}
+
+TEST(RepairWrap, AsksForALargerEdgeIfTheLatticeIsTooLarge) {
+  RepairRecipe recipe = coarse(RepairLevel::wrap);
+  recipe.edge = 1e-6;
+  try {
+    wrapped(make_icosphere(0.01, 1), recipe);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "/mesh/repair/edge");
+  }
+}
+
+TEST(RepairWrap, StopsWhenCancelled) {
+  Progress progress;
+  progress.cancel();
+  const auto ball = std::make_shared<const TriMesh>(make_icosphere(0.01, 2));
+  EXPECT_THROW(repair_mesh(ball, coarse(RepairLevel::wrap), kThickness, &progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace taxel
