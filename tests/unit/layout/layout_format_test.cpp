@@ -26,7 +26,7 @@ TEST(LayoutFormats, GoByTheName) {
   EXPECT_EQ(layout_format_of("b.Csv")->name, "Table of taxels");
   EXPECT_EQ(layout_format_of("csv"), nullptr);
   EXPECT_EQ(test::complaint_of([] { import_layout("b.obj"); }),
-            "b.obj: is no layout by its name; known are .taxels.json, .json, .csv");
+            "b.obj: is no layout by its name; known are .taxels.json, .json, .csv, .yaml, .yml");
 }
 
 /// Whatever a format writes it reads again, with the taxels as they were; our own with everything.
