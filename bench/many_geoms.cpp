@@ -35,7 +35,8 @@ void run_steps(benchmark::State& state, int boxes, bool moving) {
   for (auto _ : state) s.step();
   double seconds = 0;
   for (int i = 0; i < 5; ++i)
-    seconds += s.sensor(i).times.surfaces + s.sensor(i).times.forces + s.sensor(i).times.readings;
+    seconds += s.sensor(i).contacts().times.surfaces + s.sensor(i).contacts().times.forces +
+               s.sensor(i).contacts().times.readings;
   state.counters["sensors_us"] = 1e6 * seconds / static_cast<double>(state.iterations() + 10);
   state.counters["touchable"] = static_cast<double>(s.sensor().touched().size());
 }

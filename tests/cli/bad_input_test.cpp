@@ -85,8 +85,9 @@ TEST(BadInput, Scenes) {
   EXPECT_EQ(broken.err.rfind("taxel: broken.xml: ", 0), 0U) << broken.err;
   EXPECT_EQ(std::count(broken.err.begin(), broken.err.end(), '\n'), 1) << broken.err;
   expect_refusal(taxel({"run", "gone.xml"}, folder), "taxel: gone.xml: no such file");
-  expect_refusal(taxel({"run", "plain.xml"}, folder),
-                 "taxel: plain.xml: declares no taxel.sensor; attach a layout with --layout and --geom");
+  expect_refusal(
+      taxel({"run", "plain.xml"}, folder),
+      "taxel: plain.xml: declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom");
   const Outcome unknown =
       taxel({"run", "plain.xml", "--layout", fingertip_layout().string(), "--geom", "hand"}, folder);
   EXPECT_EQ(unknown.status, 2);

@@ -61,8 +61,9 @@ TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
 TEST(Scenes, WhatCannotRunIsSaidWithFileBodyAndNumber) {
   const fs::path folder = test_folder();
   write_text(folder / "primitive.xml", "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>");
-  expect_refusal(taxel({"run", "primitive.xml"}, folder),
-                 "taxel: primitive.xml: declares no taxel.sensor; attach a layout with --layout and --geom");
+  expect_refusal(
+      taxel({"run", "primitive.xml"}, folder),
+      "taxel: primitive.xml: declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom");
   write_text(folder / "no_plugin.xml",
              "<mujoco><extension><plugin plugin='mujoco.sdf.torus'><instance name='t'/></plugin></extension>"
              "<worldbody><geom size='1'/></worldbody></mujoco>");

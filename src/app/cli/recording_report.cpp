@@ -19,6 +19,17 @@ std::string head_text(const RecordingReport& report) {
                      s.object.empty() ? "the edge of a box" : s.object, rows, s.depth, s.speed, s.tilt_deg);
 }
 
+/// A soft geom without taxels.
+std::string contact_text(const RecordedSensorSummary& sensor, const std::vector<std::string>& touched) {
+  constexpr std::size_t kMaxNames = 12;
+  std::vector<std::string> names(touched.begin(),
+                                 touched.begin() + static_cast<std::ptrdiff_t>(std::min(touched.size(), kMaxNames)));
+  if (touched.size() > kMaxNames) names.push_back(fmt::format("{} more", touched.size() - kMaxNames));
+  return fmt::format("{}: soft, without taxels; contact with {}; force up to {:.4g} N on {:.4g} m^2\n", sensor.geom,
+                     names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", ")), sensor.largest_force,
+                     sensor.largest_area);
+}
+
 std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSensor& about) {
   std::string text = fmt::format("{}: {:>6}  {:<14} {:>12} {:>10} {:>13}  {}\n", sensor.geom, "taxel", "name",
                                  fmt::format("peak [{}]", about.reading_unit), "at [m]", "largest step", "responds");
@@ -45,7 +56,11 @@ double rest_of(const RunCost& cost) {
 std::string recording_text(const RecordingReport& report) {
   std::string text = head_text(report);
   const std::vector<RecordedSensorSummary> sensors = summarize(report.recording);
-  for (std::size_t i = 0; i < sensors.size(); ++i) text += sensor_text(sensors[i], report.recording.sensors[i]);
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const bool contact = sensors[i].taxels.empty() && i < report.touched.size();
+    text +=
+        contact ? contact_text(sensors[i], report.touched[i]) : sensor_text(sensors[i], report.recording.sensors[i]);
+  }
   const RunCost& cost = report.cost;
   text += fmt::format("{:.2f} s for samples and contact model\n", report.model_seconds);
   text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",

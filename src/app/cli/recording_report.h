@@ -24,6 +24,7 @@ struct RecordingReport {
   double model_seconds = 0;        ///< wall time spent on samples, fields and tets
   std::vector<std::string> files;  ///< written, when --out was given
   std::string folder;
+  std::vector<std::vector<std::string>> touched = {};  ///< names of the geoms that each sensor can touch
 };
 
 /// Wall time that no sensor took [s].

@@ -57,6 +57,7 @@ Json report_object(const RecordingReport& report) {
   const std::vector<RecordedSensorSummary> sensors = summarize(report.recording);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     json["sensors"].push_back(sensor_object(sensors[i], *report.models[i]));
+    if (sensors[i].taxels.empty() && i < report.touched.size()) json["sensors"].back()["touches"] = report.touched[i];
   }
   return json;
 }

@@ -52,7 +52,8 @@ int run(const Options& options, Console& console) {
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SimScene& scene = *simulator->scene();
   if (scene.sensors.empty()) {
-    throw Error(options.scene, "declares no taxel.sensor; attach a layout with --layout and --geom");
+    throw Error(options.scene,
+                "declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom");
   }
   for (const SensorModelPtr& model : scene.sensors) console.tell(model->problems);
   RunCost cost;
@@ -60,6 +61,10 @@ int run(const Options& options, Console& console) {
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();
   RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
                          cost,  model_seconds, {},         options.out};
+  for (const std::vector<TouchedBody>& touched : scene.touched) {
+    std::vector<std::string>& names = report.touched.emplace_back();
+    for (const TouchedBody& one : touched) names.push_back(one.name);
+  }
   if (folder) {
     put_recording(*folder, recording, simulator.get(), options.tactile_state);
     folder->write("sweep.json", sweep_file_json(report));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/sim/model/bare_model.h"
 #include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
@@ -49,33 +50,44 @@ void Simulator::Impl::make_data() {
   data.reset(mj_makeData(compiled.model.get()));
   if (data == nullptr) throw Error(title, "MuJoCo cannot make the simulation data");
   mj_kinematics(&m(), &d());  // where what does not move stands
-  instances = sensor_instances(m());
-  for (const int i : instances) {
+  bodies.clear();
+  for (const int i : sensor_instances(m())) {
+    bodies.push_back({i, 0});
     const auto handed = compiled.handed.find(instance_name(m(), i));
     if (handed != compiled.handed.end()) find_sensor(*data, i)->hand_over(m(), handed->second);
   }
+  bare_models.clear();
+  for (const int i : contact_instances(m())) {
+    const std::vector<ContactSettings> soft = read_contact_config(m(), i).bodies;
+    for (std::size_t k = 0; k < soft.size(); ++k) {
+      bodies.push_back({i, static_cast<int>(k)});
+      bare_models.push_back(bare_model(m(), soft[k].geom, find_body(*data, bodies.back())->body()));
+    }
+  }
+}
+
+int Simulator::Impl::place_of(BodyId id) const {
+  const auto found = std::find(bodies.begin(), bodies.end(), id);
+  return found != bodies.end() ? static_cast<int>(found - bodies.begin()) : -1;
 }
 
 void Simulator::Impl::read_by(Aggregate aggregate) {
-  for (const int i : instances) {
-    HydroInstance& sensor = *find_sensor(*data, i);
-    if (sensor.model() != nullptr) sensor.hand_over(m(), with_aggregate(*sensor.model(), aggregate));
-  }
+  for (std::size_t i = 0; i < sensor_count(); ++i)
+    if (model(i) != nullptr) sensor(i)->hand_over(m(), with_aggregate(*model(i), aggregate));
 }
 
 std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
   std::vector<TouchedBody> all;
-  for (const TouchedGeom& touched : sensor(number).touched()) {
+  for (const TouchedGeom& touched : contacts(number).touched()) {
     TouchedBody& one = all.emplace_back();
     one.body = touched.body;
     one.name = geom_name(m(), touched.geom);
-    const auto other = std::find(instances.begin(), instances.end(), touched.role.sensor);
+    one.sensor = place_of(touched.role.partner);
     const auto geom = std::find(drawn.begin(), drawn.end(), touched.geom);
-    if (other != instances.end()) {
-      one.sensor = static_cast<int>(other - instances.begin());
+    if (one.sensor >= 0) {
       one.mirrored = touched.role.mirrored;
-      const SensorModelPtr& model = sensor(static_cast<std::size_t>(one.sensor)).model();
-      one.body = model ? model->body : nullptr;
+      const SensorModelPtr& partner = model(static_cast<std::size_t>(one.sensor));
+      one.body = partner ? partner->body : nullptr;
       continue;
     }
     std::shared_ptr<const Shape>& shape = shapes[touched.geom];
@@ -100,13 +112,14 @@ void Simulator::Impl::describe() {
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());
   scene->marks = scene_marks(m());
-  for (std::size_t i = 0; i < instances.size(); ++i) {
-    scene->sensors.push_back(sensor(i).model());
-    scene->sensor_geoms.push_back(geom_name(m(), sensor(i).config().geom));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const int geom = contacts(i).settings().geom;
+    scene->sensors.push_back(model(i));
+    scene->sensor_geoms.push_back(geom_name(m(), geom));
     for (std::size_t g = 0; g < drawn.size(); ++g)
-      if (drawn[g] == sensor(i).config().geom) scene->geoms[g].sensor = static_cast<int>(i);
+      if (drawn[g] == geom) scene->geoms[g].sensor = static_cast<int>(i);
   }
-  for (std::size_t i = 0; i < instances.size(); ++i) scene->touched.push_back(touched_by(i));
+  for (std::size_t i = 0; i < bodies.size(); ++i) scene->touched.push_back(touched_by(i));
   if (scenario) {
     const Motion& motion = scenario->motion;
     scene->duration = static_cast<double>(motion.last_step) * m().opt.timestep;
@@ -137,9 +150,9 @@ void Simulator::Impl::look() {
 }
 
 void Simulator::Impl::check_sensors() const {
-  for (const int i : instances) {
-    const HydroInstance& s = *find_sensor(*data, i);
-    if (!s.failure.empty()) throw Error(title, s.failure);
+  for (const BodyId id : bodies) {
+    const BodyContacts& body = *find_body(*data, id);
+    if (!body.failure.empty()) throw Error(title, body.failure);
   }
 }
 
@@ -246,8 +259,8 @@ void Simulator::edit(const SceneEdit& edit) {
 void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model) {
   Impl& s = *impl_;
   bool another_body = false, any = false;
-  for (const int i : s.instances) {
-    HydroInstance& sensor = *find_sensor(s.d(), i);
+  for (std::size_t i = 0; i < s.sensor_count(); ++i) {
+    HydroInstance& sensor = *s.sensor(i);
     if (sensor.model() != replaced) continue;
     any = true;
     if (sensor.model()->body == model->body) {

@@ -17,7 +17,8 @@ struct Simulator::Impl {
   CompiledScene compiled;
   DataHandle data;
   std::optional<ScenarioScene> scenario;
-  std::vector<int> instances;                          // of taxel.sensor
+  std::vector<BodyId> bodies;                          // of scene->sensors: sensors, then soft geoms without taxels
+  std::vector<SensorModelPtr> bare_models;             // of the latter
   std::vector<int> drawn;                              // geoms of scene->geoms
   std::map<int, std::shared_ptr<const Shape>> shapes;  // of geoms that sensors touch
   std::shared_ptr<const SimScene> shown;               // what does not change
@@ -31,7 +32,15 @@ struct Simulator::Impl {
 
   [[nodiscard]] const mjModel& m() const { return *compiled.model; }
   [[nodiscard]] mjData& d() const { return *data; }
-  [[nodiscard]] const HydroInstance& sensor(std::size_t i) const { return *find_sensor(*data, instances[i]); }
+  [[nodiscard]] const BodyContacts& contacts(std::size_t i) const { return *find_body(*data, bodies[i]); }
+  /// Null for a soft geom without taxels.
+  [[nodiscard]] HydroInstance* sensor(std::size_t i) const { return find_sensor(*data, bodies[i].instance); }
+  [[nodiscard]] std::size_t sensor_count() const { return bodies.size() - bare_models.size(); }
+  [[nodiscard]] const SensorModelPtr& model(std::size_t i) const {
+    return i < sensor_count() ? sensor(i)->model() : bare_models[i - sensor_count()];
+  }
+  /// Place of a declared body in scene->sensors, or -1.
+  [[nodiscard]] int place_of(BodyId id) const;
 
   void make_data();
   void read_by(Aggregate aggregate);

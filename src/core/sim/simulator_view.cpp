@@ -25,17 +25,18 @@ const std::shared_ptr<const SimScene>& Simulator::scene() const {
 
 std::vector<std::string> Simulator::warnings() const {
   std::vector<std::string> all = impl_->compiled.notes;
-  for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
-    const HydroInstance& sensor = impl_->sensor(i);
-    for (const std::string& text : sensor.warnings()) all.push_back("sensor \"" + sensor.config().name + "\": " + text);
+  for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+    const BodyContacts& body = impl_->contacts(i);
+    const std::string who = (i < impl_->sensor_count() ? "sensor \"" : "contact \"") + body.settings().name + "\": ";
+    for (const std::string& text : body.warnings) all.push_back(who + text);
   }
   return all;
 }
 
 SensorTimes Simulator::sensor_times() const {
   SensorTimes sum;
-  for (std::size_t i = 0; i < impl_->instances.size(); ++i) {
-    const SensorTimes& times = impl_->sensor(i).times;
+  for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+    const SensorTimes& times = impl_->contacts(i).times;
     sum.surfaces += times.surfaces;
     sum.forces += times.forces;
     sum.readings += times.readings;
@@ -82,11 +83,12 @@ void Simulator::view(StepView& view) const {
   view.finished = finished();
   view.geom_poses.clear();
   for (const int g : s.drawn) view.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
-  view.sensors.resize(s.instances.size());
-  for (std::size_t i = 0; i < s.instances.size(); ++i) {
-    const HydroInstance& sensor = s.sensor(i);
-    const SensorReading& reading = sensor.reading();
-    const Evaluation& e = sensor.sensed();
+  view.sensors.resize(s.bodies.size());
+  static const SensorReading without_taxels;
+  for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+    const BodyContacts& body = s.contacts(i);
+    const SensorReading& reading = i < s.sensor_count() ? s.sensor(i)->reading() : without_taxels;
+    const Evaluation& e = body.sensed();
     SensorView& one = view.sensors[i];
     one.X_WM = e.X_WM;
     one.readings = reading.values;
@@ -98,7 +100,7 @@ void Simulator::view(StepView& view) const {
     for (const std::size_t k : e.near) {
       one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
       one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
-      one.motions.push_back({sensor.touched()[k].properties, e.pairs[k].V_rub});
+      one.motions.push_back({body.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.hits = reading.hits.all();
     one.hit_rays = reading.hits.hit_rays();
@@ -129,14 +131,13 @@ PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sen
   const Impl& s = *impl_;
   PosedContact out;
   IntersectWorkspace workspace;
-  const HydroInstance& self = s.sensor(sensor);
+  const BodyContacts& self = s.contacts(sensor);
   for (const TouchedGeom& touched : self.touched()) {
     ContactSurface& surface = out.surfaces.emplace_back();
     if (touched.body == nullptr) continue;
-    const auto other = std::find(s.instances.begin(), s.instances.end(), touched.role.sensor);
-    if (other != s.instances.end()) {
-      const auto o = static_cast<std::size_t>(other - s.instances.begin());
-      intersect_sensors(self, s.sensor(o), touched.role.mirrored, sensors[sensor], sensors[o], surface, workspace);
+    if (const int partner = s.place_of(touched.role.partner); partner >= 0) {
+      const auto o = static_cast<std::size_t>(partner);
+      intersect_bodies(self, s.contacts(o), touched.role.mirrored, sensors[sensor], sensors[o], surface, workspace);
       continue;
     }
     const auto drawn = std::find(s.drawn.begin(), s.drawn.end(), touched.geom);
@@ -145,11 +146,11 @@ PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sen
                                        geom_name(s.m(), touched.geom)));
     const Pose pose = drawn == s.drawn.end() ? geom_pose(s.m(), s.d(), touched.geom)
                                              : X_WG[static_cast<std::size_t>(drawn - s.drawn.begin())];
-    intersect(*self.model()->body, *touched.body, sensors[sensor], pose, surface, workspace);
+    intersect(*self.body(), *touched.body, sensors[sensor], pose, surface, workspace);
   }
   std::vector<const ContactSurface*> all;
   for (const ContactSurface& surface : out.surfaces) all.push_back(&surface);
-  read_sensor(*self.model(), all, out.reading);
+  if (sensor < s.sensor_count()) read_sensor(*s.model(sensor), all, out.reading);
   return out;
 }
 

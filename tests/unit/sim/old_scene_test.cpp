@@ -57,7 +57,7 @@ TEST_F(OldScene, SurfacesAreOnlySensedWhereTheirForcesAreNotToBeApplied) {
   EXPECT_LT(depth, 2 * 9.81 / (5e4 / 0.0125 * 0.0016) * 0.9);
 }
 
-TEST_F(OldScene, ASoftMeshIsToldToNeedALayoutAndFieldsOfGeomsThatAreNotThereDoNothing) {
+TEST_F(OldScene, ReportsASoftMeshThatNothingCanTouch) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   const auto simulator = load(
       "<mujoco><custom><numeric name='cs::ball' data='5e4 5.0 0 0.3 0.3'/><numeric name='cs::gone' data='5e4'/>"
@@ -66,6 +66,28 @@ TEST_F(OldScene, ASoftMeshIsToldToNeedALayoutAndFieldsOfGeomsThatAreNotThereDoNo
   EXPECT_TRUE(simulator->scene()->sensors.empty());
   ASSERT_EQ(simulator->warnings().size(), 1U);
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"ball\" is soft")) << simulator->warnings()[0];
+}
+
+/// A soft mesh and a soft sphere on a rigid plane whose field says that it is soft.
+TEST_F(OldScene, SoftMeshesAndSpheresHaveContactWithoutTaxels) {
+  s.add_sensor("ball", make_sphere(0.02, 0.004), {FieldKind::star, 5e4, 0, 5, 0.5});
+  const auto simulator = load(
+      "<mujoco><option timestep='0.001'/><custom><numeric name='cs::ball' data='2e5 20.0 0 0.3 0.3'/>"
+      "<numeric name='cs::round' data='2e5 20 0 0.3 0.3'/><numeric name='cs::floor' data='5e4 1 0 0.3 0.3'/></custom>"
+      "<asset><mesh name='ball' file='ball.obj'/></asset><worldbody><geom name='floor' type='plane' size='1 1 1'/>"
+      "<body pos='0 0 0.02'><freejoint/><geom name='ball' type='mesh' mesh='ball' mass='.1'/></body>"
+      "<body pos='.1 0 0.02'><freejoint/><geom name='round' type='sphere' size='.02' mass='.1'/></body>"
+      "</worldbody></mujoco>");
+  EXPECT_EQ(simulator->scene()->sensor_geoms, (std::vector<std::string>{"ball", "round"}));
+  ASSERT_EQ(simulator->warnings().size(), 1U);
+  EXPECT_TRUE(has(simulator->warnings()[0], "\"cs::floor\" makes geom \"floor\" soft")) << simulator->warnings()[0];
+  for (int n = 0; n < 800; ++n) simulator->step();
+  const SimRow row = simulator->row();
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(row.force_W[i].z, 0.981, 0.02) << i;
+    EXPECT_GT(row.polygons[i], 3) << i;
+    EXPECT_TRUE(row.readings[i].empty());
+  }
 }
 
 constexpr const char* kTwoBalls = R"(<mujoco><asset><mesh name='ball' file='ball.obj'/></asset><worldbody>

@@ -17,13 +17,13 @@ std::size_t size(int n) {
 }
 
 PairState& state_of(Active& a) {
-  return a.instance->latest().pairs[a.pair];
+  return a.body->latest().pairs[a.pair];
 }
-int sensor_body(const mjModel& m, const Active& a) {
-  return m.geom_bodyid[a.instance->config().geom];
+int first_body(const mjModel& m, const Active& a) {
+  return m.geom_bodyid[a.body->settings().geom];
 }
 int other_body(const mjModel& m, const Active& a) {
-  return m.geom_bodyid[a.instance->touched()[a.pair].geom];
+  return m.geom_bodyid[a.body->touched()[a.pair].geom];
 }
 
 bool asleep(const mjModel& m, const mjData& d, int body) {
@@ -41,12 +41,12 @@ void keep_awake(const mjModel& m, mjData& d, int body) {
 /// J of the relative twist, in frame M at M's origin; A = J M^-1 J^T (6 x 6).
 void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Active& a) {
   const std::size_t nv = size(m.nv);
-  const Evaluation& e = a.instance->latest();
+  const Evaluation& e = a.body->latest();
   const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
   work.jacobian.resize(12 * nv);
   mjtNum* sensor = work.jacobian.data();
   mjtNum* other = sensor + 6 * nv;
-  mj_jac(&m, &d, sensor, sensor + 3 * nv, origin, sensor_body(m, a));
+  mj_jac(&m, &d, sensor, sensor + 3 * nv, origin, first_body(m, a));
   mj_jac(&m, &d, other, other + 3 * nv, origin, other_body(m, a));
   const dmat3 R_WM = e.X_WM.rotation();
   a.J.resize(6 * nv);
@@ -92,7 +92,7 @@ Twist free_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a)
 }
 
 Traction law_of(const Active& a, const Twist& V) {
-  return a.points.evaluate(a.instance->touched()[a.pair].properties, V);
+  return a.points.evaluate(a.body->touched()[a.pair].properties, V);
 }
 
 void keep(Active& a, const Wrench& wrench, const Twist& V_end) {
@@ -154,15 +154,15 @@ void solve_group(const mjModel& m, ContactForceWorkspace& work) {
 }
 
 void apply(const mjModel& m, mjData& d, Active& a) {
-  const Evaluation& e = a.instance->latest();
+  const Evaluation& e = a.body->latest();
   const PairState& pair = state_of(a);
   const dvec3 force = e.X_WM.rotate(pair.wrench.force), torque = e.X_WM.rotate(pair.wrench.torque);
   const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
   const mjtNum f[3] = {force.x, force.y, force.z}, t[3] = {torque.x, torque.y, torque.z};
   const mjtNum minus_f[3] = {-force.x, -force.y, -force.z}, minus_t[3] = {-torque.x, -torque.y, -torque.z};
-  if (!asleep(m, d, sensor_body(m, a))) mj_applyFT(&m, &d, f, t, origin, sensor_body(m, a), d.qfrc_passive);
+  if (!asleep(m, d, first_body(m, a))) mj_applyFT(&m, &d, f, t, origin, first_body(m, a), d.qfrc_passive);
   if (!asleep(m, d, other_body(m, a))) mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
-  keep_awake(m, d, sensor_body(m, a));
+  keep_awake(m, d, first_body(m, a));
   keep_awake(m, d, other_body(m, a));
 }
 
@@ -170,39 +170,39 @@ void apply(const mjModel& m, mjData& d, Active& a) {
 /// takes up to a fifth of a step's time. A bound that is quick to have spares most pairs the rest.
 void check_step(const mjModel& m, Active& a) {
   constexpr unsigned kEvery = 8;
-  const TouchedGeom& touched = a.instance->touched()[a.pair];
-  if (touched.step_too_large || !a.instance->time_to_check_step(a.pair, kEvery)) return;
+  const TouchedGeom& touched = a.body->touched()[a.pair];
+  if (touched.step_too_large || !a.body->time_to_check_step(a.pair, kEvery)) return;
   const PairState& pair = state_of(a);
   const double h = m.opt.timestep, limit = m.opt.integrator == mjINT_RK4 ? kRungeKuttaLimit : kEulerLimit;
   const Matrix6& A = a.inverse_inertia;
   const StiffnessBound bound = stiffness_bound(pair.surface);
   const double reach = bound.reach + a.length;  // corners lie farther out than centroids
   if (h * h * stiffest_mode_bound(A, bound.linear, reach) < limit) return;
-  const Pose X_MB = a.instance->latest().X_WM.inverse() * pair.X_WB;
-  const Matrix6 K = contact_stiffness(pair.surface, *a.instance->model()->body, *touched.body, RigidTransform(X_MB));
+  const Pose X_MB = a.body->latest().X_WM.inverse() * pair.X_WB;
+  const Matrix6 K = contact_stiffness(pair.surface, *a.body->body(), *touched.body, RigidTransform(X_MB));
   const Matrix6 S = a.points.evaluate(touched.properties, a.V_rub).secant;
   const double largest = largest_stable_step({A, K, S}, limit, h);
-  if (largest < h) a.instance->note_step_too_large(m, a.pair, largest);
+  if (largest < h) a.body->note_step_too_large(m, a.pair, largest);
 }
 
 /// All pairs that have a surface, with their dynamics.
-void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances, ContactForceWorkspace& work) {
+void collect(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies, ContactForceWorkspace& work) {
   work.active_count = 0;
-  for (HydroInstance* instance : instances) {
-    Evaluation& e = instance->evaluate(m, d);
-    const Stopwatch watch(instance->times.forces);
+  for (BodyContacts* body : bodies) {
+    Evaluation& e = body->evaluate(m, d);
+    const Stopwatch watch(body->times.forces);
     for (const std::size_t i : e.near) {
       if (e.pairs[i].surface.empty()) continue;
-      if (!instance->touched()[i].role.applies) {
+      if (!body->touched()[i].role.applies) {
         work.felt_only.assign(e.pairs[i].surface);
-        e.pairs[i].wrench = work.felt_only.evaluate(instance->touched()[i].properties, e.pairs[i].V).wrench;
+        e.pairs[i].wrench = work.felt_only.evaluate(body->touched()[i].properties, e.pairs[i].V).wrench;
         continue;
       }
       if (work.active_count == work.active.size()) work.active.emplace_back();
       Active& a = work.active[work.active_count++];
-      a.instance = instance;
+      a.body = body;
       a.pair = i;
-      a.length = 0.5 * instance->model()->skin->mesh().bounds().diagonal();
+      a.length = body->length(i);
       a.V_rub = e.pairs[i].V;
       a.points.assign(e.pairs[i].surface);
       fill_dynamics(m, d, work, a);
@@ -212,11 +212,11 @@ void collect(const mjModel& m, mjData& d, std::span<HydroInstance* const> instan
 
 }  // namespace
 
-void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances,
+void apply_contact_forces(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
-  collect(m, d, instances, work);
+  collect(m, d, bodies, work);
   if (work.active_count == 0) return;
-  const Stopwatch watch(work.active.front().instance->times.forces);  // all pairs are solved together
+  const Stopwatch watch(work.active.front().body->times.forces);  // all pairs are solved together
   const std::span<Active> active(work.active.data(), work.active_count);
   free_acceleration(m, d, late_forces, work);
   group_pairs(m, work);

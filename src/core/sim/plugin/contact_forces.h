@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/hydro/traction_points.h"
-#include "core/sim/plugin/hydro_instance.h"
+#include "core/sim/plugin/body_contacts.h"
 #include "core/sim/plugin/implicit_wrenches.h"
 
 namespace taxel {
@@ -16,13 +16,13 @@ namespace taxel {
 struct ContactForceWorkspace {
   /// One pair with a surface.
   struct Active {
-    HydroInstance* instance = nullptr;
+    BodyContacts* body = nullptr;
     std::size_t pair = 0;
     TractionPoints points;
     double length = 1;          ///< size of the contact [m]
     Twist V_rub;                ///< where the search begins, then what it found
     Matrix6 inverse_inertia{};  ///< J M^-1 J^T
-    std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the sensor at M's origin, frame M
+    std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the body at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
     std::size_t group = 0;      ///< pairs whose wrenches move each other's bodies have the same
   };
@@ -35,14 +35,14 @@ struct ContactForceWorkspace {
   ImplicitWrenches wrenches;
 };
 
-/// Evaluates the instances that apply forces, solves for all wrenches with the velocities of the end of the step, keeps
+/// Evaluates the bodies that apply forces, solves for all wrenches with the velocities of the end of the step, keeps
 /// each in its PairState and adds it to qfrc_passive of both bodies. To be called once per PASSIVE stage; M is factored
 /// then. `late_forces` (nv values) are the generalized forces that MuJoCo computes only later, taken from the step
 /// before: constraints and actuators.
 ///
 /// Pairs whose wrenches move each other's bodies are solved together (implicit_wrenches.h).
 /// Bodies asleep get no force; bodies of touching pairs are kept from falling asleep.
-void apply_contact_forces(const mjModel& m, mjData& d, std::span<HydroInstance* const> instances,
+void apply_contact_forces(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work);
 
 }  // namespace taxel

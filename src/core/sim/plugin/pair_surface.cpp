@@ -2,14 +2,14 @@
 
 namespace taxel {
 
-void intersect_sensors(const HydroInstance& self, const HydroInstance& other, bool mirrored, const Pose& X_WM,
-                       const Pose& X_WO, ContactSurface& out, IntersectWorkspace& workspace) {
+void intersect_bodies(const BodyContacts& self, const BodyContacts& other, bool mirrored, const Pose& X_WM,
+                      const Pose& X_WO, ContactSurface& out, IntersectWorkspace& workspace) {
   if (!mirrored) {
-    intersect(*self.model()->body, *other.model()->body, X_WM, X_WO, out, workspace);
+    intersect(*self.body(), *other.body(), X_WM, X_WO, out, workspace);
     return;
   }
   ContactSurface theirs;
-  intersect(*other.model()->body, *self.model()->body, X_WO, X_WM, theirs, workspace);
+  intersect(*other.body(), *self.body(), X_WO, X_WM, theirs, workspace);
   mirror(theirs, RigidTransform(X_WM.inverse() * X_WO), out);
 }
 

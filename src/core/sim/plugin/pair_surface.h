@@ -1,13 +1,13 @@
-// The contact surface of two sensors, from poses alone.
+// The contact surface of two declared bodies, from poses alone.
 #pragma once
 
-#include "core/sim/plugin/hydro_instance.h"
+#include "core/sim/plugin/body_contacts.h"
 
 namespace taxel {
 
-/// As the one of the two finds it that computes the pair: `other` where it is mirrored (PairRole). X_WM, X_WO: of the
-/// frames of the mesh files; `out` in that of `self`.
-void intersect_sensors(const HydroInstance& self, const HydroInstance& other, bool mirrored, const Pose& X_WM,
-                       const Pose& X_WO, ContactSurface& out, IntersectWorkspace& workspace);
+/// As the body of the two finds it that computes the pair: `other` if it is mirrored (PairRole). X_WM, X_WO: of the
+/// bodies' frames; `out` in that of `self`.
+void intersect_bodies(const BodyContacts& self, const BodyContacts& other, bool mirrored, const Pose& X_WM,
+                      const Pose& X_WO, ContactSurface& out, IntersectWorkspace& workspace);
 
 }  // namespace taxel

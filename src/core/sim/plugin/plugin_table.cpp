@@ -3,6 +3,8 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -11,17 +13,38 @@
 namespace taxel {
 namespace {
 
-constexpr const char* kAttributes[] = {"layout", "geom", "others", "materials", "force", "output", "taxels"};
+constexpr const char* kSensorKeys[] = {"layout", "geom", "others", "materials", "force", "output", "taxels"};
+constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output"};
 
-/// What stands behind one plugin_data entry. Aligned, so that a wrong pointer shows (see unseal).
+bool is_plugin(int slot, const char* name) {
+  const mjpPlugin* plugin = mjp_getPluginAtSlot(slot);
+  return plugin != nullptr && std::strcmp(plugin->name, name) == 0;
+}
+
+/// The instance behind one plugin_data entry: a sensor, or a contact. Aligned, so that a wrong pointer shows (see
+/// unseal).
 struct alignas(64) Slot {
-  HydroInstance sensor;
-  ContactForceWorkspace work;             // used by the first applying instance, for all
-  std::vector<HydroInstance*> instances;  // scratch
-  std::size_t warnings_told = 0;
-  Slot(const mjModel& m, int instance) : sensor(m, instance) {}
-  Slot(const Slot& other) : sensor(other.sensor), warnings_told(other.warnings_told) {}
+  std::optional<HydroInstance> sensor;
+  std::optional<ContactInstance> contact;
+  ContactForceWorkspace work;                  // used by the first applying instance, for all
+  std::vector<BodyContacts*> bodies_of_all;    // scratch
+  std::vector<std::size_t> reported_warnings;  // by body
+  Slot(const mjModel& m, int instance) {
+    if (is_plugin(m.plugin[instance], kContactPluginName)) {
+      contact.emplace(m, instance);
+    } else {
+      sensor.emplace(m, instance);
+    }
+    reported_warnings.resize(bodies().size());
+  }
+  Slot(const Slot& other) : sensor(other.sensor), contact(other.contact), reported_warnings(other.reported_warnings) {}
   Slot& operator=(const Slot&) = delete;
+
+  std::span<BodyContacts> bodies() {
+    if (sensor) return {&sensor->contacts(), 1};
+    return contact->bodies();
+  }
+  [[nodiscard]] bool applies() const { return sensor ? sensor->config().apply : contact->config().apply; }
 };
 
 /// plugin_data holds the pointer mixed with the address of its mjData. A bitwise copy of an mjData (Python's pickle)
@@ -40,8 +63,7 @@ Slot* unseal(const mjData& d, std::uintptr_t sealed) {
 }
 
 bool is_ours(const mjData& d, int instance) {
-  const mjpPlugin* plugin = mjp_getPluginAtSlot(d.plugin[instance]);
-  return plugin != nullptr && std::strcmp(plugin->name, kPluginName) == 0;
+  return is_plugin(d.plugin[instance], kPluginName) || is_plugin(d.plugin[instance], kContactPluginName);
 }
 
 Slot* find_slot(const mjData& d, int instance) {
@@ -49,7 +71,16 @@ Slot* find_slot(const mjData& d, int instance) {
 }
 
 void warn(const mjModel& m, int instance, const std::string& message) {
-  mju_warning("%s \"%s\": %s", kPluginName, instance_name(m, instance).c_str(), message.c_str());
+  const mjpPlugin* plugin = mjp_getPluginAtSlot(m.plugin[instance]);
+  mju_warning("%s \"%s\": %s", plugin->name, instance_name(m, instance).c_str(), message.c_str());
+}
+
+/// Reports the warnings that are new since the last call.
+void warn_of_new(const mjModel& m, int instance, Slot& slot) {
+  for (std::size_t k = 0; k < slot.bodies().size(); ++k) {
+    const std::vector<std::string>& warnings = slot.bodies()[k].warnings;
+    for (std::size_t& n = slot.reported_warnings[k]; n < warnings.size(); ++n) warn(m, instance, warnings[n]);
+  }
 }
 
 /// Runs a callback's body: no exception may cross into MuJoCo. Returns whether it went well.
@@ -72,26 +103,33 @@ int count_states(const mjModel* m, int instance) {
 
 int count_sensor_values(const mjModel* m, int instance, int) {
   int count = 0;
-  // What is wrong is told by init, which follows: MuJoCo makes that the compile error.
+  // What is wrong is reported by init, which follows: MuJoCo makes that the compile error.
   try {
-    count = sensor_dimension(*m, instance);
+    const bool contact = is_plugin(m->plugin[instance], kContactPluginName);
+    count = contact ? contact_dimension(*m, instance) : sensor_dimension(*m, instance);
   } catch (...) {
     count = 0;
   }
   return count;
 }
 
-/// Makes the sensor of a new mjData, or of one that came as a bitwise copy.
+/// Makes the instance of a new mjData, or of one that came as a bitwise copy.
 Slot* make_slot(const mjModel& m, mjData& d, int instance) {
   auto slot = std::make_unique<Slot>(m, instance);
+  const std::span<BodyContacts> bodies = slot->bodies();
+  const auto link_both = [&](BodyContacts& a, BodyContacts& b) {
+    a.link(b);
+    b.link(a);
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) link_both(bodies[i], bodies[j]);
   for (int i = 0; i < instance; ++i) {  // those after it are not made yet, or know it when they are asked
     Slot* before = find_slot(d, i);
     if (before == nullptr) continue;
-    slot->sensor.link(m, before->sensor);
-    before->sensor.link(m, slot->sensor);
+    for (BodyContacts& body : bodies)
+      for (BodyContacts& other : before->bodies()) link_both(body, other);
   }
-  for (const std::string& text : slot->sensor.warnings()) warn(m, instance, text);
-  slot->warnings_told = slot->sensor.warnings().size();
+  warn_of_new(m, instance, *slot);
   d.plugin_data[instance] = seal(d, slot.get());
   return slot.release();
 }
@@ -134,39 +172,47 @@ Slot& own_slot(const mjModel& m, mjData& d, int instance) {
 /// The first instance that applies forces does so for all.
 bool leads(const mjModel& m, mjData& d, int instance) {
   for (int i = 0; i < instance; ++i)
-    if (is_ours(d, i) && own_slot(m, d, i).sensor.config().apply) return false;
-  return own_slot(m, d, instance).sensor.config().apply;
+    if (is_ours(d, i) && own_slot(m, d, i).applies()) return false;
+  return own_slot(m, d, instance).applies();
 }
 
 void compute_passive(const mjModel& m, mjData& d, int instance) {
   if (!leads(m, d, instance)) return;
   Slot& leader = own_slot(m, d, instance);
-  leader.instances.clear();
+  leader.bodies_of_all.clear();
   for (int i = instance; i < m.nplugin; ++i) {
     if (!is_ours(d, i)) continue;
-    HydroInstance& sensor = own_slot(m, d, i).sensor;
-    if (sensor.config().apply && sensor.model() != nullptr) leader.instances.push_back(&sensor);
+    for (BodyContacts& body : own_slot(m, d, i).bodies())
+      if (body.settings().apply && body.body() != nullptr) leader.bodies_of_all.push_back(&body);
   }
   const std::span<const mjtNum> late(d.plugin_state + m.plugin_stateadr[instance],
                                      static_cast<std::size_t>(m.plugin_statenum[instance]));
-  apply_contact_forces(m, d, leader.instances, late, leader.work);
+  apply_contact_forces(m, d, leader.bodies_of_all, late, leader.work);
+}
+
+void fail(const mjModel& m, int instance, Slot* slot, const std::string& reason) {
+  warn(m, instance, reason);
+  if (slot == nullptr) return;
+  for (BodyContacts& body : slot->bodies()) body.failure = reason;
+}
+
+void sense(const mjModel& m, mjData& d, Slot& slot) {
+  if (slot.contact) slot.contact->sense(m, d);
+  if (slot.sensor && slot.sensor->model() != nullptr) slot.sensor->sense(m, d);
 }
 
 void compute(const mjModel* m, mjData* d, int instance, int capability) {
   Slot* slot = find_slot(*d, instance);
-  if (slot != nullptr && !slot->sensor.failure.empty()) return;
+  if (slot != nullptr && !slot->bodies().empty() && !slot->bodies()[0].failure.empty()) return;
   try {
     if (slot == nullptr) slot = make_slot(*m, *d, instance);
     if (capability == mjPLUGIN_PASSIVE) compute_passive(*m, *d, instance);
-    if (capability == mjPLUGIN_SENSOR && slot->sensor.model() != nullptr) slot->sensor.sense(*m, *d);
-    for (; slot->warnings_told < slot->sensor.warnings().size(); ++slot->warnings_told)
-      warn(*m, instance, slot->sensor.warnings()[slot->warnings_told]);
+    if (capability == mjPLUGIN_SENSOR) sense(*m, *d, *slot);
+    warn_of_new(*m, instance, *slot);
   } catch (const std::exception& error) {
-    warn(*m, instance, error.what());
-    if (slot != nullptr) slot->sensor.failure = error.what();
+    fail(*m, instance, slot, error.what());
   } catch (...) {
-    warn(*m, instance, "unknown failure");
-    if (slot != nullptr) slot->sensor.failure = "unknown failure";
+    fail(*m, instance, slot, "unknown failure");
   }
 }
 
@@ -176,15 +222,12 @@ void advance(const mjModel* m, mjData* d, int instance) {
   for (int i = 0; i < m->plugin_statenum[instance]; ++i) state[i] = d->qfrc_constraint[i] + d->qfrc_actuator[i];
 }
 
-}  // namespace
-
-bool register_sensor_plugin() {
-  if (const mjpPlugin* present = mjp_getPlugin(kPluginName, nullptr)) return present->compute == compute;
+void register_plugin(const char* name, std::span<const char* const> keys) {
   mjpPlugin plugin;
   mjp_defaultPlugin(&plugin);
-  plugin.name = kPluginName;
-  plugin.nattribute = static_cast<int>(std::size(kAttributes));
-  plugin.attributes = kAttributes;
+  plugin.name = name;
+  plugin.nattribute = static_cast<int>(keys.size());
+  plugin.attributes = keys.data();
   plugin.capabilityflags = mjPLUGIN_PASSIVE | mjPLUGIN_SENSOR;
   plugin.needstage = mjSTAGE_ACC;
   plugin.nstate = count_states;
@@ -196,25 +239,48 @@ bool register_sensor_plugin() {
   plugin.compute = compute;
   plugin.advance = advance;
   mjp_registerPlugin(&plugin);
+}
+
+std::vector<int> instances_of(const mjModel& m, const char* name) {
+  std::vector<int> instances;
+  for (int i = 0; i < m.nplugin; ++i)
+    if (is_plugin(m.plugin[i], name)) instances.push_back(i);
+  return instances;
+}
+
+}  // namespace
+
+bool register_sensor_plugin() {
+  if (const mjpPlugin* present = mjp_getPlugin(kPluginName, nullptr)) return present->compute == compute;
+  register_plugin(kPluginName, kSensorKeys);
+  register_plugin(kContactPluginName, kContactKeys);
   return true;
 }
 
 HydroInstance& own_sensor(const mjModel& m, mjData& d, int instance) {
-  return own_slot(m, d, instance).sensor;
+  return own_slot(m, d, instance).sensor.value();
 }
 
 HydroInstance* find_sensor(const mjData& d, int instance) {
   Slot* slot = find_slot(d, instance);
-  return slot != nullptr ? &slot->sensor : nullptr;
+  return slot != nullptr && slot->sensor ? &*slot->sensor : nullptr;
+}
+
+BodyContacts& own_body(const mjModel& m, mjData& d, BodyId id) {
+  return own_slot(m, d, id.instance).bodies()[static_cast<std::size_t>(id.number)];
+}
+
+BodyContacts* find_body(const mjData& d, BodyId id) {
+  Slot* slot = find_slot(d, id.instance);
+  return slot != nullptr ? &slot->bodies()[static_cast<std::size_t>(id.number)] : nullptr;
 }
 
 std::vector<int> sensor_instances(const mjModel& m) {
-  std::vector<int> instances;
-  for (int i = 0; i < m.nplugin; ++i) {
-    const mjpPlugin* plugin = mjp_getPluginAtSlot(m.plugin[i]);
-    if (plugin != nullptr && std::strcmp(plugin->name, kPluginName) == 0) instances.push_back(i);
-  }
-  return instances;
+  return instances_of(m, kPluginName);
+}
+
+std::vector<int> contact_instances(const mjModel& m) {
+  return instances_of(m, kContactPluginName);
 }
 
 }  // namespace taxel

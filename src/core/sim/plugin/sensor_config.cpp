@@ -12,26 +12,6 @@
 namespace taxel {
 namespace {
 
-/// The value of a key; empty when it is not given.
-std::string config_value(const mjModel& m, int instance, const char* key) {
-  const char* value = mj_getPluginConfig(&m, instance, key);
-  return value != nullptr ? value : "";
-}
-
-std::vector<std::string> split_words(std::string text) {
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
-int geom_by_name(const mjModel& m, const std::string& name, const char* key) {
-  for (int g = 0; g < m.ngeom; ++g)
-    if (name == m.names + m.name_geomadr[g]) return g;
-  throw Error("", key, "there is no geom named \"" + name + "\"");
-}
-
 std::vector<int> find_others(const mjModel& m, const std::string& value, int geom) {
   std::vector<int> others;
   if (value.empty()) {
@@ -46,23 +26,6 @@ std::vector<int> find_others(const mjModel& m, const std::string& value, int geo
   }
   std::sort(others.begin(), others.end());
   return others;
-}
-
-std::vector<Output> read_output(const std::string& value) {
-  if (value.empty()) return {Output::readings};
-  std::vector<Output> output;
-  for (const std::string& word : split_words(value)) {
-    if (word == "readings") {
-      output.push_back(Output::readings);
-    } else if (word == "wrench") {
-      output.push_back(Output::wrench);
-    } else if (word == "area") {
-      output.push_back(Output::area);
-    } else {
-      throw Error("", "output", "unknown word \"" + word + "\"; the words are: readings, wrench, area");
-    }
-  }
-  return output;
 }
 
 int read_count(const std::string& value, const char* key) {
@@ -86,11 +49,64 @@ SensorConfig read_basics(const mjModel& m, int instance) {
   if (!config.layout.empty() && !taxels.empty())
     throw Error("", "taxels", "is for sensors that a program hands over; it excludes \"layout\"");
   if (!taxels.empty()) config.handed_taxels = read_count(taxels, "taxels");
-  config.output = read_output(config_value(m, instance, "output"));
+  config.output = read_output(config_value(m, instance, "output"), {Output::readings, Output::wrench, Output::area});
   return config;
 }
 
 }  // namespace
+
+std::string config_value(const mjModel& m, int instance, const char* key) {
+  const char* value = mj_getPluginConfig(&m, instance, key);
+  return value != nullptr ? value : "";
+}
+
+std::vector<std::string> split_words(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+int geom_by_name(const mjModel& m, const std::string& name, const char* key) {
+  for (int g = 0; g < m.ngeom; ++g)
+    if (name == m.names + m.name_geomadr[g]) return g;
+  throw Error("", key, "there is no geom named \"" + name + "\"");
+}
+
+std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed) {
+  if (value.empty()) return {allowed.front()};
+  const auto word_of = [](Output block) {
+    return block == Output::readings ? "readings" : block == Output::wrench ? "wrench" : "area";
+  };
+  std::vector<Output> output;
+  for (const std::string& word : split_words(value)) {
+    const auto block =
+        std::find_if(allowed.begin(), allowed.end(), [&](Output candidate) { return word == word_of(candidate); });
+    if (block == allowed.end()) {
+      std::vector<std::string> words;
+      for (const Output candidate : allowed) words.emplace_back(word_of(candidate));
+      throw Error("", "output", fmt::format("unknown word \"{}\"; the words are: {}", word, fmt::join(words, ", ")));
+    }
+    output.push_back(*block);
+  }
+  return output;
+}
+
+bool read_force(const mjModel& m, int instance) {
+  const std::string force = config_value(m, instance, "force");
+  if (!force.empty() && force != "apply" && force != "sense")
+    throw Error("", "force", "must be \"apply\" or \"sense\", is \"" + force + "\"");
+  return force != "sense";
+}
+
+OtherMaterials read_materials(const mjModel& m, int instance) {
+  const std::string text = config_value(m, instance, "materials");
+  OtherMaterials materials;
+  if (!text.empty()) materials = parse_materials(text, "materials");
+  for (const auto& [name, material] : materials) geom_by_name(m, name, "materials");
+  return materials;
+}
 
 std::string instance_name(const mjModel& m, int instance) {
   const char* name = m.names + m.name_pluginadr[instance];
@@ -102,13 +118,8 @@ SensorConfig read_sensor_config(const mjModel& m, int instance) {
   const std::string others = config_value(m, instance, "others");
   config.others = find_others(m, others, config.geom);
   config.others_named = !others.empty();
-  const std::string materials = config_value(m, instance, "materials");
-  if (!materials.empty()) config.materials = parse_materials(materials, "materials");
-  for (const auto& [name, material] : config.materials) geom_by_name(m, name, "materials");
-  const std::string force = config_value(m, instance, "force");
-  if (!force.empty() && force != "apply" && force != "sense")
-    throw Error("", "force", "must be \"apply\" or \"sense\", is \"" + force + "\"");
-  config.apply = force != "sense";
+  config.materials = read_materials(m, instance);
+  config.apply = read_force(m, instance);
   return config;
 }
 

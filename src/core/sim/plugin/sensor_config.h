@@ -25,21 +25,35 @@ struct OtherMaterial {
   bool has_friction = false;  ///< otherwise the geom's own sliding friction counts
   bool has_field = false;     ///< otherwise medial axis for primitives, pad for meshes
   double resolution = 0;      ///< of the tessellation [m]; 0: chosen
+  bool operator==(const OtherMaterial&) const = default;
 };
 using OtherMaterials = std::map<std::string, OtherMaterial>;
 
-struct SensorConfig {
-  std::string name;         ///< of the instance, for messages
-  std::string layout;       ///< value of the key `layout`; empty when the program hands the sensor over
-  int handed_taxels = 0;    ///< value of the key `taxels`: how many taxels the handed-over sensor has
-  int geom = -1;            ///< the sensor's
-  std::string geom_name;    ///< value of the key `geom`
-  std::vector<int> others;  ///< geoms it touches, ascending
-  bool others_named = false;
-  OtherMaterials materials;
-  bool apply = true;  ///< forces move bodies; otherwise they are sensed only
+/// The part of a configuration that says which contacts of a geom are computed: that of a sensor, or that of a soft
+/// geom of a `taxel.contact`.
+struct ContactSettings {
+  std::string name;           ///< of the instance, for messages
+  int geom = -1;              ///< geom whose contacts are computed
+  std::string geom_name;      ///< its name
+  std::vector<int> others;    ///< geoms it touches, ascending
+  bool others_named = false;  ///< the configuration names `others`: one that cannot be touched is an error
+  OtherMaterials materials;   ///< by geom name
+  bool apply = true;          ///< forces move bodies; otherwise they are sensed only
+};
+
+struct SensorConfig : ContactSettings {
+  std::string layout;     ///< value of the key `layout`; empty when the program hands the sensor over
+  int handed_taxels = 0;  ///< value of the key `taxels`: how many taxels the handed-over sensor has
   std::vector<Output> output{Output::readings};
 };
+
+/// Reading configuration keys, for all plugins of this folder. All throw Error whose place is the key.
+std::string config_value(const mjModel& m, int instance, const char* key);  ///< empty if not given
+std::vector<std::string> split_words(std::string text);                     ///< at spaces and commas
+int geom_by_name(const mjModel& m, const std::string& name, const char* key);
+std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed);
+bool read_force(const mjModel& m, int instance);  ///< true for "apply", which is the default
+OtherMaterials read_materials(const mjModel& m, int instance);
 
 /// Name of the instance for messages.
 std::string instance_name(const mjModel& m, int instance);

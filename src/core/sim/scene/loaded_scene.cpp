@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
@@ -35,7 +37,8 @@ std::string one_line(const std::string& text) {
 
 /// Without what MuJoCo says before a sensor's own reason, which names the sensor and the key.
 std::string reason_of(const std::string& text) {
-  const std::size_t own = text.find(std::string(kPluginName) + " \"");
+  const std::size_t own =
+      std::min(text.find(std::string(kPluginName) + " \""), text.find(std::string(kContactPluginName) + " \""));
   return own != std::string::npos ? text.substr(own) : text;
 }
 
@@ -59,18 +62,6 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
   return scene;
 }
 
-/// Whether every contact that MuJoCo would make between the two bodies is of the sensor with a geom it touches.
-bool only_sensor_contacts(const mjModel& m, const SensorConfig& config, int body_a, int body_b) {
-  for (int a = 0; a < m.ngeom; ++a) {
-    for (int b = 0; b < m.ngeom; ++b) {
-      if (m.geom_bodyid[a] != body_a || m.geom_bodyid[b] != body_b || !would_collide(m, a, b)) continue;
-      const bool touched = std::find(config.others.begin(), config.others.end(), b) != config.others.end();
-      if (a != config.geom || !touched) return false;
-    }
-  }
-  return true;
-}
-
 std::string spec_body_name(mjSpec* spec, int body) {
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_BODY); e != nullptr; e = mjs_nextElement(spec, e)) {
     if (mjs_getId(e) != body) continue;
@@ -80,21 +71,36 @@ std::string spec_body_name(mjSpec* spec, int body) {
   return "";
 }
 
-/// Takes MuJoCo's own contact away from the pairs of a sensor that was added.
-void exclude_contacts(CompiledScene& scene, const SensorConfig& config) {
+using IntPair = std::pair<int, int>;
+
+IntPair ordered(int a, int b) {
+  return a < b ? IntPair{a, b} : IntPair{b, a};
+}
+
+/// Takes MuJoCo's own contact away from two bodies if all that MuJoCo would make between them are of these geom pairs.
+void exclude_contacts(CompiledScene& scene, const std::set<IntPair>& pairs) {
   const mjModel& m = *scene.model;
-  const int sensor_body = m.geom_bodyid[config.geom];
-  std::vector<int> bodies;
-  for (const int geom : config.others) {
-    const int body = m.geom_bodyid[geom];
-    if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) continue;
-    bodies.push_back(body);
-    if (!would_collide(m, config.geom, geom) || !only_sensor_contacts(m, config, sensor_body, body)) continue;
+  std::set<IntPair> bodies;
+  for (const auto& [a, b] : pairs)
+    if (would_collide(m, a, b)) bodies.insert(ordered(m.geom_bodyid[a], m.geom_bodyid[b]));
+  const auto geoms_of = [&](int body) {
+    return std::pair{m.body_geomadr[body], m.body_geomadr[body] + m.body_geomnum[body]};
+  };
+  for (const auto& [body_a, body_b] : bodies) {
+    bool all = true;
+    const auto [first_a, end_a] = geoms_of(body_a);
+    const auto [first_b, end_b] = geoms_of(body_b);
+    for (int a = first_a; a < end_a; ++a)
+      for (int b = first_b; b < end_b; ++b) all = all && (!would_collide(m, a, b) || pairs.contains(ordered(a, b)));
+    if (!all) continue;
     mjsExclude* exclude = mjs_addExclude(scene.spec.get());
-    mjs_setString(exclude->bodyname1, spec_body_name(scene.spec.get(), sensor_body).c_str());
-    mjs_setString(exclude->bodyname2, spec_body_name(scene.spec.get(), body).c_str());
+    mjs_setString(exclude->bodyname1, spec_body_name(scene.spec.get(), body_a).c_str());
+    mjs_setString(exclude->bodyname2, spec_body_name(scene.spec.get(), body_b).c_str());
   }
 }
+
+/// The name of the `taxel.contact` that stands for the fields of a scene of the predecessor's.
+constexpr const char* kOldContact = "contacts of the scene";
 
 /// A sensor to be added to a scene.
 struct AddedSensor {
@@ -147,8 +153,9 @@ void compile_foreign(std::vector<AddedSensor>& added, CompiledScene& scene) {
       one.model = compile_attached_layout(*one.foreign, std::move(one.imported), one.geom, *scene.model, scene.notes);
 }
 
-/// The scene with the sensors. The text pretends to lie beside the scene, so that relative names keep their meaning.
-std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& added) {
+/// The scene with the sensors, and with the contact of these keys unless they are empty. The text pretends to lie
+/// beside the scene, so that relative names keep their meaning.
+std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& added, const std::string& contact) {
   std::string instances, sensors;
   for (const AddedSensor& one : added) {
     const std::string name = xml_escaped(one.instance);
@@ -157,9 +164,13 @@ std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& ad
         one.model->taxel_count(), xml_escaped(one.geom), one.keys);
     sensors += fmt::format(R"(<plugin name="{0}" plugin="{1}" instance="{0}"/>)", name, kPluginName);
   }
-  return fmt::format(R"(<mujoco><include file="{}"/><extension><plugin plugin="{}">{}</plugin></extension>)"
-                     R"(<sensor>{}</sensor></mujoco>)",
-                     xml_escaped(file.filename().string()), kPluginName, instances, sensors);
+  std::string plugins;
+  if (!instances.empty()) plugins += fmt::format(R"(<plugin plugin="{}">{}</plugin>)", kPluginName, instances);
+  if (!contact.empty())
+    plugins += fmt::format(R"(<plugin plugin="{}"><instance name="{}">{}</instance></plugin>)", kContactPluginName,
+                           kOldContact, contact);
+  return fmt::format(R"(<mujoco><include file="{}"/><extension>{}</extension><sensor>{}</sensor></mujoco>)",
+                     xml_escaped(file.filename().string()), plugins, sensors);
 }
 
 /// The number in "geom 7"; -1: it is no such name.
@@ -201,26 +212,55 @@ void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>&
   }
 }
 
-/// Those that the fields of a scene of the predecessor's ask for, and what its fields say of the sensors added.
-void add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, CompiledScene& scene) {
+/// Adds the sensors that the fields of a scene of the predecessor's ask for, and what its fields say of those added
+/// already. Returns the keys of a `taxel.contact` for all other soft geoms; empty if there are none.
+std::string add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, CompiledScene& scene) {
   const OldFields fields = old_fields(m);
+  scene.notes.insert(scene.notes.end(), fields.notes.begin(), fields.notes.end());
   std::vector<std::string> sensing;
   for (const int i : sensor_instances(m)) sensing.push_back(read_sensor_config(m, i).geom_name);
   for (AddedSensor& one : added) {
-    one.keys = old_keys(fields, one.geom);
+    one.keys = old_keys(m, fields, one.geom);
     sensing.push_back(one.geom);
   }
   for (const auto& [name, field] : fields.geoms) {
     if (!(field.modulus > 0) || std::find(sensing.begin(), sensing.end(), name) != sensing.end()) continue;
     SensorModelPtr model = old_sensor(m, mj_name2id(&m, mjOBJ_GEOM, name.c_str()), field);
-    if (model != nullptr) {
-      added.push_back({instance_on(name), name, old_keys(fields, name), std::move(model)});
-    } else {
-      scene.notes.push_back(fmt::format(
-          "geom \"{}\" is soft by its field \"cs::{}\", but no box: attach a layout to it to have its contact", name,
-          name));
-    }
+    if (model == nullptr) continue;
+    added.push_back({instance_on(name), name, old_keys(m, fields, name), std::move(model)});
+    sensing.push_back(name);
   }
+  if (!contact_instances(m).empty()) return "";  // a scene that was written by us declares them already
+  std::string contact = old_contact_keys(m, fields, sensing);
+  for (const auto& [name, field] : fields.geoms)
+    if (contact.empty() && sensing.empty() && field.modulus > 0)
+      scene.notes.push_back(fmt::format(
+          "geom \"{0}\" is soft by its field \"cs::{0}\", but MuJoCo lets no geom with such a field collide with it",
+          name));
+  return contact;
+}
+
+/// Hands the added sensors over and takes MuJoCo's own contact away from the pairs that were added.
+void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added, const std::string& name) {
+  const mjModel& m = *scene.model;
+  std::set<IntPair> pairs;
+  for (const int i : sensor_instances(m)) {
+    const SensorConfig config = read_sensor_config(m, i);
+    const auto one = std::find_if(added.begin(), added.end(),
+                                  [&](const AddedSensor& sensor) { return sensor.instance == config.name; });
+    if (one == added.end()) continue;
+    const int unnamed = unnamed_geom(one->geom);
+    if (unnamed >= 0 && unnamed != config.geom)
+      throw Error(name, fmt::format("geom {} cannot be told from others: name it in the scene", unnamed));
+    scene.handed[config.name] = one->model;
+    if (!config.apply) continue;
+    for (const int other : config.others) pairs.insert(ordered(config.geom, other));
+  }
+  for (const int i : contact_instances(m)) {
+    const ContactConfig config = read_contact_config(m, i);
+    if (config.name == kOldContact && config.apply) pairs.insert(config.pairs.begin(), config.pairs.end());
+  }
+  exclude_contacts(scene, pairs);
 }
 
 bool has_old_fields(mjSpec* spec) {
@@ -254,30 +294,20 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   const bool old = has_old_fields(scene.spec.get());
   if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
   compile_foreign(added, scene);
-  if (old) add_old_sensors(*scene.model, added, scene);
-  if (added.empty()) {
+  const std::string contact = old ? add_old_sensors(*scene.model, added, scene) : "";
+  if (added.empty() && contact.empty()) {
     check_one_sensor_per_geom(*scene.model, added, name);
     return scene;
   }
   const fs::path overlay = file.parent_path() / (file.stem().string() + "+taxels.xml");
-  vfs.add(overlay.string(), overlay_xml(file, added));
+  vfs.add(overlay.string(), overlay_xml(file, added, contact));
   notes = std::move(scene.notes);
   scene = parsed(overlay.string(), vfs.get(), name);
   scene.notes = std::move(notes);
   name_geoms(scene.spec.get(), added);
   compile(scene, vfs.get(), name);
   check_one_sensor_per_geom(*scene.model, added, name);
-  for (const int i : sensor_instances(*scene.model)) {
-    const SensorConfig config = read_sensor_config(*scene.model, i);
-    const auto one = std::find_if(added.begin(), added.end(),
-                                  [&](const AddedSensor& sensor) { return sensor.instance == config.name; });
-    if (one == added.end()) continue;
-    const int unnamed = unnamed_geom(one->geom);
-    if (unnamed >= 0 && unnamed != config.geom)
-      throw Error(name, fmt::format("geom {} cannot be told from others: name it in the scene", unnamed));
-    scene.handed[config.name] = one->model;
-    if (config.apply) exclude_contacts(scene, config);
-  }
+  finish_added(scene, added, name);
   compile(scene, vfs.get(), name);
   return scene;
 }

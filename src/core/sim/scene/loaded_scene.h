@@ -24,8 +24,9 @@ struct CompiledScene {
 CompiledScene compile_scene(const std::string& xml, const std::vector<SceneFile>& files, const std::string& name);
 
 /// Compiles a user's scene. Each attachment adds a `taxel.sensor` on its geom, to be handed over, and takes MuJoCo's
-/// own contact of the bodies it touches away where that takes away no other contact. Geoms that `cs::` fields make
-/// soft, and that no other sensor is on, get one as well (old_fields.h). Throws Error naming the file: also where two
+/// own contact of the bodies it touches away where that takes away no other contact. Boxes that `cs::` fields make
+/// soft, and that no other sensor is on, get one as well; other soft geoms get a `taxel.contact` (old_fields.h).
+/// Attributes that MuJoCo has dropped are left out (dropped_attributes.h). Throws Error naming the file: also where two
 /// layouts are attached to one geom, or one to a geom that has a sensor.
 CompiledScene load_scene(const std::filesystem::path& scene, const std::vector<SceneAttachment>& attachments);
 

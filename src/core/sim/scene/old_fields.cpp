@@ -34,6 +34,43 @@ std::vector<double> places(double half) {
   return middles;
 }
 
+/// What can only be rigid, in words; null for any other type.
+const char* rigid_only(int type) {
+  switch (type) {
+    case mjGEOM_PLANE:
+      return "a plane without thickness";
+    case mjGEOM_HFIELD:
+      return "a height field";
+    case mjGEOM_SDF:
+      return "a signed distance function";
+    default:
+      return nullptr;
+  }
+}
+
+/// Edges of a round geom: as the field hints where that is finer than our own choice of a tenth of the smallest extent,
+/// down to a quarter of it; 0 for our own choice.
+double resolution_of(const mjModel& m, int geom, const OldField& field) {
+  const mjtNum* size = m.geom_size + 3 * geom;
+  double radius = 0;
+  if (m.geom_type[geom] == mjGEOM_SPHERE || m.geom_type[geom] == mjGEOM_CAPSULE) radius = size[0];
+  if (m.geom_type[geom] == mjGEOM_CYLINDER) radius = std::min(size[0], size[1]);
+  if (m.geom_type[geom] == mjGEOM_ELLIPSOID) radius = std::min({size[0], size[1], size[2]});
+  const double ours = 0.2 * radius;
+  return field.resolution > 0 && field.resolution < ours ? std::max(field.resolution, 0.25 * ours) : 0;
+}
+
+/// "name": {material}, as the key "materials" has it.
+std::string material_json(const mjModel& m, const std::string& name, const OldField& field) {
+  return fmt::format(R"("{}": {{"modulus": {}, "dissipation": {}, "friction": {}, "resolution": {}}})", name,
+                     field.modulus, field.modulus > 0 ? field.dissipation : 0.0, field.friction,
+                     resolution_of(m, mj_name2id(&m, mjOBJ_GEOM, name.c_str()), field));
+}
+
+std::string config(const char* key, const std::string& value) {
+  return fmt::format(R"(<config key="{}" value="{}"/>)", key, xml_escaped(value));
+}
+
 }  // namespace
 
 OldFields old_fields(const mjModel& m) {
@@ -44,25 +81,48 @@ OldFields old_fields(const mjModel& m) {
     const std::string geom(name.substr(kPrefix.size()));
     const std::vector<double> numbers = numbers_of(m, n);
     if (geom == "ApplyContactSurfaceForces") fields.apply = numbers[0] != 0;
-    if (mj_name2id(&m, mjOBJ_GEOM, geom.c_str()) >= 0) fields.geoms[geom] = {numbers[0], numbers[1], numbers[4]};
+    const int id = mj_name2id(&m, mjOBJ_GEOM, geom.c_str());
+    if (id < 0) continue;
+    OldField field{numbers[0], numbers[1], numbers[2], numbers[4]};
+    const char* const what = rigid_only(m.geom_type[id]);
+    if (what != nullptr && field.modulus > 0) {
+      fields.notes.push_back(
+          fmt::format("field \"cs::{0}\" makes geom \"{0}\" soft, which is {1}: it is rigid", geom, what));
+      field.modulus = 0;
+    }
+    fields.geoms[geom] = field;
   }
   return fields;
 }
 
-std::string old_keys(const OldFields& fields, const std::string& geom) {
+std::string old_keys(const mjModel& m, const OldFields& fields, const std::string& geom) {
   if (!fields.geoms.contains(geom)) return "";
-  std::string others, materials;
+  std::vector<std::string> others, materials;
   for (const auto& [name, field] : fields.geoms) {
     if (name == geom) continue;
-    others += (others.empty() ? "" : " ") + name;
-    materials +=
-        fmt::format(R"({}"{}": {{"modulus": {}, "dissipation": {}, "friction": {}}})", materials.empty() ? "" : ", ",
-                    name, field.modulus, field.modulus > 0 ? field.dissipation : 0.0, field.friction);
+    others.push_back(name);
+    materials.push_back(material_json(m, name, field));
   }
   if (others.empty()) return "";
-  return fmt::format(R"(<config key="others" value="{}"/><config key="materials" value="{}"/>)", xml_escaped(others),
-                     xml_escaped("{" + materials + "}")) +
-         (fields.apply ? "" : R"(<config key="force" value="sense"/>)");
+  return config("others", fmt::format("{}", fmt::join(others, " "))) +
+         config("materials", fmt::format("{{{}}}", fmt::join(materials, ", "))) +
+         (fields.apply ? "" : config("force", "sense"));
+}
+
+std::string old_contact_keys(const mjModel& m, const OldFields& fields, const std::vector<std::string>& sensing) {
+  std::vector<std::string> materials, pairs;
+  for (const auto& [name, field] : fields.geoms) {
+    if (std::find(sensing.begin(), sensing.end(), name) != sensing.end()) continue;
+    materials.push_back(material_json(m, name, field));
+    for (const auto& [other, other_field] : fields.geoms) {
+      if (other <= name || std::find(sensing.begin(), sensing.end(), other) != sensing.end()) continue;
+      const int a = mj_name2id(&m, mjOBJ_GEOM, name.c_str()), b = mj_name2id(&m, mjOBJ_GEOM, other.c_str());
+      if ((field.modulus > 0 || other_field.modulus > 0) && would_collide(m, a, b)) pairs.push_back(name + " " + other);
+    }
+  }
+  if (pairs.empty()) return "";
+  return config("materials", fmt::format("{{{}}}", fmt::join(materials, ", "))) +
+         config("pairs", fmt::format("{}", fmt::join(pairs, ", "))) + (fields.apply ? "" : config("force", "sense"));
 }
 
 SensorModelPtr old_sensor(const mjModel& m, int geom, const OldField& field) {

@@ -68,7 +68,7 @@ SoftOnFloorRun::SoftOnFloorRun(const SoftOnFloor& setup) {
 void SoftOnFloorRun::step(int count) {
   for (int i = 0; i < count; ++i) mj_step(scene_.model.get(), data_.get());
   const HydroInstance& sensor = *find_sensor(*data_, instance_);
-  if (!sensor.failure.empty()) throw Error(kName, sensor.failure);
+  if (!sensor.contacts().failure.empty()) throw Error(kName, sensor.contacts().failure);
 }
 
 void SoftOnFloorRun::set_velocity(const dvec3& v) {

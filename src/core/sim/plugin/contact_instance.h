@@ -1,0 +1,29 @@
+// One `taxel.contact` of one mjData: the soft geoms that it declares, with their contacts. A sensor without taxels.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <vector>
+
+#include "core/sim/plugin/body_contacts.h"
+
+namespace taxel {
+
+class ContactInstance {
+ public:
+  /// Reads the configuration and makes the bodies. Throws Error.
+  ContactInstance(const mjModel& m, int instance);
+
+  [[nodiscard]] const ContactConfig& config() const { return config_; }
+  [[nodiscard]] std::vector<BodyContacts>& bodies() { return bodies_; }  ///< as config().bodies
+
+  /// Retains the present state of all bodies and fills sensordata.
+  void sense(const mjModel& m, mjData& d);
+
+ private:
+  int instance_ = -1;
+  ContactConfig config_;
+  std::vector<BodyContacts> bodies_;
+};
+
+}  // namespace taxel
