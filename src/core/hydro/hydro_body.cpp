@@ -142,23 +142,25 @@ PressureFieldPtr make_medial_field(const Shape& shape, double modulus) {
   }
 }
 
-PressureFieldPtr make_field(const Shape& shape, const Material& material) {
+SoftBody make_field(const Shape& shape, const Material& material) {
   const bool is_mesh = shape.type == ShapeType::mesh;
   const bool is_tets = shape.type == ShapeType::tets;
   if (material.field == FieldKind::tets) {
     if (!is_tets)
       throw Error(fmt::format("field tets is for a shape of type tets, not for a {}", to_string(shape.type)));
-    return make_tet_field(*shape.tets, material.modulus, material.thickness);
+    return SoftBody(make_tet_field(*shape.tets, material.modulus, material.thickness));
   }
-  if (material.field == FieldKind::star) return make_star_field(skin_of(shape).mesh, material.modulus);
+  if (material.field == FieldKind::star) return SoftBody(make_star_field(skin_of(shape).mesh, material.modulus));
   if (material.field == FieldKind::pad && (is_mesh || is_tets || material.thickness > 0)) {
     const Skin skin = skin_of(shape);
-    return make_pad_field(skin.mesh, material.modulus, pad_thickness(*skin.mesh, material), skin.face_numbers,
-                          PadLayering::automatic, shape.refine);
+    const double thickness = pad_thickness(*skin.mesh, material);
+    return SoftBody(
+        make_pad_field(skin.mesh, material.modulus, thickness, skin.face_numbers, PadLayering::automatic, shape.refine),
+        std::make_shared<const DepthField>(skin.mesh, thickness, material.modulus / thickness));
   }
   if (is_mesh || is_tets)
     throw Error(fmt::format("field medial_axis is for primitives, not for a {}", to_string(shape.type)));
-  return make_medial_field(shape, material.modulus);
+  return SoftBody(make_medial_field(shape, material.modulus));
 }
 
 HydroBody make(const Shape& shape, const Material& material) {
@@ -173,7 +175,7 @@ HydroBody make(const Shape& shape, const Material& material) {
       body.geometry = SoftHalfSpace{material.modulus / material.thickness, material.thickness};
     }
   } else if (material.compliant()) {
-    body.geometry = SoftBody{make_field(shape, material)};
+    body.geometry = make_field(shape, material);
   } else {
     const TriMeshPtr mesh = surface_mesh(shape);
     if (mesh->closed() && !(mesh->volume() > 0)) throw Error("the mesh is inside out: its triangles face inward");

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/base/material.h"
+#include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/field_index.h"
 #include "core/hydro/tet_mesh.h"
 #include "core/mesh/closest_point.h"
@@ -14,8 +15,12 @@
 namespace taxel {
 
 struct SoftBody {
-  explicit SoftBody(PressureFieldPtr f) : field(std::move(f)), index(std::make_shared<const FieldIndex>(field)) {}
+  explicit SoftBody(PressureFieldPtr f, DepthFieldPtr d = nullptr)
+      : field(std::move(f)),
+        depth(std::move(d)),
+        index(std::make_shared<const FieldIndex>(field, depth ? depth->skin().get() : nullptr)) {}
   PressureFieldPtr field;
+  DepthFieldPtr depth;  ///< the field of a pad beyond its tets; null if the field ends with its tets
   FieldIndexPtr index;  ///< the field as the kernel reads it
 };
 struct SoftHalfSpace {

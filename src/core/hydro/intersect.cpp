@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/hydro/kernel/depth_pieces.h"
 #include "core/hydro/kernel/kernels.h"
 
 namespace taxel {
@@ -35,10 +36,14 @@ Plane ground(const RigidTransform& X_SR) {
 }
 
 /// One soft body with tets and any other. Computed in the frame S of the tets, whose trees and planes never change.
-void intersect_field(const FieldIndex& field, const HydroBody& other, const RigidTransform& X_SO, SurfaceWriter& writer,
+void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTransform& X_SO, SurfaceWriter& writer,
                      IntersectWorkspace& workspace) {
+  const FieldIndex& field = *body.index;
   if (const auto* mesh = std::get_if<RigidMesh>(&other.geometry)) {
     intersect_triangles(field, *mesh->tree, X_SO, writer, workspace);
+    if (!body.depth) return;
+    writer.clear_core();
+    add_depth_pieces(*body.depth, *mesh->tree, X_SO, workspace.piece_size, writer, workspace.depth);
     return;
   }
   const Plane plane = ground(X_SO);
@@ -47,6 +52,9 @@ void intersect_field(const FieldIndex& field, const HydroBody& other, const Rigi
     intersect_soft_half_space(field, pressure, writer, workspace);
   } else {
     intersect_plane(field, plane.normal, plane.offset, writer, workspace);
+    if (!body.depth || writer.core_count() == 0) return;
+    writer.clear_core();
+    add_depth_pieces(*body.depth, X_SO, workspace.piece_size, writer, workspace.depth);
   }
 }
 
@@ -62,17 +70,17 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
   // Triangles have the normal that leads into the body with tets: the surface pushes that body along it, the other one
   // against it. A rigid mesh in a soft half-space has normals that lead into the half-space.
   if (field_a != nullptr && field_b != nullptr) {
-    // The normal is that of growing pB - pA: it leads into B.
     SurfaceWriter writer(out, RigidTransform(), true);
+    // The normal is that of growing pB - pA: it leads into B.
     intersect_tets(*field_a->index, *field_b->index, X_AB, writer, workspace);
     writer.finish();
   } else if (field_a != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), false);
-    intersect_field(*field_a->index, b, X_AB, writer, workspace);
+    intersect_field(*field_a, b, X_AB, writer, workspace);
     writer.finish();
   } else if (field_b != nullptr) {
     SurfaceWriter writer(out, X_AB, true);
-    intersect_field(*field_b->index, a, X_BA, writer, workspace);
+    intersect_field(*field_b, a, X_BA, writer, workspace);
     writer.finish();
   } else {
     const bool soft_is_a = a.soft();

@@ -85,12 +85,14 @@ class SurfaceCast {
               CastBuffers& buffers, RayHits& hits)
       : source_(source), rays_(rays), surface_(surface), number_(surface_number), buffers_(buffers), hits_(hits) {}
 
-  /// False where the source does not know a polygon.
+  /// False if there are polygons that the source does not know.
   bool run() {
+    bool knows_all = true;
     for (std::size_t p = 0; p < surface_.polygons.size(); ++p) {
       const ContactPolygon& polygon = surface_.polygons[p];
-      if (!source_.knows(polygon)) return false;
-      if (source_.has_rays(polygon)) {
+      if (!source_.knows(polygon)) {
+        knows_all = false;
+      } else if (source_.has_rays(polygon)) {
         if (static_cast<std::size_t>(polygon.count) <= RayTarget::kGroup)
           test<1>(static_cast<std::int32_t>(p));
         else
@@ -99,7 +101,7 @@ class SurfaceCast {
       if ((p + 1) % kBlock == 0) offer_listed();
     }
     offer_listed();
-    return true;
+    return knows_all;
   }
 
  private:

@@ -28,7 +28,7 @@ dmat3 patch_axes(const ContactSurface& surface) {
 
 }  // namespace
 
-void SurfaceCaster::add_instance(std::size_t number) {
+void SurfaceCaster::add_instance(std::size_t number, const TetTable* table) {
   const ContactSurface& surface = *surfaces_[number];
   Instance instance;
   instance.surface = static_cast<int>(number);
@@ -38,29 +38,35 @@ void SurfaceCaster::add_instance(std::size_t number) {
   instance.axes = patch_axes(surface);
 
   boxes_.clear();
+  polygons_[number].clear();
   planes_[number].resize(surface.vertices.size());
-  for (const ContactPolygon& polygon : surface.polygons) {
+  for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
+    const ContactPolygon& polygon = surface.polygons[p];
+    if (table != nullptr && table->has(polygon.tet)) continue;
+    polygons_[number].push_back(static_cast<int>(p));
     fill_edge_planes(surface, polygon, planes_[number].data() + polygon.first);
     Aabb box;
     for (int i = 0; i < polygon.count; ++i)
       box.include(surface.vertices[static_cast<std::size_t>(polygon.first + i)] * instance.axes);
     boxes_.push_back(widened(box, margin));
   }
+  if (boxes_.empty()) return;
   blas_[number].build(boxes_);
   instance.lo = blas_[number].nodes()[0].box.lo.z;
   instance.hi = blas_[number].nodes()[0].box.hi.z;
   instances_.push_back(instance);
 }
 
-void SurfaceCaster::build(std::span<const ContactSurface* const> surfaces) {
+void SurfaceCaster::build(std::span<const ContactSurface* const> surfaces, const TetTable* table) {
   surfaces_.assign(surfaces.begin(), surfaces.end());
   if (blas_.size() < surfaces_.size()) {
     blas_.resize(surfaces_.size());
     planes_.resize(surfaces_.size());
+    polygons_.resize(surfaces_.size());
   }
   instances_.clear();
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
-    if (surfaces_[i] && !surfaces_[i]->empty()) add_instance(i);
+    if (surfaces_[i] && !surfaces_[i]->empty()) add_instance(i, table);
   boxes_.clear();
   for (const Instance& instance : instances_) boxes_.push_back(instance.box);
   tlas_.build(boxes_, 1);
@@ -89,7 +95,8 @@ RayHit SurfaceCaster::cast(const dvec3& origin, const dvec3& direction, double m
     const Instance& instance = instances_[static_cast<std::size_t>(number)];
     const auto surface = static_cast<std::size_t>(instance.surface);
     const Ray turned{origin * instance.axes, direction * instance.axes, t_max};
-    return blas_[surface].cast(turned, [&](int number_in_surface, double reach) {
+    return blas_[surface].cast(turned, [&](int number_in_blas, double reach) {
+      const int number_in_surface = polygons_[surface][static_cast<std::size_t>(number_in_blas)];
       const ContactPolygon& polygon = surfaces_[surface]->polygons[static_cast<std::size_t>(number_in_surface)];
       const auto found = hit_polygon(origin, direction, 0.0, reach, polygon, planes_[surface].data() + polygon.first);
       if (!found) return reach;
@@ -125,7 +132,7 @@ void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> 
     if (raster || cast_through_tets(*model.tet_table, model.rays, *surfaces[i], number, workspace.buffers, hits))
       workspace.others[i] = nullptr;
   }
-  workspace.caster.build(workspace.others);
+  workspace.caster.build(workspace.others, through_tets ? model.tet_table.get() : nullptr);
   cast_rays(model, workspace.caster, hits);
   hits.finish();
 }

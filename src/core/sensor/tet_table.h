@@ -57,8 +57,8 @@ class TetTable {
   std::vector<Tile> tiles_;  // tet by tet: what few polygons of few tets share stays in the caches
 };
 
-/// Offers the hits of all rays (those of the table) on one surface, whose tets are those of the table. False where a
-/// polygon names none: the surface is then for the trees, and what was offered so far is right but not all.
+/// Offers the hits of all rays (those of the table) on the polygons of one surface that name a tet of the table. False
+/// if there are others, such as depth pieces: they are for the trees.
 bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
                        int surface_number, CastBuffers& buffers, RayHits& hits);
 

@@ -76,6 +76,58 @@ void DistanceGrid::mark(const PressureField& field) {
   spread(marked);
 }
 
+/// By the skin's crossings of the lines of cells along x: inside lies what is passed by one more face that leads in
+/// than out (nonzero winding). A line goes through the middles of cells, moved by an irrational part of a cell: a face
+/// that it touches in an edge or a corner is as good as impossible, and a line whose crossings do not add up marks
+/// nothing.
+void DistanceGrid::mark_core(const TriMesh& skin) {
+  if (cells_.empty()) return;
+  const double shift_y = 0.5 + 1e-3 * std::sqrt(2.0), shift_z = 0.5 - 1e-3 * std::sqrt(3.0);
+  std::vector<int> turns(cells_.size() + at(dims_.y) * at(dims_.z), 0);  // one more per line: what lies behind it
+  const std::size_t stride = at(dims_.x) + 1;
+  const auto line_of = [&](int y, int z) { return stride * (at(y) + at(dims_.y) * at(z)); };
+  for (int f = 0; f < skin.face_count(); ++f) {
+    std::array<dvec3, 3> p;
+    for (int c = 0; c < 3; ++c) p[at(c)] = (skin.vertex(f, c) - low_) * per_metre_ - dvec3(0, shift_y, shift_z);
+    const double twice = (p[1].y - p[0].y) * (p[2].z - p[0].z) - (p[1].z - p[0].z) * (p[2].y - p[0].y);
+    if (twice == 0) continue;
+    const auto range = [&](int axis, int& from, int& to) {
+      from = std::max(0, static_cast<int>(std::ceil(std::min({p[0][axis], p[1][axis], p[2][axis]}))));
+      to = std::min(dims_[axis] - 1, static_cast<int>(std::floor(std::max({p[0][axis], p[1][axis], p[2][axis]}))));
+    };
+    int y_from = 0, y_to = 0, z_from = 0, z_to = 0;
+    range(1, y_from, y_to);
+    range(2, z_from, z_to);
+    for (int z = z_from; z <= z_to; ++z) {
+      for (int y = y_from; y <= y_to; ++y) {
+        std::array<double, 3> w;  // twice the areas opposite to the corners, seen along x
+        for (std::size_t c = 0; c < 3; ++c) {
+          const dvec3 &a = p[(c + 1) % 3], &b = p[(c + 2) % 3];
+          w[c] = (a.y - y) * (b.z - z) - (a.z - z) * (b.y - y);
+        }
+        const bool all_in = twice > 0 ? (w[0] > 0 && w[1] > 0 && w[2] > 0) : (w[0] < 0 && w[1] < 0 && w[2] < 0);
+        if (!all_in) continue;
+        const double x = (w[0] * p[0].x + w[1] * p[1].x + w[2] * p[2].x) / (w[0] + w[1] + w[2]);
+        const int cell = std::clamp(static_cast<int>(std::ceil(x - 0.5)), 0, dims_.x);  // first middle behind the face
+        turns[line_of(y, z) + at(cell)] += twice > 0 ? -1 : 1;  // a face that looks along x leads out
+      }
+    }
+  }
+  for (int z = 0; z < dims_.z; ++z) {
+    for (int y = 0; y < dims_.y; ++y) {
+      const int* line = turns.data() + line_of(y, z);
+      int sum = 0;
+      for (std::size_t x = 0; x < stride; ++x) sum += line[x];
+      if (sum != 0) continue;
+      for (int x = 0; x < dims_.x; ++x) {
+        sum += line[x];
+        Cell& cell = cells_[index(x, y, z)];
+        if (sum > 0 && cell.tet < 0) cell.distance = 0;
+      }
+    }
+  }
+}
+
 /// Distance between cells, not between their middles: what lies between any two points of theirs at least.
 void DistanceGrid::spread(const std::vector<char>& marked) {
   std::vector<float> squared(cells_.size());

@@ -12,7 +12,9 @@ namespace taxel {
 class DistanceGrid {
  public:
   struct Cell {
-    float distance = 0;      ///< every point of the cell is at least this far from every tet [m]; 0 in cells with tets
+    /// Every point of the cell is at least this far from every tet [m]; 0 in cells with tets, and in cells that lie
+    /// inside of the skin beyond all tets, where depth pieces are (mark_core).
+    float distance = 0;
     std::int32_t tet = -1;   ///< one that meets the cell, that of its middle where there is one; -1 where none does
     std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none
   };
@@ -26,6 +28,8 @@ class DistanceGrid {
 
   DistanceGrid() = default;
   explicit DistanceGrid(const PressureField& field);
+  /// Finds the cells that lie inside of the closed skin and hold no tet: their distance becomes 0.
+  void mark_core(const TriMesh& skin);
 
   /// Bounds of the field, enlarged a little.
   [[nodiscard]] const dvec3& low() const { return low_; }

@@ -25,7 +25,9 @@ PackedTet packed(const PressureField& field, const Tet& tet) {
 
 }  // namespace
 
-FieldIndex::FieldIndex(PressureFieldPtr field_ptr) : field_(std::move(field_ptr)), grid_(*field_) {
+FieldIndex::FieldIndex(PressureFieldPtr field_ptr, const TriMesh* skin)
+    : field_(std::move(field_ptr)), grid_(*field_), goes_on_(skin != nullptr) {
+  if (skin != nullptr) grid_.mark_core(*skin);
   const PressureField& field = *field_;
   std::vector<Aabb> boxes;
   boxes.reserve(field.tets().size());

@@ -27,7 +27,8 @@ struct alignas(64) PackedTet {
 
 class FieldIndex {
  public:
-  explicit FieldIndex(PressureFieldPtr field);
+  /// `skin`: of a field that goes on beyond its tets (depth_field.h); otherwise null.
+  explicit FieldIndex(PressureFieldPtr field, const TriMesh* skin = nullptr);
   [[nodiscard]] const PressureField& field() const { return *field_; }
   [[nodiscard]] const std::vector<PackedTet>& tets() const { return tets_; }
   [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< over the tets
@@ -42,6 +43,8 @@ class FieldIndex {
   [[nodiscard]] const DistanceGrid& grid() const { return grid_; }
   /// Whether some face of the boundary is not skin: the field ends there although it pushes.
   [[nodiscard]] bool ends_inside() const { return ends_inside_; }
+  /// Whether the field goes on beyond its tets: where these end inside of the body, depth pieces follow.
+  [[nodiscard]] bool goes_on() const { return goes_on_; }
   /// Whether the tets fill a convex body, but for rounding.
   [[nodiscard]] bool convex() const { return convex_; }
   [[nodiscard]] double mean_tet_size() const { return mean_tet_size_; }  ///< mean of the longest edges [m]
@@ -70,7 +73,7 @@ class FieldIndex {
   std::vector<BoundaryFace> boundary_faces_;
   DistanceGrid grid_;
   double mean_tet_size_ = 0;
-  bool ends_inside_ = false, convex_ = false;
+  bool ends_inside_ = false, convex_ = false, goes_on_ = false;
 };
 
 using FieldIndexPtr = std::shared_ptr<const FieldIndex>;

@@ -8,7 +8,8 @@
 
 namespace taxel {
 
-/// Soft tets against the triangles of a rigid mesh with pose X_SR in the field's frame S. Writes in frame S.
+/// Soft tets against the triangles of a rigid mesh with pose X_SR in the field's frame S. Writes in frame S. Triangles
+/// that reach beyond the tets of a field that goes on there are listed in workspace.depth.
 void intersect_triangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
                          SurfaceWriter& writer, IntersectWorkspace& workspace);
 

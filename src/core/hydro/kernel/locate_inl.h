@@ -14,6 +14,9 @@ namespace taxel::HWY_NAMESPACE {
 /// Instead of a tet: the point is outside. Smaller numbers also say of which face.
 inline constexpr std::int32_t kOutside = -1;
 
+/// Inside of the body, but in a cell without tets.
+inline constexpr std::int32_t kInCore = std::numeric_limits<std::int32_t>::min() + 1;
+
 /// Outside of face `face` of `tet`.
 HWY_INLINE std::int32_t left_by(std::int32_t tet, std::size_t face) {
   return kOutside - 1 - (4 * tet + static_cast<std::int32_t>(face));
@@ -30,6 +33,7 @@ HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
   }
   if (cell.distance > 0) return kOutside;
   std::int32_t tet = cell.tet;
+  if (tet < 0) return kInCore;
   const TagD d;
   const VecD px = hn::Set(d, x.x), py = hn::Set(d, x.y), pz = hn::Set(d, x.z);
   for (int step = 0; step < kMostSteps && tet >= 0; ++step) {
@@ -75,6 +79,14 @@ HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const d
     tet = t.neighbour[first];
   }
   return -1;
+}
+
+/// Whether a point that no tet holds may lie inside of the body: locate() found it in the core, or left the tets there.
+HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held) {
+  if (held >= kOutside) return false;
+  if (held == kInCore) return true;
+  const std::int32_t code = kOutside - 1 - held;
+  return (field.tets()[static_cast<std::size_t>(code / 4)].core_faces >> (code % 4) & 1u) != 0;
 }
 
 /// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.

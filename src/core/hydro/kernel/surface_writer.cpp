@@ -43,6 +43,26 @@ void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTrian
   close(kept.count, triangle, pressure, gradient_S, area, centroid, source);
 }
 
+void SurfaceWriter::add_flat(const FlatPolygon& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
+                             const dvec3& gradient_S, int face, double size) {
+  std::array<double, FlatPolygon::kMaxStored> u{}, v{};
+  double twice = 0;
+  dvec2 moment(0);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k) {
+    u[k] = polygon.x[k].x;
+    v[k] = polygon.x[k].y;
+    if (k < 2) continue;
+    const dvec2 a = polygon.x[k - 1] - polygon.x[0], b = polygon.x[k] - polygon.x[0];
+    const double part = a.x * b.y - a.y * b.x;
+    twice += part;
+    moment += part * (a + b);
+  }
+  const dvec2 centroid = polygon.x[0] + moment / (3 * twice);
+  if (!(pressure.at(centroid.x, centroid.y) > 0)) return;
+  add_merged({u.data(), v.data(), polygon.count}, triangle, pressure, gradient_S, triangle.area * twice, centroid,
+             {-1, face, size});
+}
+
 void SurfaceWriter::reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
                            const PlanePressure& pressure, double area) {
   RejectedPolygons& rejected = since_mark_.rejected[static_cast<std::size_t>(reason)];
@@ -64,6 +84,7 @@ void SurfaceWriter::count_at_core(const SurfaceTriangle& triangle, const dvec2& 
   any_left_out_ = true;
   ++since_mark_.rejected[static_cast<std::size_t>(Rejection::beyond_core)].count;
   const dvec3 xa = triangle.point_A(a.x, a.y), xb = triangle.point_A(b.x, b.y);
+  if (core_points_ != nullptr) core_points_->push_back(0.5 * (xa + xb));
   // The hole lies beyond the edge, so its rim runs the other way. About the frame's origin: the loops are closed.
   since_mark_.hole += 0.5 * glm::cross(xb, xa);
   const double length = glm::distance(xa, xb);
@@ -95,11 +116,19 @@ void SurfaceWriter::finish() {
   core.force = whole_.rim_length > 0 ? core.area * whole_.rim_pressure / whole_.rim_length : 0.0;
 }
 
+void SurfaceWriter::clear_core() {
+  settle();
+  whole_.rejected[static_cast<std::size_t>(Rejection::beyond_core)] = {};
+  whole_.hole = dvec3(0);
+  whole_.rim_length = whole_.rim_pressure = 0;
+}
+
 void SurfaceWriter::forget_since(const Mark& mark) {
   used_ = mark.vertices;
   out_.polygons.resize(mark.polygons);
   out_.filtered_vertices.resize(mark.filtered_vertices);
   out_.filtered.resize(mark.filtered);
+  if (core_points_ != nullptr) core_points_->resize(mark.core_points);
   since_mark_ = {};
   any_left_out_ = false;
 }

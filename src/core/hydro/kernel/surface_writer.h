@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/hydro/contact_surface.h"
+#include "core/hydro/kernel/planar_difference.h"
 
 namespace taxel {
 
@@ -65,6 +66,8 @@ class SurfaceWriter {
   /// The triangle with these corners and this unit normal.
   [[nodiscard]] SurfaceTriangle triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const;
 
+  [[nodiscard]] dvec3 point_A(const dvec3& x_S) const { return same_frame_ ? x_S : X_AS_(x_S); }
+  [[nodiscard]] dvec3 point_S(const dvec3& x_A) const { return same_frame_ ? x_A : X_AS_.inverse_point(x_A); }
   /// Whether vertices are to be written the last one first.
   [[nodiscard]] bool reverse() const { return reverse_; }
   /// Room for eight vertices [frame A, m] and their pressures [Pa], of the polygon that close() adds next.
@@ -88,6 +91,10 @@ class SurfaceWriter {
   /// would be left.
   void add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
                   const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source);
+  /// Adds a polygon in no tet, counter-clockwise in the coordinates of the triangle. `size` [m]: the scale of
+  /// tolerances.
+  void add_flat(const FlatPolygon& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
+                const dvec3& gradient_S, int face, double size);
   /// Keeps a polygon out of the surface, and counts its area [m^2] and force [N].
   void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
               const PlanePressure& pressure, double area);
@@ -97,14 +104,29 @@ class SurfaceWriter {
   void finish();
 
   [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
+  /// Polygons so far that end on a pad's core, as count_at_core() was told.
+  [[nodiscard]] int core_count() const {
+    constexpr auto kCore = static_cast<std::size_t>(Rejection::beyond_core);
+    return whole_.rejected[kCore].count + since_mark_.rejected[kCore].count;
+  }
+  /// Has the middles of all edges that end on a core written to `points`, frame A.
+  void list_core_points(std::vector<dvec3>& points) {
+    points.clear();
+    core_points_ = &points;
+  }
+  /// Forgets what the cores hide: depth pieces fill it.
+  void clear_core();
+  /// The surface as it is so far. Its vertices are followed by room for more.
+  [[nodiscard]] const ContactSurface& surface() const { return out_; }
 
   /// The state before some polygons, to forget them again. Only the last mark can be gone back to.
   struct Mark {
-    std::size_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
+    std::size_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0, core_points = 0;
   };
   [[nodiscard]] Mark mark() {
     if (any_left_out_) settle();
-    return {used_, out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size()};
+    return {used_, out_.polygons.size(), out_.filtered_vertices.size(), out_.filtered.size(),
+            core_points_ != nullptr ? core_points_->size() : 0};
   }
   void forget_since(const Mark& mark);
   /// Area of the polygons since then, also of those kept out [m^2].
@@ -129,6 +151,7 @@ class SurfaceWriter {
   bool same_frame_, reverse_;
   LeftOut whole_, since_mark_;
   bool any_left_out_ = false;  ///< since the last mark
+  std::vector<dvec3>* core_points_ = nullptr;
 };
 
 inline SurfaceTriangle SurfaceWriter::triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const {

@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
 #include <hwy/cache_control.h>
+
 #include "core/hydro/kernel/clip_inl.h"
 #include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/grid_query_inl.h"
@@ -30,7 +31,18 @@ class TetsAndTriangles {
     w_.triangles.clear();
     collect(rigid_.tree(), query, w_.triangles);
     w_.begin_call(rigid_.vertices().size(), field_.tets().size());
-    for (const std::int32_t t : w_.triangles) add(rigid_.triangles()[at(t)]);
+    w_.depth.triangles.clear();
+    if (!field_.goes_on()) {
+      for (const std::int32_t t : w_.triangles) add(rigid_.triangles()[at(t)]);
+      return;
+    }
+    for (const std::int32_t t : w_.triangles) {
+      const std::size_t first = writer_.polygon_count();
+      const int at_core = writer_.core_count();
+      add(rigid_.triangles()[at(t)]);
+      if (writer_.core_count() != at_core || reaches_beyond(rigid_.triangles()[at(t)]))
+        w_.depth.triangles.push_back({t, first, writer_.polygon_count()});
+    }
   }
 
  private:
@@ -99,6 +111,15 @@ class TetsAndTriangles {
       writer_.forget_since(before);
       add_by_tree(c);
     }
+  }
+
+  /// Whether a corner lies, or may lie, inside of the body beyond all tets.
+  [[nodiscard]] HWY_INLINE bool reaches_beyond(const TriangleTree::Triangle& source) {
+    for (const std::int32_t vertex : source.vertex) {
+      const PlacedVertex& placed = place(vertex);
+      if (may_be_beyond(field_, w_.tree_form ? locate(field_, placed.x) : placed.tet)) return true;
+    }
+    return false;
   }
 
   /// A triangle whose corners one tet holds is wholly inside of it. False where it lies in a plane of the tet.

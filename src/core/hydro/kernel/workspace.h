@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/hydro/kernel/depth_workspace.h"
 
 namespace taxel {
 
@@ -75,6 +76,7 @@ struct PlacedVertex {
 struct IntersectWorkspace {
   /// Finds pairs by trees alone, without walking from tet to tet: the same polygons in another order. For tests.
   bool tree_form = false;
+  DepthPieceSize piece_size;
 
   std::vector<std::int32_t> triangles;  ///< of the rigid mesh, or tets or faces of B, that may meet the other body
   std::vector<std::int32_t> tets;       ///< that may meet one triangle
@@ -82,6 +84,7 @@ struct IntersectWorkspace {
   std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of B
   std::vector<std::uint32_t> seen_in;   ///< of each tet: the triangle, counted over all calls, that last met it
   MetPairs met;
+  DepthWorkspace depth;  ///< of pairs that reach beyond a pad's tets
   std::uint32_t call = 0, triangle = 0;
 
   /// Makes room for so many vertices and tets, and opens a new call.

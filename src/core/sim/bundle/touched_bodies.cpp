@@ -43,9 +43,26 @@ void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes&
   out.add(prefix + "tets", {field.tets().size(), 4}, std::span<const std::int64_t>(tets));
   out.add(prefix + "pressure", {field.vertices().size()}, std::span<const double>(field.vertex_pressure()));
   add_number(out, prefix + "core", std::int64_t{field.report().core ? 1 : 0});
+  if (!soft->depth) return;
+  add_number(out, prefix + "skin", meshes.number(soft->depth->skin()));
+  out.add(prefix + "depth", {2}, std::vector{soft->depth->thickness(), soft->depth->stiffness()});
 }
 
-SoftBody read_field(const NpzReader& in, const std::string& prefix) {
+TriMeshPtr mesh_at(const NpzReader& in, const std::string& name, std::int64_t number,
+                   const std::vector<TriMeshPtr>& meshes) {
+  return meshes[static_cast<std::size_t>(index_of(in, name, number, 0, meshes.size()))];
+}
+
+/// The field beyond the tets; null if there is none, or the file's version did not write it.
+DepthFieldPtr read_depth(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
+  if (!in.has(prefix + "skin")) return nullptr;
+  const std::vector<double> depth = in.doubles(prefix + "depth", {2});
+  if (!(depth[0] > 0) || !(depth[1] > 0)) throw Error(in.file(), prefix + "depth", "must be greater than 0");
+  return std::make_shared<const DepthField>(mesh_at(in, prefix + "skin", in.integers(prefix + "skin", {})[0], meshes),
+                                            depth[0], depth[1]);
+}
+
+SoftBody read_field(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
   std::vector<dvec3> vertices = vectors_of(in, prefix + "vertices");
   const Integers flat = in.integers(prefix + "tets", {NpzReader::kAny, 4});
   std::vector<ivec4> tets(flat.size() / 4);
@@ -56,15 +73,11 @@ SoftBody read_field(const NpzReader& in, const std::string& prefix) {
   std::vector<double> pressure = in.doubles(prefix + "pressure", {vertices.size()});
   try {
     return SoftBody(std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
-                                                          std::move(report)));
+                                                          std::move(report)),
+                    read_depth(in, prefix, meshes));
   } catch (const Error& error) {
     throw Error(in.file(), prefix + "tets", error.message());
   }
-}
-
-TriMeshPtr mesh_at(const NpzReader& in, const std::string& name, std::int64_t number,
-                   const std::vector<TriMeshPtr>& meshes) {
-  return meshes[static_cast<std::size_t>(index_of(in, name, number, 0, meshes.size()))];
 }
 
 HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
@@ -79,7 +92,7 @@ HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std
     const std::vector<double> space = in.doubles(prefix + "half_space", {2});
     body->geometry = SoftHalfSpace{space[0], space[1]};
   } else if (kind == 2) {
-    body->geometry = read_field(in, prefix);
+    body->geometry = read_field(in, prefix, meshes);
   } else if (kind == 3) {
     const std::string name = prefix + "mesh";
     const TriMeshPtr mesh = mesh_at(in, name, in.integers(name, {})[0], meshes);

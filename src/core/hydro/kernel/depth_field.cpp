@@ -1,0 +1,23 @@
+#include "core/hydro/kernel/depth_field.h"
+
+namespace taxel {
+
+const MeshIndex& DepthField::index() const {
+  std::call_once(built_, [this] { index_ = std::make_unique<const MeshIndex>(skin_); });
+  return *index_;
+}
+
+DepthField::Sample DepthField::at(const dvec3& x, double within) const {
+  const MeshIndex& skin = index();
+  SignedPoint nearest = skin.signed_point(x, within);
+  if (nearest.point.face < 0) nearest = skin.signed_point(x);  // a bound that rounding made too small
+  const double distance = nearest.signed_distance;
+  const dvec3 from = x - nearest.point.position;
+  // On the skin itself the direction to the nearest point has no digits left.
+  const double on_skin = 1e-9 * skin.mesh().bounds().diagonal();
+  if (!(std::abs(distance) > on_skin))
+    return {-distance, -skin.mesh().face_normals()[static_cast<std::size_t>(nearest.point.face)]};
+  return {-distance, from / -distance};
+}
+
+}  // namespace taxel

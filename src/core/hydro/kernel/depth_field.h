@@ -1,0 +1,42 @@
+// The field of a pad beyond its tets: p = (E/H) D(x), D the distance to the skin, positive inside (any_mesh: depth
+// pieces). The tets hold the same field near the skin.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "core/mesh/closest_point.h"
+
+namespace taxel {
+
+class DepthField {
+ public:
+  /// Of a pad of thickness H [m] and stiffness E/H [Pa/m] below a closed skin.
+  DepthField(TriMeshPtr skin, double thickness, double stiffness)
+      : skin_(std::move(skin)), thickness_(thickness), stiffness_(stiffness) {}
+
+  struct Sample {
+    double depth = 0;   ///< D(x): the distance to the skin, negative outside [m]
+    dvec3 gradient{0};  ///< of D, unit; points inward
+  };
+  /// D at x, frame of the body. `within`: an upper bound of the distance to the skin, which makes the search short.
+  /// O(log n). The result does not depend on the bound.
+  [[nodiscard]] Sample at(const dvec3& x, double within = std::numeric_limits<double>::infinity()) const;
+
+  [[nodiscard]] const TriMeshPtr& skin() const { return skin_; }
+  [[nodiscard]] double thickness() const { return thickness_; }
+  [[nodiscard]] double stiffness() const { return stiffness_; }
+
+ private:
+  /// The tree of the skin. Built by the first query: bodies that nothing presses that deep do not pay for it.
+  [[nodiscard]] const MeshIndex& index() const;
+
+  TriMeshPtr skin_;
+  double thickness_, stiffness_;
+  mutable std::once_flag built_;
+  mutable std::unique_ptr<const MeshIndex> index_;
+};
+
+using DepthFieldPtr = std::shared_ptr<const DepthField>;
+
+}  // namespace taxel

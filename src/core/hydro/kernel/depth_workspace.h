@@ -1,0 +1,110 @@
+// Memory that depth pieces keep between calls.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/hydro/kernel/depth_field.h"
+#include "core/hydro/kernel/planar_difference.h"
+#include "core/mesh/bvh.h"
+
+namespace taxel {
+
+/// Largest difference, in thicknesses, between D at the middle of a piece's edge and the mean of its ends. Smaller:
+/// more pieces. The force is then within 1 % of that of far smaller pieces.
+inline constexpr double kDepthTolerance = 0.02;
+/// Pieces are not cut below this edge, in thicknesses: across the medial axis D is never linear.
+inline constexpr double kMinPieceEdge = 0.25;
+
+/// How pieces are cut, for tests that need finer ones.
+struct DepthPieceSize {
+  double tolerance = kDepthTolerance, min_edge = kMinPieceEdge;
+};
+
+/// Values at lattice points, by integer keys. Nothing is cleared between calls.
+template <class Value>
+class PointCache {
+ public:
+  /// Forgets all points.
+  void begin() {
+    used_ = 0;
+    if (++epoch_ != 0) return;
+    for (Entry& entry : entries_) entry.epoch = 0;
+    epoch_ = 1;
+  }
+  /// The value of a point; `is_new` says that it is still to be set. Valid until the next call.
+  Value& at(std::uint64_t key, bool& is_new) {
+    if (2 * (used_ + 1) > entries_.size()) grow();
+    Entry& entry = entries_[slot_of(key)];
+    is_new = entry.epoch != epoch_;
+    if (is_new) {
+      entry = {epoch_, key, {}};
+      ++used_;
+    }
+    return entry.value;
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t epoch = 0;
+    std::uint64_t key = 0;
+    Value value;
+  };
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
+    std::uint64_t hash = key * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ hash >> 29) * 0xBF58476D1CE4E5B9u;
+    const std::size_t mask = entries_.size() - 1;
+    std::size_t slot = static_cast<std::size_t>(hash >> 20) & mask;
+    while (entries_[slot].epoch == epoch_ && entries_[slot].key != key) slot = (slot + 1) & mask;
+    return slot;
+  }
+  void grow() {
+    constexpr std::size_t kFirst = 1024;
+    std::vector<Entry> old = std::move(entries_);
+    entries_.assign(std::max(kFirst, 2 * old.size()), {});
+    for (const Entry& entry : old)
+      if (entry.epoch == epoch_) entries_[slot_of(entry.key)] = entry;
+  }
+
+  std::vector<Entry> entries_;
+  std::size_t used_ = 0;
+  std::uint32_t epoch_ = 0;
+};
+
+/// Pressures of two soft bodies at a point, negative outside of a body [Pa].
+struct PressurePair {
+  double a = 0, b = 0;
+};
+
+/// Parts of a piece that are smaller are rounding.
+inline constexpr double kLeastPart = 1e-9;
+
+struct DepthWorkspace {
+  /// A rigid triangle that reaches beyond the tets, and its polygons of the tets: [first, last) of the surface.
+  struct DeepTriangle {
+    std::int32_t triangle;
+    std::size_t first, last;
+  };
+  std::vector<DeepTriangle> triangles;
+  PointCache<DepthField::Sample> samples;  ///< D at the corners of pieces
+  PointCache<PressurePair> pressures;      ///< of two soft bodies, at the corners of cubes
+  /// A polygon of the tets in the coordinates of the plane.
+  struct Covered {
+    FlatPolygon polygon;
+    dvec2 lo, hi;
+    double area;
+  };
+  std::vector<Covered> covered;
+  std::vector<std::int32_t> lists;  ///< numbers of `covered` near a piece, of all pieces from the first to the present
+  std::vector<FlatPolygon> rest, scratch;
+  std::vector<dvec3> core_points;  ///< middles of the edges at which polygons of pairs of tets end on a core, frame A
+  std::vector<Aabb> boxes;         ///< of the polygons of pairs of tets, frame A
+  Bvh tree;                        ///< over these
+  PointCache<char> visited;        ///< cubes that the surface was followed into
+  std::vector<ivec3> cubes;        ///< the same cubes, in order
+  std::vector<int> steps;          ///< of each: how far to go on where the tets cover all
+};
+
+}  // namespace taxel

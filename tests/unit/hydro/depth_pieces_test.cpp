@@ -1,0 +1,242 @@
+// Contact beyond a pad's tets: no hole, the force of p = (E/H) D, whatever the depth.
+#include "core/hydro/kernel/depth_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "fixtures/counted_new.h"
+#include "fixtures/depth_oracle.h"
+#include "fixtures/instruction_sets.h"
+#include "fixtures/random_pose.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kModulus = 5e4, kThickness = 0.002, kStiffness = kModulus / kThickness;
+
+int pieces_of(const ContactSurface& surface) {
+  return static_cast<int>(std::count_if(surface.polygons.begin(), surface.polygons.end(),
+                                        [](const ContactPolygon& p) { return p.tet < 0; }));
+}
+
+double force_of(const Contact& contact) {
+  return glm::length(contact.wrench.force);
+}
+
+/// A pad on a sphere of radius R has p = (E/H)(R - r). A rigid plane x deep, h = R - x from the centre, meets it on a
+/// disc of radius a, a^2 = R^2 - h^2:
+///   F = (E/H) 2 pi integral_0^a (R - sqrt(h^2 + s^2)) s ds = (E/H) pi (R a^2 - 2/3 (R^3 - h^3))
+///     = (E/H) pi (R x^2 - 2/3 x^3),   area = pi (2 R x - x^2).
+TEST(DepthPieces, PlaneInASphericalPadFollowsTheClosedForm) {
+  const double R = 0.02;
+  const auto ball = make_simple_body(ShapeType::sphere, dvec3(R, 0, 0), soft_material(kModulus, kThickness), 0.002);
+  const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.03));
+  for (const double part : {0.3, 0.8, 1.1, 1.5, 2.0, 3.0, 5.0}) {
+    const double x = part * kThickness;
+    const double force = kStiffness * kPi * (R * x * x - 2.0 / 3.0 * x * x * x), area = kPi * (2 * R * x - x * x);
+    for (const bool half_space : {true, false}) {
+      const Contact c = half_space ? touch(*ball, *plane, at_height(R - x), Pose{})
+                                   : touch(*ball, *box, at_height(R - x), at_height(-0.03));
+      EXPECT_NEAR(force_of(c), force, 0.01 * force) << part << half_space;
+      EXPECT_NEAR(c.surface.area(), area, 0.01 * area) << part << half_space;
+      EXPECT_EQ(pieces_of(c.surface) > 0, part > 1) << part;
+      EXPECT_EQ(c.surface.at_core(), 0);
+    }
+  }
+}
+
+/// Below the middle of a face D is the depth below that face's plane: any closed body in there is pushed out by
+/// (E/H) V (A3), also where no tet is near and nothing of it is at the skin.
+TEST(DepthPieces, BodyInsideTheCoreIsPushedByItsVolume) {
+  const double half = 0.02;
+  const auto pad = make_mesh_body(make_box(dvec3(half)), soft_material(kModulus, 0.001));
+  const TriMesh ball = make_icosphere(0.003, 2);
+  const auto rigid = make_mesh_body(ball);
+  const double force = kModulus / 0.001 * ball.volume();
+  for (int i = 0; i < 10; ++i) {
+    Pose X = random_pose(3, i, 0.002);
+    X.p.z += half - 0.008;
+    const Contact c = touch(*pad, *rigid, Pose{}, X);
+    EXPECT_EQ(pieces_of(c.surface), static_cast<int>(c.surface.polygons.size()));
+    EXPECT_NEAR(c.wrench.force.z, -force, 1e-9 * force);
+    EXPECT_NEAR(c.surface.area(), ball.area(), 1e-9 * ball.area());
+  }
+}
+
+struct Press {
+  HydroBodyPtr rigid;
+  double reach;  ///< from the rigid body's origin to its lowest point, against the press [m]
+};
+
+/// Pressed along -normal at a place of the skin, which lies `depth` above the rigid body's foremost point.
+Pose pressed_at(const dvec3& place, const dvec3& normal, double depth, double reach) {
+  const dvec3 z = -normal, x = any_perpendicular(z), y = glm::cross(z, x);
+  return {glm::normalize(glm::quat_cast(dmat3(x, y, z))), place + (reach - depth) * normal};
+}
+
+std::vector<Press> presses() {
+  return {{make_simple_body(ShapeType::sphere, dvec3(0.004, 0, 0), {}, 0.0008), 0.004},
+          {make_simple_body(ShapeType::plane, dvec3(0)), 0},
+          {make_simple_body(ShapeType::box, dvec3(0.006, 0.004, 0.006)), 0.006}};
+}
+
+TEST(DepthPieces, ForceGrowsWithDepthEverywhere) {
+  const TriMesh tip = make_fingertip();
+  const auto finger = make_mesh_body(tip, soft_material(kModulus, kThickness));
+  const CounterRng rng(7);
+  ContactSurface surface;
+  IntersectWorkspace workspace, fine;
+  fine.piece_size = {0.002, 0.1};
+  int checked = 0;
+  for (std::uint64_t place = 0; place < 30; ++place) {
+    const int face = static_cast<int>(rng.uniform(place) * tip.face_count());
+    const dvec3 middle = (tip.vertex(face, 0) + tip.vertex(face, 1) + tip.vertex(face, 2)) / 3.0;
+    const dvec3 normal = tip.face_normals()[static_cast<std::size_t>(face)];
+    for (const Press& press : presses()) {
+      double before = 0;
+      for (const double part : {0.1, 0.3, 0.6, 0.9, 1.0, 1.1, 1.3, 1.6, 2.0, 2.5, 3.0}) {
+        const Pose X = pressed_at(middle, normal, part * kThickness, press.reach);
+        intersect(*finger, *press.rigid, Pose{}, X, surface, workspace);
+        const double force = glm::dot(pressure_wrench(surface).force, -normal);
+        EXPECT_GT(force, before) << "place " << place << ", depth " << part;
+        before = force;
+        if (place % 10 != 0 || part < 1) continue;
+        const double area = surface.area();
+        intersect(*finger, *press.rigid, Pose{}, X, surface, fine);
+        const double exact = glm::dot(pressure_wrench(surface).force, -normal);
+        EXPECT_NEAR(force, exact, 0.005 * exact) << "place " << place << ", depth " << part;
+        EXPECT_NEAR(area, surface.area(), 0.002 * area) << "place " << place << ", depth " << part;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 3 * 3 * 7);
+}
+
+TEST(DepthPieces, EqualsDenseQuadratureOfTheDepth) {
+  const auto mesh = std::make_shared<const TriMesh>(make_fingertip());
+  const auto finger = make_mesh_body(*mesh, soft_material(kModulus, kThickness));
+  const MeshIndex skin(mesh);
+  const dvec3 place(0, 0, mesh->bounds().hi.z);
+  for (const Press& press : {presses()[0], presses()[2]}) {
+    for (const double part : {1.1, 2.0, 3.0}) {
+      const Pose X = pressed_at(place, {0, 0, 1}, part * kThickness, press.reach);
+      const Contact c = touch(*finger, *press.rigid, Pose{}, X);
+      const DepthOracle oracle =
+          depth_oracle(skin, kStiffness, std::get<RigidMesh>(press.rigid->geometry).index->mesh(), X, 2e-4);
+      EXPECT_NEAR(force_of(c), glm::length(oracle.force), 0.004 * force_of(c)) << part;
+      EXPECT_NEAR(c.surface.area(), oracle.area, 0.005 * oracle.area) << part;
+      EXPECT_GT(pieces_of(c.surface), 10);
+    }
+  }
+}
+
+TEST(DepthPieces, HalfSpaceAgreesWithALargeBox) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
+  const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.1));
+  const double top = make_fingertip().bounds().hi.z;
+  for (const double part : {1.2, 2.0, 3.0}) {
+    const Pose X = pressed_at({0, 0, top}, {0, 0, 1}, part * kThickness, 0);
+    const Contact flat = touch(*finger, *plane, Pose{}, X);
+    const Contact boxed = touch(*finger, *box, Pose{}, X * at_height(-0.1));
+    EXPECT_NEAR(force_of(flat), force_of(boxed), 0.002 * force_of(boxed)) << part;
+    EXPECT_NEAR(flat.surface.area(), boxed.surface.area(), 0.002 * boxed.surface.area()) << part;
+  }
+}
+
+/// The same field that ends with its tets: what it has is there still, in the same order and with the same bits.
+TEST(DepthPieces, PolygonsOfTheTetsStayAsTheyAre) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
+  HydroBody ends = *finger;
+  ends.geometry = SoftBody(std::get<SoftBody>(finger->geometry).field);
+  for (const Press& press : presses()) {
+    for (const double part : {0.5, 1.5}) {
+      const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, part * kThickness, press.reach);
+      const ContactSurface with = touch(*finger, *press.rigid, Pose{}, X).surface;
+      const ContactSurface without = touch(ends, *press.rigid, Pose{}, X).surface;
+      EXPECT_EQ(without.at_core() > 0, part > 1);
+      std::size_t next = 0;
+      for (const ContactPolygon& p : with.polygons) {
+        if (p.tet < 0) continue;
+        ASSERT_LT(next, without.polygons.size());
+        const ContactPolygon& q = without.polygons[next++];
+        ASSERT_EQ(p.tet, q.tet);
+        ASSERT_EQ(p.centroid, q.centroid);
+        ASSERT_EQ(p.area, q.area);
+        for (int i = 0; i < p.count; ++i)
+          ASSERT_EQ(with.vertices[static_cast<std::size_t>(p.first + i)],
+                    without.vertices[static_cast<std::size_t>(q.first + i)]);
+      }
+      EXPECT_EQ(next, without.polygons.size());
+    }
+  }
+}
+
+/// Whatever shape is pressed in: none of the pieces overlaps another or a polygon of the tets, nothing is left out.
+TEST(DepthPieces, AreaIsThatInsideOfTheSkin) {
+  const double half = 0.01;
+  const auto pad = make_mesh_body(make_box(dvec3(half)), soft_material(kModulus, kThickness));
+  for (int i = 0; i < 20; ++i) {
+    const auto cube = make_simple_body(ShapeType::box, dvec3(0.004));
+    Pose X = random_pose(9, i, 0.004);
+    const Contact c = touch(*pad, *cube, Pose{}, X);
+    const DepthOracle oracle = depth_oracle(MeshIndex(std::make_shared<const TriMesh>(make_box(dvec3(half)))), 1,
+                                            make_box(dvec3(0.004)), X, 2e-4);
+    EXPECT_NEAR(c.surface.area(), oracle.area, 0.005 * oracle.area) << i;
+  }
+}
+
+TEST(DepthPieces, PressureIsLinearOnEachPiece) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
+  const Press ball = presses()[0];
+  const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, 2 * kThickness, ball.reach);
+  const MeshIndex skin(std::make_shared<const TriMesh>(make_fingertip()));
+  const ContactSurface s = touch(*finger, *ball.rigid, Pose{}, X).surface;
+  for (const ContactPolygon& p : s.polygons) {
+    if (p.tet >= 0) continue;
+    EXPECT_GE(p.face, 0);
+    for (int i = 0; i < p.count; ++i) {
+      const auto v = static_cast<std::size_t>(p.first + i);
+      const double linear = p.pressure + glm::dot(p.gradient, s.vertices[v] - p.centroid);
+      EXPECT_NEAR(s.pressure[v], std::max(0.0, linear), 1e-7 * kModulus);
+      EXPECT_NEAR(s.pressure[v], -kStiffness * skin.signed_distance(s.vertices[v]), 0.03 * kModulus);
+    }
+  }
+}
+
+TEST(DepthPieces, AllocateNothingAfterWarmUp) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
+  ContactSurface surface;
+  IntersectWorkspace workspace;
+  const std::vector<Press> all = presses();
+  std::size_t polygons = 0;
+  const auto run = [&] {
+    for (const Press& press : all) {
+      const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, 2 * kThickness, press.reach);
+      const long before = allocation_count();
+      intersect(*finger, *press.rigid, Pose{}, X, surface, workspace);
+      polygons += surface.polygons.size();
+      EXPECT_TRUE(polygons < 3000 || allocation_count() == before);
+    }
+  };
+  while (polygons < 3000) run();
+  run();
+}
+
+TEST(DepthPieces, AllInstructionSetsGiveTheSameBits) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
+  for (const Press& press : presses()) {
+    const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, 2 * kThickness, press.reach);
+    const ContactSurface usual = touch(*finger, *press.rigid, Pose{}, X).surface;
+    ASSERT_GT(pieces_of(usual), 50);
+    test::for_each_set([&](std::int64_t target) {
+      const ContactSurface found =
+          test::on_target(target, [&] { return touch(*finger, *press.rigid, Pose{}, X).surface; });
+      ASSERT_EQ(found.vertices, usual.vertices);
+      ASSERT_EQ(found.pressure, usual.pressure);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace taxel
