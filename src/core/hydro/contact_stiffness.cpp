@@ -12,6 +12,11 @@ struct PointStiffness {
   dvec3 left{0}, right{0};
 };
 
+/// Whether a polygon lies beyond the tets of a pad.
+bool is_depth_piece(const ContactPolygon& polygon) {
+  return polygon.tet < 0;
+}
+
 /// Gradient of the pressure in a soft body, frame of the body.
 dvec3 gradient_in(const HydroBody& body, int tet) {
   if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
@@ -19,12 +24,31 @@ dvec3 gradient_in(const HydroBody& body, int tet) {
   return {0, 0, -std::get<SoftHalfSpace>(body.geometry).stiffness};
 }
 
+/// The gradient of a pad beyond its tets, from that of the other body: their difference is along the direction n, and
+/// the depth of a pad has a gradient of length 1.
+dvec3 gradient_beyond(const HydroBody& body, const dvec3& other, const dvec3& n) {
+  const auto* soft = std::get_if<SoftBody>(&body.geometry);
+  const double k = soft != nullptr && soft->depth ? soft->depth->stiffness() : 0, along = glm::dot(other, n);
+  const double squared = along * along - glm::dot(other, other) + k * k;
+  return other + (std::sqrt(std::max(0.0, squared)) - along) * n;
+}
+
+/// Gradients of the pressures of two soft bodies, frame A.
+std::array<dvec3, 2> gradients_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b,
+                                  const dmat3& R_AB) {
+  if (!is_depth_piece(polygon)) {
+    // One of tets and half-space is in the half-space.
+    return {gradient_in(a, polygon.tet), R_AB * gradient_in(b, polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet)};
+  }
+  if (a.half_space()) return {gradient_in(a, -1), polygon.gradient};
+  if (b.half_space()) return {polygon.gradient, R_AB * gradient_in(b, -1)};
+  return {polygon.gradient, gradient_beyond(b, polygon.gradient, -polygon.normal)};
+}
+
 PointStiffness stiffness_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b, const dmat3& R_AB) {
   const dvec3 &n = polygon.normal, &g = polygon.gradient;
   if (!a.soft() || !b.soft()) return {n, glm::dot(g, n) < 0 ? -g : g};
-  const int tet_b =
-      polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet;  // one of tets and half-space is in the half-space
-  const dvec3 gA = gradient_in(a, polygon.tet), gB = R_AB * gradient_in(b, tet_b);
+  const auto [gA, gB] = gradients_of(polygon, a, b, R_AB);
   const double steepness = glm::length(gA - gB);
   if (!(steepness > 0)) return {};
   return {-gB, gA / steepness};

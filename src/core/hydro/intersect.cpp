@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/hydro/kernel/depth_march.h"
 #include "core/hydro/kernel/depth_pieces.h"
 #include "core/hydro/kernel/kernels.h"
 
@@ -35,6 +36,27 @@ Plane ground(const RigidTransform& X_SR) {
   return {X_SR.R[2], -glm::dot(X_SR.R[2], X_SR.p)};
 }
 
+RigidTransform inverse(const RigidTransform& X) {
+  RigidTransform out;
+  out.R = glm::transpose(X.R);
+  out.p = -(out.R * X.p);
+  return out;
+}
+
+/// Two soft bodies with tets. The normal is that of growing pB - pA: it leads into B.
+void intersect_fields(const SoftBody& a, const SoftBody& b, const Pose& X_AB, SurfaceWriter& writer,
+                      IntersectWorkspace& workspace) {
+  const RigidTransform X_AB_full(X_AB);
+  if (a.depth || b.depth) writer.list_core_points(workspace.depth.core_points);
+  intersect_tets(*a.index, *b.index, X_AB_full, writer, workspace);
+  if (!a.depth && !b.depth) return;
+  if (writer.core_count() == 0 && (writer.polygon_count() > 0 || !reaches_core(*a.index, *b.index, X_AB_full))) return;
+  writer.clear_core();
+  const RigidTransform X_AL = frame_between(X_AB), X_BL = frame_between(X_AB.inverse());
+  const PressureAt first(a.depth.get(), *a.index, X_AL), second(b.depth.get(), *b.index, X_BL);
+  add_march(first, second, first, X_AL, workspace.piece_size, writer, workspace.depth);
+}
+
 /// One soft body with tets and any other. Computed in the frame S of the tets, whose trees and planes never change.
 void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTransform& X_SO, SurfaceWriter& writer,
                      IntersectWorkspace& workspace) {
@@ -49,7 +71,13 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
   const Plane plane = ground(X_SO);
   if (const auto* soft = std::get_if<SoftHalfSpace>(&other.geometry)) {
     const LinearPressure pressure{-soft->stiffness * plane.normal, -soft->stiffness * plane.offset};
+    if (body.depth) writer.list_core_points(workspace.depth.core_points);
     intersect_soft_half_space(field, pressure, writer, workspace);
+    if (!body.depth || writer.core_count() == 0) return;
+    writer.clear_core();
+    const PressureAt space(soft->stiffness, soft->thickness, inverse(X_SO));
+    const PressureAt pad(body.depth.get(), field, RigidTransform());
+    add_march(space, pad, pad, RigidTransform(), workspace.piece_size, writer, workspace.depth);
   } else {
     intersect_plane(field, plane.normal, plane.offset, writer, workspace);
     if (!body.depth || writer.core_count() == 0) return;
@@ -71,8 +99,7 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
   // against it. A rigid mesh in a soft half-space has normals that lead into the half-space.
   if (field_a != nullptr && field_b != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), true);
-    // The normal is that of growing pB - pA: it leads into B.
-    intersect_tets(*field_a->index, *field_b->index, X_AB, writer, workspace);
+    intersect_fields(*field_a, *field_b, X_WA.inverse() * X_WB, writer, workspace);
     writer.finish();
   } else if (field_a != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), false);
