@@ -6,6 +6,7 @@
 #include "core/hydro/pad_error.h"
 #include "core/hydro/pad_press.h"
 #include "core/hydro/pad_pressures.h"
+#include "core/hydro/pad_refine.h"
 #include "core/hydro/pad_tents.h"
 #include "core/hydro/pressure_field.h"
 #include "core/mesh/mesh_check.h"
@@ -76,29 +77,59 @@ std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& de
   return std::vector<char>(depths.planes.size(), layering == PadLayering::two ? 1 : 0);
 }
 
-PressureFieldPtr fill(const TriMeshPtr& mesh, double modulus, double thickness, const std::vector<int>& face_numbers,
-                      PadLayering layering) {
-  const MeshIndex index(mesh);
-  const PadShape shape(index, thickness);
-  const PadDepths depths = pad_depths(*mesh, shape, thickness);
+/// The tets of a pad, and what they were made of.
+struct RawPad {
+  PadTets tets;
+  std::vector<char> bare;  ///< whether a face has no tet, per face
+  int two_layer_faces = 0, tents = 0;
+};
+
+RawPad fill(const MeshIndex& index, const PadShape& shape, double modulus, double thickness, PadLayering layering) {
+  const TriMesh& mesh = index.mesh();
+  const PadDepths depths = pad_depths(mesh, shape, thickness);
   const PadLayers layers(shape, index, legs_with_two_layers(layering, depths, thickness));
-  PadTets pad{mesh->vertices(), layers.tets(), pad_pressures(index, shape, layers, depths, modulus, thickness)};
-  for (int leg = 0; leg < shape.leg_count(); ++leg) pad.vertices.push_back(shape.inner_position(leg));
-  for (const int leg : layers.legs()) pad.vertices.push_back(shape.moved(leg, layers.height(leg)));
-  std::vector<char> bare(mesh->faces().size());
-  for (int f = 0; f < mesh->face_count(); ++f) bare[at(f)] = layers.bare(f) ? 1 : 0;
-  const int split = split_by_tents(index, pad, modulus, thickness);
-  const int own = add_own_tents(index, pad, bare, modulus, thickness);
-  FieldReport report = report_of(*mesh, shape, bare, thickness, face_numbers);
-  report.two_layer_faces = layers.two_layer_faces();
-  report.tents = split + own;
-  const PadError error = pad_error(index, pad.vertices, pad.tets, pad.pressure, modulus, thickness);
+  RawPad pad;
+  pad.tets = {mesh.vertices(), layers.tets(), pad_pressures(index, shape, layers, depths, modulus, thickness)};
+  for (int leg = 0; leg < shape.leg_count(); ++leg) pad.tets.vertices.push_back(shape.inner_position(leg));
+  for (const int leg : layers.legs()) pad.tets.vertices.push_back(shape.moved(leg, layers.height(leg)));
+  for (int f = 0; f < mesh.face_count(); ++f) pad.bare.push_back(layers.bare(f) ? 1 : 0);
+  pad.two_layer_faces = layers.two_layer_faces();
+  pad.tents = split_by_tents(index, pad.tets, modulus, thickness);
+  return pad;
+}
+
+PressureFieldPtr finish(const MeshIndex& index, const PadShape& shape, RawPad pad, double modulus, double thickness,
+                        const std::vector<int>& face_numbers, int refined_faces) {
+  pad.tents += add_own_tents(index, pad.tets, pad.bare, modulus, thickness);
+  FieldReport report = report_of(index.mesh(), shape, pad.bare, thickness, face_numbers);
+  report.two_layer_faces = pad.two_layer_faces;
+  report.tents = pad.tents;
+  report.refined_faces = refined_faces;
+  const PadError error = pad_error(index, pad.tets.vertices, pad.tets.tets, pad.tets.pressure, modulus, thickness);
   report.depth_error_mean = error.mean;
   report.depth_error_rms = error.rms;
-  const auto field = std::make_shared<PressureField>(std::move(pad.vertices), std::move(pad.tets),
-                                                     std::move(pad.pressure), std::move(report));
+  const auto field = std::make_shared<PressureField>(std::move(pad.tets.vertices), std::move(pad.tets.tets),
+                                                     std::move(pad.tets.pressure), std::move(report));
   field->set_press_errors(press_errors(index, *field, modulus, thickness));
   return field;
+}
+
+/// A refined skin has at most so many faces, or so many times those of the mesh: 3 to 5 tets each.
+constexpr int kMostFaces = 2000, kMostFactor = 3;
+/// A skin whose uneven faces make up less than this part of it stays as it is: refinement would build the pad twice.
+constexpr double kWorthIt = 0.005;
+
+/// The skin refined where its pad is uneven; no mesh where that is not worth it.
+RefinedSkin refined_where_uneven(const MeshIndex& index, const PadShape& shape, const RawPad& pad, double modulus,
+                                 double thickness, double refine) {
+  if (!(refine > 0)) return {};
+  const TriMesh& mesh = index.mesh();
+  std::vector<char> uneven = uneven_faces(index, shape, pad.tets, modulus, thickness, refine * thickness);
+  double area = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) area += uneven[at(f)] != 0 ? mesh.face_areas()[at(f)] : 0.0;
+  if (!(area > kWorthIt * mesh.area())) return {};
+  const int most = std::max(kMostFaces, kMostFactor * mesh.face_count());
+  return refine_skin(mesh, std::move(uneven), refine * thickness, most);
 }
 
 }  // namespace
@@ -113,7 +144,19 @@ PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double t
   if (!(refine >= 0)) throw Error(fmt::format("refine of a pad must be 0 or greater, is {}", refine));
   if (!mesh->closed()) throw Error("a pad needs a closed mesh; this one is open: " + openings(*mesh));
   if (!(mesh->volume() > 0)) throw Error("a pad needs a mesh whose triangles face outward; this one is inside out");
-  return fill(mesh, modulus, thickness, face_numbers, layering);
+  const MeshIndex index(mesh);
+  const PadShape shape(index, thickness);
+  RawPad pad = fill(index, shape, modulus, thickness, layering);
+  RefinedSkin refined = refined_where_uneven(index, shape, pad, modulus, thickness, refine);
+  if (refined.mesh == nullptr) return finish(index, shape, std::move(pad), modulus, thickness, face_numbers, 0);
+  if (!face_numbers.empty()) {
+    for (int& f : refined.face_of) f = face_numbers[at(f)];
+  }
+  const MeshIndex fine(refined.mesh);
+  const PadShape fine_shape(fine, thickness, &shape);
+  pad = fill(fine, fine_shape, modulus, thickness, layering);
+  return finish(fine, fine_shape, std::move(pad), modulus, thickness, refined.face_of,
+                refined.mesh->face_count() - mesh->face_count());
 }
 
 }  // namespace taxel

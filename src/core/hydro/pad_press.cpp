@@ -22,15 +22,42 @@ constexpr double kRounding = 1e-9;
 /// So many of them are held against the distance to the skin.
 constexpr std::size_t kCompared = 2;
 
-struct SkinFace {
-  int tet, corner;
-};
+/// Areas of all faces up to each one [m^2].
+std::vector<double> areas_up_to(const PressureField& field, const std::vector<SkinFace>& faces) {
+  std::vector<double> area_to;
+  double area = 0;
+  for (const SkinFace& face : faces) {
+    const ivec4& v = field.tets()[at(face.tet)].vertices;
+    const auto corner = [&](int k) { return field.vertices()[at(v[(face.corner + k) % 4])]; };
+    area += 0.5 * glm::length(glm::cross(corner(2) - corner(1), corner(3) - corner(1)));
+    area_to.push_back(area);
+  }
+  return area_to;
+}
 
-/// The pressures at all depths straight below a point, negative where no tet reaches.
-std::array<double, kParts.size()> pressures_below(const PressureField& field, const SkinFace& face, const dvec3& x,
-                                                  double thickness) {
-  std::array<double, kParts.size()> pressure;
-  pressure.fill(-1);
+/// Evenly distributed over a face.
+dvec3 random_point(const PressureField& field, const SkinFace& face, double u, double v) {
+  const ivec4& vertices = field.tets()[at(face.tet)].vertices;
+  const auto corner = [&](int k) { return field.vertices()[at(vertices[(face.corner + k) % 4])]; };
+  const double root = std::sqrt(u);
+  return (1 - root) * corner(1) + root * (1 - v) * corner(2) + root * v * corner(3);
+}
+
+}  // namespace
+
+std::vector<SkinFace> skin_faces(const PressureField& field) {
+  std::vector<SkinFace> faces;
+  for (int t = 0; t < static_cast<int>(field.tets().size()); ++t) {
+    for (int i = 0; i < 4; ++i) {
+      if (field.is_skin(field.tets()[at(t)], i)) faces.push_back({t, i});
+    }
+  }
+  return faces;
+}
+
+void pressures_below(const PressureField& field, const SkinFace& face, const dvec3& x, std::span<const double> depths,
+                     std::span<double> pressures) {
+  std::fill(pressures.begin(), pressures.end(), -1.0);
   const dvec3 inward = field.tets()[at(face.tet)].normal[at(face.corner)];
   std::size_t next = 0;
   // A line crosses each tet once; rounding at edges must not lead it round in a circle.
@@ -47,56 +74,24 @@ std::array<double, kParts.size()> pressures_below(const PressureField& field, co
       leaves = s;
       exit = i;
     }
-    for (; next < kParts.size() && kParts[next] * thickness * (1 - kRounding) <= leaves; ++next) {
-      const dvec3 y = x + kParts[next] * thickness * inward;
-      pressure[next] = std::max(0.0, glm::dot(tet.gradient, y) + tet.constant);
+    for (; next < depths.size() && depths[next] <= leaves; ++next) {
+      pressures[next] = std::max(0.0, glm::dot(tet.gradient, x + depths[next] * inward) + tet.constant);
     }
-    if (next == kParts.size() || exit < 0) break;
-    const int last = t;
+    if (next == depths.size() || exit < 0 || tet.neighbour[exit] < 0) break;
+    const ivec4& back = field.tets()[at(tet.neighbour[exit])].neighbour;
+    for (int i = 0; i < 4; ++i) entry = back[i] == t ? i : entry;
     t = tet.neighbour[exit];
-    if (t < 0) break;
-    const ivec4& back = field.tets()[at(t)].neighbour;
-    for (int i = 0; i < 4; ++i) entry = back[i] == last ? i : entry;
   }
-  return pressure;
 }
-
-struct Skin {
-  std::vector<SkinFace> faces;
-  std::vector<double> area_to;  ///< of all faces up to this one [m^2]
-};
-
-Skin skin_of(const PressureField& field) {
-  Skin skin;
-  double area = 0;
-  for (int t = 0; t < static_cast<int>(field.tets().size()); ++t) {
-    const Tet& tet = field.tets()[at(t)];
-    for (int i = 0; i < 4; ++i) {
-      if (!field.is_skin(tet, i)) continue;
-      const auto corner = [&](int k) { return field.vertices()[at(tet.vertices[(i + k) % 4])]; };
-      area += 0.5 * glm::length(glm::cross(corner(2) - corner(1), corner(3) - corner(1)));
-      skin.faces.push_back({t, i});
-      skin.area_to.push_back(area);
-    }
-  }
-  return skin;
-}
-
-/// Evenly distributed over a face.
-dvec3 random_point(const PressureField& field, const SkinFace& face, double u, double v) {
-  const ivec4& vertices = field.tets()[at(face.tet)].vertices;
-  const auto corner = [&](int k) { return field.vertices()[at(vertices[(face.corner + k) % 4])]; };
-  const double root = std::sqrt(u);
-  return (1 - root) * corner(1) + root * (1 - v) * corner(2) + root * v * corner(3);
-}
-
-}  // namespace
 
 std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const PressureField& field, double modulus,
                                                   double thickness) {
-  const Skin skin = skin_of(field);
-  if (skin.faces.empty()) return {};
-  const double covered = skin.area_to.back() / index.mesh().area();
+  const std::vector<SkinFace> faces = skin_faces(field);
+  if (faces.empty()) return {};
+  const std::vector<double> area_to = areas_up_to(field, faces);
+  const double covered = area_to.back() / index.mesh().area();
+  std::array<double, kParts.size()> depths{};
+  for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = kParts[k] * thickness * (1 - kRounding);
   const CounterRng rng(2);
   struct Felt {
     std::array<double, kParts.size()> pressure;
@@ -107,19 +102,18 @@ std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const 
   parallel_chunks(kPoints, kChunk, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto n = 3 * static_cast<std::uint64_t>(i);
-      const double share = (i + rng.uniform(n)) / kPoints * skin.area_to.back();
-      const auto found = std::upper_bound(skin.area_to.begin(), skin.area_to.end() - 1, share);
-      const SkinFace& face = skin.faces[static_cast<std::size_t>(found - skin.area_to.begin())];
+      const double share = (i + rng.uniform(n)) / kPoints * area_to.back();
+      const auto found = std::upper_bound(area_to.begin(), area_to.end() - 1, share);
+      const SkinFace& face = faces[static_cast<std::size_t>(found - area_to.begin())];
       const dvec3 x = random_point(field, face, rng.uniform(n + 1), rng.uniform(n + 2));
       Felt& own = felt[at(i)];
-      own.pressure = pressures_below(field, face, x, thickness);
+      pressures_below(field, face, x, depths, own.pressure);
       for (std::size_t k = 0; k < kCompared; ++k) {
-        const double press = kParts[k] * thickness;
         own.ratio[k] = 0;
         if (own.pressure[k] < 0) continue;
-        const dvec3 y = x + press * field.tets()[at(face.tet)].normal[at(face.corner)];
-        const double depth = depth_inside(index, y, press);
-        if (depth >= 0.5 * press) own.ratio[k] = own.pressure[k] * thickness / (modulus * depth);
+        const dvec3 y = x + depths[k] * field.tets()[at(face.tet)].normal[at(face.corner)];
+        const double depth = depth_inside(index, y, depths[k]);
+        if (depth >= 0.5 * depths[k]) own.ratio[k] = own.pressure[k] * thickness / (modulus * depth);
       }
     }
   });

@@ -1,12 +1,26 @@
 // How a press is felt over the skin of a pad.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/hydro/pressure_field.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
+
+/// A face of the skin by its tet: the one opposite to `corner`.
+struct SkinFace {
+  int tet, corner;
+};
+
+/// All faces of the skin that have a tet, in the order of the tets.
+std::vector<SkinFace> skin_faces(const PressureField& field);
+
+/// The pressures [Pa] at `depths` [m], ascending, straight below a point x of a skin face: from tet to tet as far as
+/// they reach, -1 beyond.
+void pressures_below(const PressureField& field, const SkinFace& face, const dvec3& x, std::span<const double> depths,
+                     std::span<double> pressures);
 
 /// For presses of 0.1, 0.25, 0.5 and 1 thickness. 1024 points of the skin, each at random in its own share of the area,
 /// are followed straight inward from tet to tet. Where the tets reach the depth d of the press, the pressure p there is

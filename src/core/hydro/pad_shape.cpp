@@ -30,8 +30,13 @@ constexpr int kShrinkRounds = 40;
 
 }  // namespace
 
-PadShape::PadShape(const MeshIndex& index, double thickness)
+PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coarse)
     : index_(index), mesh_(index.mesh()), thickness_(thickness) {
+  if (coarse != nullptr) {
+    legs_ = coarse->legs_;
+    vertices_of_legs_ = coarse->mesh_.vertex_count();
+    own_ = coarse->own_;
+  }
   // Vertices around which the gaps between parted faces fold are kept whole; after some rounds all are. Most folds show
   // before the offsets are fitted to each other.
   constexpr int kRounds = 6;
@@ -49,9 +54,9 @@ PadShape::PadShape(const MeshIndex& index, double thickness)
 }
 
 /// Legs that went the same way in the last round have the same offset, before they are made to fit their neighbours.
-void PadShape::reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& own) {
+void PadShape::reuse_offsets(const PadLegs& last, int last_vertices, const std::vector<OwnOffset>& own) {
   std::map<int, std::vector<int>> further;  // skin vertex -> its legs after the first
-  for (int leg = mesh_.vertex_count(); leg < static_cast<int>(last.skin.size()); ++leg)
+  for (int leg = last_vertices; leg < static_cast<int>(last.skin.size()); ++leg)
     further[last.skin[at(leg)]].push_back(leg);
   const auto reuse = [&](int leg, int old) {
     if (last.inward[at(old)].direction != legs_.inward[at(leg)].direction ||
@@ -61,10 +66,12 @@ void PadShape::reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& 
   };
   for (int leg = 0; leg < leg_count() && !own.empty(); ++leg) {
     if (leg < mesh_.vertex_count()) {
-      reuse(leg, leg);
+      if (leg < last_vertices) reuse(leg, leg);
       continue;
     }
-    for (const int old : further[legs_.skin[at(leg)]]) reuse(leg, old);
+    const auto entry = further.find(legs_.skin[at(leg)]);
+    if (entry == further.end()) continue;
+    for (const int old : entry->second) reuse(leg, old);
   }
 }
 
@@ -72,7 +79,7 @@ void PadShape::reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& 
 void PadShape::set_legs(PadLegs legs) {
   const PadLegs last = std::exchange(legs_, std::move(legs));
   const std::vector<OwnOffset> known = std::exchange(own_, std::vector<OwnOffset>(legs_.skin.size()));
-  reuse_offsets(last, known);
+  reuse_offsets(last, std::exchange(vertices_of_legs_, mesh_.vertex_count()), known);
   constexpr int kChunk = 64;
   parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
     dvec3 obstacle(std::numeric_limits<double>::infinity());

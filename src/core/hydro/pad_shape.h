@@ -13,8 +13,9 @@ namespace taxel {
 /// thickness allows. Vertices of the skin have their numbers in the mesh; inner ones follow: leg + vertex_count().
 class PadShape {
  public:
-  /// Cost: some closest-point queries per vertex.
-  PadShape(const MeshIndex& index, double thickness);
+  /// Cost: some closest-point queries per vertex. `coarse`: a shape of the same surface and thickness whose vertices
+  /// come first in this mesh, with their numbers; offset vectors of the same direction take their lengths from there.
+  PadShape(const MeshIndex& index, double thickness, const PadShape* coarse = nullptr);
 
   [[nodiscard]] int leg_count() const { return static_cast<int>(legs_.skin.size()); }
   [[nodiscard]] const PadLegs& legs() const { return legs_; }
@@ -61,7 +62,7 @@ class PadShape {
   [[nodiscard]] std::span<const int> faces_around(int leg) const;
   void set_legs(PadLegs legs);
   void fit();
-  void reuse_offsets(const PadLegs& last, const std::vector<OwnOffset>& own);
+  void reuse_offsets(const PadLegs& last, int last_vertices, const std::vector<OwnOffset>& own);
   [[nodiscard]] OwnOffset find_own_offset(int leg, dvec3& obstacle) const;
   void gather_faces();
   void shorten(int leg, double offset);
@@ -78,6 +79,7 @@ class PadShape {
   const TriMesh& mesh_;
   double thickness_;
   PadLegs legs_;
+  int vertices_of_legs_ = 0;  ///< of the mesh that legs_ belongs to
   std::vector<OwnOffset> own_;
   std::vector<double> offset_;              ///< per leg: its length [m]
   std::vector<double> depth_;               ///< per leg; negative where the offset changed since

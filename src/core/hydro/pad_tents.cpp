@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "core/base/angle.h"
@@ -100,10 +99,11 @@ double angle_from_face(const Face& face, const dvec3& a, const dvec3& b, const d
 class OwnTents {
  public:
   OwnTents(const MeshIndex& index, PadTets& pad, double modulus, double thickness)
-      : index_(index), mesh_(index.mesh()), pad_(pad), modulus_(modulus), thickness_(thickness), tets_(boxes_of(pad)) {}
+      : index_(index), mesh_(index.mesh()), pad_(pad), modulus_(modulus), thickness_(thickness) {}
 
   int add(std::vector<char>& bare) {
     gather_edges(bare);
+    gather_tets(bare);
     int count = 0;
     for (int f = 0; f < mesh_.face_count(); ++f) {
       if (!bare[at(f)] || !add_tent(f)) continue;
@@ -114,13 +114,24 @@ class OwnTents {
   }
 
  private:
-  static Bvh boxes_of(const PadTets& pad) {
-    std::vector<Aabb> boxes(pad.tets.size());
-    for (std::size_t t = 0; t < boxes.size(); ++t)
-      for (int i = 0; i < 4; ++i) boxes[t].include(pad.vertices[at(pad.tets[t][i])]);
-    Bvh tree;
-    tree.build(boxes, 1);
-    return tree;
+  /// A tree over the tets that could overlap a tent: no tent is higher than the radius of its face's incircle.
+  void gather_tets(const std::vector<char>& bare) {
+    Aabb reach;
+    for (int f = 0; f < mesh_.face_count(); ++f) {
+      if (!bare[at(f)]) continue;
+      const Face face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
+      for (const dvec3& x : face.x) reach.include(x);
+      reach.include(face.incentre + face.inradius * face.inward);
+    }
+    std::vector<Aabb> boxes;
+    for (const ivec4& t : pad_.tets) {
+      Aabb box;
+      for (int i = 0; i < 4; ++i) box.include(pad_.vertices[at(t[i])]);
+      if (!box.overlaps(reach)) continue;
+      boxes.push_back(box);
+      near_.push_back(t);
+    }
+    tree_.build(boxes, 1);
   }
 
   std::array<dvec3, 4> corners(const ivec4& t) const {
@@ -131,13 +142,13 @@ class OwnTents {
 
   /// Points that bound the angles at the edges of bare faces: corners of the skin faces and the tets there.
   void gather_edges(const std::vector<char>& bare) {
-    std::set<int> ends;
+    std::vector<char> is_end(pad_.vertices.size(), 0);
     for (int f = 0; f < mesh_.face_count(); ++f) {
       if (!bare[at(f)]) continue;
       for (int c = 0; c < 3; ++c) {
         const int a = mesh_.faces()[at(f)][c], b = mesh_.faces()[at(f)][(c + 1) % 3];
         at_edge_[std::minmax(a, b)];
-        ends.insert({a, b});
+        is_end[at(a)] = is_end[at(b)] = 1;
       }
     }
     const auto add = [&](int a, int b, int other) {
@@ -145,12 +156,15 @@ class OwnTents {
       if (edge != at_edge_.end()) edge->second.push_back(other);
     };
     for (const ivec3& face : mesh_.faces()) {
-      for (int c = 0; c < 3; ++c) add(face[c], face[(c + 1) % 3], face[(c + 2) % 3]);
+      for (int c = 0; c < 3; ++c) {
+        const int a = face[c], b = face[(c + 1) % 3];
+        if (is_end[at(a)] != 0 && is_end[at(b)] != 0) add(a, b, face[(c + 2) % 3]);
+      }
     }
     for (const ivec4& t : pad_.tets) {
       for (int i = 0; i < 4; ++i) {
         for (int j = i + 1; j < 4; ++j) {
-          if (ends.count(t[i]) == 0 || ends.count(t[j]) == 0) continue;
+          if (is_end[at(t[i])] == 0 || is_end[at(t[j])] == 0) continue;
           for (int k = 0; k < 4; ++k) {
             if (k != i && k != j) add(t[i], t[j], t[k]);
           }
@@ -178,7 +192,7 @@ class OwnTents {
     for (const dvec3& x : tent) box.include(x);
     bool clear = true;
     const auto check = [&](const ivec4& t) { clear = clear && !tets_overlap(tent, corners(t)); };
-    tets_.visit([&](const Aabb& node) { return clear && node.overlaps(box); }, [&](int t) { check(pad_.tets[at(t)]); });
+    tree_.visit([&](const Aabb& node) { return clear && node.overlaps(box); }, [&](int i) { check(near_[at(i)]); });
     for (const ivec4& t : own_) check(t);
     return clear;
   }
@@ -206,7 +220,8 @@ class OwnTents {
   const TriMesh& mesh_;
   PadTets& pad_;
   double modulus_, thickness_;
-  Bvh tets_;
+  std::vector<ivec4> near_;                                  ///< tets near bare faces
+  Bvh tree_;                                                 ///< over these
   std::map<std::pair<int, int>, std::vector<int>> at_edge_;  ///< edge of a bare face -> corners across it
   std::vector<ivec4> own_;
 };

@@ -10,6 +10,7 @@
 #include "core/hydro/tet_overlap.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/pad_meshes.h"
+#include "fixtures/rough_meshes.h"
 
 namespace taxel {
 namespace {
@@ -39,15 +40,6 @@ PressureField field_of(const PadTets& pad) {
   FieldReport report;
   report.core = true;
   return {pad.vertices, pad.tets, pad.pressure, report};
-}
-
-/// A rough ball: sharp ridges and valleys in all directions.
-TriMesh make_rough_ball(int subdivisions, double roughness, std::uint64_t seed) {
-  const TriMesh ball = make_icosphere(0.02, subdivisions);
-  const CounterRng rng(seed);
-  std::vector<dvec3> vertices = ball.vertices();
-  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] *= 1 + roughness * (rng.uniform(v) - 0.5);
-  return {std::move(vertices), ball.faces()};
 }
 
 std::vector<std::pair<TriMeshPtr, double>> uneven_meshes() {
