@@ -15,13 +15,9 @@ namespace {
 
 void check_repair(const RepairRecipe& recipe, Check& check) {
   for (const RepairNumber& number : kRepairNumbers) {
-    const std::optional<double>& value = recipe.*number.value;
-    const std::string pointer = fmt::format("/mesh/repair/{}", number.key);
-    if (!value) continue;
-    if (number.may_be_zero)
-      check.not_negative(pointer, *value, "repair_out_of_range");
-    else
-      check.positive(pointer, *value, "repair_out_of_range", "leave it out for its default");
+    if (const std::optional<double>& value = recipe.*number.value)
+      check.positive(fmt::format("/mesh/repair/{}", number.key), *value, "repair_out_of_range",
+                     "leave it out for its default");
   }
 }
 

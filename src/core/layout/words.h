@@ -40,17 +40,16 @@ inline constexpr Word<RepairLevel> kRepairLevelWords[] = {{RepairLevel::automati
                                                           {RepairLevel::wrap, "wrap"},
                                                           {RepairLevel::keep, "keep"}};
 
-/// A number of a repair recipe and its key in /mesh/repair.
+/// A number of a repair recipe, which must be greater than 0, and its key in /mesh/repair.
 struct RepairNumber {
   const char* key;
   std::optional<double> RepairRecipe::*value;
-  bool may_be_zero;
 };
-inline constexpr RepairNumber kRepairNumbers[] = {{"join", &RepairRecipe::join, true},
-                                                  {"fill", &RepairRecipe::fill, true},
-                                                  {"edge", &RepairRecipe::edge, false},
-                                                  {"tolerance", &RepairRecipe::tolerance, false},
-                                                  {"refine", &RepairRecipe::refine, false}};
+inline constexpr RepairNumber kRepairNumbers[] = {{"join", &RepairRecipe::join},
+                                                  {"fill", &RepairRecipe::fill},
+                                                  {"edge", &RepairRecipe::edge},
+                                                  {"tolerance", &RepairRecipe::tolerance},
+                                                  {"refine", &RepairRecipe::refine}};
 
 inline std::span<const Word<Metric>> words_of(Metric) {
   return kMetricWords;

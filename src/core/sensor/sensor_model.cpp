@@ -149,12 +149,19 @@ struct Input {
   const std::vector<std::string>* mesh_notes;  ///< of its reading, which make a problem each; null: not read here
 };
 
+/// A region of the loaded mesh as faces of the repaired mesh. If none of its faces is left it names one that is not
+/// there, because an empty region means all faces.
+FaceSet repaired_region(const RepairedMesh& repaired, const FaceSet& region) {
+  if (repaired.loaded_face_of.empty() || region->empty()) return region;
+  std::vector<int> faces = repaired_faces(repaired, *region);
+  if (faces.empty()) faces = {repaired.mesh->face_count()};
+  return faces;
+}
+
 /// Samples, and the receptive fields on them: what does not need the body.
 SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const SensorBuild& how) {
   const Sampling& sampling = model.layout.sampling;
-  const bool renumbered = !model.repaired->loaded_face_of.empty() && !sampling.region->empty();
-  const SampledSkinPtr sampled =
-      cache.sampled(skin, renumbered ? FaceSet(repaired_faces(*model.repaired, *sampling.region)) : sampling.region);
+  const SampledSkinPtr sampled = cache.sampled(skin, repaired_region(*model.repaired, sampling.region));
   model.sampled_area = sampled->mesh->area();
   const int count = sample_count(sampling.density, model.sampled_area);
   const bool known = cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished);
@@ -233,10 +240,7 @@ Layout layout_on_repaired_mesh(const SensorModel& model) {
   if (model.mesh == model.loaded) return layout;
   layout.mesh.repair = {};
   layout.mesh.repair.refine = model.layout.mesh.repair.refine;
-  if (layout.sampling.region->empty()) return layout;
-  std::vector<int> region = repaired_faces(*model.repaired, *layout.sampling.region);
-  if (region.empty()) region = {model.mesh->face_count()};  // no face is left: an empty region would mean all of them
-  layout.sampling.region = std::move(region);
+  layout.sampling.region = repaired_region(*model.repaired, layout.sampling.region);
   return layout;
 }
 

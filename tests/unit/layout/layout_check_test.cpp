@@ -77,11 +77,10 @@ TEST(LayoutCheck, NamesEachRepairValueOutOfItsRange) {
   EXPECT_EQ(values_after(edge(0)), List{"error /mesh/repair/edge repair_out_of_range"});
   EXPECT_EQ(values_after(edge(kNaN)), List{"error /mesh/repair/edge repair_out_of_range"});
   EXPECT_EQ(values_after(edge(3e-4)), List{});
-  EXPECT_EQ(values_after([](Layout& l) { l.mesh.repair = {RepairLevel::wrap, -1.0, kInf, -1.0, 0.0, 0.0}; }),
+  EXPECT_EQ(values_after([](Layout& l) { l.mesh.repair = {RepairLevel::wrap, 0.0, kInf, -1.0, 0.0, 0.0}; }),
             (List{"error /mesh/repair/join repair_out_of_range", "error /mesh/repair/fill repair_out_of_range",
                   "error /mesh/repair/edge repair_out_of_range", "error /mesh/repair/tolerance repair_out_of_range",
                   "error /mesh/repair/refine repair_out_of_range"}));
-  EXPECT_EQ(values_after([](Layout& l) { l.mesh.repair.join = l.mesh.repair.fill = 0.0; }), List{});
   Layout layout = good_layout();
   layout.mesh.repair.edge = -3e-4;
   EXPECT_EQ(check_layout_values(layout, "f.json")[0].message, "must be greater than 0, is -0.0003");

@@ -223,6 +223,19 @@ TEST(Edit, ANewMeshForgetsTheRegionOfTheOld) {
   EXPECT_EQ(complaint(ReplaceLayout{other}), "/layout/taxels/1/id: 4 is also the id of another taxel");
 }
 
+TEST(Edit, SetsTheRepairOfTheMesh) {
+  const Project before = three();
+  const Edit edit = SetRepair{{RepairLevel::exact, 1e-5, {}, {}, {}, {}}};
+  const Project after = apply_edit(before, edit);
+  EXPECT_EQ(after.layout.mesh.repair.level, RepairLevel::exact);
+  EXPECT_EQ(after.layout.mesh.repair.join, 1e-5);
+  EXPECT_EQ(after.layout.mesh.file, before.layout.mesh.file);
+  EXPECT_EQ(edit_name(edit), "Change the repair of the mesh");
+  RepairRecipe wrong;
+  wrong.edge = -3e-4;
+  EXPECT_THROW(apply_edit(before, SetRepair{wrong}), Error);
+}
+
 TEST(Edit, AnotherProjectTakesItsPlaceButNotItsView) {
   Project project = three(), other = three();
   project.view = View{};

@@ -104,6 +104,7 @@ const Case kCases[] = {
        p.layout.sampling.region = std::vector<int>{1, 2};
      }},
     {"scale_zero", "Set the scale to 1", [](Project& p) { p.layout.mesh.scale.y = 0; }},
+    {"repair_out_of_range", "Set it to its default", [](Project& p) { p.layout.mesh.repair.edge = -3e-4; }},
     {"calibration_unused", "Remove the calibration of taxel 99, which is not there",
      [](Project& p) {
        TaxelCalibration here, gone;
@@ -133,6 +134,19 @@ TEST(Fixes, MendWhatWasComplainedAboutAndNothingElse) {
     }
     EXPECT_LT(after.size(), before.size()) << c.code;
   }
+}
+
+TEST(Fixes, RepairAMeshThatIsToBeKeptAsItIs) {
+  Project project = good();
+  const Problem open{"f", "/mesh/file", Severity::error, "mesh_open", "must be a closed mesh to be soft", ""};
+  EXPECT_FALSE(fix_for(open, project, &box())) << "it is repaired already, as far as that goes";
+  project.layout.mesh.repair = {RepairLevel::keep, {}, {}, 2e-4, {}, {}};
+  const std::optional<Fix> fix = fix_for(open, project, &box());
+  ASSERT_TRUE(fix);
+  EXPECT_EQ(fix->words, "Repair the mesh");
+  const Project repaired = apply_edit(project, fix->edit);
+  EXPECT_EQ(repaired.layout.mesh.repair.level, RepairLevel::automatic);
+  EXPECT_EQ(repaired.layout.mesh.repair.edge, 2e-4) << "the rest of the recipe stays";
 }
 
 TEST(Fixes, OneAfterTheOtherMendAWholeLayout) {

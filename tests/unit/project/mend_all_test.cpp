@@ -86,6 +86,24 @@ TEST(MendAll, WhatTakesADecisionIsLeft) {
   EXPECT_EQ(left(mending), std::vector<std::string>{"/taxels/0/subtaxels/0/center subtaxel_outside"});
 }
 
+TEST(MendAll, RepairsAMeshThatIsToBeKeptAsItIs) {
+  const TriMesh whole = make_box(dvec3(0.010, 0.008, 0.005));
+  const auto open = std::make_shared<const TriMesh>(whole.vertices(),
+                                                    std::vector<ivec3>(whole.faces().begin(), whole.faces().end() - 1));
+  Project project = with_taxels(2);
+  project.layout.mesh.repair.level = RepairLevel::keep;
+  project.layout.taxels[1].radius = -0.003;
+  const RepairedMeshPtr kept = as_loaded(open);
+  const MeshIndex skin(open);
+  const Mending mending = mend_all(project, {*open, *kept, skin});
+  ASSERT_TRUE(mending.edit);
+  EXPECT_EQ(mending.mended, 2);
+  EXPECT_EQ(left(mending), kNone);
+  const Project mended = apply_edit(project, *mending.edit);
+  EXPECT_EQ(mended.layout.mesh.repair, RepairRecipe{});
+  EXPECT_EQ(mended.layout.taxels[1].radius, 0.003);
+}
+
 TEST(MendAll, ThousandsOfTaxelsAreAFewEdits) {
   Project project = with_taxels(1500);
   for (Taxel& taxel : project.layout.taxels) {

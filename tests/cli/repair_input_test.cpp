@@ -1,0 +1,120 @@
+// Meshes that need repair, through the program: repaired with a report, or refused in one line that names the place.
+// The file on disk is never changed.
+#include "cli/taxel_program.h"
+#include "core/mesh/mesh_io.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+Json set(const std::string& path, const Json& value) {
+  return {{"op", "add"}, {"path", path}, {"value", value}};
+}
+
+TriMesh fingertip() {
+  return *load_mesh(fingertip_layout().parent_path() / "../meshes/fingertip.obj").mesh;
+}
+
+/// OBJ text of our fingertip without one face, with a fin and with a folded pair of faces.
+std::string broken_fingertip() {
+  const TriMesh whole = fingertip();
+  std::vector<dvec3> vertices = whole.vertices();
+  std::vector<ivec3> faces(whole.faces().begin() + 1, whole.faces().end());
+  const ivec3 some = whole.faces()[500], other = whole.faces()[900];
+  const int fin = static_cast<int>(vertices.size());
+  vertices.push_back(whole.vertex(500, 0) + 0.001 * whole.face_normals()[500]);
+  vertices.push_back(whole.vertex(900, 0) + 0.002 * whole.face_normals()[900]);
+  faces.emplace_back(some.x, some.y, fin);
+  faces.emplace_back(other.x, other.y, fin + 1);
+  faces.emplace_back(other.y, other.x, fin + 1);
+  return obj_text(TriMesh(std::move(vertices), std::move(faces)));
+}
+
+/// Our layout on a mesh of this text.
+fs::path layout_on(const fs::path& folder, const std::string& obj, const Json& more = Json::array()) {
+  write_text(folder / "m.obj", obj);
+  Json patch = Json::array({set("/mesh/file", "m.obj"), set("/mesh/sha256", ""), set("/sampling/density", 1e6)});
+  for (const Json& one : more) patch.push_back(one);
+  return changed_layout(folder, patch);
+}
+
+bool has_code(const Json& problems, const std::string& code, const std::string& severity) {
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const Json& p) { return p["code"] == code && p["severity"] == severity; });
+}
+
+TEST(RepairInput, ChecksABrokenMeshWithNotesAlone) {
+  const fs::path folder = test_folder();
+  const std::string obj = broken_fingertip();
+  const fs::path layout = layout_on(folder, obj);
+  const Outcome checked = taxel({"check", "--json", layout.string()});
+  EXPECT_LE(checked.status, 1) << checked.err;
+  const Json problems = Json::parse(checked.out)["problems"];
+  EXPECT_TRUE(has_code(problems, "mesh_open", "note")) << problems.dump(1);
+  EXPECT_TRUE(has_code(problems, "mesh_nonmanifold", "note"));
+  EXPECT_TRUE(has_code(problems, "repair_fin", "note"));
+  EXPECT_TRUE(has_code(problems, "repair_filled", "note") || has_code(problems, "repair_filled", "warning"));
+  for (const Json& p : problems) EXPECT_NE(p["severity"], "error") << p.dump();
+  EXPECT_EQ(file_text(folder / "m.obj"), obj);
+}
+
+TEST(RepairInput, RefusesABrokenMeshThatIsToBeKept) {
+  const fs::path folder = test_folder();
+  const fs::path layout =
+      layout_on(folder, broken_fingertip(), Json::array({set("/mesh/repair", {{"level", "keep"}})}));
+  for (const std::string command : {"samples", "check"}) {
+    const Outcome refused = taxel({command, layout.string()});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("/mesh/file: must be a closed mesh to be soft: "), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+}
+
+TEST(RepairInput, NamesARecipeThatIsOutOfItsRange) {
+  const fs::path folder = test_folder();
+  const auto refused = [&](const Json& repair, const std::string& complaint) {
+    const fs::path layout = layout_on(folder, broken_fingertip(), Json::array({set("/mesh/repair", repair)}));
+    expect_refusal(taxel({"samples", layout.string()}), "taxel: " + layout.string() + ": /mesh/repair" + complaint);
+  };
+  refused({{"edge", -3e-4}}, "/edge: must be greater than 0, is -0.0003");
+  refused({{"fill", "wide"}}, "/fill: must be a number, is \"wide\"");
+  refused({{"level", "best"}}, "/level: must be one of \"auto\", \"exact\", \"wrap\", \"keep\", is \"best\"");
+  refused(7, ": must be an object, is 7");
+}
+
+TEST(RepairInput, RefusesFacesThatEncloseNothing) {
+  const fs::path folder = test_folder();
+  const fs::path layout = layout_on(folder, "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nf 1 2 3\nf 1 3 2\n");
+  const Outcome refused = taxel({"samples", layout.string()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("/mesh/file: encloses nothing"), std::string::npos) << refused.err;
+}
+
+TEST(RepairInput, SweepsABrokenMeshIntoAFolderThatRunsElsewhere) {
+  const fs::path folder = test_folder();
+  const std::string obj = broken_fingertip();
+  Json region = Json::array({Json::array({0, 700})});
+  const fs::path layout = layout_on(folder, obj, Json::array({set("/sampling/region", region)}));
+  const fs::path out = folder / "sweep";
+  const Outcome swept = taxel({"sweep", "--layout", layout.string(), "--out", out.string(), "--quiet"});
+  ASSERT_EQ(swept.status, 0) << swept.err;
+  EXPECT_EQ(file_text(folder / "m.obj"), obj);
+  const Json written = Json::parse(file_text(out / "finger.taxels.json"));
+  EXPECT_FALSE(written["mesh"].contains("repair"));
+  EXPECT_TRUE(load_mesh(out / "finger.obj").mesh->closed());
+  // The written layout has the samples of the one that was swept.
+  const fs::path a = folder / "a.csv", b = folder / "b.csv";
+  ASSERT_EQ(taxel({"samples", layout.string(), "--out", a.string()}).status, 0);
+  ASSERT_EQ(taxel({"samples", (out / "finger.taxels.json").string(), "--out", b.string()}).status, 0);
+  const Table first = read_csv(a), second = read_csv(b);
+  EXPECT_GT(first.at("x").size(), 100U);
+  for (const char* column : {"x", "y", "z", "nx", "ny", "nz", "area"})
+    EXPECT_EQ(first.at(column), second.at(column)) << column;
+  for (const double face : first.at("face")) {
+    ASSERT_GE(face, 0);
+    ASSERT_LE(face, 700) << "faces are those of the file";
+  }
+}
+
+}  // namespace
+}  // namespace taxel::test
