@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kMeanings{{
     {"mesh_open",
-     "It has no inside, so it cannot be soft: no pressure field, no contact, no readings. Taxels can be placed, seen "
-     "and exported. Close the holes and load it again."},
+     "The surface of the file has no inside there. A repair closes it when it is used (Inspector > Mesh); the file "
+     "stays as it is."},
     {"mesh_nonmanifold",
-     "What lies inside is not defined there, so it cannot be soft. Distances along the surface end there."},
+     "What lies inside is not defined there in the file. A repair removes what hangs there, or parts what touches."},
     {"mesh_winding",
-     "Inside and outside change places there, so it cannot be soft. Samples beyond the seam belong to the other side."},
+     "Inside and outside change places there in the file. A repair turns the faces, or wraps what cannot be turned."},
     {"mesh_inverted",
      "Samples and the normals of placed taxels look into the body, and nothing would be felt. Turn its faces round."},
     {"mesh_cavity", "Its wall cannot be touched: no sample lies on it, and rays from the skin end halfway to it."},
