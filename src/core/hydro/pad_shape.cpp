@@ -11,9 +11,6 @@
 namespace taxel {
 namespace {
 
-/// An inner vertex counts as beyond the medial axis, thus as owned by another part of the skin, where its distance to
-/// the skin is less than this part of the depth that the faces around its own vertex promise.
-constexpr double kOwnDepth = 0.95;
 /// Where the body is thin, a pad takes this part of the way to the medial axis.
 constexpr double kThinMargin = 0.9;
 /// A mitre is at most this times as long as the thickness.
@@ -102,6 +99,7 @@ void PadShape::fit() {
   shortened_.resize(legs_.skin.size());
   std::iota(shortened_.begin(), shortened_.end(), 0);
   smooth();
+  shrink_crossing();
   shrink_folded();
   pinch_folded();
   lower_fans();

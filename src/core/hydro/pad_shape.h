@@ -52,6 +52,9 @@ class PadShape {
     double offset = 0, full = 0;  ///< and what it would be without limits [m]
     double depth = 0;             ///< there [m]; negative: unknown
   };
+  /// An inner vertex counts as beyond the medial axis, thus as owned by another part of the skin, where its distance to
+  /// the skin is less than this part of the depth that the faces around its own vertex promise.
+  static constexpr double kOwnDepth = 0.95;
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] const dvec3& skin(int leg) const { return mesh_.vertices()[at(legs_.skin[at(leg)])]; }
   [[nodiscard]] dvec3 position(int vertex) const;
@@ -67,6 +70,8 @@ class PadShape {
   void gather_faces();
   void shorten(int leg, double offset);
   void smooth();
+  [[nodiscard]] bool crosses_wall(int face) const;
+  void shrink_crossing();
   void shrink_folded();
   [[nodiscard]] bool is_sound_without(int face, unsigned corners);
   [[nodiscard]] unsigned corners_to_pinch(int face);

@@ -168,6 +168,33 @@ TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
   EXPECT_GE(field->max_pressure(), kModulus * 0.001 / 0.004 * 0.8);
 }
 
+/// A block with a pit from below, whose tip is 1.5 mm under the middle of a large face. All corners of that face have
+/// room for the pad, its middle has not.
+TEST(PadField, OfALargeFaceStaysOnItsSideOfAWall) {
+  const TriMesh box = make_box(dvec3(0.02, 0.02, 0.005));
+  std::vector<dvec3> vertices = box.vertices();
+  std::vector<ivec3> faces;
+  for (int f = 0; f < box.face_count(); ++f) {
+    const ivec3 face = box.faces()[at(f)];
+    if (box.face_normals()[at(f)].z > -0.5 || vertices.size() > 8) {
+      faces.push_back(face);
+      continue;
+    }
+    const dvec3 middle = (box.vertex(f, 0) + box.vertex(f, 1) + box.vertex(f, 2)) / 3.0;
+    for (int c = 0; c < 3; ++c) faces.emplace_back(face[c], face[(c + 1) % 3], 8);
+    vertices.emplace_back(middle.x, middle.y, 0.0035);
+  }
+  const TriMeshPtr block = share({vertices, faces});
+  ASSERT_TRUE(block->closed());
+  for (const double refine : {0.0, 2.0}) {
+    const PressureFieldPtr field = make_pad_field(block, kModulus, 0.004, {}, PadLayering::automatic, refine);
+    EXPECT_EQ(field->report().inverted, 0);
+    EXPECT_LT(field->report().stiffness_cv, 0.01);
+    // 0.4 and 2.6 % where only the corners count.
+    EXPECT_LT(overlap(*field), refine > 0 ? 0.008 : 0.001);
+  }
+}
+
 TEST(PadField, IsTheSameEveryTime) {
   const TriMeshPtr mesh = share(make_spool());
   const PressureFieldPtr a = make_pad_field(mesh, kModulus, 0.003), b = make_pad_field(mesh, kModulus, 0.003);
