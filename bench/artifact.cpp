@@ -60,7 +60,7 @@ Sweep sweep(const SensorSource& source, const Variant& variant) {
   changed.layout.sampling.density = variant.density;
   changed.layout.sampling.weights = variant.weights;
   const SensorModelPtr model = build_sensor_model(changed);
-  const auto simulator = Simulator::make_scenario(model, {});
+  const auto simulator = Simulator::make_scenario(model, with_shape({}, ObjectShape::box));
   Sweep out;
   out.curves.resize(std::size(kTaxels));
   while (!simulator->finished()) {

@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   int rounds = 7;
   if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
   const SensorModelPtr model = bench::our_fingertip(kSamples);
-  const auto simulator = Simulator::make_scenario(model, {});
+  const auto simulator = Simulator::make_scenario(model, with_shape({}, ObjectShape::box));
   StepHistory full;
   full.set_limits({kSteps / 3, std::size_t{1} << 31});
   measure(*simulator, full);

@@ -114,7 +114,7 @@ TEST(ReleasedCode, InASweep) {
   const fs::path folder = contact_folder();
   const auto sweep = [&](const char* aggregate, const char* out) {
     const Outcome outcome = taxel({"sweep", "--layout", "changed.taxels.json", "--aggregate", aggregate, "--out", out,
-                                   "--record-every", "0.002", "--quiet"},
+                                   "--record-every", "0.002", "--object", "box", "--quiet"},
                                   folder);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return read_csv(folder / out / "readings.csv");

@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path short_sweep() {
-  return shared_sweep({"--density", "5e5", "--past", "0.002"});
+  return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
 /// What a real sensor might give of the run: taxel k in `100 + 10 k` counts per kPa over a floor of 200, in

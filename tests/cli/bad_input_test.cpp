@@ -150,9 +150,15 @@ TEST(BadInput, Usage) {
   refused({"sweep", "--dept", "1"}, "sweep: unknown argument --dept");
   refused({"sweep", "--depth", "-0.001"}, "sweep: --depth: must be greater than 0, is -0.001");
   refused({"sweep", "--depth", "nan"}, "sweep: --depth: must be greater than 0, is nan");
-  refused({"sweep", "--before", "0", "--past", "0"}, "/past: before and past together must be greater than 0");
+  refused({"sweep", "--object", "box", "--before", "0", "--past", "0"},
+          "/past: before and past together must be greater than 0");
   refused({"sweep", "--timestep", "1e-8"},
-          "the scenario would take 2.4e+08 steps, at most 1e+08 are made: is the time step too small?");
+          "the scenario would take 5e+08 steps, at most 1e+08 are made: is the time step too small?");
+  refused({"sweep", "--object", "box", "--edge-radius", "0.001"}, "--edge-radius: is used by the object \"edge\" only");
+  refused({"sweep", "--edge-radius", "0.03"}, "/edge_radius: must be less than half of box_size, 0.025, is 0.03");
+  refused({"sweep", "--object", "gone.obj"}, "gone.obj: no such file");
+  refused({"sweep", "--as-in-the-paper", "--depth", "0.001"}, "--depth: is not used by the kind \"paper\"");
+  refused({"sweep", "--as-in-the-paper", "--object", "box"}, "sweep: --object excludes --as-in-the-paper");
   refused({"sweep", "--density", "0"}, "sweep: --density: must be greater than 0, is 0");
   const std::string words = R"("weighted_mean", "weighted_sum", "mean", "nearest", "max", "force")";
   for (const char* command : {"sweep", "run", "read"})

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 /// A sweep with few samples: its readings jump.
 fs::path coarse_sweep() {
-  return shared_sweep({"--density", "5e5", "--past", "0.002"});
+  return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
 Json explain(const fs::path& run, int taxel, double time) {

@@ -239,8 +239,8 @@ TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
   EXPECT_EQ(run.err,
             "taxel: run.json: /format: is \"taxel-run\"; what can be checked is taxel-layout, taxel-project, "
             "taxel-scenario, taxel-study, contact-case, taxel-sweep and taxel-play\n");
-  EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "sweep.json").string()}, folder).status, 0);
-  EXPECT_EQ(taxel({"check", (shared_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
+  EXPECT_EQ(taxel({"check", (shared_box_sweep({"--density", "1e6"}) / "sweep.json").string()}, folder).status, 0);
+  EXPECT_EQ(taxel({"check", (shared_box_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
 }
 
 TEST(Check, ListsTheProblemsOfAProject) {

@@ -88,7 +88,7 @@ TEST(Read, ShearOverTheReadingIsTheCoefficientOfFriction) {
   }
 }
 
-const std::vector<std::string> kShort{"--before", "0.002", "--past", "0.004"};
+const std::vector<std::string> kShort{"--object", "box", "--before", "0.002", "--past", "0.004"};
 
 fs::path sweep_of(const fs::path& folder, const std::string& patch) {
   Json changes = Json::parse(R"([{"op": "replace", "path": "/sampling/density", "value": 1e6}])");

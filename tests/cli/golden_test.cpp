@@ -46,18 +46,26 @@ TEST(Golden, SamplesFieldsAndContactKeepTheirBytes) {
   expect_golden("hashes.json", previous);
 }
 
-/// MuJoCo and libm may differ in the last bit between machines, so the sweep is compared as numbers.
-TEST(Golden, SweepKeepsItsPeaks) {
-  const Json sensor = Json::parse(file_text(shared_sweep() / "sweep.json"))["sensors"][0];
+/// Peaks of all taxels in a sweep, against golden/NAME. MuJoCo and libm may differ in the last bit between machines, so
+/// they are compared as numbers.
+void expect_golden_peaks(const std::string& name, const fs::path& sweep) {
+  const Json sensor = Json::parse(file_text(sweep / "sweep.json"))["sensors"][0];
   Json peaks = Json::object();
   for (const Json& taxel : sensor["taxels"]) peaks[std::to_string(taxel["id"].get<int>())] = taxel["peak"];
-  const fs::path file = kGolden / "sweep_peaks.json";
+  const fs::path file = kGolden / name;
   if (std::getenv("TAXEL_UPDATE_GOLDEN") != nullptr) write_text(file, peaks.dump(2) + "\n");
   const Json golden = Json::parse(file_text(file));
   ASSERT_EQ(golden.size(), peaks.size());
-  for (const auto& [id, peak] : golden.items()) {
+  for (const auto& [id, peak] : golden.items())
     EXPECT_NEAR(peaks[id].get<double>(), peak.get<double>(), 1e-6 * (peak.get<double>() + 1)) << "taxel " << id;
-  }
+}
+
+TEST(Golden, SweepKeepsItsPeaks) {
+  expect_golden_peaks("sweep_peaks.json", shared_sweep());
+}
+
+TEST(Golden, SweepOverABoxKeepsItsPeaks) {
+  expect_golden_peaks("box_sweep_peaks.json", shared_box_sweep());
 }
 
 }  // namespace

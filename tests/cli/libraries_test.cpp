@@ -107,8 +107,8 @@ TEST(Libraries, JsonLayoutsComeBackByteForByteAndErrorsPointIntoThem) {
   const fs::path folder = test_folder();
   const fs::path layout = changed_layout(folder, Json::array());
   const auto written = [&](const fs::path& from, const std::string& to) {
-    const Outcome sweep = taxel({"sweep", "--quiet", "--layout", from.string(), "--density", "1e4", "--before", "0",
-                                 "--past", "0.0001", "--out", to},
+    const Outcome sweep = taxel({"sweep", "--quiet", "--layout", from.string(), "--density", "1e4", "--object", "box",
+                                 "--before", "0", "--past", "0.0001", "--out", to},
                                 folder);
     EXPECT_EQ(sweep.status, 0) << sweep.err;
     return folder / to / "finger.taxels.json";

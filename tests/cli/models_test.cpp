@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path short_sweep() {
-  return shared_sweep({"--density", "5e5", "--past", "0.002"});
+  return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
 TEST(Models, CurvesAndTableAreOfTheRecording) {

@@ -124,6 +124,11 @@ fs::path shared_sweep(const std::vector<std::string>& options) {
   return folder;
 }
 
+fs::path shared_box_sweep(std::vector<std::string> options) {
+  options.insert(options.end(), {"--object", "box"});
+  return shared_sweep(options);
+}
+
 fs::path real_layout() {
   const fs::path path = fs::path(TAXEL_REAL_DATA) / "shadow_fingertip.taxels.json";
   return fs::exists(path) ? path : fs::path();

@@ -53,6 +53,9 @@ RecordedJump largest_jump(const std::filesystem::path& run);
 /// program changed.
 std::filesystem::path shared_sweep(const std::vector<std::string>& options = {});
 
+/// The same with `--object box`, for tests of other things than the sweep: short, and in contact at its end.
+std::filesystem::path shared_box_sweep(std::vector<std::string> options = {});
+
 /// The real fingertip's layout; empty where it is absent.
 std::filesystem::path real_layout();
 #define SKIP_WITHOUT_REAL_DATA()            \

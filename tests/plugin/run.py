@@ -56,7 +56,9 @@ def main():
     work.mkdir(parents=True, exist_ok=True)
     python = make_environment(pathlib.Path(args.venv), args.version)
     # the coarse one goes as far as its quick tests need: 13 mm are left to them
-    sweeps = [(work / "coarse", ["--density", "1e5", "--past", "0"]), (work / "own", [])]
+    coarse = ["--object", "box", "--density", "1e5", "--past", "0"]
+    sweeps = [(work / "coarse", coarse), (work / "own", []), (work / "box", ["--object", "box"]),
+              (work / "paper", ["--as-in-the-paper"])]
     real = pathlib.Path(args.real) / "shadow_fingertip.taxels.json"
     if real.exists():
         sweeps.append((work / "real", ["--layout", str(real)]))

@@ -54,7 +54,8 @@ struct LayoutOptions {
   std::optional<double> density;
   std::optional<std::uint64_t> seed;
   std::optional<Aggregate> aggregate;
-  bool preview = false;  ///< samples as they are before they are spread
+  bool as_in_the_paper = false;  ///< body and samples of the paper's demo; the values above go over them
+  bool preview = false;          ///< samples as they are before they are spread
   SkinChoice skin;
 };
 /// --mesh, --scale and --sensor: what a layout of another program leaves open.

@@ -9,6 +9,7 @@
 #include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
+#include "core/project/paper_setting.h"
 #include "core/sensor/imported_source.h"
 
 namespace taxel::cli {
@@ -63,6 +64,7 @@ SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, 
 SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& over, Console& console,
                           std::vector<int>* file_face_of, SensorCache* cache) {
   Source source = read_source(layout_file, over.skin);
+  if (over.as_in_the_paper) source.layout = as_in_the_paper(std::move(source.layout));
   source.layout.sampling.density = over.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = over.seed.value_or(source.layout.sampling.seed);
   source.layout.readout.aggregate = over.aggregate.value_or(source.layout.readout.aggregate);

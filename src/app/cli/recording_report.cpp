@@ -7,6 +7,12 @@
 namespace taxel::cli {
 namespace {
 
+std::string object_text(const Scenario& scenario) {
+  if (!scenario.object.empty()) return scenario.object;
+  if (scenario.shape == ObjectShape::edge) return "an edge that points up";
+  return fmt::format("the edge of a {}", to_word(scenario.shape));
+}
+
 std::string head_text(const RecordingReport& report) {
   const std::string rows = fmt::format("{} rows of {} steps of {} s", report.recording.rows.size(), report.cost.steps,
                                        report.recording.timestep);
@@ -15,8 +21,8 @@ std::string head_text(const RecordingReport& report) {
   const std::string& name = report.models.front()->layout.name;
   const std::string layout = name.empty() ? "a layout without a name" : "\"" + name + "\"";
   if (s.kind != ScenarioKind::sweep) return fmt::format("{} of {}: {}\n", to_word(s.kind), layout, rows);
-  return fmt::format("sweep of {} over {}: {}, {} m deep, {} m/s, tilt {} degrees\n", layout,
-                     s.object.empty() ? "the edge of a box" : s.object, rows, s.depth, s.speed, s.tilt_deg);
+  return fmt::format("sweep of {} over {}: {}, {} m deep, {} m/s, tilt {} degrees\n", layout, object_text(s), rows,
+                     s.depth, s.speed, s.tilt_deg);
 }
 
 /// A soft geom without taxels.

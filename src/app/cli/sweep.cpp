@@ -18,17 +18,20 @@ struct NumberFlag {
   CLI::Validator (*check)();
   const char* text;
 };
-constexpr std::array<NumberFlag, 9> kFlags{
-    {{"--depth", &Scenario::depth, "M", positive, "How far below first touch the finger is led [m]"},
+constexpr std::array<NumberFlag, 10> kFlags{
+    {{"--depth", &Scenario::depth, "M", positive,
+      "How far below the top of the object the lowest point of the finger is led [m]"},
      {"--speed", &Scenario::speed, "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
      {"--before", &Scenario::before, "M", not_negative,
-      "Start: lowest point of the finger this far before the edge [m]"},
-     {"--past", &Scenario::past, "M", not_negative, "End: this far past the edge [m]"},
+      "Start: lowest point of the finger this far before the edge, 0.012 on a box; on an edge at least as far as the "
+      "finger touches [m]"},
+     {"--past", &Scenario::past, "M", not_negative, "End: this far past the edge, as --before [m]"},
      {"--tilt", &Scenario::tilt_deg, "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
      {"--record-every", &Scenario::record_every, "M", positive, "A row per this travel [m]"},
      {"--timestep", &Scenario::timestep, "S", positive, "Of the simulation [s]"},
      {"--mass", &Scenario::finger_mass, "KG", positive, "Of the finger [kg]"},
-     {"--box", &Scenario::box_size, "M", positive, "Edge length of the box [m]"}}};
+     {"--box", &Scenario::box_size, "M", positive, "Edge length of the box [m]"},
+     {"--edge-radius", &Scenario::edge_radius, "M", positive, "Radius of the round on the edge [m]"}}};
 
 struct Options {
   std::string layout, out, scenario, object;
@@ -37,15 +40,33 @@ struct Options {
   bool tactile_state = false;
 };
 
-Scenario scenario_of(const Options& options) {
+/// The scenario before any option goes over it.
+Scenario base_of(const Options& options) {
+  if (options.over.as_in_the_paper) return default_scenario(ScenarioKind::paper);
   Scenario scenario = options.scenario.empty() ? Scenario{} : read_scenario(options.scenario);
-  for (std::size_t i = 0; i < kFlags.size(); ++i) {
-    scenario.*kFlags[i].value = options.numbers[i].value_or(scenario.*kFlags[i].value);
+  if (options.object.empty()) return scenario;
+  const std::optional<ObjectShape> shape = from_word<ObjectShape>(options.object);
+  return shape ? with_shape(scenario, *shape) : with_object(scenario, options.object);
+}
+
+/// Throws Error if the scenario does not use the number of a flag.
+void set_number(Scenario& scenario, const NumberFlag& flag, double value) {
+  for (const ScenarioParameter& parameter : scenario_parameters()) {
+    if (parameter.value != flag.value || parameter.used_by(scenario)) continue;
+    if (parameter.used_by(scenario.kind, ObjectShape::edge))
+      throw Error("", flag.name, "is used by the object \"edge\" only");
+    throw Error("", flag.name, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind)));
   }
-  if (scenario.kind != ScenarioKind::sweep)
+  scenario.*flag.value = value;
+}
+
+Scenario scenario_of(const Options& options) {
+  Scenario scenario = base_of(options);
+  if (scenario.kind != ScenarioKind::sweep && scenario.kind != ScenarioKind::paper)
     throw Error(options.scenario,
                 fmt::format("is a scenario of the kind \"{}\": `taxel play` runs it", to_word(scenario.kind)));
-  if (!options.object.empty()) scenario.object = options.object;
+  for (std::size_t i = 0; i < kFlags.size(); ++i)
+    if (options.numbers[i]) set_number(scenario, kFlags[i], *options.numbers[i]);
   check_scenario(scenario);
   return scenario;
 }
@@ -54,9 +75,9 @@ Scenario scenario_of(const Options& options) {
 
 Command add_sweep(CLI::App& parent, CommonOptions& common) {
   const auto options = std::make_shared<Options>();
-  CLI::App* app =
-      add_command(parent, common, "sweep", "The fingertip sweep of the paper: a finger slides over the edge of a box",
-                  "taxel sweep --layout finger.taxels.json --out result");
+  CLI::App* app = add_command(parent, common, "sweep",
+                              "The fingertip sweep of the paper: a finger slides over an edge that points up",
+                              "taxel sweep --layout finger.taxels.json --out result");
   app->add_option("--layout", options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)")
       ->type_name("FILE");
   app->add_option(
@@ -66,8 +87,9 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
          "scene.xml with its mesh and layout")
       ->type_name("DIR");
   add_tactile_state(*app, options->tactile_state);
-  app->add_option("--scenario", options->scenario, "Take the parameters below from a sweep.json; options go over it")
-      ->type_name("FILE");
+  CLI::Option* scenario = app->add_option("--scenario", options->scenario,
+                                          "Take the parameters below from a sweep.json; options go over it")
+                              ->type_name("FILE");
   const Scenario defaults;
   for (std::size_t i = 0; i < kFlags.size(); ++i) {
     app->add_option(kFlags[i].name, options->numbers[i], kFlags[i].text)
@@ -75,8 +97,16 @@ Command add_sweep(CLI::App& parent, CommonOptions& common) {
         ->type_name(kFlags[i].unit)
         ->default_str(fmt::format("{}", defaults.*kFlags[i].value));
   }
-  app->add_option("--object", options->object, "Mesh file of the object, in metres (default: a box)")
-      ->type_name("FILE");
+  CLI::Option* object =
+      app->add_option(
+             "--object", options->object,
+             "edge (default: a box that stands on an edge), box (over its edge and onto its top), plate, sphere, "
+             "or a mesh file in metres")
+          ->type_name("NAME|FILE");
+  app->add_flag("--as-in-the-paper", options->over.as_in_the_paper,
+                "The paper's released demo on this layout: its path over its box, star field, 1e6 samples per m^2 of "
+                "equal weight, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3")
+      ->excludes(scenario, object);
   add_skin(*app, options->over.skin);
   add_sampling(*app, options->over);
   add_aggregate(*app, options->over.aggregate);

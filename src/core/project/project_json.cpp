@@ -123,6 +123,7 @@ Project parse_project(const std::string& text, const std::string& file) {
   Project project;
   root.at("layout").must_be_object();
   project.layout = read_part(file, "/layout", [&] { return parse_layout(json["layout"].dump()); });
+  project.scenario = parse_scenario("{}");
   if (const auto node = root.find("scenario")) {
     node->must_be_object();
     if (node->find("scenario")) node->fail_at("scenario", "unknown key");

@@ -32,7 +32,8 @@ Json to_object(const Scenario& scenario) {
   Json object = Json::object();
   if (scenario.kind != ScenarioKind::sweep) object["kind"] = to_word(scenario.kind);
   for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.used_by(scenario.kind)) object[parameter.key] = scenario.*parameter.value;
+    if (parameter.used_by(scenario)) object[parameter.key] = scenario.*parameter.value;
+  if (scenario.kind == ScenarioKind::paper) return object;  // its object is given
   if (scenario.shape != ObjectShape::box) object["shape"] = to_word(scenario.shape);
   object["object"] = scenario.object;
   if (scenario.kind == ScenarioKind::replay) object["source"] = scenario.source;
@@ -50,14 +51,19 @@ E read_word(const Node& node) {
   return *value;
 }
 
-/// Every key belongs to the scenario's kind.
-void check_keys(const Node& node, const Json& json, ScenarioKind kind) {
+/// Every key belongs to the scenario's kind and shape.
+void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
+  const ScenarioKind kind = scenario.kind;
   for (const auto& item : json.items()) {
     const std::string& key = item.key();
-    bool known = key == "kind" || key == "shape" || key == "object", used = known;
+    const bool of_object = key == "shape" || key == "object";
+    bool known = key == "kind" || of_object, used = key == "kind" || (of_object && kind != ScenarioKind::paper);
     for (const ScenarioParameter& parameter : scenario_parameters()) {
       known = known || key == parameter.key;
-      used = used || (key == parameter.key && parameter.used_by(kind));
+      if (key != parameter.key) continue;
+      used = parameter.used_by(scenario);
+      if (!used && parameter.used_by(kind, ObjectShape::edge))
+        node.fail_at(key, fmt::format("is used by the shape \"{}\" only", to_word(ObjectShape::edge)));
     }
     known = known || key == "source" || key == "points";
     used = used || (key == "source" && kind == ScenarioKind::replay) || (key == "points" && kind == ScenarioKind::path);
@@ -73,16 +79,17 @@ WayPoint read_point(const Node& node) {
 }
 
 Scenario read_values(const Node& node, const Json& json) {
-  Scenario scenario;
-  if (const auto kind = node.find("kind")) scenario.kind = read_word<ScenarioKind>(*kind);
-  check_keys(node, json, scenario.kind);
+  const auto kind = node.find("kind");
+  Scenario scenario = default_scenario(kind ? read_word<ScenarioKind>(*kind) : ScenarioKind::sweep);
+  scenario = with_shape(scenario, ObjectShape::box);
+  if (const auto shape = node.find("shape")) scenario = with_shape(scenario, read_word<ObjectShape>(*shape));
+  check_keys(node, json, scenario);
   for (const ScenarioParameter& parameter : scenario_parameters()) {
     if (const auto number = node.find(parameter.key)) {
       scenario.*parameter.value = number->number();
       check_range(*number, scenario.*parameter.value, parameter.range);
     }
   }
-  if (const auto shape = node.find("shape")) scenario.shape = read_word<ObjectShape>(*shape);
   if (const auto object = node.find("object")) scenario.object = object->text();
   if (const auto source = node.find("source")) scenario.source = source->text();
   if (const auto points = node.find("points"))
@@ -167,10 +174,14 @@ void check_scenario(const Scenario& scenario) {
   const std::string file;
   const Node node(json, file);
   for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.used_by(scenario.kind))
-      check_range(node.at(parameter.key), scenario.*parameter.value, parameter.range);
-  if (scenario.kind == ScenarioKind::sweep && !(scenario.before + scenario.past > 0))
+    if (parameter.used_by(scenario)) check_range(node.at(parameter.key), scenario.*parameter.value, parameter.range);
+  if (scenario.kind == ScenarioKind::sweep && scenario.shape != ObjectShape::edge &&
+      !(scenario.before + scenario.past > 0))
     node.fail_at("past", "before and past together must be greater than 0");
+  if (scenario.shape == ObjectShape::edge && scenario.kind != ScenarioKind::paper &&
+      !(scenario.edge_radius < 0.5 * scenario.box_size))
+    node.fail_at("edge_radius", fmt::format("must be less than half of box_size, {}, is {}", 0.5 * scenario.box_size,
+                                            scenario.edge_radius));
   if (!scenario.object.empty() && scenario.shape != ObjectShape::box)
     node.fail_at("shape", "a mesh as \"object\" takes the place of the shape: leave one of them out");
   if (scenario.kind == ScenarioKind::replay && scenario.source.empty())

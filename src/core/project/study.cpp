@@ -15,7 +15,7 @@ constexpr double kLargestSeed = 9007199254740992;  // 2^53: whole numbers up to 
 
 const ScenarioParameter* parameter_of(const Scenario& scenario, const std::string& key) {
   for (const ScenarioParameter& parameter : scenario_parameters())
-    if (key == parameter.key && parameter.used_by(scenario.kind)) return &parameter;
+    if (key == parameter.key && parameter.used_by(scenario)) return &parameter;
   return nullptr;
 }
 

@@ -9,11 +9,13 @@ namespace {
 constexpr FieldUnit kMillimetres{"mm", -3, -1}, kMillimetresPerSecond{"mm/s", -3, -1}, kMilliseconds{"ms", -3, -1},
     kDegrees{"deg", 0, -1}, kGrams{"g", -3, -1}, kPlain{"", 0, -1};
 
-constexpr std::array<ScenarioField, 19> kFields{
+constexpr std::array<ScenarioField, 20> kFields{
     {{&Scenario::depth, "Depth (mm)", kMillimetres, "How far below first touch on the object's top it is led"},
      {&Scenario::speed, "Path speed (mm/s)", kMillimetresPerSecond, "Along straight ways"},
-     {&Scenario::before, "Before the edge (mm)", kMillimetres, "Where the lowest point of the finger starts"},
-     {&Scenario::past, "Past the edge (mm)", kMillimetres, "Where it ends"},
+     {&Scenario::before, "Before the edge (mm)", kMillimetres,
+      "Where the lowest point of the finger starts; farther away if it would touch an upright edge there"},
+     {&Scenario::past, "Past the edge (mm)", kMillimetres,
+      "Where the lowest point of the finger ends; farther away if it would touch an upright edge there"},
      {&Scenario::tilt_deg, "Tilt (\u00b0)", kDegrees, "Of the finger's distal axis below the horizontal"},
      {&Scenario::place, "Place (mm)", kMillimetres, "Lowest point of the finger, from the object's middle along x"},
      {&Scenario::clearance, "Clearance (mm)", kMillimetres, "Gap between finger and object at the start"},
@@ -26,6 +28,7 @@ constexpr std::array<ScenarioField, 19> kFields{
      {&Scenario::duration, "Drop lasts (s)", kPlain, "Until the scenario is over"},
      {&Scenario::box_size, "Object size (mm)", kMillimetres,
       "Edges of a box, sides of a plate (a tenth as thick), diameter of a sphere"},
+     {&Scenario::edge_radius, "Edge radius (mm)", kMillimetres, "Of the round on the edge that points up"},
      {&Scenario::finger_mass, "Finger mass (g)", kGrams, "Of the whole finger"},
      {&Scenario::record_every, "Row every (mm)", kMillimetres, "Of travel, in plots and recordings"},
      {&Scenario::record_interval, "Row every (ms)", kMilliseconds, "In plots and recordings"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "core/project/paper_setting.h"
 #include "ui/panels/scenario_fields.h"
 #include "ui/panels/way_point_table.h"
 #include "ui/tools/path_recorder.h"
@@ -17,9 +18,9 @@ namespace {
 
 constexpr FieldUnit kMilliseconds{"ms", -3, -1};
 
-bool uses(ScenarioKind kind, double Scenario::*value) {
+bool uses(const Scenario& scenario, ScenarioKind kind, double Scenario::*value) {
   for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.value == value) return parameter.used_by(kind);
+    if (parameter.value == value) return parameter.used_by(kind, scenario.shape);
   return false;
 }
 
@@ -35,8 +36,7 @@ void draw_kind(UiState& ui, const UiInput& input, const Scenario& scenario, Scen
     ui.path.chosen = kind;
     return;
   }
-  Scenario edited = scenario;
-  edited.kind = *kind;
+  Scenario edited = with_kind(scenario, *kind);
   if (*kind == ScenarioKind::path && scenario.points.size() < 2) edited.points = points_to_begin_with(ui, input);
   ask_edit(ui, SetScenario{edited});
 }
@@ -44,14 +44,12 @@ void draw_kind(UiState& ui, const UiInput& input, const Scenario& scenario, Scen
 void draw_object(UiState& ui, Scenario& edited, bool& changed) {
   begin_property("Object", "What the finger meets");
   if (const auto shape = word_field(ui, "Object", edited.shape)) {
-    edited.shape = *shape;
-    edited.object.clear();
+    edited = with_shape(edited, *shape);
     changed = true;
   }
   begin_property("Object mesh", "Mesh file in metres, in place of the shape; empty: the shape");
   if (const auto file = text_field(ui, "Object mesh", {edited.object})) {
-    edited.object = *file;
-    if (!file->empty()) edited.shape = ObjectShape::box;
+    edited = file->empty() ? with_shape(edited, default_shape(edited.kind)) : with_object(edited, *file);
     changed = true;
   }
   show_refusal(ui, "Object mesh");
@@ -63,7 +61,7 @@ void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
   if (shown == ScenarioKind::replay) {
     begin_property("Recording", "A folder of taxel sweep, play or run, or its readings.npz");
     if (const auto source = text_field(ui, "Recording", {scenario.source}); source && !source->empty()) {
-      edited.kind = ScenarioKind::replay;
+      edited = with_kind(edited, ScenarioKind::replay);
       edited.source = *source;
       ui.path.chosen.reset();
       changed = true;
@@ -71,7 +69,7 @@ void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
     show_refusal(ui, "Recording");
   }
   for (const ScenarioField& field : scenario_fields()) {
-    if (!uses(shown, field.value)) continue;
+    if (!uses(scenario, shown, field.value)) continue;
     begin_property(field.name, field.tip);
     if (const auto typed = number_field(ui, field.name, {scenario.*field.value}, field.unit)) {
       edited.*field.value = *typed;
@@ -79,8 +77,23 @@ void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
     }
     show_refusal(ui, field.name);
   }
-  draw_object(ui, edited, changed);
+  if (shown != ScenarioKind::paper) draw_object(ui, edited, changed);
   if (changed) ask_edit(ui, SetScenario{edited});
+}
+
+/// The paper's setting as one edit: body, samples and scenario.
+void draw_paper_setting(UiState& ui, const UiInput& input) {
+  const ProjectPtr project = input.editing.project;
+  if (!project) return;
+  if (button(ui, "As in the paper", ImVec2(-1, 0))) {
+    ui.path.chosen.reset();
+    ui.path.selected = -1;
+    ask_edit(ui, paper_setting_edit(project->layout));
+  }
+  tooltip(
+      "The setting of the paper's released demo as one change: its path over its box, star field, 1e6 samples per "
+      "m\u00b2 "
+      "of equal weight, modulus 50 kPa, dissipation 5 s/m, friction 0.3");
 }
 
 /// Its ways become a path's way points.
@@ -122,6 +135,7 @@ void draw_scenario_section(UiState& ui, const UiInput& input) {
   ImGui::BeginDisabled(!input.simulates_document || !complete);
   if (button(ui, "Run scenario", ImVec2(-1, 0))) ui.ask(RunScenario{*scenario});
   ImGui::EndDisabled();
+  draw_paper_setting(ui, input);
   draw_recorder(ui, input);
   if (complete && *scenario != input.scenario) caption("What runs is the scenario before this change.");
   if (complete && shown == ScenarioKind::path) draw_way_point_table(ui, input, *scenario);

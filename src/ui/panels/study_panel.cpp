@@ -46,7 +46,7 @@ void begin_with(const Project& project, const Varied& varied, ParameterFields& p
 }
 
 void draw_parameter(UiState& ui, const Project& project, ParameterFields p) {
-  const std::vector<Varied> all = varied_in(project.scenario.kind);
+  const std::vector<Varied> all = varied_in(project.scenario);
   std::vector<std::string_view> names{kNone};
   for (const Varied& one : all) names.push_back(one.name);
   auto at = std::find_if(all.begin(), all.end(), [&](const Varied& one) { return one.key == p.key; });

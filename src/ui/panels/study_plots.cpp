@@ -21,7 +21,7 @@ namespace {
 constexpr float kLeastHeight = 9;  // of a run, in heights of text: in less room the panel scrolls
 
 std::string title_of(const Study& study, const StudyRun& run) {
-  const std::vector<Varied> all = varied_in(study.scenario.kind);
+  const std::vector<Varied> all = varied_in(study.scenario);
   std::string title;
   for (std::size_t i = 0; i < run.values.size(); ++i) {
     const auto varied =

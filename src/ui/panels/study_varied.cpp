@@ -22,11 +22,11 @@ std::string Varied::with(double si) const {
   return fmt::format("{} {}", number, text);
 }
 
-std::vector<Varied> varied_in(ScenarioKind kind) {
+std::vector<Varied> varied_in(const Scenario& scenario) {
   std::vector<Varied> all;
   for (const ScenarioField& field : scenario_fields()) {
     for (const ScenarioParameter& parameter : scenario_parameters()) {
-      if (parameter.value == field.value && parameter.used_by(kind))
+      if (parameter.value == field.value && parameter.used_by(scenario))
         all.push_back({parameter.key, field.name, field.unit, field.value});
     }
   }

@@ -21,7 +21,7 @@ struct Varied {
   [[nodiscard]] std::string with(double si) const;   ///< "Depth 0.5 mm"
 };
 
-/// Numbers that this kind of scenario has, in the order of the inspector, then those of the samples.
-std::vector<Varied> varied_in(ScenarioKind kind);
+/// Numbers that the scenario uses, in the order of the inspector, then those of the samples.
+std::vector<Varied> varied_in(const Scenario& scenario);
 
 }  // namespace taxel::ui

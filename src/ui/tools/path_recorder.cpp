@@ -23,7 +23,7 @@ void finish(UiState& ui, const UiInput& input) {
       fmt::format("Recorded a path of {} way points in {:.2f} s.", points.size(), points.back().time);
   add_message(ui, Severity::note, text, ImGui::GetTime());
   Scenario edited = *edited_scenario(ui, input);
-  edited.kind = ScenarioKind::path;
+  edited = with_kind(edited, ScenarioKind::path);
   edited.points = std::move(points);
   ui.path.chosen.reset();
   ui.path.selected = -1;

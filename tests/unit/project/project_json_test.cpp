@@ -27,7 +27,12 @@ Project full_project() {
   layout.taxels = {{7, "left 1", dvec3(1e-9, -0.0, 0.1 + 0.2), dvec3(0, 1, 0), 0.006, {}},
                    {2, "", dvec3(0.1), dvec3(1e20, 0, 0), 5e-324, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
   layout.unknown = {{"/taxels/0/note", "{\"a\":[1,2.5]}"}, {"/made", "null"}};
-  project.scenario = {ScenarioKind::sweep, 0.1 + 0.2, 2, 3, 4, -30, 6, 7, 8, 9, "object.obj"};
+  Scenario& scenario = project.scenario = with_object({}, "object.obj");
+  double value = 1;
+  for (const ScenarioParameter& parameter : scenario_parameters())
+    if (parameter.used_by(scenario)) scenario.*parameter.value = value++;
+  scenario.depth = 0.1 + 0.2;
+  scenario.tilt_deg = -30;
   project.view = View{dvec3(1, 2, 1.0 / 3.0), -200, 89.5, 1e-3, 35};
   project.mirrors = {{{dvec3(0, 0.1, 0), {0, 2, 0.3}}, {{7, 2}}}, {{}, {{2, 7}}}};
   project.hidden = {2, 7};
@@ -55,7 +60,7 @@ TEST(ProjectJson, NeedsOnlyALayout) {
   const Project project = parse_project(R"({"format": "taxel-project", "version": 1, "layout":
       {"format": "taxel-layout", "version": 1, "mesh": {"file": "a"}, "taxels": []}})");
   EXPECT_EQ(project.layout.mesh.file, "a");
-  EXPECT_EQ(project.scenario, Scenario{});
+  EXPECT_EQ(project.scenario, with_shape({}, ObjectShape::box)) << "what such files always meant";
   EXPECT_FALSE(project.view);
 }
 
@@ -175,7 +180,7 @@ TEST(ProjectJson, PathsMeanTheSameWhereverTheProjectIsSaved) {
   make_folder(folder / "a/b");
   Project project = full_project();
   project.layout.mesh.file = (folder / "meshes/m.obj").string();
-  project.scenario.object = (folder / "a/b/o.stl").string();
+  project.scenario = with_object({}, (folder / "a/b/o.stl").string());
   write_project(folder / "a/p.taxelproj", project);
   write_project(folder / "a/b/p.taxelproj", project);
   EXPECT_EQ(read_project(folder / "a/p.taxelproj"), project);

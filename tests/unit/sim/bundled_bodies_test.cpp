@@ -5,6 +5,7 @@
 #include "core/sim/bundle/frame_bundle.h"
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/complaint.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
@@ -37,7 +38,7 @@ SimFramePtr opened_again(const SimFrame& frame) {
 }
 
 TEST(BundledBodies, EveryModelReadsASavedSweepAsItWas) {
-  const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), {});
+  const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), test::box_sweep());
   for (int i = 0; i < 1300; ++i) simulator->step();
   SimFrame frame;
   simulator->fill_frame(frame);
@@ -93,7 +94,7 @@ void expect_same_body(const HydroBody& a, const HydroBody& b) {
 
 SimFrame touching_all() {
   SimFrame frame;
-  Simulator::make_scenario(test::fingertip_model(1e5), {})->fill_frame(frame);
+  Simulator::make_scenario(test::fingertip_model(1e5), test::box_sweep())->fill_frame(frame);
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched[0] = all_kinds(*scene->sensors[0]);
   frame.scene = scene;

@@ -7,6 +7,7 @@
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/compare/mujoco_sensors.h"
 #include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
@@ -158,7 +159,7 @@ class Comparison : public testing::Test {
 SensorModelPtr Comparison::model_;
 
 TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
-  const auto simulator = Simulator::make_scenario(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1300);
   const SensorFrameState& state = frame.sensors[0];
   ModelComparison comparison(frame.scene, 0);
@@ -189,13 +190,13 @@ TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
 
 // A layout that was compiled with a star reads the same poses: the same bits.
 TEST_F(Comparison, TheStarIsAStarLayout) {
-  const auto simulator = Simulator::make_scenario(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1250);
   ModelComparison comparison(frame.scene, 0);
   Layout layout = model_->layout;
   layout.material.field = FieldKind::star;
   const SensorModelPtr star = build_sensor_model(layout, model_->mesh, "", "star");
-  const auto by_star = Simulator::make_scenario(star, {});
+  const auto by_star = Simulator::make_scenario(star, test::box_sweep());
   const std::vector<Pose> X_WM{frame.sensors[0].X_WM};
   const PosedContact contact = by_star->contact_at(0, X_WM, frame.geom_poses);
   const std::vector<double> found = comparison.read(frame.sensors, frame.geom_poses)[ReadingModel::star].values;
@@ -205,7 +206,8 @@ TEST_F(Comparison, TheStarIsAStarLayout) {
 }
 
 TEST_F(Comparison, NothingOfItReachesTheSimulation) {
-  const auto compared = Simulator::make_scenario(model_, {}), alone = Simulator::make_scenario(model_, {});
+  const auto compared = Simulator::make_scenario(model_, test::box_sweep());
+  const auto alone = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*compared, 1100);
   after(*alone, 1100);
   ModelComparison comparison(frame.scene, 0);
@@ -219,7 +221,7 @@ TEST_F(Comparison, NothingOfItReachesTheSimulation) {
 }
 
 TEST_F(Comparison, SaysWhyAModelIsMissing) {
-  const auto simulator = Simulator::make_scenario(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1200);
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched.clear();  // as of a step that an earlier version saved

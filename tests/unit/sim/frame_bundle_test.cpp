@@ -6,6 +6,7 @@
 #include "core/project/recording/npz.h"
 #include "core/sim/history/step_view.h"
 #include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/complaint.h"
 #include "fixtures/same_frame.h"
 #include "fixtures/sweep_model.h"
@@ -19,7 +20,7 @@ constexpr int kInContact = 1100;  // steps of the sweep
 class FrameBundleTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const auto simulator = Simulator::make_scenario(test::fingertip_model(1e6), Scenario{});
+    const auto simulator = Simulator::make_scenario(test::fingertip_model(1e6), test::box_sweep());
     for (int i = 0; i < kInContact; ++i) simulator->step();
     auto frame = std::make_shared<SimFrame>();
     fill_frame(simulator->view(), *frame);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 
+#include "fixtures/box_sweep.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/same_frame.h"
 #include "fixtures/sweep_model.h"
@@ -20,7 +21,7 @@ class FrameMemoryTest : public testing::Test {
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
   static std::unique_ptr<Simulator> sweep(int steps) {
-    auto simulator = Simulator::make_scenario(model_, {});
+    auto simulator = Simulator::make_scenario(model_, test::box_sweep());
     for (int i = 0; i < steps; ++i) simulator->step();
     return simulator;
   }

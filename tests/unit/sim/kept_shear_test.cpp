@@ -3,6 +3,7 @@
 
 #include "core/project/recording/npz.h"
 #include "core/sim/bundle/frame_bundle.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/recorded_simulation.h"
 #include "fixtures/same_frame.h"
 #include "fixtures/sweep_model.h"
@@ -22,7 +23,7 @@ class KeptShear : public testing::TestWithParam<Aggregate> {
   }
   /// Sliding, and recorded.
   static test::RecordedSimulation in_contact() {
-    test::RecordedSimulation run{Simulator::make_scenario(model(GetParam()), {}), {}, {}};
+    test::RecordedSimulation run{Simulator::make_scenario(model(GetParam()), test::box_sweep()), {}, {}};
     run.skip(1500);
     run.step();
     return run;

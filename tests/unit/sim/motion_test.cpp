@@ -5,7 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/mesh/primitives.h"
+#include "core/sim/scene/paper_demo.h"
 #include "core/sim/scene/rolling_outline.h"
+#include "core/sim/scene/upright_edge.h"
 
 namespace taxel {
 namespace {
@@ -32,8 +34,7 @@ TriMesh finger() {
 const SensorFrame kFrame{{1, 0, 0}, {0, 0, -1}};
 
 Scenario of_kind(ScenarioKind kind) {
-  Scenario scenario;
-  scenario.kind = kind;
+  Scenario scenario = default_scenario(kind);
   scenario.tilt_deg = 0;
   return scenario;
 }
@@ -157,6 +158,102 @@ TEST(Motion, RowsAreDueAtEvenTimes) {
     if (motion.row_due(step)) rows.push_back(step);
   EXPECT_EQ(rows, (std::vector<std::uint64_t>{0, 3, 5, 8, 10}));
   EXPECT_FALSE(motion.row_due(motion.last_step + 5));
+}
+
+/// Largest height above the upright edge's surface, at most 0, of the finger's vertices: below 0 the finger is clear.
+double deepest_in_edge(const TriMesh& skin, const Pose& X_WM, const Scenario& scenario) {
+  const double r = scenario.edge_radius, center_z = scenario.box_size * std::sqrt(2.0) - std::sqrt(2.0) * r;
+  double deepest = -1;
+  for (const dvec3& v : skin.vertices()) {
+    const dvec3 p = X_WM * v - dvec3(0, 0, center_z);
+    const double side = (std::abs(p.x) + p.z) / std::sqrt(2.0);  // distance from the centre of the round along a side
+    const bool above_round = p.z > std::abs(p.x);
+    deepest = std::max(deepest, r - (above_round ? std::hypot(p.x, p.z) : side));
+  }
+  return deepest;
+}
+
+Aabb edge_bounds(const Scenario& scenario) {
+  return make_upright_edge(scenario.box_size, scenario.edge_radius).bounds();
+}
+
+TEST(Motion, SweepOverAnEdgeBeginsAndEndsClearOfIt) {
+  const TriMesh skin = finger();
+  for (const double tilt : {-60.0, 0.0, 45.0, 80.0}) {
+    for (const double depth : {0.0005, 0.0015, 0.01}) {
+      Scenario scenario;
+      scenario.tilt_deg = tilt;
+      scenario.depth = depth;
+      scenario.before = scenario.past = 0;  // as near as the finger is clear
+      const Aabb object = edge_bounds(scenario);
+      const Motion motion = make_motion(skin, kFrame, scenario, object);
+      EXPECT_NEAR(lowest(skin, motion.X_start), object.hi.z - depth, 1e-12);
+      for (const std::uint64_t step : {std::uint64_t{0}, motion.last_step})
+        EXPECT_LT(deepest_in_edge(skin, motion.pose(step), scenario), -0.0005) << tilt << " deg, " << depth;
+      EXPECT_GT(deepest_in_edge(skin, motion.pose(motion.last_step / 2), scenario), 0.2 * depth) << tilt << " deg";
+    }
+  }
+}
+
+TEST(Motion, SweepOverAnEdgeKeepsALongerWayThatIsAskedFor) {
+  const TriMesh skin = finger();
+  const Scenario scenario;
+  const Motion motion = make_motion(skin, kFrame, scenario, edge_bounds(scenario));
+  EXPECT_NEAR((motion.pose(0) * motion.lead_M).x, -0.025, 1e-12);
+  EXPECT_NEAR((motion.pose(motion.last_step) * motion.lead_M).x, 0.025, 1e-12);
+  EXPECT_EQ(motion.last_step, 5000U);
+}
+
+TEST(UprightEdge, IsAClosedBoxWithARoundOnTop) {
+  const double size = 0.05, r = 0.001;
+  const TriMesh mesh = make_upright_edge(size, r);
+  EXPECT_TRUE(mesh.closed());
+  const double missing = (1 - kPi / 4) * r * r * size;  // between the square's corner and the arc
+  EXPECT_NEAR(mesh.volume(), size * size * size - missing, 2e-3 * missing);
+  EXPECT_NEAR(mesh.bounds().hi.z, size * std::sqrt(2.0) - height_of_round(r), 1e-15);
+  EXPECT_NEAR(mesh.bounds().lo.z, 0, 1e-15);
+  EXPECT_NEAR(mesh.bounds().hi.x, size / std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(mesh.bounds().lo.x, -size / std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(mesh.bounds().extent().y, size, 1e-15);
+}
+
+/// X_WM of the released demo at s = pi t / 25 s.
+Pose released_pose(double time) {
+  const double s = std::sin(kPi * time / 25);
+  return {glm::normalize(dquat(0.271, 0.653, 0.653, 0.271)), {-0.02 + 0.025 * s, 0, 0.07 - 0.012 * s}};
+}
+
+TEST(PaperDemo, LeadsAFingerInThePapersFrameAsReleased) {
+  const TriMesh skin = finger();
+  const SensorFrame paper_frame{{0, 0, 1}, {0, -1, 0}};
+  const Motion motion = make_motion(skin, paper_frame, default_scenario(ScenarioKind::paper), kDemoBox);
+  EXPECT_EQ(motion.last_step, 25000U);
+  for (const std::uint64_t step : {0U, 5000U, 12500U, 20000U, 25000U}) {
+    const Pose X = motion.pose(step), released = released_pose(static_cast<double>(step) * 1e-3);
+    EXPECT_LT(glm::distance(X.p - motion.X_start.p, released.p - released_pose(0).p), 1e-15);
+    EXPECT_LT(glm::length(X.q - released.q), 1e-15);
+    // its lowest point goes 23.4 mm below the released origin
+    EXPECT_NEAR(lowest(skin, X), released.p.z - 0.0234081, 1e-7);
+  }
+}
+
+TEST(PaperDemo, TurnsAnyFingerAsThePapers) {
+  const TriMesh skin = finger();
+  const Motion motion = make_motion(skin, kFrame, default_scenario(ScenarioKind::paper), kDemoBox);
+  const Pose released = released_pose(0);
+  EXPECT_LT(glm::distance(motion.X_start.rotate(kFrame.distal), released.rotate({0, 0, 1})), 1e-15);
+  EXPECT_LT(glm::distance(motion.X_start.rotate(kFrame.pad), released.rotate({0, -1, 0})), 1e-15);
+  EXPECT_NEAR(lowest(skin, motion.pose(12500)), 0.0345919, 1e-7);  // 3.4 mm below the box's top
+}
+
+TEST(PaperDemo, RecordsEveryStepOfTheDemoAndItsTravelThereAndBack) {
+  const Motion motion = make_motion(finger(), kFrame, default_scenario(ScenarioKind::paper), kDemoBox);
+  const double way = std::hypot(0.025, 0.012);
+  EXPECT_NEAR(motion.travel(12500), way, 1e-15);
+  EXPECT_NEAR(motion.travel(25000), 2 * way, 1e-15);
+  int rows = 0;
+  for (std::uint64_t step = 0; step <= motion.last_step; ++step) rows += motion.row_due(step);
+  EXPECT_EQ(rows, 1001);
 }
 
 TEST(Motion, WhatWouldNeverEndIsRefused) {

@@ -7,6 +7,7 @@
 #include "core/layout/layout_json.h"
 #include "core/sim/sim_thread.h"
 #include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
 
 namespace taxel {
 namespace {
@@ -35,7 +36,7 @@ class ReplaceModel : public testing::Test {
     return build_sensor_model(*source_, how);
   }
   static std::unique_ptr<Simulator> sweep(const SensorModelPtr& model, int steps) {
-    auto simulator = Simulator::make_scenario(model, {});
+    auto simulator = Simulator::make_scenario(model, test::box_sweep());
     for (int i = 0; i < steps; ++i) simulator->step();
     return simulator;
   }
@@ -120,7 +121,7 @@ TEST_F(ReplaceModel, OtherNumbersOfTaxelsAreRefusedAndTheSensorStays) {
 TEST_F(ReplaceModel, RowsOfTheThreadTellWhichSamplesTheyAreOf) {
   SimThread thread;
   thread.set_clock_driven(false);
-  thread.send(LoadScenarioCommand{preview_, {}});
+  thread.send(LoadScenarioCommand{preview_, test::box_sweep()});
   thread.send(StepCommand{25});
   thread.send(ReplaceModelCommand{preview_, polished_});
   thread.send(StepCommand{25});

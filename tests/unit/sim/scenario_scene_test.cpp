@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/scene/loaded_scene.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/sensor_scene.h"
 #include "fixtures/sweep_model.h"
 
@@ -21,7 +22,7 @@ class ScenarioSceneTest : public testing::Test {
 SensorModelPtr ScenarioSceneTest::model_;
 
 TEST_F(ScenarioSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
-  Scenario scenario;
+  Scenario scenario = test::box_sweep();
   scenario.depth = 0.001;
   scenario.before = 0.008;
   scenario.tilt_deg = 30;
@@ -56,7 +57,7 @@ struct Held {
   Pose start;
   explicit Held(const SensorModelPtr& model) {
     register_sensor_plugin();
-    const ScenarioScene scene = build_scenario_scene(*model, {});
+    const ScenarioScene scene = build_scenario_scene(*model, test::box_sweep());
     compiled = compile_scene(scene.hosted_xml, scene.files.files, "sweep");
     data.reset(mj_makeData(compiled.model.get()));
     find_sensor(*data, 0)->hand_over(*compiled.model, model);
@@ -115,7 +116,7 @@ TEST_F(ScenarioSceneTest, StickingFingerDoesNotChatter) {
 }
 
 TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
-  Scenario scenario;
+  Scenario scenario = test::box_sweep();
   scenario.depth = -1;
   try {
     build_scenario_scene(*model_, scenario);
@@ -123,7 +124,7 @@ TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "/depth: must be greater than 0, is -1");
   }
-  scenario = {};
+  scenario = test::box_sweep();
   scenario.object = "no_such_object.obj";
   EXPECT_THROW(build_scenario_scene(*model_, scenario), Error);
 }
@@ -131,7 +132,7 @@ TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
 TEST_F(ScenarioSceneTest, ObjectMeshTakesTheBoxesPlace) {
   test::SensorScene folder;
   save_mesh(folder.folder / "wedge.obj", make_box({0.02, 0.03, 0.01}));
-  Scenario scenario;
+  Scenario scenario = test::box_sweep();
   scenario.object = (folder.folder / "wedge.obj").string();
   const ScenarioScene scene = build_scenario_scene(*model_, scenario);
   EXPECT_NEAR((scene.motion.X_start * scene.motion.lead_M).z, 0.02 - scenario.depth, 1e-12);

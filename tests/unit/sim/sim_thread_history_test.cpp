@@ -8,6 +8,7 @@
 #include "core/sensor/explain/disagreement.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/asked_thread.h"
 #include "fixtures/sweep_model.h"
 
@@ -19,13 +20,13 @@ class ThreadHistory : public testing::Test, protected test::AskedThread {
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
   SimFramePtr run_to(int step) {
-    ask(LoadScenarioCommand{model_, {}});
+    ask(LoadScenarioCommand{model_, test::box_sweep()});
     return ask(StepCommand{step});
   }
   /// Plays a sweep with these breakpoints; not longer than it lasts.
   SimFramePtr sweep_until_stopped(const Breakpoints& limits) {
     ask(BreakpointsCommand{limits});
-    ask(LoadScenarioCommand{model_, {}});
+    ask(LoadScenarioCommand{model_, test::box_sweep()});
     ask(PlayCommand{});
     SimFramePtr frame = ask(StepCommand{2401});
     EXPECT_FALSE(frame->playing);
@@ -80,7 +81,7 @@ TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
 }
 
 TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
-  Scenario scenario;
+  Scenario scenario = test::box_sweep();
   scenario.before = scenario.past = 0.001;
   ask(LoadScenarioCommand{model_, scenario});
   const SimFramePtr end = ask(StepCommand{100000});
@@ -98,7 +99,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree
   Breakpoints limits;
   limits.disagreement = 0.15;
   // by the definition, over a plain loop
-  const auto simulator = Simulator::make_scenario(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   double largest = limits.least_pressure;
   std::uint64_t expected = 0;
   SampleGap gap;
@@ -127,7 +128,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   Breakpoints limits;
   limits.jump = 0.03;
   // by the definition, over a plain loop
-  const auto simulator = Simulator::make_scenario(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   simulator->step();  // the look before the first step reads the same
   std::vector<double> before = simulator->row().readings[0];
   double largest = limits.least_pressure;

@@ -7,6 +7,7 @@
 #include "core/project/recording/npz.h"
 #include "core/sim/recording/run_recorder.h"
 #include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/asked_thread.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
@@ -36,7 +37,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
   void SetUp() override { ask(LoadScenarioCommand{model_, touching()}); }
   /// In contact after a few steps.
   static Scenario touching() {
-    Scenario scenario;
+    Scenario scenario = test::box_sweep();
     scenario.before = 0.002;
     scenario.speed = 0.02;
     return scenario;

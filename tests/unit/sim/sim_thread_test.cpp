@@ -10,6 +10,7 @@
 #include "core/sim/pacing.h"
 #include "core/sim/simulator.h"
 #include "core/sim/step_time.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
@@ -32,7 +33,7 @@ class Thread : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void load(const Scenario& scenario = {}) { thread_.send(LoadScenarioCommand{model_, scenario}); }
+  void load(const Scenario& scenario = test::box_sweep()) { thread_.send(LoadScenarioCommand{model_, scenario}); }
   static SensorModelPtr model_;
   SimThread thread_;
 };
@@ -51,7 +52,7 @@ TEST_F(Thread, StepsExactlyWhenTold) {
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock goes on, the simulation does not
   // the same as the plain loop
-  const auto simulator = Simulator::make_scenario(model_, {});
+  const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   std::vector<TraceRow> rows;
   for (int n = 0; n < 1300; ++n) {
     simulator->step();
@@ -64,7 +65,7 @@ TEST_F(Thread, StepsExactlyWhenTold) {
 }
 
 TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
-  Scenario scenario;
+  Scenario scenario = test::box_sweep();
   scenario.before = scenario.past = 0.001;
   thread_.set_clock_driven(false);
   load(scenario);

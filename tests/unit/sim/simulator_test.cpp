@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/scenario_scene.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/sensor_scene.h"
 #include "fixtures/sweep_model.h"
 
@@ -22,7 +23,7 @@ bool operator==(const SimRow& a, const SimRow& b) {
 class Sweep : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    simulator_ = Simulator::make_scenario(test::fingertip_model(1e6), {});
+    simulator_ = Simulator::make_scenario(test::fingertip_model(1e6), test::box_sweep());
     while (!simulator_->finished()) {
       simulator_->step();
       ++steps_;
@@ -91,7 +92,7 @@ TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
 }
 
 TEST_F(Sweep, AnotherSimulatorRepeatsBitForBit) {
-  const auto other = Simulator::make_scenario(test::fingertip_model(1e6), {});
+  const auto other = Simulator::make_scenario(test::fingertip_model(1e6), test::box_sweep());
   for (std::size_t i = 0; i < 130;) {
     other->step();
     if (other->row_due()) {
@@ -174,7 +175,7 @@ TEST_F(Sweep, FrameTellsTheWholeStep) {
 }
 
 TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
-  Scenario scenario;
+  Scenario scenario = test::box_sweep();
   scenario.before = 0.001;
   scenario.past = 0.00033;
   scenario.speed = 0.0071;

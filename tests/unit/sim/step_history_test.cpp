@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fixtures/box_sweep.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/recorded_simulation.h"
 #include "fixtures/same_frame.h"
@@ -27,7 +28,7 @@ class History : public testing::Test {
   }
   static void TearDownTestSuite() { model_.reset(), edited_.reset(); }
   static RecordedSimulation sweep(int skipped = kBeforeContact) {
-    RecordedSimulation run{Simulator::make_scenario(model_, {}), {}, {}};
+    RecordedSimulation run{Simulator::make_scenario(model_, test::box_sweep()), {}, {}};
     run.skip(skipped);
     return run;
   }

@@ -10,7 +10,9 @@
 #include "core/base/error.h"
 #include "core/project/path_curve.h"
 #include "core/project/recording/npz.h"
+#include "core/sim/scene/paper_demo.h"
 #include "core/sim/scene/rolling_outline.h"
+#include "core/sim/scene/upright_edge.h"
 
 namespace taxel {
 namespace {
@@ -59,13 +61,26 @@ void end_at(Motion& motion, const Scenario& scenario, double seconds) {
   motion.last_step = last_step_of(seconds / motion.timestep);
 }
 
+/// Gap between the finger and an upright edge at the start and at the end of a sweep, at least [m]. The finger lags
+/// behind the mocap body by much less, so that all readings begin and end at 0.
+constexpr double kEdgeGap = 0.001;
+
+/// Distances of the lowest point from the edge at the start and at the end.
+dvec2 sweep_reach(const TriMesh& skin, const SensorFrame& frame, const Scenario& scenario) {
+  const dvec2 asked(scenario.before, scenario.past);
+  if (scenario.shape != ObjectShape::edge) return asked;
+  const Pose X = place_finger(skin, finger_orientation(frame, scenario.tilt_deg), dvec3(0));
+  return glm::max(asked, clear_reach(skin, X, scenario.depth, height_of_round(scenario.edge_radius)) + kEdgeGap);
+}
+
 /// Straight along +x, as fast as the rows want it.
 void make_sweep(Motion& motion, const TriMesh& skin, const SensorFrame& frame, const Scenario& scenario,
                 const Aabb& object) {
   const double steps_per_metre = whole(1.0 / (scenario.speed * scenario.timestep));
-  const double distance = scenario.before + scenario.past;
-  motion.X_start = place_finger(skin, finger_orientation(frame, scenario.tilt_deg),
-                                {-scenario.before, 0, object.hi.z - scenario.depth});
+  const dvec2 reach = sweep_reach(skin, frame, scenario);
+  const double distance = reach[0] + reach[1];
+  motion.X_start =
+      place_finger(skin, finger_orientation(frame, scenario.tilt_deg), {-reach[0], 0, object.hi.z - scenario.depth});
   motion.steps_per_row = whole(scenario.record_every * steps_per_metre);
   motion.last_step = last_step_of(distance * steps_per_metre);
   motion.travel = [distance, steps_per_metre](std::uint64_t step) {
@@ -177,6 +192,20 @@ void make_replay(Motion& motion, const Scenario& scenario) {
   }
 }
 
+/// There and back, see paper_demo.h.
+void make_paper(Motion& motion, const TriMesh& skin, const SensorFrame& frame, const Scenario& scenario) {
+  motion.X_start = place_finger(skin, demo_orientation(frame), demo_lead(0));
+  end_at(motion, scenario, kDemoSeconds);
+  motion.travel = [timestep = motion.timestep](std::uint64_t step) {
+    return demo_travel(static_cast<double>(step) * timestep);
+  };
+  motion.pose = [X = motion.X_start, timestep = motion.timestep](std::uint64_t step) {
+    return Pose{X.q, X.p + (demo_lead(static_cast<double>(step) * timestep) - demo_lead(0))};
+  };
+  for (const std::uint64_t step : {std::uint64_t{0}, motion.last_step / 2, motion.last_step})
+    motion.way_points.push_back({static_cast<double>(step) * motion.timestep, motion.pose(step)});
+}
+
 }  // namespace
 
 double Motion::rows(std::uint64_t step) const {
@@ -201,6 +230,23 @@ Pose place_finger(const TriMesh& skin, const dquat& q_WM, const dvec3& place) {
   return {q_WM, place - turned * lead_point(skin, turned)};
 }
 
+dvec2 clear_reach(const TriMesh& skin, const Pose& X_WM, double crest, double round) {
+  const RigidTransform to_world(X_WM);
+  const double lowest_x = to_world(lowest_vertex(skin, X_WM)).x;
+  double lowest_z = crest, front = lowest_x, back = lowest_x;
+  const auto include = [&](double x) { front = std::max(front, x), back = std::min(back, x); };
+  for (int f = 0; f < skin.face_count(); ++f) {
+    for (int k = 0; k < 3; ++k) {  // the part of the face below the crest is spanned by these points
+      const dvec3 a = to_world(skin.vertex(f, k)), b = to_world(skin.vertex(f, (k + 1) % 3));
+      if (a.z < crest) include(a.x);
+      if ((a.z < crest) != (b.z < crest)) include(a.x + (crest - a.z) / (b.z - a.z) * (b.x - a.x));
+      lowest_z = std::min(lowest_z, a.z);
+    }
+  }
+  const double half_width = crest - lowest_z + round;  // of the object, where it is widest within the finger's reach
+  return {front - lowest_x + half_width, lowest_x - back + half_width};
+}
+
 Motion make_motion(const TriMesh& skin, const SensorFrame& frame, const Scenario& scenario, const Aabb& object) {
   Motion motion;
   motion.timestep = scenario.timestep;
@@ -218,6 +264,9 @@ Motion make_motion(const TriMesh& skin, const SensorFrame& frame, const Scenario
       break;
     case ScenarioKind::replay:
       make_replay(motion, scenario);
+      break;
+    case ScenarioKind::paper:
+      make_paper(motion, skin, frame, scenario);
       break;
     default:
       make_pressed(motion, skin, frame, scenario, object);

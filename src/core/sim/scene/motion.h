@@ -35,6 +35,11 @@ dquat finger_orientation(const SensorFrame& frame, double tilt_deg);
 /// Where the finger's frame must be for its lowest point to be at `place`, the middle of its width at that point's y.
 Pose place_finger(const TriMesh& skin, const dquat& q_WM, const dvec3& place);
 
+/// How far the lowest point of a finger at `X_WM` must be from an upright edge, before and past it along +x, for the
+/// whole finger to be clear of the object. The edge is the line x = 0 at height `crest`; the object lies below the two
+/// planes that descend from there by 45 degrees, each raised by at most `round`.
+dvec2 clear_reach(const TriMesh& skin, const Pose& X_WM, double crest, double round);
+
 /// `object`: its bounds in the world. Throws Error for a recording that cannot be read, or has no poses to replay.
 Motion make_motion(const TriMesh& skin, const SensorFrame& frame, const Scenario& scenario, const Aabb& object);
 

@@ -8,6 +8,8 @@
 #include "core/mesh/mesh_io.h"
 #include "core/project/scenario_json.h"
 #include "core/sim/scene/inertia.h"
+#include "core/sim/scene/paper_demo.h"
+#include "core/sim/scene/upright_edge.h"
 
 namespace taxel {
 namespace {
@@ -16,6 +18,7 @@ constexpr const char* kFingerMesh = "finger.obj";
 constexpr const char* kLayoutFile = "finger.taxels.json";
 constexpr const char* kObjectMesh = "object.obj";
 constexpr double kPlateThickness = 0.1;  // of its sides
+constexpr double kFriction = 0.5;        // of all objects but the demo's box
 
 std::string text(const dvec3& v) {
   return fmt::format("{} {} {}", v.x, v.y, v.z);
@@ -24,34 +27,59 @@ std::string text(const dquat& q) {
   return fmt::format("{} {} {} {}", q.w, q.x, q.y, q.z);
 }
 
-/// The object as MJCF (asset, geom), with its bounds, which begin at x = 0 and z = 0 and have y = 0 in the middle.
+/// The object as MJCF (asset, geom), and its bounds in the world.
 struct Object {
   std::string asset, geom;
   Aabb bounds;
 };
-Object make_object(const Scenario& s, std::vector<SceneFile>& files) {
-  const std::string common = R"(contype="0" conaffinity="0" friction="0.5 0.005 0.0001" rgba="0.55 0.6 0.68 1"/>)";
-  const auto placed = [](const dvec3& extent) {
-    return Aabb{{0, -0.5 * extent.y, 0}, {extent.x, 0.5 * extent.y, extent.z}};
-  };
-  if (s.object.empty()) {
-    const bool sphere = s.shape == ObjectShape::sphere;
-    dvec3 extent(s.box_size);
-    if (s.shape == ObjectShape::plate) extent.z = kPlateThickness * s.box_size;
-    const Aabb bounds = placed(extent);
-    const std::string size = sphere ? fmt::format("{}", 0.5 * s.box_size) : text(0.5 * extent);
-    return {"",
-            fmt::format(R"(<geom name="{}" type="{}" size="{}" pos="{}" {})", kObjectGeom, sphere ? "sphere" : "box",
-                        size, text(bounds.center()), common),
-            bounds};
-  }
-  const TriMeshPtr mesh = load_mesh(s.object).mesh;
-  const Aabb& box = mesh->bounds();
-  files.push_back({kObjectMesh, obj_text(*mesh)});
+
+/// Attributes that all objects have; `friction` is Coulomb's coefficient.
+std::string common_attributes(double friction) {
+  return fmt::format(R"(contype="0" conaffinity="0" friction="{} 0.005 0.0001" rgba="0.55 0.6 0.68 1"/>)", friction);
+}
+
+Object primitive_object(const char* type, const std::string& size, const Aabb& bounds, double friction) {
+  return {"",
+          fmt::format(R"(<geom name="{}" type="{}" size="{}" pos="{}" {})", kObjectGeom, type, size,
+                      text(bounds.center()), common_attributes(friction)),
+          bounds};
+}
+
+/// `offset` moves the mesh to its place in the world.
+Object mesh_object(const TriMesh& mesh, const dvec3& offset, std::vector<SceneFile>& files) {
+  files.push_back({kObjectMesh, obj_text(mesh)});
   return {fmt::format("\n    <mesh name=\"{}\" file=\"{}\" inertia=\"shell\"/>", kObjectGeom, kObjectMesh),
-          fmt::format(R"(<geom name="{0}" type="mesh" mesh="{0}" pos="{1}" {2})", kObjectGeom,
-                      text(dvec3(-box.lo.x, -box.center().y, -box.lo.z)), common),
-          placed(box.extent())};
+          fmt::format(R"(<geom name="{0}" type="mesh" mesh="{0}" pos="{1}" {2})", kObjectGeom, text(offset),
+                      common_attributes(kFriction)),
+          {mesh.bounds().lo + offset, mesh.bounds().hi + offset}};
+}
+
+/// Bounds of the shapes that are no mesh: they begin at x = 0 and z = 0, with y = 0 in the middle.
+Aabb bounds_of(const dvec3& extent) {
+  return {{0, -0.5 * extent.y, 0}, {extent.x, 0.5 * extent.y, extent.z}};
+}
+
+Object make_object(const Scenario& s, std::vector<SceneFile>& files) {
+  if (s.kind == ScenarioKind::paper)
+    return primitive_object("box", text(0.5 * kDemoBox.extent()), kDemoBox, kPaperFriction);
+  if (!s.object.empty()) {
+    const TriMeshPtr mesh = load_mesh(s.object).mesh;
+    const Aabb& box = mesh->bounds();
+    return mesh_object(*mesh, {-box.lo.x, -box.center().y, -box.lo.z}, files);
+  }
+  const double size = s.box_size;
+  switch (s.shape) {
+    case ObjectShape::edge:
+      return mesh_object(make_upright_edge(size, s.edge_radius), dvec3(0), files);
+    case ObjectShape::plate: {
+      const dvec3 extent(size, size, kPlateThickness * size);
+      return primitive_object("box", text(0.5 * extent), bounds_of(extent), kFriction);
+    }
+    case ObjectShape::sphere:
+      return primitive_object("sphere", fmt::format("{}", 0.5 * size), bounds_of(dvec3(size)), kFriction);
+    default:
+      return primitive_object("box", text(dvec3(0.5 * size)), bounds_of(dvec3(size)), kFriction);
+  }
 }
 
 std::string inertial(const TriMesh& skin, double mass) {

@@ -1,8 +1,9 @@
 // The scene of a scenario, built around any layout.
 //
-// World: the object's edge is the line x = 0, z = top; it fills x > 0, z < top. `distal` of the finger points forward
-// (+x) and down, so that in a sweep the tip leads over the edge, and `pad`, behind and below it, faces the top. Its
-// width axis (`distal` x `pad`) is +y.
+// World: the object's edge is the line x = 0, z = top. A box fills x > 0, z < top; an `edge` lies on both sides of x =
+// 0. `distal` of the finger points forward (+x) and down, so that in a sweep the tip leads over the edge, and `pad`,
+// behind and below it, faces the edge. Its width axis (`distal` x `pad`) is +y. The demo of the paper has a world of
+// its own, see paper_demo.h.
 #pragma once
 
 #include "core/sensor/sensor_model.h"

@@ -1,0 +1,16 @@
+// The setting in which the paper's released demo reads its fingertip.
+#pragma once
+
+#include "core/layout/layout.h"
+#include "core/project/edit.h"
+
+namespace taxel {
+
+/// Returns `layout` with the demo's body and samples: star field, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3, 1e6
+/// samples per m^2, all of equal weight. Taxels, mesh, seed and readout stay.
+Layout as_in_the_paper(Layout layout);
+
+/// The same for a project with this layout, and its scenario `paper`, as one edit.
+Edit paper_setting_edit(const Layout& layout);
+
+}  // namespace taxel
