@@ -38,6 +38,9 @@ ParsedOptions parse_options(int argc, char** argv) {
                  "Project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf .glb), MuJoCo scene "
                  "(.xml) or saved "
                  "step (.taxelframe); without one the fingertip sweep");
+  app.add_option("--scenario", o.scenario,
+                 "Begin with the scenario of this file (docs/project_format.md, a sweep.json or a scenario.json); a "
+                 "project has its own");
   app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
   CLI::Option* const script =
       app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");

@@ -7,7 +7,8 @@
 namespace taxel::studio {
 
 struct Options {
-  std::string file;  ///< empty: the fingertip sweep
+  std::string file;      ///< empty: the fingertip sweep
+  std::string scenario;  ///< file of the scenario that the window begins with; empty: the default sweep
   bool headless = false;
   std::string script, screenshot, dump_state, shader_dir, plugins;
   std::string state_dir;  ///< of settings and autosave; empty: the user's own, or none where frames follow a script

@@ -85,6 +85,8 @@ class Session {
 
   /// False: there is nothing to simulate, or it cannot be, which is told.
   bool run_scenario(const Scenario& scenario);
+  /// The scenario of documents that have none, until another one runs.
+  void begin_with(const Scenario& scenario) { scenario_ = scenario; }
   void set_playing(bool playing);
   void step_by(int steps);  ///< through recorded steps, and one more than there are is simulated
   void scrub(std::uint64_t step);

@@ -11,6 +11,7 @@
 #include "app/studio/settings.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
+#include "core/project/scenario_json.h"
 #include "ui/panels/interface.h"
 #include "ui/panels/messages.h"
 #include "ui/theme.h"
@@ -82,6 +83,7 @@ Studio::Studio(const Options& options)
   input_.version = versions().taxel;
   // Scripts and pictures begin without it, unless it is asked for.
   if (options.tour || (options.by_clock() && !ui_.saved.tour_seen)) ui_.tour_step = 0;
+  if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) session_.open(options.file);
   last_picture_at_ = pace_window_at_ = Clock::now();
 }

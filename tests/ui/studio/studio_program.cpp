@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -41,6 +42,9 @@ Outcome StudioProgram::run(const std::vector<std::string>& lines, const std::vec
   write_text(folder_ / "script.jsonl", script);
   std::vector<std::string> all{"--script", "script.jsonl"};
   if (!in_a_window()) all.emplace_back("--headless");
+  // The sweep over a box stays in contact until its end, which is what these tests look at.
+  if (std::find(arguments.begin(), arguments.end(), "--scenario") == arguments.end())
+    all.insert(all.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/box_sweep.json"});
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(STUDIO_PROGRAM, all, folder_);
 }
