@@ -36,13 +36,22 @@ void draw_sensors(UiState& ui, const UiInput& input) {
       ui.selection = {static_cast<int>(i), {}, ui.selection.body};
     if (attached != nullptr) tooltip(attached->layout);
     ImGui::SameLine();
-    ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(),
-                        attached != nullptr ? "attached" : "declared");
+    if (scene.sensors[i]->taxel_count() > 0) {
+      ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(),
+                          attached != nullptr ? "attached" : "declared");
+    } else {
+      ImGui::TextDisabled("soft, no taxels");
+    }
     if (attached == nullptr) continue;
     ImGui::SameLine();
     if (button(ui, fmt::format("Detach##{}", geom).c_str())) ui.ask(DetachLayout{geom});
     ui.widgets.note_item("Detach " + geom);
   }
+}
+
+/// Whether the geom carries no layout yet; it may be soft.
+bool takes_layout(const SimScene& scene, const SceneGeom& geom) {
+  return geom.sensor < 0 || scene.sensors[static_cast<std::size_t>(geom.sensor)]->taxel_count() == 0;
 }
 
 void choose(std::vector<std::string>& geoms, const std::string& geom) {
@@ -65,7 +74,7 @@ void draw_geoms(UiState& ui, const SimScene& scene) {
   if (ImGui::BeginChild("geoms", ImVec2(0, (rows + 0.5f) * ImGui::GetTextLineHeightWithSpacing()),
                         ImGuiChildFlags_FrameStyle)) {
     for (const SceneGeom& geom : scene.geoms) {
-      if (geom.sensor >= 0 || geom.plane || !contains_word(geom.name, ui.controls.filter)) continue;
+      if (!takes_layout(scene, geom) || geom.plane || !contains_word(geom.name, ui.controls.filter)) continue;
       const bool chosen =
           std::find(ui.controls.geoms.begin(), ui.controls.geoms.end(), geom.name) != ui.controls.geoms.end();
       if (selectable(ui, fmt::format("{}##geom", geom.name).c_str(), chosen)) choose(ui.controls.geoms, geom.name);
@@ -80,7 +89,7 @@ void draw_attach(UiState& ui, const UiInput& input) {
   const SimScene& scene = *input.frame->scene;
   std::erase_if(ui.controls.geoms, [&](const std::string& name) {
     return std::none_of(scene.geoms.begin(), scene.geoms.end(),
-                        [&](const SceneGeom& geom) { return geom.name == name && geom.sensor < 0; });
+                        [&](const SceneGeom& geom) { return geom.name == name && takes_layout(scene, geom); });
   });
   const auto flags = scene.sensors.empty() ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
   if (!ImGui::TreeNodeEx("Attach a layout##section", flags)) {

@@ -75,7 +75,11 @@ void draw_scene(UiState& ui, const UiInput& input) {
       ui.selection = {static_cast<int>(i), {}};
     }
     ImGui::SameLine();
-    ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
+    if (scene.sensors[i]->taxel_count() > 0) {
+      ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
+    } else {
+      ImGui::TextDisabled("soft, no taxels");
+    }
   }
   for (const SceneGeom& geom : scene.geoms) {
     if (geom.sensor < 0) leaf(geom.name.empty() ? "(unnamed)" : geom.name, geom.plane ? "plane" : "geom");

@@ -5,6 +5,7 @@
 #include "core/sim/bundle/frame_bundle.h"
 #include "core/sim/bundle/touched_bodies.h"
 #include "core/sim/history/step_history.h"
+#include "core/sim/model/bare_model.h"
 
 namespace taxel {
 namespace {
@@ -114,9 +115,11 @@ SensorModelPtr read_model(const NpzReader& in, const std::string& prefix, const 
                           SensorBuild how) {
   const Layout layout = parse_layout(in.text(prefix + "layout"), in.file());
   const int mesh = index_of(in, prefix + "mesh", in.integers(prefix + "mesh", {})[0], 0, meshes.size());
+  const TriMeshPtr& surface = meshes[static_cast<std::size_t>(mesh)];
+  if (in.has(prefix + "body/name")) return bare_model(layout.name, surface, read_body(in, prefix + "body/", meshes));
   const std::string quality = in.text(prefix + "quality");
   how.quality = quality == to_string(SampleQuality::preview) ? SampleQuality::preview : SampleQuality::polished;
-  return build_sensor_model(layout, meshes[static_cast<std::size_t>(mesh)], layout.mesh.sha256, in.file(), how);
+  return build_sensor_model(layout, surface, layout.mesh.sha256, in.file(), how);
 }
 
 /// None in a file of a version that did not write them.

@@ -23,31 +23,6 @@ std::size_t place_of(const NpzReader& in, const std::string& name, const std::st
   return static_cast<std::size_t>(found - words.begin());
 }
 
-void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes& meshes, NpzWriter& out) {
-  const Material& m = body.material;
-  out.add(prefix + "name", body.name);
-  out.add(prefix + "kind", std::string(kKinds[body.geometry.index()]));
-  out.add(prefix + "field", std::string(to_word(m.field)));
-  out.add(prefix + "material", {4}, std::vector{m.modulus, m.thickness, m.dissipation, m.friction});
-  if (const auto* space = std::get_if<SoftHalfSpace>(&body.geometry))
-    out.add(prefix + "half_space", {2}, std::vector{space->stiffness, space->thickness});
-  if (const auto* rigid = std::get_if<RigidMesh>(&body.geometry))
-    add_number(out, prefix + "mesh", meshes.number(rigid->index->mesh_ptr()));
-  const auto* soft = std::get_if<SoftBody>(&body.geometry);
-  if (soft == nullptr) return;
-  const PressureField& field = *soft->field;
-  add_vectors(out, prefix + "vertices", field.vertices());
-  Integers tets;
-  for (const Tet& tet : field.tets())
-    for (int i = 0; i < 4; ++i) tets.push_back(tet.vertices[i]);
-  out.add(prefix + "tets", {field.tets().size(), 4}, std::span<const std::int64_t>(tets));
-  out.add(prefix + "pressure", {field.vertices().size()}, std::span<const double>(field.vertex_pressure()));
-  add_number(out, prefix + "core", std::int64_t{field.report().core ? 1 : 0});
-  if (!soft->depth) return;
-  add_number(out, prefix + "skin", meshes.number(soft->depth->skin()));
-  out.add(prefix + "depth", {2}, std::vector{soft->depth->thickness(), soft->depth->stiffness()});
-}
-
 TriMeshPtr mesh_at(const NpzReader& in, const std::string& name, std::int64_t number,
                    const std::vector<TriMeshPtr>& meshes) {
   return meshes[static_cast<std::size_t>(index_of(in, name, number, 0, meshes.size()))];
@@ -78,27 +53,6 @@ SoftBody read_field(const NpzReader& in, const std::string& prefix, const std::v
   } catch (const Error& error) {
     throw Error(in.file(), prefix + "tets", error.message());
   }
-}
-
-HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
-  auto body = std::make_shared<HydroBody>();
-  body->name = in.text(prefix + "name");
-  const std::vector<double> material = in.doubles(prefix + "material", {4});
-  const std::optional<FieldKind> field = from_word<FieldKind>(in.text(prefix + "field"));
-  if (!field) throw Error(in.file(), prefix + "field", "is none that is known");
-  body->material = {*field, material[0], material[1], material[2], material[3]};
-  const std::size_t kind = place_of(in, prefix + "kind", in.text(prefix + "kind"), kKinds);
-  if (kind == 1) {
-    const std::vector<double> space = in.doubles(prefix + "half_space", {2});
-    body->geometry = SoftHalfSpace{space[0], space[1]};
-  } else if (kind == 2) {
-    body->geometry = read_field(in, prefix, meshes);
-  } else if (kind == 3) {
-    const std::string name = prefix + "mesh";
-    const TriMeshPtr mesh = mesh_at(in, name, in.integers(name, {})[0], meshes);
-    body->geometry = RigidMesh(std::make_shared<const MeshIndex>(mesh));
-  }
-  return body;
 }
 
 /// Those of one sensor. `number(body)` gives a body's place among all.
@@ -162,6 +116,52 @@ std::vector<TouchedBody> read_rows(const NpzReader& in, const std::string& prefi
 }
 
 }  // namespace
+
+void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes& meshes, NpzWriter& out) {
+  const Material& m = body.material;
+  out.add(prefix + "name", body.name);
+  out.add(prefix + "kind", std::string(kKinds[body.geometry.index()]));
+  out.add(prefix + "field", std::string(to_word(m.field)));
+  out.add(prefix + "material", {4}, std::vector{m.modulus, m.thickness, m.dissipation, m.friction});
+  if (const auto* space = std::get_if<SoftHalfSpace>(&body.geometry))
+    out.add(prefix + "half_space", {2}, std::vector{space->stiffness, space->thickness});
+  if (const auto* rigid = std::get_if<RigidMesh>(&body.geometry))
+    add_number(out, prefix + "mesh", meshes.number(rigid->index->mesh_ptr()));
+  const auto* soft = std::get_if<SoftBody>(&body.geometry);
+  if (soft == nullptr) return;
+  const PressureField& field = *soft->field;
+  add_vectors(out, prefix + "vertices", field.vertices());
+  Integers tets;
+  for (const Tet& tet : field.tets())
+    for (int i = 0; i < 4; ++i) tets.push_back(tet.vertices[i]);
+  out.add(prefix + "tets", {field.tets().size(), 4}, std::span<const std::int64_t>(tets));
+  out.add(prefix + "pressure", {field.vertices().size()}, std::span<const double>(field.vertex_pressure()));
+  add_number(out, prefix + "core", std::int64_t{field.report().core ? 1 : 0});
+  if (!soft->depth) return;
+  add_number(out, prefix + "skin", meshes.number(soft->depth->skin()));
+  out.add(prefix + "depth", {2}, std::vector{soft->depth->thickness(), soft->depth->stiffness()});
+}
+
+HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
+  auto body = std::make_shared<HydroBody>();
+  body->name = in.text(prefix + "name");
+  const std::vector<double> material = in.doubles(prefix + "material", {4});
+  const std::optional<FieldKind> field = from_word<FieldKind>(in.text(prefix + "field"));
+  if (!field) throw Error(in.file(), prefix + "field", "is none that is known");
+  body->material = {*field, material[0], material[1], material[2], material[3]};
+  const std::size_t kind = place_of(in, prefix + "kind", in.text(prefix + "kind"), kKinds);
+  if (kind == 1) {
+    const std::vector<double> space = in.doubles(prefix + "half_space", {2});
+    body->geometry = SoftHalfSpace{space[0], space[1]};
+  } else if (kind == 2) {
+    body->geometry = read_field(in, prefix, meshes);
+  } else if (kind == 3) {
+    const std::string name = prefix + "mesh";
+    const TriMeshPtr mesh = mesh_at(in, name, in.integers(name, {})[0], meshes);
+    body->geometry = RigidMesh(std::make_shared<const MeshIndex>(mesh));
+  }
+  return body;
+}
 
 void write_touched(const SimScene& scene, BundledMeshes& meshes, NpzWriter& out) {
   if (scene.touched.size() != scene.sensors.size()) return;  // read from a file that had none

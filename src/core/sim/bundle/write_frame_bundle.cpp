@@ -80,6 +80,7 @@ void write_sensor(const SensorFrameState& state, const SensorModel& model, const
   out.add(prefix + "layout", layout_to_json(layout_on_repaired_mesh(model)));
   add_number(out, prefix + "mesh", meshes.number(model.mesh));
   out.add(prefix + "quality", to_string(model.quality));
+  if (model.taxel_count() == 0) write_body(*model.body, prefix + "body/", meshes, out);
   Doubles position, quaternion;
   append(position, quaternion, state.X_WM);
   out.add(prefix + "pos", {3}, std::span<const double>(position));
