@@ -8,6 +8,7 @@
 #include "app/cli/explain_report.h"
 #include "app/cli/recorded_run.h"
 #include "core/project/explanation_json.h"
+#include "core/sensor/explain/reading_floor.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/plugin/plugin_folder.h"
 
@@ -80,12 +81,14 @@ void compare(const Run& run, std::size_t row, const RebuiltRow& rebuilt, Console
                     run.file, run.recording.rows[row].time, recorded, now));
 }
 
-/// The largest reading up to the row, as a breakpoint of the window counts it.
-double largest_until(const Run& run, std::size_t last, const Breakpoints& limits) {
-  double largest = run.recording.sensors[run.sensor].force ? limits.least_force : limits.least_pressure;
-  for (std::size_t r = 0; r <= last; ++r)
-    for (const double reading : run.recording.rows[r].sensors[run.sensor].readings)
-      largest = std::max(largest, std::abs(reading));
+/// The largest reading of the taxel in the recording, or of the sensor.
+double largest_reading(const Run& run, const SensorModel& model, bool of_sensor) {
+  double largest = reading_floor(model);
+  for (const RecordedRow& row : run.recording.rows) {
+    const std::vector<double>& readings = row.sensors[run.sensor].readings;
+    for (std::size_t k = 0; k < readings.size(); ++k)
+      if (of_sensor || k == run.taxel) largest = std::max(largest, std::abs(readings[k]));
+  }
   return largest;
 }
 
@@ -99,10 +102,12 @@ int run(const Options& options, Console& console) {
   const auto before = row > 0 ? rebuild(run, row - 1) : nullptr;
   compare(run, row, *now, console);
   if (before != nullptr) compare(run, row - 1, *before, console);
-  const ExplainLimits limits{options.limits.jump, options.limits.equal_force, largest_until(run, row, options.limits)};
-  const Explanation found =
-      Explainer().explain(run.simulator->scene()->sensors[run.sensor], static_cast<int>(run.taxel), now->step,
-                          before != nullptr ? &before->step : nullptr, limits);
+  const SensorModelPtr& model = run.simulator->scene()->sensors[run.sensor];
+  const bool of_sensor = options.limits.of_sensor;
+  const ExplainLimits limits{options.limits.jump, options.limits.equal_force, largest_reading(run, *model, of_sensor),
+                             of_sensor};
+  const Explanation found = Explainer().explain(model, static_cast<int>(run.taxel), now->step,
+                                                before != nullptr ? &before->step : nullptr, limits);
   console.result(console.json() ? explanation_to_json(found) : explain_text(found));
   return kDone;
 }
@@ -128,9 +133,11 @@ Command add_explain(CLI::App& parent, CommonOptions& common) {
   app->add_option("--sensor", options->sensor, "Geom of the sensor, where the recording has several")
       ->type_name("GEOM");
   app->add_option("--jump", options->limits.jump,
-                  "A change from row to row is a jump above this part of the sensor's largest reading so far")
+                  "A change from row to row is a jump above this part of the taxel's largest reading in the recording")
       ->check(positive())
       ->capture_default_str();
+  app->add_flag("--of-sensor", options->limits.of_sensor,
+                "Measure against the largest reading of all taxels of the sensor instead");
   app->add_option("--equal-force", options->limits.equal_force,
                   "The force stays where it changes by at most this part of itself")
       ->check(not_negative())

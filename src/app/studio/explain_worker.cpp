@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/sensor/explain/reading_floor.h"
+
 namespace taxel::studio {
 namespace {
 
@@ -30,13 +32,18 @@ const SensorFrameState* state_before(const SimFrame& frame, int sensor) {
   return &before->sensors[index(sensor)];
 }
 
-/// As the breakpoints count it.
-double largest_until(const SimFrame& frame, int sensor, Aggregate aggregate) {
-  const Breakpoints& limits = frame.breakpoints;
-  const double least = aggregate == Aggregate::force ? limits.least_force : limits.least_pressure;
+/// The largest reading of the taxel in the run as far as it is recorded, or of the sensor.
+double largest_known(const SimFrame& frame, int sensor, int taxel, const SensorModel& model) {
+  double largest = reading_floor(model);
   const HistoryLanes* lanes = frame.history.lanes.get();
-  if (lanes == nullptr || lanes->rows() == 0) return least;
-  return std::max(least, lanes->sensor(lanes->row_of(frame.step), index(sensor)).largest_reading);
+  if (lanes == nullptr || lanes->rows() == 0) return largest;
+  std::size_t first = 0;
+  for (int s = 0; s < sensor; ++s) first += frame.sensors[index(s)].readings.size();
+  const std::size_t count = frame.sensors[index(sensor)].readings.size();
+  for (std::size_t k = 0; k < count && first + k < lanes->reading_count; ++k)
+    if (frame.breakpoints.of_sensor || static_cast<int>(k) == taxel)
+      largest = std::max(largest, largest_reading(*lanes, first + k));
+  return largest;
 }
 
 }  // namespace
@@ -70,9 +77,9 @@ ui::ExplainedPtr ExplainWorker::attempt(const Job& job, Progress& progress) {
     std::optional<SensorStep> before;
     if (const SensorFrameState* state = state_before(frame, job.wish.sensor))
       before = step_of(*state, frame.before->time);
-    const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
-                               largest_until(frame, job.wish.sensor, model->layout.readout.aggregate)};
     const int number = taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
+    const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
+                               largest_known(frame, job.wish.sensor, number, *model), frame.breakpoints.of_sensor};
     out->explanation = explainer_.explain(model, number, now, before ? &*before : nullptr, limits, &progress);
   } catch (const Cancelled&) {
     throw;

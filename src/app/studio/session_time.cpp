@@ -140,17 +140,18 @@ std::string taxel_text(const Taxel& taxel) {
   return fmt::format("taxel {}{}", taxel.id, taxel.name.empty() ? "" : " (" + taxel.name + ")");
 }
 
-std::string stop_text(const Jump& jump, const Taxel& taxel, const ui::ReadingUnit& unit) {
+std::string stop_text(const Jump& jump, const Taxel& taxel, const ui::ReadingUnit& unit, const char* whose) {
   const double force = jump.force_before > 0 ? 100 * (jump.force_after / jump.force_before - 1) : 0.0;
   return fmt::format(
-      "{} jumped from {} to {}, {:.1f} % of the largest reading, while the force {} {:.4g} to {:.4g} N ({:+.2f} %)",
-      taxel_text(taxel), ui::in_unit(jump.before, unit), ui::in_unit(jump.after, unit), 100 * jump.part,
+      "{} jumped from {} to {}, {:.1f} % of {} largest reading, while the force {} {:.4g} to {:.4g} N ({:+.2f} %)",
+      taxel_text(taxel), ui::in_unit(jump.before, unit), ui::in_unit(jump.after, unit), 100 * jump.part, whose,
       jump.at_equal_force ? "stayed," : "went from", jump.force_before, jump.force_after, force);
 }
 
-std::string stop_text(const Disagreement& gap, const Taxel& taxel, const ui::ReadingUnit& unit) {
-  return fmt::format("{} reads {} by its samples and {} by the surface, {:.1f} % of the largest reading apart",
-                     taxel_text(taxel), ui::in_unit(gap.sampled, unit), ui::in_unit(gap.exact, unit), 100 * gap.part);
+std::string stop_text(const Disagreement& gap, const Taxel& taxel, const ui::ReadingUnit& unit, const char* whose) {
+  return fmt::format("{} reads {} by its samples and {} by the surface, {:.1f} % of {} largest reading apart",
+                     taxel_text(taxel), ui::in_unit(gap.sampled, unit), ui::in_unit(gap.exact, unit), 100 * gap.part,
+                     whose);
 }
 
 std::uint64_t step_of(const Stop& stop) {
@@ -169,7 +170,8 @@ void Session::tell_stop(const SimFrame& frame, SessionNews& news) {
       [&](const auto& at) {
         const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(at.sensor)]->layout;
         const std::string what =
-            stop_text(at, layout.taxels[static_cast<std::size_t>(at.taxel)], ui::shown_unit(layout.readout.aggregate));
+            stop_text(at, layout.taxels[static_cast<std::size_t>(at.taxel)], ui::shown_unit(layout.readout.aggregate),
+                      frame.breakpoints.of_sensor ? "the sensor's" : "its");
         return fmt::format("Paused at step {}, {:.6g} s: {}", at.step, at.time, what);
       },
       *frame.stop);

@@ -20,7 +20,8 @@ constexpr std::array<std::pair<StepEvent, const char*>, 6> kEvents{
 
 Json breakpoints_json(const Breakpoints& b) {
   return {{"on_jump", b.on_jump},         {"at_equal_force", b.at_equal_force},   {"jump", b.jump},
-          {"equal_force", b.equal_force}, {"on_disagreement", b.on_disagreement}, {"disagreement", b.disagreement}};
+          {"equal_force", b.equal_force}, {"on_disagreement", b.on_disagreement}, {"disagreement", b.disagreement},
+          {"of_sensor", b.of_sensor}};
 }
 
 Json stop_json(const SimFrame& frame) {

@@ -77,7 +77,7 @@ void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
   const Breakpoints& now = input.frame->breakpoints;
   Breakpoints wanted = now;
   constexpr Threshold kJumps{"Jumps", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
-                             "A jump: from one step to the next, as part of the sensor's largest reading so far"};
+                             "A jump: from one step to the next, as part of the taxel's largest reading so far"};
   flow.next(ImGui::CalcTextSize("Pause at").x + 5 + kJumps.width(), 1.1f * ImGui::GetFontSize());
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Pause at");
@@ -91,10 +91,15 @@ void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
   constexpr Threshold kOff{"samples off",
                            "Pause when samples and surface disagree: a taxel reads something else than the exact\n"
                            "integral over its field. Working that out in every step slows the simulation down",
-                           "Samples off by", "As part of the sensor's largest reading so far"};
+                           "Samples off by", "As part of the taxel's largest reading so far"};
   flow.next(kOff.width());
   if (const auto part = draw_threshold(ui, kOff, wanted.on_disagreement, now.disagreement); part && *part > 0)
     wanted.disagreement = *part;
+  flow.next(button_width("of sensor"));
+  if (toggle(ui, "of sensor", now.of_sensor,
+             "Measure jumps against the largest reading of all taxels of the sensor,\n"
+             "not against each taxel's own"))
+    wanted.of_sensor = !now.of_sensor;
   if (!(wanted == now)) ui.ask(SetBreakpoints{wanted});
 }
 

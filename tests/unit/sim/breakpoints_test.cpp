@@ -16,14 +16,25 @@ struct Signal {
   std::vector<double> force;
 };
 
+constexpr double kLeast = 5;  // [Pa]
+
 /// First step that the definition calls a jump (at equal force: with that besides); 0: none.
 std::uint64_t first_jump(const Signal& signal, const Breakpoints& limits, bool at_equal_force) {
   for (std::size_t n = 1; n < signal.readings.size(); ++n) {
-    double largest = limits.least_pressure;
-    for (std::size_t m = 0; m <= n; ++m)
-      for (const double reading : signal.readings[m]) largest = std::max(largest, reading);
     for (std::size_t k = 0; k < signal.readings[n].size(); ++k) {
-      const bool jumps = std::abs(signal.readings[n][k] - signal.readings[n - 1][k]) > limits.jump * largest;
+      double largest = kLeast;
+      int touched = 0, sensor_touched = 0;
+      for (std::size_t j = 0; j < signal.readings[n].size(); ++j) {
+        int steps = 0;
+        for (std::size_t m = 0; m <= n; ++m) {
+          if (limits.of_sensor || j == k) largest = std::max(largest, signal.readings[m][j]);
+          steps += signal.readings[m][j] != 0 ? 1 : 0;
+        }
+        if (j == k) touched = steps;
+        sensor_touched = std::max(sensor_touched, steps);
+      }
+      const bool counts = (limits.of_sensor ? sensor_touched : touched) * limits.jump >= 3;
+      const bool jumps = counts && std::abs(signal.readings[n][k] - signal.readings[n - 1][k]) > limits.jump * largest;
       const bool stays = std::abs(signal.force[n] - signal.force[n - 1]) <=
                          limits.equal_force * std::max(signal.force[n], signal.force[n - 1]);
       if (jumps && (!at_equal_force || stays)) return n;
@@ -35,7 +46,7 @@ std::uint64_t first_jump(const Signal& signal, const Breakpoints& limits, bool a
 std::uint64_t first_stop(const Signal& signal, const Breakpoints& limits) {
   JumpDetector detector;
   for (std::size_t n = 0; n < signal.readings.size(); ++n) {
-    const SensorSignal now[] = {{signal.readings[n], signal.force[n]}};
+    const SensorSignal now[] = {{signal.readings[n], signal.force[n], kLeast}};
     for (const auto& jump : detector.compare(n, 1e-3 * static_cast<double>(n), now, limits))
       if (jump && stops(*jump, limits)) return jump->step;
   }
@@ -61,7 +72,8 @@ TEST(JumpDetector, StopsAtTheFirstStepThatTheDefinitionNames) {
       signal.force.push_back(force);
     }
     Breakpoints limits;
-    limits.jump = 0.05 + 0.3 * rng.uniform(draw++);
+    limits.jump = 0.15 + 0.5 * rng.uniform(draw++);
+    limits.of_sensor = seed % 3 == 0;
     EXPECT_EQ(first_stop(signal, limits), 0u) << "off";
     limits.on_jump = true;
     const std::uint64_t first = first_jump(signal, limits, false);
@@ -77,42 +89,73 @@ TEST(JumpDetector, StopsAtTheFirstStepThatTheDefinitionNames) {
   EXPECT_GT(equal, 5) << "some jumps are passed over because the force changes";
 }
 
+/// Ramps up to these readings in 100 steps, so that every taxel counts.
+void ramp_to(JumpDetector& detector, const std::vector<double>& readings, const Breakpoints& limits) {
+  for (int n = 1; n <= 100; ++n) {
+    std::vector<double> part = readings;
+    for (double& reading : part) reading *= 0.01 * n;
+    const SensorSignal now[] = {{part, 2.0, kLeast}};
+    for (const auto& jump : detector.compare(static_cast<std::uint64_t>(n), 0, now, limits))
+      EXPECT_FALSE(jump && is_jump(*jump, limits)) << "a first touch, step " << n;
+  }
+}
+
 TEST(JumpDetector, NamesTaxelAndNumbers) {
   JumpDetector detector;
   Breakpoints limits;
   limits.on_jump = true;
-  const std::vector<double> before{10000, 20000, 0}, after{10000, 15000, 500};
-  const SensorSignal a[] = {{before, 2.0}}, b[] = {{after, 2.01}};
-  EXPECT_FALSE(detector.compare(4, 0.003, a, limits)[0].has_value()) << "nothing to compare with";
-  const Jump jump = detector.compare(5, 0.004, b, limits)[0].value();
-  EXPECT_EQ(jump.taxel, 1);
-  EXPECT_EQ(jump.step, 5u);
-  EXPECT_EQ(jump.before, 20000);
-  EXPECT_EQ(jump.after, 15000);
-  EXPECT_DOUBLE_EQ(jump.part, 0.25);
+  ramp_to(detector, {10000, 20000, 50}, limits);
+  const std::vector<double> after{10000, 17000, 40};
+  const SensorSignal now[] = {{after, 2.01, kLeast}};
+  const Jump jump = detector.compare(101, 0.004, now, limits)[0].value();
+  EXPECT_EQ(jump.taxel, 2) << "the largest part of its own largest reading, not the largest change";
+  EXPECT_EQ(jump.step, 101u);
+  EXPECT_EQ(jump.before, 50);
+  EXPECT_EQ(jump.after, 40);
+  EXPECT_DOUBLE_EQ(jump.part, 0.2);
   EXPECT_EQ(jump.force_before, 2.0);
   EXPECT_EQ(jump.force_after, 2.01);
   EXPECT_TRUE(jump.at_equal_force);
   EXPECT_EQ(detector.largest(0), 20000);
 }
 
-TEST(JumpDetector, AFirstTouchIsNoJumpAndOtherTaxelsAreNotCompared) {
+TEST(JumpDetector, MeasuresAgainstTheSensorOnRequest) {
+  JumpDetector detector;
   Breakpoints limits;
-  limits.on_jump = true;
-  for (const bool forces : {false, true}) {
-    JumpDetector detector;
-    const double least = forces ? limits.least_force : limits.least_pressure;
-    const std::vector<double> none{0, 0}, touch{0.09 * least, 0}, jump{0.2 * least, 0}, more{0, 0, 0.9 * least};
-    const auto stops_at = [&](const std::vector<double>& readings) {
-      const SensorSignal now[] = {{readings, 0.0, forces}};
-      const auto found = detector.compare(1, 0, now, limits)[0];
-      return found && stops(*found, limits);
-    };
-    EXPECT_FALSE(stops_at(none));
-    EXPECT_FALSE(stops_at(touch));
-    EXPECT_TRUE(stops_at(jump));
-    EXPECT_FALSE(stops_at(more));
+  limits.on_jump = limits.of_sensor = true;
+  ramp_to(detector, {10000, 20000, 50}, limits);
+  const std::vector<double> after{10000, 17000, 40};
+  const SensorSignal now[] = {{after, 2.01, kLeast}};
+  const Jump jump = detector.compare(101, 0.004, now, limits)[0].value();
+  EXPECT_EQ(jump.taxel, 1);
+  EXPECT_DOUBLE_EQ(jump.part, 0.15);
+}
+
+/// Readings that begin as n, n^2 and n^3 do not jump, whatever their unit is.
+TEST(JumpDetector, PassesOverAFirstTouch) {
+  for (const double unit : {1e-3, 1.0, 1e6}) {
+    for (const double limit : {0.02, 0.1, 0.5}) {
+      JumpDetector detector;
+      Breakpoints limits;
+      limits.jump = limit;
+      for (int n = 0; n <= 300; ++n) {
+        const double x = 0.01 * n;
+        const std::vector<double> readings{unit * x, unit * x * x, unit * x * x * x};
+        const SensorSignal now[] = {{readings, 1.0, 0.0}};
+        for (const auto& jump : detector.compare(static_cast<std::uint64_t>(n), 0, now, limits))
+          EXPECT_FALSE(jump && is_jump(*jump, limits)) << unit << ' ' << limit << ' ' << n;
+      }
+    }
   }
+}
+
+TEST(JumpDetector, ComparesOnlyTheSameTaxels) {
+  JumpDetector detector;
+  Breakpoints limits;
+  ramp_to(detector, {100, 100}, limits);
+  const std::vector<double> more{0, 0, 900};
+  const SensorSignal now[] = {{more, 2.0, kLeast}};
+  EXPECT_FALSE(detector.compare(101, 0, now, limits)[0].has_value());
 }
 
 HistoryLanes lanes_of(const std::vector<StepMark>& steps) {

@@ -95,21 +95,49 @@ TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
   EXPECT_EQ(again->trace->rows.size(), end->trace->rows.size());
 }
 
+/// Each taxel's largest reading of the run so far; infinite until it was touched in 3 / limit steps.
+class PeaksSoFar {
+ public:
+  PeaksSoFar(const SensorModel& model, double limit)
+      : limit_(limit),
+        peaks_(static_cast<std::size_t>(model.taxel_count()), 1e-4 * model.layout.material.modulus),
+        touched_(peaks_.size(), 0) {}
+  void add(std::span<const double> readings) {
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      peaks_[k] = std::max(peaks_[k], readings[k]);
+      touched_[k] += readings[k] != 0 ? 1 : 0;
+    }
+  }
+  [[nodiscard]] std::vector<double> scales() const {
+    std::vector<double> all = peaks_;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (touched_[k] * limit_ < 3) all[k] = std::numeric_limits<double>::infinity();
+    return all;
+  }
+
+ private:
+  double limit_;
+  std::vector<double> peaks_;
+  std::vector<int> touched_;
+};
+
 TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree) {
   Breakpoints limits;
   limits.disagreement = 0.15;
   // by the definition, over a plain loop
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
-  double largest = limits.least_pressure;
+  PeaksSoFar peaks(*model_, limits.disagreement);
   std::uint64_t expected = 0;
   SampleGap gap;
+  double part = 0;
   while (expected == 0 && !simulator->finished()) {
     simulator->step();
     const StepView view = simulator->view();
     const SensorView& sensor = view.sensors[0];
-    for (const double reading : sensor.readings) largest = std::max(largest, reading);
-    gap = *largest_sample_gap(*model_, sensor.surfaces, sensor.readings);
-    if (gap.gap > limits.disagreement * largest) expected = view.step;
+    peaks.add(sensor.readings);
+    gap = *largest_sample_gap(*model_, sensor.surfaces, sensor.readings, peaks.scales());
+    part = gap.gap / peaks.scales()[static_cast<std::size_t>(gap.taxel)];
+    if (part > limits.disagreement) expected = view.step;
   }
   ASSERT_GT(expected, 500u) << "this sweep has such a step, in contact";
   limits.on_disagreement = true;
@@ -120,7 +148,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree
   EXPECT_EQ(found.taxel, gap.taxel);
   EXPECT_EQ(found.sampled, gap.sampled);
   EXPECT_EQ(found.exact, gap.exact);
-  EXPECT_EQ(found.part, gap.gap / largest);
+  EXPECT_EQ(found.part, part);
   EXPECT_TRUE(frame->history.lanes->steps.back().has(StepEvent::disagreement));
 }
 
@@ -131,17 +159,19 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   simulator->step();  // the look before the first step reads the same
   std::vector<double> before = simulator->row().readings[0];
-  double largest = limits.least_pressure;
+  PeaksSoFar peaks(*model_, limits.jump);
+  peaks.add(before);
   std::uint64_t expected = 0;
   std::size_t expected_taxel = 0;
   for (std::uint64_t step = 2; expected == 0 && !simulator->finished(); ++step) {
     simulator->step();
     const std::vector<double> now = simulator->row().readings[0];
-    for (const double reading : now) largest = std::max(largest, reading);
-    double change = limits.jump * largest;
+    peaks.add(now);
+    double most = limits.jump;
     for (std::size_t k = 0; k < now.size(); ++k) {
-      if (std::abs(now[k] - before[k]) <= change) continue;
-      change = std::abs(now[k] - before[k]);
+      const double part = std::abs(now[k] - before[k]) / peaks.scales()[k];
+      if (part <= most) continue;
+      most = part;
       expected = step;
       expected_taxel = k;
     }

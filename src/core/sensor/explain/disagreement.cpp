@@ -40,7 +40,7 @@ bool in_reach(const SensorModel& model, const Taxel& taxel, std::span<const Aabb
 }  // namespace
 
 std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
-                                            std::span<const double> readings) {
+                                            std::span<const double> readings, std::span<const double> scales) {
   if (model.layout.readout.aggregate == Aggregate::force || readings.size() != model.layout.taxels.size())
     return std::nullopt;
   const std::vector<Aabb> boxes = boxes_of(surfaces);
@@ -48,6 +48,7 @@ std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<
   std::vector<std::optional<SampleGap>> gaps(readings.size());
   parallel_chunks(count, 1, [&](int taxel, int) {
     const auto k = static_cast<std::size_t>(taxel);
+    if (!scales.empty() && std::isinf(scales[k])) return;
     ExactReading exact;
     exact.value = 0;
     if (readings[k] != 0 || in_reach(model, model.layout.taxels[k], boxes))
@@ -57,8 +58,15 @@ std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<
     gaps[k] = SampleGap{taxel, readings[k], *exact.value, gap};
   });
   std::optional<SampleGap> largest;
-  for (const std::optional<SampleGap>& gap : gaps)
-    if (gap && (!largest || gap->gap > largest->gap)) largest = gap;
+  double largest_part = 0;
+  for (const std::optional<SampleGap>& gap : gaps) {
+    if (!gap) continue;
+    const double scale = scales.empty() ? 1.0 : scales[static_cast<std::size_t>(gap->taxel)];
+    const double part = scale > 0 ? gap->gap / scale : 0.0;
+    if (largest && !(part > largest_part)) continue;
+    largest = gap;
+    largest_part = part;
+  }
   return largest;
 }
 

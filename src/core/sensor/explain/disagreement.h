@@ -15,10 +15,11 @@ struct SampleGap {
   double gap = 0;  ///< between them, less what the quadrature may leave
 };
 
-/// The taxel with the largest gap, of equal ones the first. None where no reading comes from samples (Aggregate::force)
-/// or no taxel has an exact one. `readings` by taxel, as read on these surfaces (frame M, null ones hold nothing).
-/// Exact readings to a hundredth of themselves. A pure function of its arguments, on all cores.
+/// The taxel whose gap is the largest fraction of its entry in `scales`, of equal ones the first; taxels with an
+/// infinite scale are left out. Without scales the taxel with the largest gap. None where no reading comes from samples
+/// (Aggregate::force) or no taxel has an exact one. `readings` by taxel, as read on these surfaces (frame M, null ones
+/// hold nothing). Exact readings to a hundredth of themselves. A pure function of its arguments, on all cores.
 std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
-                                            std::span<const double> readings);
+                                            std::span<const double> readings, std::span<const double> scales = {});
 
 }  // namespace taxel

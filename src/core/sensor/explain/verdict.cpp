@@ -67,7 +67,8 @@ Verdict decide(const VerdictInput& in) {
 }
 
 std::string verdict_text(const Verdict& v, const VerdictInput& in) {
-  const std::string reading = "the reading " + moved(v.change, in.limits) + " of the sensor's largest";
+  const std::string reading = "the reading " + moved(v.change, in.limits) +
+                              (in.limits.of_sensor ? " of the sensor's largest" : " of the taxel's largest");
   const std::string exactly =
       in.exact ? ", the exact integral of the same contact " + moved(in.exact->change(), in.limits) : std::string();
   switch (v.cause) {

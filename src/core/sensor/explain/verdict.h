@@ -26,7 +26,8 @@ inline std::string_view to_word(Cause cause) {
 struct ExplainLimits {
   double jump = 0;         ///< part of `largest`
   double equal_force = 0;  ///< part of the larger force
-  double largest = 0;      ///< reading of the sensor so far, or what it counts at least [its unit]
+  double largest = 0;      ///< reading of the taxel in the run, at least reading_floor() [its unit]
+  bool of_sensor = false;  ///< `largest` is that of all taxels of the sensor
 };
 
 /// Two readings of one thing, before and now.

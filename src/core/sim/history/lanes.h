@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/sim/history/column.h"
 
@@ -61,6 +62,10 @@ struct HistoryLanes {
   /// Of the history that they are of: in one edition a step's row stays as it is, new ones follow, the first are
   /// forgotten.
   std::uint64_t edition = 0;
+  /// Of the rows that were forgotten because others came, by reading: the largest magnitude, and the number of rows in
+  /// which it was not 0. Empty if none was forgotten.
+  std::vector<double> forgotten_largest;
+  std::vector<int> forgotten_touched;
 
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
   [[nodiscard]] const SensorSummary& sensor(std::size_t row, std::size_t sensor) const {
@@ -85,6 +90,14 @@ struct HistoryLanes {
     return static_cast<std::size_t>(std::clamp(step, first, last) - first);
   }
 };
+
+/// The largest magnitude of one reading of a row (index below reading_count) in the run as far as it is known.
+inline double largest_reading(const HistoryLanes& lanes, std::size_t reading) {
+  double largest = reading < lanes.forgotten_largest.size() ? lanes.forgotten_largest[reading] : 0.0;
+  for (std::size_t row = 0; row < lanes.rows(); ++row)
+    largest = std::max(largest, std::abs(lanes.readings[row * lanes.reading_count + reading]));
+  return largest;
+}
 
 /// Row whose time, or travel, is nearest to x; of equal ones the first. Needs a row.
 inline std::size_t nearest_row(const HistoryLanes& lanes, double StepMark::*what, double x) {

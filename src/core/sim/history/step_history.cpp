@@ -1,9 +1,11 @@
 #include "core/sim/history/step_history.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/sensor/explain/disagreement.h"
+#include "core/sensor/explain/reading_floor.h"
 #include "core/sim/history/packed_step.h"
 
 namespace taxel {
@@ -14,9 +16,7 @@ void gather_signals(const StepView& view, std::vector<SensorSignal>& signals) {
   for (std::size_t s = 0; s < view.sensors.size(); ++s) {
     const SensorView& sensor = view.sensors[s];
     const SensorModelPtr& model = view.scene->sensors[s];
-    const Aggregate how = model ? model->layout.readout.aggregate : Aggregate::weighted_mean;
-    const bool forces = how == Aggregate::force || how == Aggregate::weighted_sum;
-    signals.push_back({sensor.readings, glm::length(sensor.force_W), forces});
+    signals.push_back({sensor.readings, glm::length(sensor.force_W), model ? reading_floor(*model) : 0.0});
   }
 }
 
@@ -58,6 +58,8 @@ void StepHistory::clear() {
   steps_.clear();
   memory_.clear();
   forget_rows(rows_.rows());
+  rows_.forgotten_largest.clear();
+  rows_.forgotten_touched.clear();
   detector_.restart();
 }
 
@@ -147,17 +149,45 @@ std::optional<Disagreement> StepHistory::disagreement(const StepView& view) cons
     const SensorModelPtr& model = view.scene->sensors[s];
     if (!model) continue;
     const SensorView& sensor = view.sensors[s];
-    const std::optional<SampleGap> gap = largest_sample_gap(*model, sensor.surfaces, sensor.readings);
+    const std::vector<double> scales =
+        detector_.scales(s, signals_[s].least, breakpoints_.disagreement, breakpoints_.of_sensor);
+    const std::optional<SampleGap> gap = largest_sample_gap(*model, sensor.surfaces, sensor.readings, scales);
     if (!gap) continue;
-    const double part = gap->gap / JumpDetector::scale(detector_.largest(s), signals_[s].forces, breakpoints_);
+    const double part = gap->gap / scales[static_cast<std::size_t>(gap->taxel)];
     if (!(part > breakpoints_.disagreement) || (worst && part <= worst->part)) continue;
     worst = Disagreement{view.step, view.time, static_cast<int>(s), gap->taxel, gap->sampled, gap->exact, part};
   }
   return worst;
 }
 
+/// What is known of the readings of the oldest rows stays known.
 void StepHistory::trim_rows() {
-  rows_.forget_front(rows_.rows() - size());
+  const std::size_t count = rows_.rows() - size();
+  if (count > 0 && rows_.forgotten_largest.size() != rows_.reading_count) {
+    rows_.forgotten_largest.assign(rows_.reading_count, 0.0);
+    rows_.forgotten_touched.assign(rows_.reading_count, 0);
+  }
+  for (std::size_t row = 0; row < count; ++row) {
+    const std::span<const double> readings = rows_.readings_of(row);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      rows_.forgotten_largest[i] = std::max(rows_.forgotten_largest[i], std::abs(readings[i]));
+      rows_.forgotten_touched[i] += readings[i] != 0 ? 1 : 0;
+    }
+  }
+  rows_.forget_front(count);
+}
+
+/// Of one sensor, whose first reading is `first` of each row.
+ReadingHistory StepHistory::history_of(std::size_t first, std::size_t count) const {
+  ReadingHistory history{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t reading = first + k;
+    history.largest[k] = largest_reading(rows_, reading);
+    if (reading < rows_.forgotten_touched.size()) history.touched[k] = rows_.forgotten_touched[reading];
+    for (std::size_t row = 0; row < rows_.rows(); ++row)
+      history.touched[k] += rows_.readings[row * rows_.reading_count + reading] != 0 ? 1 : 0;
+  }
+  return history;
 }
 
 /// The newest ones: others may take their place.
@@ -188,15 +218,17 @@ void StepHistory::cut_after(std::uint64_t step) {
   if (cut == 0) return;
   forget_rows(cut);
   signals_.clear();
-  std::vector<double> largest;
+  std::vector<ReadingHistory> histories;
+  std::size_t reading = 0;
   const double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
   for (std::size_t s = 0; s < rows_.sensor_count; ++s) {
     const SensorSummary& row = rows_.sensors[rows_.sensors.size() - rows_.sensor_count + s];
     signals_.push_back({{readings, reading_counts_[s]}, row.force});
     readings += reading_counts_[s];
-    largest.push_back(row.largest_reading);
+    histories.push_back(history_of(reading, reading_counts_[s]));
+    reading += reading_counts_[s];
   }
-  detector_.go_on_from(signals_, largest);
+  detector_.go_on_from(signals_, histories);
 }
 
 std::size_t StepHistory::bytes() const {
@@ -217,6 +249,8 @@ void StepHistory::copy_lanes(HistoryLanes& lanes) const {
   lanes.edition = rows_.edition;
   lanes.sensor_count = rows_.sensor_count;
   lanes.reading_count = rows_.reading_count;
+  lanes.forgotten_largest = rows_.forgotten_largest;
+  lanes.forgotten_touched = rows_.forgotten_touched;
   const std::size_t more = rows_.rows() - lanes.rows();
   append_last(rows_.steps, more, lanes.steps);
   append_last(rows_.sensors, more * rows_.sensor_count, lanes.sensors);

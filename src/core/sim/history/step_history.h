@@ -62,6 +62,7 @@ class StepHistory {
   /// The largest of all sensors, where it is to stop at it.
   [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view) const;
   void trim_rows();
+  [[nodiscard]] ReadingHistory history_of(std::size_t first, std::size_t count) const;
   void forget_rows(std::size_t count);
 
   StepHistoryLimits limits_;

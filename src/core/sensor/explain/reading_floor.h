@@ -1,0 +1,23 @@
+// What a largest reading counts at least where a change is measured as a fraction of it.
+#pragma once
+
+#include <algorithm>
+
+#include "core/base/math.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel {
+
+/// 1e-4 of the modulus, below what any contact of a sensor reads: it only keeps rounding from being a jump. For readings
+/// that are forces, that pressure on the largest receptive field. 0 for a rigid sensor. [unit of the reading]
+inline double reading_floor(const SensorModel& model) {
+  constexpr double kFraction = 1e-4;
+  const double pressure = kFraction * model.layout.material.modulus;
+  const Aggregate how = model.layout.readout.aggregate;
+  if (how != Aggregate::force && how != Aggregate::weighted_sum) return pressure;
+  double radius = 0;
+  for (const Taxel& taxel : model.layout.taxels) radius = std::max(radius, taxel.radius);
+  return pressure * kPi * radius * radius;
+}
+
+}  // namespace taxel
