@@ -8,7 +8,7 @@ LAYERS = ["base", "mesh", "layout", "hydro", "sensor", "project", "sim"]
 
 # header prefix -> the only places (path prefixes or globs below src/) that may include it
 LIBRARIES = {
-    "OpenMesh/": ["core/mesh/*", "core/mesh/repair/*"],
+    "OpenMesh/": ["core/mesh/*", "core/mesh/topology/*", "core/mesh/repair/*"],
     "manifold/": ["core/mesh/repair/*"],
     "tiny_gltf.h": ["core/mesh/gltf_io.cpp"],
     "nlohmann/": ["**/*_json.cpp"],

@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/mesh_report.h"
+#include "app/cli/mesh_topology.h"
 #include "core/mesh/mesh_check.h"
 
 namespace taxel::cli {
@@ -31,10 +32,20 @@ struct Options {
   std::string file;
   std::string out;
   std::string scale = "1";
+  TopologyOptions topology;
 };
+
+/// Decimates or subdivides, and reports that alone.
+int run_topology(const TriMeshPtr& mesh, const Options& options, Console& console) {
+  const ChangedMesh changed = change_topology(mesh, options.topology, options.file);
+  if (!options.out.empty()) save_mesh(options.out, *changed.after);
+  console.result(console.json() ? topology_json(changed, options.topology) : topology_text(changed, options.topology));
+  return kDone;
+}
 
 int run(const Options& options, Console& console) {
   const LoadedMesh loaded = load_mesh(options.file, parse_scale("mesh", options.scale));
+  if (options.topology.is_asked()) return run_topology(loaded.mesh, options, console);
   if (!options.out.empty()) save_mesh(options.out, *loaded.mesh);
   console.result(console.json() ? mesh_json(loaded) : mesh_text(loaded));
   return kDone;
@@ -49,7 +60,9 @@ Command add_mesh(CLI::App& parent, CommonOptions& common) {
   app->add_option("FILE", options->file, "Mesh: .obj .stl .ply .off .gltf .glb")->required()->option_text("(required)");
   app->add_option("--scale", options->scale, "Multiply coordinates by one number, or by three: X,Y,Z (0.001 for mm)")
       ->option_text("X=1");
-  app->add_option("--out", options->out, "Write the repaired mesh: .obj .stl .off .glb")->type_name("FILE");
+  add_topology_options(*app, options->topology);
+  app->add_option("--out", options->out, "Write the mesh as repaired, decimated or subdivided: .obj .stl .off .glb")
+      ->type_name("FILE");
   return {app, [options](Console& console) { return run(*options, console); }};
 }
 
