@@ -42,6 +42,7 @@ enum class FileOffer {
 
 struct OpenFile {
   std::string path;
+  std::string mesh = {};  ///< file, for a layout of another program, which holds none
 };
 struct OpenFingertipSweep {};
 struct CloseDocument {};

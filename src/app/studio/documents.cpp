@@ -17,6 +17,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/project/project_json.h"
 #include "core/project/recording/npz.h"
+#include "core/sensor/imported_source.h"
 #include "core/sim/bundle/frame_bundle.h"
 
 namespace taxel::studio {
@@ -90,6 +91,20 @@ Document load_layout(const std::filesystem::path& file, const SensorBuild& how) 
   project.layout = std::move(source.layout);
   project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
   return compiled(DocumentKind::layout, file, std::move(project), std::move(source.mesh), how);
+}
+
+/// A layout of another program on the mesh that was chosen.
+Document load_foreign_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  if (skin.mesh.empty()) throw Error(file.string(), "holds no mesh: drop its mesh file into the window as well");
+  ImportedSource read = read_any_source(file, skin);
+  Project project;
+  project.layout = std::move(read.source.layout);
+  Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  std::vector<std::string> notes;
+  for (const std::string& note : read.notes) notes.push_back(file.filename().string() + ": " + note);
+  document.notes.insert(document.notes.begin(), notes.begin(), notes.end());
+  document.skin = skin;
+  return document;
 }
 
 Document load_project(const std::filesystem::path& file, const SensorBuild& how) {
@@ -166,21 +181,27 @@ double density_for(double area) {
 
 DocumentKind document_kind(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
-  if (extension == ".json") return DocumentKind::layout;
+  if (extension == ".json" || needs_mesh(file)) return DocumentKind::layout;
   if (extension == ".taxelproj") return DocumentKind::project;
   if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
   if (extension == kFrameBundleExtension) return DocumentKind::frame;
   if (is_mesh_file(file)) return DocumentKind::mesh;
-  throw Error(file.string(),
-              "cannot be opened: it is no project (.taxelproj), layout (.taxels.json), mesh (.obj .stl .ply .off .gltf "
-              ".glb), "
-              "MuJoCo scene (.xml) or saved step (.taxelframe)");
+  throw Error(
+      file.string(),
+      "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml), mesh (.obj .stl .ply .off .gltf "
+      ".glb), "
+      "MuJoCo scene (.xml) or saved step (.taxelframe)");
 }
 
-Document load_document(const std::filesystem::path& file, const SensorBuild& how) {
+bool needs_mesh(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  return extension == ".yaml" || extension == ".yml";
+}
+
+Document load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
   switch (document_kind(file)) {
     case DocumentKind::layout:
-      return load_layout(file, how);
+      return needs_mesh(file) ? load_foreign_layout(file, skin, how) : load_layout(file, how);
     case DocumentKind::project:
       return load_project(file, how);
     case DocumentKind::mesh:

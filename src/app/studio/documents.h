@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/studio/open_meshes.h"
+#include "core/layout/formats/skin_choice.h"
 #include "core/project/project.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/sim_frame.h"
@@ -33,13 +34,17 @@ struct Document {
   std::function<SensorModelPtr(const SensorBuild&)> compile;
   SimFramePtr frame = nullptr;  ///< a step that was saved, with nothing to simulate; null for all else
   std::string state = {};       ///< of the window when it was saved (state.json); empty: unknown
+  SkinChoice skin = {};         ///< on which a layout of another program was put
 
   /// Shows samples that are yet to be polished.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
 };
 
-/// Reads and compiles. Throws Error naming file and field, or Cancelled.
-Document load_document(const std::filesystem::path& file, const SensorBuild& how);
+/// Whether the file is a layout that holds no mesh, which has to be opened with one.
+bool needs_mesh(const std::filesystem::path& file);
+
+/// Reads and compiles. `skin`: for a file that needs a mesh. Throws Error naming file and field, or Cancelled.
+Document load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
 Document built_in_fingertip(const SensorBuild& how);
 
 /// The fingertip's mesh, which travels inside the program: its file name and its bytes.

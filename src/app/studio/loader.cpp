@@ -38,16 +38,16 @@ struct Loader::Job {
     }
     news.notify_all();
   }
-  void run(const std::string& file, SensorCache& cache);
+  void run(const std::string& file, const SkinChoice& skin, SensorCache& cache);
   void run_polish(SensorCache& cache);
 };
 
-void Loader::Job::run(const std::string& file, SensorCache& cache) {
+void Loader::Job::run(const std::string& file, const SkinChoice& skin, SensorCache& cache) {
   SensorBuild how(&loading);
   how.cache = &cache;
   how.quality = SampleQuality::preview;
   try {
-    document = file.empty() ? built_in_fingertip(how) : load_document(file, how);
+    document = file.empty() ? built_in_fingertip(how) : load_document(file, skin, how);
   } catch (const Cancelled&) {
     return post(LoadCancelled{}, true);
   } catch (const std::exception& error) {
@@ -92,10 +92,10 @@ void Loader::begin(std::shared_ptr<Job> job) {
   began_ = std::chrono::steady_clock::now();
 }
 
-void Loader::start(const std::string& file) {
+void Loader::start(const std::string& file, const SkinChoice& skin) {
   begin(std::make_shared<Job>());
   file_ = file;
-  job_->thread = std::thread([job = job_.get(), file, this] { job->run(file, cache_); });
+  job_->thread = std::thread([job = job_.get(), file, skin, this] { job->run(file, skin, cache_); });
 }
 
 void Loader::polish(const Document& document) {

@@ -38,7 +38,8 @@ class Loader {
 
   /// Begins to load a file; empty: the built-in fingertip. Gives a Document, and after one with preview samples what
   /// comes of polishing them. What still runs is cancelled, its results are dropped.
-  void start(const std::string& file);
+  /// `skin`: what a layout of another program leaves open.
+  void start(const std::string& file, const SkinChoice& skin = {});
   /// Begins to polish the samples of a document, likewise.
   void polish(const Document& document);
   /// Ends what runs: take() tells so next, whatever the worker has ready by then.

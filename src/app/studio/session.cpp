@@ -75,20 +75,20 @@ void Session::settle(const Done& done) {
   throw Error("the simulation does not answer");
 }
 
-void Session::open(const std::string& file) {
+void Session::open(const std::string& file, const SkinChoice& skin) {
   reloading_ = false;
   recovered_.reset();
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(file, missing);
   load_pictures_ = 0;
   load_pictures_due_ = !missing && size > kLargeFile ? kLoadPictures : 0;
-  loader_.start(file);
+  loader_.start(file, skin);
 }
 
 void Session::reload() {
   if (!document_ || document_->file.empty()) return;
   reloading_ = true;
-  loader_.start(document_->file);
+  loader_.start(document_->file, document_->skin);
 }
 
 void Session::close() {
@@ -202,7 +202,8 @@ void Session::accept_document(Document document, SessionNews& news) {
   if (reloading_ && edits_.is_open() && document.project && document_ && document.file == document_->file)
     return accept_reload(document, news);
   for (const std::string& note : document.notes) {
-    news.messages.emplace_back(document.kind == DocumentKind::mesh ? Severity::note : Severity::warning, note);
+    const bool only_told = document.kind == DocumentKind::mesh || !document.skin.mesh.empty();
+    news.messages.emplace_back(only_told ? Severity::note : Severity::warning, note);
   }
   if (!document.problem.empty()) news.messages.emplace_back(Severity::warning, document.file + ": " + document.problem);
   if (document.model && !document.previewed()) {

@@ -48,7 +48,8 @@ class Session {
   /// `wake` is called from a worker when update() has something to tell.
   Session(bool by_clock, std::function<void()> wake);
 
-  void open(const std::string& file);      ///< empty: the built-in fingertip
+  /// Empty: the built-in fingertip. `skin`: for a layout of another program.
+  void open(const std::string& file, const SkinChoice& skin = {});
   void recover(const LostDocument& lost);  ///< unsaved, as it was when it was kept
   void reload();                           ///< keeps pause, cameras and what undo knows
   void close();

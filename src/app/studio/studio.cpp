@@ -11,6 +11,7 @@
 #include "app/studio/settings.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
+#include "core/mesh/mesh_io.h"
 #include "core/project/scenario_json.h"
 #include "ui/panels/interface.h"
 #include "ui/panels/messages.h"
@@ -57,6 +58,16 @@ gl::ShaderReader shader_reader(const std::string& folder) {
   return [folder](const std::string& name) { return read_file(std::filesystem::path(folder) / name); };
 }
 
+/// The last file that was dropped; of a layout and its mesh both.
+ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
+  const auto layout =
+      std::find_if(paths.begin(), paths.end(), [](const std::string& path) { return needs_mesh(path); });
+  const auto mesh =
+      std::find_if(paths.begin(), paths.end(), [](const std::string& path) { return is_mesh_file(path); });
+  if (layout != paths.end() && mesh != paths.end()) return {*layout, *mesh};
+  return {paths.back()};
+}
+
 }  // namespace
 
 Studio::Studio(const Options& options)
@@ -84,7 +95,7 @@ Studio::Studio(const Options& options)
   // Scripts and pictures begin without it, unless it is asked for.
   if (options.tour || (options.by_clock() && !ui_.saved.tour_seen)) ui_.tour_step = 0;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
-  if (!options.empty) session_.open(options.file);
+  if (!options.empty) open_file({options.file});
   last_picture_at_ = pace_window_at_ = Clock::now();
 }
 
@@ -166,9 +177,9 @@ void Studio::take(const std::vector<InputEvent>& events) {
   for (const InputEvent& event : input_queue_.take()) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
-      const std::string& path = drop->paths.back();
-      const bool points = ui_.generate.open && holds_points(path);
-      points ? ui_.ask(ui::ReadPoints{path}) : ui_.ask(ui::OpenFile{path});
+      const ui::OpenFile file = dropped_file(drop->paths);
+      const bool points = ui_.generate.open && holds_points(file.path);
+      points ? ui_.ask(ui::ReadPoints{file.path}) : ui_.ask(file);
     }
     if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
       window_->resize(std::max(1, size->width), std::max(1, size->height));

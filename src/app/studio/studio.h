@@ -74,6 +74,7 @@ class Studio {
   [[nodiscard]] PatternAnswerPtr fresh_preview() const;
   bool take_preview();
   void read_points(const std::string& path);
+  void open_file(const ui::OpenFile& file);
   bool hold_if_unsaved(const ui::Request& request);
   void edit_document(const std::function<void(EditSession&)>& body, bool in_gesture = false,
                      const std::optional<ui::FieldInput>& from = std::nullopt);
@@ -136,6 +137,7 @@ class Studio {
   float themed_scale_ = 0;
   int pictures_due_ = 3;
   std::optional<ui::Request> held_;       ///< what is to be done when unsaved edits are saved or given up
+  std::string layout_without_mesh_;       ///< file, waiting for its mesh; empty: none waits
   bool leave_unsaved_ = false;            ///< the user said so
   std::optional<ui::ExportFile> export_;  ///< what waits for polished samples
   Autosave autosave_;

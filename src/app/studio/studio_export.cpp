@@ -121,7 +121,7 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
       break;
     default: {
       const LayoutFormat* format = layout_format_of(wanted.path);
-      if (format != nullptr && format != &layout_formats().front())
+      if (format != nullptr && format->write != nullptr && format != &layout_formats().front())
         return format->write(wanted.path, edits.project()->layout);
       const Project written = with_mesh_on_disk(*edits.project(), wanted.path, edits.mesh());
       taxel::export_layout(wanted.path, written);

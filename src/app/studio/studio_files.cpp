@@ -5,6 +5,7 @@
 #include "app/studio/project_files.h"
 #include "app/studio/settings.h"
 #include "app/studio/studio.h"
+#include "core/mesh/mesh_io.h"
 #include "ui/panels/file_dialog.h"
 #include "ui/tools/actions.h"
 
@@ -19,6 +20,27 @@ bool leaves_document(const ui::Request& request) {
 }
 
 }  // namespace
+
+/// A layout without mesh is opened on the bare mesh that is open, or waits for the next mesh.
+void Studio::open_file(const ui::OpenFile& file) {
+  SkinChoice skin;
+  skin.mesh = file.mesh;
+  std::string path = file.path;
+  if (!path.empty() && needs_mesh(path) && skin.mesh.empty()) {
+    if (!session_.edits().is_open() || session_.kind() != DocumentKind::mesh) {
+      layout_without_mesh_ = path;
+      ui::add_message(ui_, Severity::note, path + ": holds no mesh: drop or open its mesh file as well",
+                      ImGui::GetTime());
+      return;
+    }
+    skin.mesh = session_.file();
+  } else if (!path.empty() && is_mesh_file(path) && !layout_without_mesh_.empty()) {
+    skin.mesh = path;
+    path = layout_without_mesh_;
+  }
+  layout_without_mesh_.clear();
+  session_.open(path, skin);
+}
 
 bool Studio::hold_if_unsaved(const ui::Request& request) {
   if (!leaves_document(request) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;

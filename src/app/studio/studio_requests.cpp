@@ -37,7 +37,7 @@ void Studio::carry_out(const ui::Request& request) {
       carry_out_real(request))
     return;
   if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
-    session_.open(r->path);
+    open_file(*r);
   } else if (std::holds_alternative<ui::OpenFingertipSweep>(request)) {
     session_.open("");
   } else if (std::holds_alternative<ui::CloseDocument>(request)) {
