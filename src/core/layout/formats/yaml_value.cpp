@@ -11,8 +11,8 @@ namespace taxel {
 namespace {
 
 /// Larger files are refused: a sensor description of ten thousand taxels has less than 1 MB, and the parser needs
-/// about a hundred times the memory of its text.
-constexpr std::size_t kMaxBytes = 16u << 20;
+/// up to three hundred times the memory of its text.
+constexpr std::size_t kMaxBytes = 2u << 20;
 
 std::string line_text(const YAML::Mark& mark) {
   return mark.line >= 0 ? fmt::format("line {}", mark.line + 1) : "";
