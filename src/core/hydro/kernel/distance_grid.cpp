@@ -122,7 +122,9 @@ void DistanceGrid::mark_core(const TriMesh& skin) {
       for (int x = 0; x < dims_.x; ++x) {
         sum += line[x];
         Cell& cell = cells_[index(x, y, z)];
-        if (sum > 0 && cell.tet < 0) cell.distance = 0;
+        if (sum <= 0 || cell.tet >= 0) continue;
+        cell.distance = 0;
+        cell.tet = kCoreCell;
       }
     }
   }

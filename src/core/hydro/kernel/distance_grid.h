@@ -11,11 +11,13 @@ namespace taxel {
 
 class DistanceGrid {
  public:
+  /// Instead of a tet, for cells that lie inside of the skin beyond all tets (mark_core).
+  static constexpr std::int32_t kCoreCell = -2;
   struct Cell {
     /// Every point of the cell is at least this far from every tet [m]; 0 in cells with tets, and in cells that lie
     /// inside of the skin beyond all tets, where depth pieces are (mark_core).
     float distance = 0;
-    std::int32_t tet = -1;   ///< one that meets the cell, that of its middle where there is one; -1 where none does
+    std::int32_t tet = -1;  ///< one that meets the cell, that of its middle where there is one; -1 or kCoreCell if none
     std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none
   };
   /// The plane of a face of the boundary: the whole field lies at n . x + offset >= 0, but for rounding.

@@ -33,7 +33,7 @@ HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
   }
   if (cell.distance > 0) return kOutside;
   std::int32_t tet = cell.tet;
-  if (tet < 0) return kInCore;
+  if (tet == DistanceGrid::kCoreCell) return kInCore;
   const TagD d;
   const VecD px = hn::Set(d, x.x), py = hn::Set(d, x.y), pz = hn::Set(d, x.z);
   for (int step = 0; step < kMostSteps && tet >= 0; ++step) {
@@ -81,12 +81,16 @@ HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const d
   return -1;
 }
 
-/// Whether a point that no tet holds may lie inside of the body: locate() found it in the core, or left the tets there.
-HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held) {
+/// Whether x, which no tet holds, may lie inside of the body: locate() found it in the core, or left the tets there. A
+/// walk to a point outside of the skin leaves by the core too at times; the pressure of the last tet is negative then.
+HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const dvec3& x) {
   if (held >= kOutside) return false;
   if (held == kInCore) return true;
   const std::int32_t code = kOutside - 1 - held;
-  return (field.tets()[static_cast<std::size_t>(code / 4)].core_faces >> (code % 4) & 1u) != 0;
+  const PackedTet& tet = field.tets()[static_cast<std::size_t>(code / 4)];
+  if ((tet.core_faces >> (code % 4) & 1u) == 0) return false;
+  const LinearPressure p = tet.pressure();
+  return glm::dot(p.gradient, x) + p.constant > 0;
 }
 
 /// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.

@@ -32,6 +32,7 @@ class TetsAndTriangles {
     collect(rigid_.tree(), query, w_.triangles);
     w_.begin_call(rigid_.vertices().size(), field_.tets().size());
     w_.depth.triangles.clear();
+    any_beyond_ = w_.tree_form;
     if (!field_.goes_on()) {
       for (const std::int32_t t : w_.triangles) add(rigid_.triangles()[at(t)]);
       return;
@@ -40,7 +41,7 @@ class TetsAndTriangles {
       const std::size_t first = writer_.polygon_count();
       const int at_core = writer_.core_count();
       add(rigid_.triangles()[at(t)]);
-      if (writer_.core_count() != at_core || reaches_beyond(rigid_.triangles()[at(t)]))
+      if (writer_.core_count() != at_core || (any_beyond_ && reaches_beyond(rigid_.triangles()[at(t)])))
         w_.depth.triangles.push_back({t, first, writer_.polygon_count()});
     }
   }
@@ -65,6 +66,7 @@ class TetsAndTriangles {
     placed.call = w_.call;
     placed.x = X_SR_(rigid_.vertices()[at(vertex)]);
     placed.tet = w_.tree_form ? kOutside : locate(field_, placed.x);
+    if (placed.tet < kOutside && may_be_beyond(field_, placed.tet, placed.x)) any_beyond_ = true;
     return placed;
   }
 
@@ -117,7 +119,7 @@ class TetsAndTriangles {
   [[nodiscard]] HWY_INLINE bool reaches_beyond(const TriangleTree::Triangle& source) {
     for (const std::int32_t vertex : source.vertex) {
       const PlacedVertex& placed = place(vertex);
-      if (may_be_beyond(field_, w_.tree_form ? locate(field_, placed.x) : placed.tet)) return true;
+      if (may_be_beyond(field_, w_.tree_form ? locate(field_, placed.x) : placed.tet, placed.x)) return true;
     }
     return false;
   }
@@ -186,7 +188,8 @@ class TetsAndTriangles {
   const RigidTransform& X_SR_;
   SurfaceWriter& writer_;
   IntersectWorkspace& w_;
-  bool flat_ = false;  ///< the current triangle lies in a plane of some tet
+  bool any_beyond_ = false;  ///< some vertex placed so far may lie inside of the body beyond all tets
+  bool flat_ = false;        ///< the current triangle lies in a plane of some tet
 };
 
 void run_triangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
