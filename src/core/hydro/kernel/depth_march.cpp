@@ -338,7 +338,7 @@ bool reaches_core(const FieldIndex& a, const FieldIndex& b, const RigidTransform
     const Aabb& box = field.field().bounds();
     if (glm::any(glm::lessThan(x, box.lo)) || glm::any(glm::greaterThan(x, box.hi))) return false;
     const DistanceGrid::Cell& cell = field.grid().cell_of(x);
-    return cell.tet < 0 && cell.distance == 0;
+    return cell.tet == DistanceGrid::kCoreCell;
   };
   return (a.goes_on() && in_core(a, X_AB(b.field().vertices().front()))) ||
          (b.goes_on() && in_core(b, X_AB.inverse_point(a.field().vertices().front())));
