@@ -63,7 +63,6 @@ int run(const Options& options, Console& console) {
   ContactReport report{result, contact_case.a.X_WB, a.warnings, {}, 0, options.repeat};
   report.warnings.insert(report.warnings.end(), b.warnings.begin(), b.warnings.end());
   report.microseconds = timed_contact(contact_case, *a.body, *b.body, options.repeat, result);
-  for (std::string& warning : contact_warnings(result)) report.warnings.push_back(std::move(warning));
   for (const auto& [name, made] : {std::pair("a", &a), std::pair("b", &b)}) {
     if (const FieldReport* field = made->field_report()) report.fields.emplace_back(name, *field);
   }

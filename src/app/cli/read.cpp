@@ -42,7 +42,6 @@ int run(const Options& options, Console& console) {
   ReadReport report{*model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}, {}};
   IntersectWorkspace workspace;
   evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
-  for (const std::string& warning : contact_warnings(report.result)) console.warn(options.file + ": " + warning);
   const ContactSurface* const surfaces[] = {&report.result.surface};
   SensorReading reading;
   const SurfaceMotion motions[] = {

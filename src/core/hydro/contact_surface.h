@@ -18,7 +18,7 @@ struct ContactPolygon {
   dvec3 centroid{0};    ///< of the area
   double pressure = 0;  ///< elastic pressure p0 at the centroid [Pa]
   dvec3 gradient{0};    ///< of p0 [Pa/m]; p0(x) = pressure + dot(gradient, x - centroid)
-  int tet = -1;         ///< of the soft body, of A where both are soft; -1 in a half-space
+  int tet = -1;         ///< of the soft body, of A where both are soft; -1 in a half-space and beyond a pad's tets
   int tet_b = -1;       ///< of B where both are soft
   int face = -1;        ///< of the rigid mesh; -1 on a half-space
 };
@@ -47,7 +47,7 @@ using NumberBuffer = std::vector<T, UninitializedAllocator<T>>;
 enum class Rejection {
   sliver,      ///< too thin to have a normal
   touching,    ///< in the skin: no pressure
-  beyond_core  ///< deeper than a pad reaches: the hole behind the polygons that end on its rigid core
+  beyond_core  ///< the hole behind a field that ends with its tets: steps saved before depth pieces were there
 };
 inline constexpr std::size_t kRejections = 3;
 /// A stable word: "sliver", "touching", "beyond_core".
@@ -79,7 +79,7 @@ struct ContactSurface {
   [[nodiscard]] const RejectedPolygons& left_out(Rejection reason) const {
     return rejected[static_cast<std::size_t>(reason)];
   }
-  /// Polygons that end on a pad's rigid core: the overlap is deeper there than the field reaches.
+  /// Polygons that end where the field does although the overlap is deeper; 0 for fields that go on (depth_field.h).
   [[nodiscard]] int at_core() const { return left_out(Rejection::beyond_core).count; }
   [[nodiscard]] bool empty() const { return polygons.empty(); }
   [[nodiscard]] double area() const;

@@ -79,15 +79,6 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
   return made;
 }
 
-std::vector<std::string> contact_warnings(const ContactResult& result) {
-  const RejectedPolygons& core = result.surface.left_out(Rejection::beyond_core);
-  if (core.count == 0) return {};
-  return {fmt::format(
-      "{} polygons end at the rigid core of a pad: pressure is missing where the overlap is deeper, on about "
-      "{:.3g} m^2 and at least {:.3g} N",
-      core.count, core.area, core.force)};
-}
-
 Twist relative_twist(const CaseBody& a, const CaseBody& b) {
   // velocity of the point of B that is at A's origin now: v_B + omega_B x (p_A - p_B)
   const dvec3 of_B = b.V_WB.linear + glm::cross(b.V_WB.angular, a.X_WB.p - b.X_WB.p);

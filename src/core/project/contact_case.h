@@ -72,9 +72,6 @@ struct ContactResult {
 void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const HydroBody& b, ContactResult& out,
                       IntersectWorkspace& workspace);
 
-/// What the surface of a contact does not show: empty, or that the overlap is deeper than a pad's field reaches.
-std::vector<std::string> contact_warnings(const ContactResult& result);
-
 /// Velocity of body A relative to body B at A's origin, in frame A.
 Twist relative_twist(const CaseBody& a, const CaseBody& b);
 

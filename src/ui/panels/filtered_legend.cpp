@@ -20,7 +20,7 @@ const char* explain(Rejection reason) {
     case Rejection::touching:
       return "touching, in the skin without pressure";
     default:
-      return "beyond the core, deeper than the pad (not drawn)";
+      return "beyond the tets of a field that ends there (not drawn)";
   }
 }
 

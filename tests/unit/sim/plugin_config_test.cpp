@@ -157,18 +157,15 @@ TEST_F(PluginConfig, MujocosOwnContactOfAPairIsReportedOnce) {
   EXPECT_NE(s.sensor().warnings()[0].find("\"floor\""), std::string::npos);
 }
 
-TEST_F(PluginConfig, PressingThroughToTheCoreIsReportedOnce) {
+TEST_F(PluginConfig, DeepPressIsNoWarning) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::pad, 5e4, 0.002, 5, 0.5});
   compile(sensor_extension("ball", key("others", "floor") + key("force", "sense")));
   ASSERT_NE(s.model, nullptr) << s.error;
-  s.data->qpos[2] = 0.019;
-  mj_forward(s.model.get(), s.data.get());
-  EXPECT_TRUE(s.sensor().warnings().empty());
-  s.data->qpos[2] = 0.015;
-  for (int n = 0; n < 3; ++n) mj_forward(s.model.get(), s.data.get());
-  ASSERT_EQ(s.sensor().warnings().size(), 1u);
-  EXPECT_NE(s.sensor().warnings()[0].find("core"), std::string::npos);
-  EXPECT_NE(s.sensor().warnings()[0].find("\"floor\""), std::string::npos);
+  for (const double height : {0.019, 0.015}) {
+    s.data->qpos[2] = height;
+    mj_forward(s.model.get(), s.data.get());
+    EXPECT_TRUE(s.sensor().warnings().empty()) << height;
+  }
 }
 
 TEST_F(PluginConfig, AnotherMeshThanTheLayoutsIsReported) {

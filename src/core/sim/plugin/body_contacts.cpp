@@ -218,15 +218,6 @@ void BodyContacts::note_step_too_large(const mjModel& m, std::size_t pair, doubl
                   geom_name(m, settings().geom), geom_name(m, touched.geom), m.opt.timestep, largest));
 }
 
-void BodyContacts::note_pressed_through() {
-  for (const std::size_t i : slots_[sensed_].near) {
-    if (touched_[i].at_core || slots_[sensed_].pairs[i].surface.at_core() == 0) continue;
-    touched_[i].at_core = true;
-    warnings.push_back(fmt::format("geom \"{}\" presses through the skin to its rigid core: pressure is missing there",
-                                   touched_[i].body->name));
-  }
-}
-
 void BodyContacts::note_mujoco_contacts(const mjModel& m, const mjData& d) {
   for (int c = 0; c < d.ncon; ++c) {
     const mjContact& contact = d.contact[c];
@@ -279,7 +270,6 @@ void BodyContacts::sense(const mjModel& m, mjData& d) {
   present(m, d);
   sensed_ = latest_;
   mirror_pairs(m, d);
-  note_pressed_through();
   note_mujoco_contacts(m, d);
 }
 

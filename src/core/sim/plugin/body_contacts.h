@@ -29,7 +29,6 @@ struct TouchedGeom {
   bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
   unsigned step_checks = 0;     ///< how often the time step was to be checked
   bool step_too_large = false;  ///< the contact was seen to be too stiff for the time step: reported once
-  bool at_core = false;         ///< the geom was seen to press through to the pad's core: reported once
 };
 
 /// A pair in one state.
@@ -107,7 +106,6 @@ class BodyContacts {
   void mirror_pairs(const mjModel& m, mjData& d);
   /// Number of the pair with a geom; touched().size() if there is none.
   [[nodiscard]] std::size_t pair_with(int geom) const;
-  void note_pressed_through();
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
   void clear_pairs(Evaluation& e) const;
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
