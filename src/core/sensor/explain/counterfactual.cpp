@@ -58,9 +58,9 @@ bool between_soft_bodies(const ContactSurface& surface) {
 OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const ContactSurface* const> surfaces) {
   const PressureField* field = field_of(model);
   const double stiffness = field != nullptr ? field->report().stiffness_mean : 0.0;
-  const double thickness = field != nullptr && model.layout.material.field == FieldKind::pad
-                               ? field->report().thickness
-                               : std::numeric_limits<double>::infinity();
+  const auto* soft = std::get_if<SoftBody>(&model.body->geometry);
+  const bool ends = field != nullptr && model.layout.material.field == FieldKind::pad && !soft->depth;
+  const double thickness = ends ? field->report().thickness : std::numeric_limits<double>::infinity();
   OtherSurfaces out;
   out.surfaces.resize(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {

@@ -38,10 +38,10 @@ bool field_is_suspect(const SensorModel& model);
 /// both, and for those on no face of a rigid mesh that do not lie in one plane.
 bool between_soft_bodies(const ContactSurface& surface);
 
-/// The same polygons under a field of the same stiffness everywhere: p = k min(depth, H), the depth below the skin, k
-/// the mean stiffness of the sensor's own field, H the thickness of a pad, unlimited for a star. Of each polygon
-/// depth and gradient at its centroid. No tets are involved. Holds where the other bodies are rigid, whose surfaces lie
-/// where they do whatever the field is.
+/// The same polygons under a field of the same stiffness everywhere: p = k depth, the depth below the skin, k the
+/// mean stiffness of the sensor's own field; no deeper than the thickness of a pad whose field ends with its tets. Of
+/// each polygon depth and gradient at its centroid. No tets are involved. Holds where the other bodies are rigid, whose
+/// surfaces lie where they do whatever the field is.
 OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const ContactSurface* const> surfaces);
 
 }  // namespace taxel
