@@ -47,7 +47,7 @@ PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coa
     fit();
     if (!find_folded_gaps(whole)) break;
   }
-  set_depths();
+  set_depths(coarse);
 }
 
 /// Legs that went the same way in the last round have the same offset, before they are made to fit their neighbours.
@@ -330,16 +330,22 @@ bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
   return true;
 }
 
-/// Depths of the inner vertices that moved after their offset was found.
-void PadShape::set_depths() {
+/// Depths of the inner vertices that moved after their offset was found; from a coarse shape where it has the same.
+void PadShape::set_depths(const PadShape* coarse) {
+  const int shared = coarse == nullptr ? 0 : coarse->mesh_.vertex_count();
+  const auto is_shared = [&](int own) {
+    return own < shared && coarse->offset_[at(own)] == offset_[at(own)] &&
+           coarse->legs_.inward[at(own)].direction == legs_.inward[at(own)].direction;
+  };
+  const auto find_depth = [&](int own) {
+    if (pinched_[at(own)]) return 0.0;
+    if (is_shared(own)) return coarse->depth_[at(own)];
+    return std::max(0.0, -index_.signed_point(inner_position(own), offset_[at(own)]).signed_distance);
+  };
   constexpr int kChunk = 64;
   parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
     for (int own = begin; own < end; ++own) {
-      if (depth_[at(own)] < 0)
-        depth_[at(own)] =
-            pinched_[at(own)]
-                ? 0.0
-                : std::max(0.0, -index_.signed_point(inner_position(own), offset_[at(own)]).signed_distance);
+      if (depth_[at(own)] < 0) depth_[at(own)] = find_depth(own);
     }
   });
 }

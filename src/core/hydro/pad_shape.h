@@ -78,7 +78,7 @@ class PadShape {
   void pinch_folded();
   void lower_fans();
   bool find_folded_gaps(std::vector<char>& whole) const;
-  void set_depths();
+  void set_depths(const PadShape* coarse);
 
   const MeshIndex& index_;
   const TriMesh& mesh_;

@@ -116,18 +116,23 @@ class OwnTents {
  private:
   /// A tree over the tets that could overlap a tent: no tent is higher than the radius of its face's incircle.
   void gather_tets(const std::vector<char>& bare) {
-    Aabb reach;
+    std::vector<Aabb> reaches;
     for (int f = 0; f < mesh_.face_count(); ++f) {
       if (!bare[at(f)]) continue;
       const Face face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
+      Aabb& reach = reaches.emplace_back();
       for (const dvec3& x : face.x) reach.include(x);
       reach.include(face.incentre + face.inradius * face.inward);
     }
+    Bvh bare_tree;
+    bare_tree.build(reaches, 1);
     std::vector<Aabb> boxes;
     for (const ivec4& t : pad_.tets) {
       Aabb box;
       for (int i = 0; i < 4; ++i) box.include(pad_.vertices[at(t[i])]);
-      if (!box.overlaps(reach)) continue;
+      bool is_near = false;
+      bare_tree.visit([&](const Aabb& node) { return !is_near && node.overlaps(box); }, [&](int) { is_near = true; });
+      if (!is_near) continue;
       boxes.push_back(box);
       near_.push_back(t);
     }

@@ -35,7 +35,8 @@ bool PadShape::crosses_wall(int face) const {
     edge = std::max(edge, glm::distance(mesh_.vertex(face, c), mesh_.vertex(face, (c + 1) % 3)));
   }
   if (edge < kSmall * longest) return false;
-  return depth_inside(index_, centroid, least) < kBeyond * least;
+  least *= kBeyond;
+  return depth_inside(index_, centroid, least) < least;
 }
 
 /// Shortens the offsets of prisms that cross the middle of a wall.
