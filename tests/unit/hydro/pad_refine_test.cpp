@@ -182,7 +182,7 @@ void expect_even(const TriMeshPtr& mesh, double thickness, double deviation) {
   EXPECT_LE(report.press_errors[0].deviation, deviation);
   const double before = report.tets / 4.0, least = 3.0 * mesh->face_count();
   EXPECT_TRUE(before <= least || report.tets <= 20000) << report.tets;
-  expect_sound(*field, 1e-11);
+  expect_sound(*field, 1e-10);  // very thin tets next to slivers
 }
 
 TEST(PadRefine, MakesCoarseSkinEven) {
@@ -211,20 +211,33 @@ TEST(PadRefine, MakesRandomMeshesEven) {
   }
 }
 
-void expect_even_on_file(const char* name, double scale, double deviation) {
-  const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / name;
+struct Skin {
+  const char* name;
+  const char* file;
+  double scale, deviation;
+};
+
+class PadOfARealSkin : public testing::TestWithParam<Skin> {};
+
+TEST_P(PadOfARealSkin, IsEven) {
+  const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / GetParam().file;
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-  const TriMeshPtr mesh = repair_mesh(load_mesh(file, dvec3(scale)).mesh, {}, 0.002)->mesh;
-  if (!mesh->closed()) GTEST_SKIP() << "no repair for " << file;
-  expect_even(share(extract_shells(*mesh, outer_shells(*mesh))), 0.002, deviation);
+  const TriMeshPtr mesh = repair_mesh(load_mesh(file, dvec3(GetParam().scale)).mesh, {}, 0.002)->mesh;
+  expect_even(share(extract_shells(*mesh, outer_shells(*mesh))), 0.002, GetParam().deviation);
 }
 
-TEST(PadRefine, MakesTheThumbOfAnAbilityHandEven) {
-  expect_even_on_file("skins/ability_thumb.glb", 1, 0.01);
-}
-TEST(PadRefine, MakesTheFingertipOfThePaperEven) {
-  expect_even_on_file("paper/ubi_tip_collision.stl", 0.001, 0.04);
-}
+INSTANTIATE_TEST_SUITE_P(Skins, PadOfARealSkin,
+                         testing::Values(Skin{"Paper", "paper/ubi_tip_collision.stl", 0.001, 0.03},
+                                         Skin{"Shadow", "meshes/shadow_f_distal_pst.stl", 0.001, 0.02},
+                                         Skin{"Biotac", "meshes/shadow_f_distal_bt_sp.stl", 0.001, 0.01},
+                                         Skin{"Ability", "skins/ability_thumb.glb", 1, 0.01},
+                                         Skin{"Inspire", "skins/inspire_thumb.obj", 1, 0.01},
+                                         Skin{"Allegro", "skins/allegro_tip.stl", 1, 0.01},
+                                         Skin{"Dclaw", "skins/dclaw_tip.obj", 1, 0.01},
+                                         Skin{"Digit", "skins/digit_holder.stl", 0.001, 0.03},
+                                         Skin{"Flange", "skins/gripper_flange.stl", 0.001, 0.04},
+                                         Skin{"Leap", "skins/leap_pip.stl", 1, 0.04}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace taxel
