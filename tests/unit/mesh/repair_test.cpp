@@ -238,6 +238,38 @@ TEST(Repair, KeepRefusesAnOpenMesh) {
   EXPECT_EQ(codes(repair(sphere, recipe)), "");
 }
 
+TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
+  struct RealMesh {
+    const char* name;
+    double scale;
+    const char* codes;
+    int shells;
+  };
+  const std::filesystem::path folder = TAXEL_REAL_DATA;
+  if (!std::filesystem::exists(folder / "skins")) GTEST_SKIP() << "the real meshes are absent: " << folder;
+  // The Shadow fingertip is its skin and a closed cavity: it stays as it is, bit for bit.
+  for (const RealMesh& real : {RealMesh{"meshes/shadow_f_distal_pst.stl", 0.001, "", 2},
+                               {"meshes/shadow_f_distal_bt_sp.stl", 0.001, "", 1},
+                               {"meshes/plate_8in_col.stl", 1, "", 1},
+                               {"meshes/spot/spot_triangulated.obj", 1, "", 1},
+                               {"skins/ability_thumb.glb", 1, "", 1},
+                               {"skins/allegro_tip.stl", 1, "repair_joined", 1},
+                               {"skins/digit_holder.stl", 0.001, "repair_joined", 1},
+                               {"skins/leap_pip.stl", 1, "repair_parted", 8},
+                               {"skins/dclaw_tip.obj", 1, "repair_parted repair_united", 2},
+                               {"skins/inspire_thumb.obj", 1, "repair_united", 1},
+                               {"skins/gripper_flange.stl", 0.001, "repair_joined repair_parted repair_united", 1}}) {
+    SCOPED_TRACE(real.name);
+    const LoadedMesh loaded = load_mesh(folder / real.name, dvec3(real.scale));
+    const RepairedMeshPtr repaired = repair_mesh(loaded.mesh, {}, 0.002);
+    EXPECT_EQ(codes(*repaired), real.codes);
+    EXPECT_EQ(repaired->mesh == loaded.mesh, std::string(real.codes).empty());
+    EXPECT_EQ(repaired->mesh->shell_count(), real.shells);
+    EXPECT_LE(repaired->report.largest_move, 5e-6);
+    expect_sound(*repaired, *loaded.mesh);
+  }
+}
+
 TEST(Repair, HealsThePapersFingertip) {
   const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / "paper" / "ubi_tip_collision.stl";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "the paper's mesh is absent: " << path;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 namespace taxel {
 
 Draft make_draft(const TriMesh& mesh) {
@@ -35,6 +37,16 @@ void drop_unused_points(Draft& draft) {
   }
   draft.points.resize(kept);
   for (ivec3& face : draft.faces) face = {number[at(face.x)], number[at(face.y)], number[at(face.z)]};
+}
+
+void join_equal_points(Draft& draft) {
+  std::vector<int> order(draft.points.size()), first(draft.points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  const auto key = [&](int i) { return std::tie(draft.points[at(i)].x, draft.points[at(i)].y, draft.points[at(i)].z); };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[at(order[i])] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[at(order[i - 1])] : order[i];
+  for (ivec3& f : draft.faces) f = {first[at(f.x)], first[at(f.y)], first[at(f.z)]};
 }
 
 bool is_flat(const dvec3& a, const dvec3& b, const dvec3& c) {

@@ -58,6 +58,8 @@ Draft make_draft(const TriMesh& mesh);
 void remove_faces(Draft& draft, const std::vector<char>& removed);
 /// Drops points that no face uses. Keeps the order of the others.
 void drop_unused_points(Draft& draft);
+/// Makes points at the same place one, the first of them.
+void join_equal_points(Draft& draft);
 /// Whether the surface of a triangle is so small that rounding alone can have made it: area <= 1e-9 of the longest
 /// edge squared.
 bool is_flat(const dvec3& a, const dvec3& b, const dvec3& c);

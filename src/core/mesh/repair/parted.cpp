@@ -6,7 +6,6 @@
 //           >edge<
 #include "core/mesh/repair/parted.h"
 
-#include <map>
 #include <set>
 #include <tuple>
 
@@ -75,24 +74,25 @@ using Group = std::vector<EdgeSide>;
 /// Finds edges whose groups share the vertices at both ends: parting the vertices does not part these.
 class SharedEdges {
  public:
-  SharedEdges(const Draft& draft, std::span<const SidePair> pairs) : corners_(3 * draft.faces.size()) {
+  SharedEdges(const Draft& draft, std::span<const SidePair> pairs)
+      : corners_(3 * draft.faces.size()), partner_(3 * draft.faces.size(), {-1, -1, -1, -1, false}) {
     for (const SidePair& pair : pairs) {
       const EdgeSide &s = pair.a, &t = pair.b;
       corners_.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
       corners_.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
-      partner_[{s.face, s.corner}] = t;
-      partner_[{t.face, t.corner}] = s;
+      partner_[at(3 * s.face + s.corner)] = t;
+      partner_[at(3 * t.face + t.corner)] = s;
     }
   }
 
   [[nodiscard]] std::vector<Group> groups(std::span<const EdgeSide> edge) const {
     std::vector<Group> found;
     for (const EdgeSide& side : edge) {
-      const auto partner = partner_.find({side.face, side.corner});
-      if (partner == partner_.end())
+      const EdgeSide& partner = partner_[at(3 * side.face + side.corner)];
+      if (partner.face < 0)
         found.push_back({side});
-      else if (side.face < partner->second.face)
-        found.push_back({side, partner->second});
+      else if (side.face < partner.face)
+        found.push_back({side, partner});
     }
     return found;
   }
@@ -108,7 +108,7 @@ class SharedEdges {
 
  private:
   DisjointSets corners_;
-  std::map<std::pair<int, int>, EdgeSide> partner_;
+  std::vector<EdgeSide> partner_;  ///< of the side at 3 face + corner; its face is -1 if there is none
 };
 
 /// Splits the faces of each group at a middle vertex of the group's own.
@@ -207,7 +207,7 @@ std::vector<SidePair> pair_sides(const Draft& draft, std::span<const EdgeSide> s
 }
 
 RepairStep part_touching(Draft& draft, RepairChanges& changes) {
-  constexpr int kMaxRounds = 64;
+  constexpr int kMaxRounds = 16;
   RepairStep step = start_step("repair_parted");
   const std::vector<EdgeSide> loaded_sides = draft.sides();
   for_each_edge(std::span(loaded_sides), [&](std::span<const EdgeSide> edge) {

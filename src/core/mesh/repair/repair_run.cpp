@@ -43,6 +43,34 @@ std::vector<char> faces_at_open_edges(const Draft& draft) {
   return open;
 }
 
+/// Shells that holes were filled in and that still enclose almost nothing.
+struct ThinShells {
+  std::vector<std::vector<int>> shells;
+  bool has_solid = false;  ///< there are other shells
+  WindingNumber solid;     ///< of the other shells
+};
+
+ThinShells find_thin_shells(const Draft& draft, const RepairLimits& limits) {
+  constexpr double kThin = 0.05;     // thickness of a shell that is a sheet, of the thickness of its body
+  constexpr double kNothing = 1e-9;  // of the diagonal: the same without a thickness
+  std::vector<std::vector<int>> thin;
+  std::vector<ivec3> others;
+  for (const std::vector<int>& shell : find_shells(draft).faces) {
+    const double thickness = std::max(kThin * limits.thickness, kNothing * limits.diagonal);
+    if (std::any_of(shell.begin(), shell.end(), [&](int f) { return draft.loaded[at(f)] == kFilledFace; }) &&
+        std::abs(volume_of(draft, shell)) < thickness * area_of(draft, shell))
+      thin.push_back(shell);
+    else
+      for (const int f : shell) others.push_back(draft.faces[at(f)]);
+  }
+  const bool has_solid = !others.empty();
+  return {std::move(thin), has_solid, WindingNumber(draft.points, std::move(others))};
+}
+
+bool is_inside(const Draft& draft, const std::vector<int>& shell, const WindingNumber& solid) {
+  return std::all_of(shell.begin(), shell.end(), [&](int f) { return std::abs(solid(draft.center(f))) > 0.5; });
+}
+
 }  // namespace
 
 RepairRun::RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits,
@@ -113,6 +141,15 @@ void RepairRun::fill() {
   constexpr int kMaxRounds = 4;
   for (int round = 0; round < kMaxRounds && !is_closed() && !draft_.faces.empty(); ++round) {
     note(fill_holes(draft_, limits_));
+    // The hole around a face that nothing is joined to is filled by the same face turned. Only if there is nothing else
+    // it is a sheet.
+    Draft unfolded = draft_;
+    join_equal_points(unfolded);
+    const RepairStep folded = remove_folded(unfolded);
+    if (!unfolded.faces.empty() && folded.count > 0) {
+      draft_ = std::move(unfolded);
+      note(folded);
+    }
     note(turn_flat_faces(draft_));
     note(split_junctions(draft_, limits_));
     note(part_touching(draft_, changes_));
@@ -130,40 +167,34 @@ void RepairRun::take_open_shells() {
   take(chosen, WrapKind::solid);
 }
 
-/// Filled shells that enclose less than 0.05 area x thickness: small ones next to solid shells are debris, the others
-/// are sheets.
+/// Filled shells that enclose less than 0.05 area x thickness. Next to solid shells, small ones are debris, and those
+/// inside of a solid are walls: both go. The others are sheets.
 void RepairRun::take_thin_shells() {
-  constexpr double kThin = 0.05, kDebris = 0.02, kNothing = 1e-9;
-  std::vector<char> debris(draft_.faces.size(), 0), filler(draft_.faces.size(), 0), sheet(draft_.faces.size(), 0);
+  constexpr double kDebris = 0.02;  // of the loaded area, in all
+  const ThinShells thin = find_thin_shells(draft_, limits_);
+  if (thin.shells.empty()) return;
+  std::vector<char> gone(draft_.faces.size(), 0), sheet(draft_.faces.size(), 0);
   RepairStep removed = start_step("repair_fin");
-  const Shells shells = find_shells(draft_);
-  std::vector<const std::vector<int>*> thin;
-  for (const std::vector<int>& shell : shells.faces) {
-    if (std::none_of(shell.begin(), shell.end(), [&](int f) { return draft_.loaded[at(f)] == kFilledFace; })) continue;
-    const double thickness = std::max(kThin * limits_.thickness, kNothing * limits_.diagonal);
-    if (std::abs(volume_of(draft_, shell)) < thickness * area_of(draft_, shell)) thin.push_back(&shell);
-  }
-  const bool has_solid = thin.size() < shells.faces.size();
-  for (const std::vector<int>* shell : thin) {
-    const double area = area_of(draft_, *shell);
-    const bool is_debris = has_solid && removed.area + area <= kDebris * limits_.loaded_area;
-    if (is_debris) {
-      add_place(removed, draft_.center(shell->front()));
+  for (const std::vector<int>& shell : thin.shells) {
+    const double area = area_of(draft_, shell);
+    const bool is_debris = thin.has_solid && removed.area + area <= kDebris * limits_.loaded_area;
+    const bool is_removed = is_debris || is_inside(draft_, shell, thin.solid);
+    if (is_removed) {
+      add_place(removed, draft_.center(shell.front()));
       removed.area += area;
     }
-    for (const int f : *shell) {
-      const bool is_filler = draft_.loaded[at(f)] == kFilledFace;
-      removed.faces += is_debris && !is_filler ? 1 : 0;
-      debris[at(f)] = is_debris || is_filler ? 1 : 0;
-      sheet[at(f)] = !is_debris && !is_filler ? 1 : 0;
+    for (const int f : shell) {
+      gone[at(f)] = 1;
+      if (draft_.loaded[at(f)] == kFilledFace) continue;
+      removed.faces += is_removed ? 1 : 0;
+      sheet[at(f)] = is_removed ? 0 : 1;
     }
   }
   Draft rest = draft_;
+  remove_faces(rest, gone);
   take(sheet, WrapKind::sheet);
-  for (std::size_t f = 0; f < debris.size(); ++f) debris[f] = debris[f] != 0 || sheet[f] != 0 ? 1 : 0;
-  remove_faces(rest, debris);
   draft_ = std::move(rest);
-  if (!thin.empty()) recount_filled();
+  recount_filled();
   note(removed);
 }
 
