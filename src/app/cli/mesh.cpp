@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/mesh_repair.h"
 #include "app/cli/mesh_report.h"
 #include "app/cli/mesh_topology.h"
 #include "core/mesh/mesh_check.h"
@@ -33,6 +34,7 @@ struct Options {
   std::string out;
   std::string scale = "1";
   TopologyOptions topology;
+  RepairOptions repair;
 };
 
 /// Decimates or subdivides, and reports that alone.
@@ -45,9 +47,14 @@ int run_topology(const TriMeshPtr& mesh, const Options& options, Console& consol
 
 int run(const Options& options, Console& console) {
   const LoadedMesh loaded = load_mesh(options.file, parse_scale("mesh", options.scale));
-  if (options.topology.is_asked()) return run_topology(loaded.mesh, options, console);
-  if (!options.out.empty()) save_mesh(options.out, *loaded.mesh);
-  console.result(console.json() ? mesh_json(loaded) : mesh_text(loaded));
+  const RepairedMeshPtr repaired = repair_as_asked(loaded, options.repair, options.file);
+  const TriMeshPtr mesh = repaired ? repaired->mesh : loaded.mesh;
+  if (options.topology.is_asked()) return run_topology(mesh, options, console);
+  if (!options.out.empty()) save_mesh(options.out, *mesh);
+  if (console.json())
+    console.result(mesh_json(loaded, repaired.get()));
+  else
+    console.result(mesh_text(loaded) + (repaired ? repair_text(*repaired) : ""));
   return kDone;
 }
 
@@ -60,6 +67,7 @@ Command add_mesh(CLI::App& parent, CommonOptions& common) {
   app->add_option("FILE", options->file, "Mesh: .obj .stl .ply .off .gltf .glb")->required()->option_text("(required)");
   app->add_option("--scale", options->scale, "Multiply coordinates by one number, or by three: X,Y,Z (0.001 for mm)")
       ->option_text("X=1");
+  add_repair_options(*app, options->repair);
   add_topology_options(*app, options->topology);
   app->add_option("--out", options->out, "Write the mesh as repaired, decimated or subdivided: .obj .stl .off .glb")
       ->type_name("FILE");

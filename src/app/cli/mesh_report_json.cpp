@@ -2,12 +2,46 @@
 
 #include "app/cli/mesh_report.h"
 #include "app/vector_json.h"
+#include "core/layout/words.h"
 #include "core/mesh/mesh_check.h"
 
 namespace taxel::cli {
 
-std::string mesh_json(const LoadedMesh& loaded) {
-  using Json = nlohmann::ordered_json;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Lengths in metres, areas in square metres.
+Json repair_json(const RepairReport& report) {
+  Json json;
+  json["level"] = to_word(report.level);
+  json["closed"] = report.closed;
+  json["faces_before"] = report.faces_before;
+  json["faces_after"] = report.faces_after;
+  json["shells_before"] = report.shells_before;
+  json["shells_after"] = report.shells_after;
+  json["vertices_moved"] = report.vertices_moved;
+  json["largest_move"] = report.largest_move;
+  json["distance_max"] = report.distance_max;
+  json["distance_rms"] = report.distance_rms;
+  json["area_added"] = report.area_added;
+  json["area_removed"] = report.area_removed;
+  json["seconds"] = report.seconds;
+  json["steps"] = Json::array();
+  for (const RepairStep& step : report.steps) {
+    json["steps"].push_back({{"code", step.code},
+                             {"count", step.count},
+                             {"faces", step.faces},
+                             {"area", step.area},
+                             {"length", step.length},
+                             {"place", numbers<Json>(step.place)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string mesh_json(const LoadedMesh& loaded, const RepairedMesh* repaired) {
   const TriMesh& mesh = *loaded.mesh;
   Json json;
   json["vertices"] = mesh.vertex_count();
@@ -26,6 +60,7 @@ std::string mesh_json(const LoadedMesh& loaded) {
     json["problems"].push_back(
         {{"severity", to_string(p.severity)}, {"code", p.code}, {"message", p.message}, {"fix", p.fix}});
   }
+  if (repaired != nullptr) json["repair"] = repair_json(repaired->report);
   return text_of(json);
 }
 
