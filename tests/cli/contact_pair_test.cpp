@@ -71,8 +71,9 @@ TEST(ContactPair, A2RigidSphereInSoftHalfSpace) {
   constexpr double R = 0.05, x = 0.004, kappa = 1e5 / 0.02;
   const Contact c = contact_of(run_scene(
       test_folder(),
-      scene_of(materials(R"("floor": {"modulus": 1e5, "thickness": 0.02}, "ball": {"resolution": 0.003, "friction": 0})"),
-               kFloor + body("ball", fmt::format("0 0 {}", R - x), "type='sphere' size='.05'", "<freejoint/>"))));
+      scene_of(
+          materials(R"("floor": {"modulus": 1e5, "thickness": 0.02}, "ball": {"resolution": 0.003, "friction": 0})"),
+          kFloor + body("ball", fmt::format("0 0 {}", R - x), "type='sphere' size='.05'", "<freejoint/>"))));
   EXPECT_NEAR(-c.force_z, kappa * kPi * x * x * (R - x / 3), 0.02 * -c.force_z);  // on the floor
   EXPECT_NEAR(c.area, 2 * kPi * R * x, 0.02 * c.area);
 }
@@ -323,6 +324,18 @@ TEST(ContactPair, SceneOfThePredecessorRunsWithoutTaxels) {
   ASSERT_FALSE(sensed.empty());
   // MuJoCo's stiffer contact carries the ball on its surface
   EXPECT_LT(sensed.at("ball/force_z").back(), 0.5 * 0.1 * kGravity);
+}
+
+TEST(ContactPair, CommandsThatReadTaxelsSayThatThereAreNone) {
+  const fs::path folder = test_folder();
+  run_scene(folder, scene_of(materials(R"("ball": {"modulus": 1e5})") + key("pairs", "ball floor"),
+                             kFloor + body("ball", "0 0 0.048", "type='sphere' size='.05'")));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"models", "out"}, {"explain", "out", "--taxel", "0"}}) {
+    const Outcome outcome = taxel(command, folder);
+    EXPECT_EQ(outcome.status, 2) << command[0];
+    EXPECT_NE(outcome.err.find("has soft geoms without taxels alone"), std::string::npos) << outcome.err;
+  }
 }
 
 }  // namespace

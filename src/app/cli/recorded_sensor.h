@@ -8,7 +8,8 @@
 
 namespace taxel::cli {
 
-/// The sensor on `geom`; empty: the only one. Throws Error naming `file` and the sensors that there are.
+/// The sensor on `geom`; if that is empty, the only one with taxels. Throws Error naming `file` and the sensors that
+/// there are, also for a soft geom without taxels.
 std::size_t sensor_of(const Recording& recording, const std::string& geom, const std::string& file);
 
 }  // namespace taxel::cli

@@ -68,7 +68,8 @@ void ModelsWorker::forget_what_changed(const SimFrame& frame, int sensor) {
 
 std::optional<RecallCommand> ModelsWorker::follow(const SimFramePtr& frame, bool runs) {
   const bool there = wish_ && frame && frame->scene && index(wish_->sensor) < frame->sensors.size() &&
-                     frame->scene->sensors[index(wish_->sensor)];
+                     frame->scene->sensors[index(wish_->sensor)] &&
+                     frame->scene->sensors[index(wish_->sensor)]->taxel_count() > 0;
   if (!there) {
     worker_.ask(std::nullopt);
     complete_ = true;

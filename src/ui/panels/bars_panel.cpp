@@ -15,7 +15,8 @@ void draw_bars_panel(UiState& ui, const UiInput& input) {
     const SensorFrameState* sensor = probed ? input.shown_state(ui) : input.sensor(ui);
     if (sensor == nullptr || sensor->readings.empty()) {
       ui.bars.clear();
-      ImGui::TextDisabled("No sensor is simulated, and no probe is pressed.");
+      ImGui::TextDisabled(sensor == nullptr ? "No sensor is simulated, and no probe is pressed."
+                                            : "The selected geom has no taxels.");
     } else {
       const SensorModel& model =
           probed ? *input.probe->model : *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];

@@ -35,6 +35,15 @@ void check_one_soft(const HydroBody& a, const HydroBody& b, bool sensor) {
                           sensor ? "sensor" : fmt::format("geom \"{}\"", a.name), b.name));
 }
 
+/// Half the diagonal of a body's bounds; 0 for a half-space.
+double half_diagonal(const HydroBody& body) {
+  Aabb box;
+  if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
+    for (const dvec3& v : soft->field->vertices()) box.include(v);
+  if (const auto* rigid = std::get_if<RigidMesh>(&body.geometry)) box = rigid->index->mesh().bounds();
+  return 0.5 * box.diagonal();
+}
+
 /// The wrench on the other body, about the origin of its frame B and in B's axes, of a wrench on A.
 Wrench reaction(const Wrench& on_A, const RigidTransform& X_BA) {
   const dvec3 force = -(X_BA.R * on_A.force);
@@ -94,7 +103,7 @@ void BodyContacts::compile_others(const mjModel& m) {
       if (touched.body != nullptr) broad_phase_.set_body(touched_.size(), *touched.body, touched.X_GB);
       touched_.push_back(touched);
     } catch (const Error& error) {
-      if (settings().others_named) throw Error("", "others", error.what());
+      if (settings().others_named) throw Error("", key_of_others(), error.what());
       warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
     }
   }
@@ -114,8 +123,13 @@ TouchedGeom BodyContacts::compile_other(const mjModel& m, int geom) {
   }
   touched.body = geom_body(m, geom, settings().materials, warnings);
   check_one_soft(*body_, *touched.body, declared_[self_].sensor);
-  touched.properties = combine(body_->material, touched.body->material);
+  set_properties(touched);
   return touched;
+}
+
+void BodyContacts::set_properties(TouchedGeom& touched) const {
+  touched.properties = combine(body_->material, touched.body->material);
+  if (body_->half_space()) touched.half_diagonal = half_diagonal(*touched.body);
 }
 
 void BodyContacts::link(const BodyContacts& other) {
@@ -128,13 +142,13 @@ void BodyContacts::link(const BodyContacts& other) {
     try {
       check_one_soft(*body_, *other.body_, declared_[self_].sensor);
     } catch (const Error& error) {
-      if (settings().others_named) throw Error("", "others", error.what());
+      if (settings().others_named) throw Error("", key_of_others(), error.what());
       if (!t.role.mirrored) warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
       t.role.partner = {};  // not asked again
       continue;
     }
     t.body = other.body_;
-    t.properties = combine(body_->material, t.body->material);
+    set_properties(t);
     t.X_GB = other.X_GM_;
     broad_phase_.set_body(i, *t.body, t.X_GB);
   }
@@ -143,18 +157,6 @@ void BodyContacts::link(const BodyContacts& other) {
 void BodyContacts::link_all(const mjModel& m, mjData& d) {
   for (const std::size_t i : partners_)
     if (touched_[i].role.partner.valid()) link(own_body(m, d, touched_[i].role.partner));
-}
-
-double BodyContacts::length(std::size_t pair) const {
-  if (!body_->half_space()) return radius_;
-  const auto half_diagonal = [](const auto& vertices) {
-    Aabb box;
-    for (const dvec3& v : vertices) box.include(v);
-    return 0.5 * box.diagonal();
-  };
-  const HydroBody& other = *touched_[pair].body;
-  if (const auto* soft = std::get_if<SoftBody>(&other.geometry)) return half_diagonal(soft->field->vertices());
-  return half_diagonal(std::get<RigidMesh>(other.geometry).index->mesh().vertices());
 }
 
 void BodyContacts::clear_pairs(Evaluation& e) const {

@@ -25,6 +25,7 @@ struct TouchedGeom {
   HydroBodyPtr body;  ///< null: a partner that has no body yet, or none that can be touched
   PairProperties properties;
   Pose X_GB;                    ///< of the touched body's frame in the geom's; identity unless it is a sensor's
+  double half_diagonal = 0;     ///< of the touched body's bounds [m]; 0 unless this body is a half-space
   PairRole role;                ///< towards a declared body on the geom
   bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
   unsigned step_checks = 0;     ///< how often the time step was to be checked
@@ -66,7 +67,9 @@ class BodyContacts {
   [[nodiscard]] const Pose& X_GM() const { return X_GM_; }
   [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return touched_; }
   /// Size of the contact with a touched geom, which compares angles with lengths [m].
-  [[nodiscard]] double length(std::size_t pair) const;
+  [[nodiscard]] double length(std::size_t pair) const {
+    return body_->half_space() ? touched_[pair].half_diagonal : radius_;
+  }
 
   /// Poses, twists and surfaces of the present state of `d`; wrenches are zeroed.
   /// Pairs that the partner computes stay empty: sense() takes them from there.
@@ -100,6 +103,9 @@ class BodyContacts {
   std::string failure;
 
  private:
+  /// The key that names the touched geoms, for errors.
+  [[nodiscard]] const char* key_of_others() const { return declared_[self_].sensor ? "others" : "pairs"; }
+  void set_properties(TouchedGeom& touched) const;  ///< those that depend on both bodies
   void compile_others(const mjModel& m);
   TouchedGeom compile_other(const mjModel& m, int geom);
   void link_all(const mjModel& m, mjData& d);

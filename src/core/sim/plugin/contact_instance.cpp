@@ -22,13 +22,14 @@ ContactInstance::ContactInstance(const mjModel& m, int instance)
   bodies_.reserve(config_.bodies.size());
   for (std::size_t k = 0; k < config_.bodies.size(); ++k) {
     BodyContacts& body = bodies_.emplace_back(BodyId{instance, static_cast<int>(k)}, declared);
+    HydroBodyPtr soft;
     try {
-      HydroBodyPtr soft = geom_body(m, body.settings().geom, config_.materials, body.warnings);
-      const Aabb bounds = bounds_of(*soft);
-      body.set_body(m, std::move(soft), bounds, Pose{});
+      soft = geom_body(m, body.settings().geom, config_.materials, body.warnings);
     } catch (const Error& error) {
       throw Error("", "materials", error.what());
     }
+    const Aabb bounds = bounds_of(*soft);
+    body.set_body(m, std::move(soft), bounds, Pose{});
   }
 }
 
