@@ -35,11 +35,17 @@ std::string one_line(const std::string& text) {
   return joined;
 }
 
-/// Without what MuJoCo says before a sensor's own reason, which names the sensor and the key.
+/// Without what MuJoCo says before a plugin's own reason, which names the instance and the key. MuJoCo repeats the
+/// reason, cut to its own limit.
 std::string reason_of(const std::string& text) {
-  const std::size_t own =
-      std::min(text.find(std::string(kPluginName) + " \""), text.find(std::string(kContactPluginName) + " \""));
-  return own != std::string::npos ? text.substr(own) : text;
+  for (const char* plugin : {kPluginName, kContactPluginName}) {
+    const std::string begin = std::string(plugin) + " \"";
+    const std::size_t own = text.find(begin);
+    if (own == std::string::npos) continue;
+    const std::size_t again = text.find("; " + begin, own);
+    return text.substr(own, again == std::string::npos ? again : again - own);
+  }
+  return text;
 }
 
 void compile(CompiledScene& scene, const mjVFS* vfs, const std::string& name) {
