@@ -215,8 +215,8 @@ TEST(Explain, SaysTheSameAsTheCommandLine) {
   Json window = studio.state("explained.json")["explain"];
   ASSERT_TRUE(window.is_object());
   const Outcome swept = run_program(TAXEL_PROGRAM,
-                                    {"sweep", "--layout", "coarse.taxels.json", "--past", "0.002", "--record-every",
-                                     "0.00001", "--out", "run", "--quiet"},
+                                    {"sweep", "--layout", "coarse.taxels.json", "--object", "box", "--past", "0.002",
+                                     "--record-every", "0.00001", "--out", "run", "--quiet"},
                                     studio.folder());
   ASSERT_EQ(swept.status, 0) << swept.err;
   const Outcome said = run_program(TAXEL_PROGRAM,

@@ -72,8 +72,8 @@ TEST(ModelsPanel, ReadsTheStepShownAsTheCommandLineDoes) {
   }
 #ifdef TAXEL_PROGRAM
   const Outcome swept = run_program(TAXEL_PROGRAM,
-                                    {"sweep", "--layout", "few.taxels.json", "--past", "0.002", "--record-every",
-                                     "0.00001", "--out", "run", "--quiet"},
+                                    {"sweep", "--layout", "few.taxels.json", "--object", "box", "--past", "0.002",
+                                     "--record-every", "0.00001", "--out", "run", "--quiet"},
                                     studio.folder());
   ASSERT_EQ(swept.status, 0) << swept.err;
   // every step is a row: the first one and this

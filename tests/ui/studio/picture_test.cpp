@@ -79,7 +79,8 @@ std::map<int, std::vector<double>> sweep_rows(const std::filesystem::path& csv) 
 TEST(Bars, AreTheReadingsOfTheCommandLine) {
 #ifdef TAXEL_PROGRAM
   const StudioProgram studio;
-  const Outcome sweep = run_program(TAXEL_PROGRAM, {"sweep", "--out", "sweep", "--quiet"}, studio.folder());
+  const Outcome sweep =
+      run_program(TAXEL_PROGRAM, {"sweep", "--object", "box", "--out", "sweep", "--quiet"}, studio.folder());
   ASSERT_EQ(sweep.status, 0) << sweep.err;
   const auto rows = sweep_rows(studio.folder() / "sweep" / "readings.csv");
   std::vector<std::string> script;

@@ -43,7 +43,7 @@ TEST(Scenario, EveryKindRuns) {
                    kRunScenario,
                    {until(0.05), key("Space"), kIdle, dump(kind + ".json"), key("Space"), kIdle}});
   };
-  std::vector<std::string> kinds{"press", "roll", "twist", "slide", "drop", "path"};
+  std::vector<std::string> kinds{"press", "roll", "twist", "slide", "drop", "path", "paper"};
   Lines lines = kScenarioAlone;
   for (const std::string& kind : kinds) lines = joined({lines, running(kind, {})});
 #ifdef TAXEL_PROGRAM
@@ -62,6 +62,38 @@ TEST(Scenario, EveryKindRuns) {
     EXPECT_NE(state["simulation"]["title"].get<std::string>().find(kind), std::string::npos);
     for (const Json& message : state["messages"]) EXPECT_NE(message["severity"], "error") << message.dump();
   }
+}
+
+TEST(Scenario, PaperSettingIsOneEditOfBodySamplesAndScenario) {
+  const StudioProgram studio;
+  studio.play(
+      joined({kScenarioAlone,
+              {key("Space"), kIdle, dump("before.json"), press("Inspector/As in the paper"), kIdle, dump("paper.json")},
+              kRunScenario,
+              {until(0.05), key("Space"), kIdle, dump("run.json"), key("z", kCtrl), kIdle, dump("undone.json")}}),
+      coarse_fingertip(studio));
+  const Json before = studio.state("before.json"), paper = studio.state("paper.json");
+  EXPECT_EQ(paper["scenario"]["edited"]["kind"], "paper");
+  EXPECT_EQ(paper["history"]["undo"], "Undo Set up as in the paper");
+  EXPECT_EQ(paper["history"]["depth"].get<int>(), before["history"]["depth"].get<int>() + 1);
+  EXPECT_EQ(studio.state("run.json")["scenario"]["running"]["kind"], "paper");
+  EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], before["scenario"]["edited"]);
+}
+
+TEST(Scenario, DefaultSweepCrossesAnEdgeWhoseObjectFollowsTheKind) {
+  const StudioProgram studio;
+  std::vector<std::string> arguments = coarse_fingertip(studio);
+  arguments.insert(arguments.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"});
+  studio.play(joined({kScenarioAlone,
+                      {until(2.4), key("Space"), kIdle, dump("edge.json")},
+                      choose_kind("press"),
+                      {dump("press.json"), key("z", kCtrl), kIdle, dump("undone.json")}}),
+              arguments);
+  const Json edge = studio.state("edge.json");
+  EXPECT_EQ(edge["scenario"]["running"]["shape"], "edge");
+  EXPECT_EQ(edge["scenario"]["running"]["before"], 0.025);
+  EXPECT_FALSE(studio.state("press.json")["scenario"]["edited"].contains("shape")) << "a box";
+  EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], edge["scenario"]["edited"]);
 }
 
 TEST(Scenario, AReplayWaitsForItsRecording) {
