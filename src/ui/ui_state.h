@@ -26,6 +26,7 @@
 #include "ui/tools/layout_problems.h"
 #include "ui/tools/map_state.h"
 #include "ui/tools/measure_state.h"
+#include "ui/tools/mesh_state.h"
 #include "ui/tools/model_summary.h"
 #include "ui/tools/models_state.h"
 #include "ui/tools/palette_state.h"
@@ -191,6 +192,7 @@ struct UiState {
   PaletteState palette;
   ProbeState probe;
   MeasureState measure;
+  MeshState mesh;
   ExplainState explain;
   MapState map;
   ModelsState models;

@@ -45,11 +45,19 @@ std::string short_name(const std::filesystem::path& file) {
 std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) {
   std::vector<std::string> notes;
   for (const Problem& p : model.problems) {
-    if (p.code == "mesh_changed") continue;  // said with what can be done about it
+    if (p.code == "mesh_changed") continue;       // said with what can be done about it
+    if (p.code.starts_with("repair_")) continue;  // Document::repair
     if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
       notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
   }
   return notes;
+}
+
+/// What the edges of a mesh file are is no problem of a mesh that was repaired.
+void tone_down(MeshFindings& findings) {
+  for (MeshFinding& finding : findings)
+    if (finding.code == "mesh_open" || finding.code == "mesh_nonmanifold" || finding.code == "mesh_winding")
+      finding.severity = Severity::note;
 }
 
 using Compile = std::function<ShownModel(const SensorBuild&)>;
@@ -64,6 +72,8 @@ Document document_of(DocumentKind kind, const std::filesystem::path& file, Proje
   parallel_all([&] { shown = compile(how); }, [&] { findings = mesh_report(*mesh.mesh, mesh.notes); });
   if (how.progress != nullptr) how.progress->stop_if_cancelled();
   document.model = std::move(shown.model);
+  document.repair = repair_summary(document.model->repaired->report);
+  if (document.model->mesh != document.model->loaded) tone_down(findings);
   document.problem = std::move(shown.problem);
   document.mesh = std::make_shared<const OpenMesh>(OpenMesh{std::move(mesh), std::move(findings)});
   document.project = std::make_shared<const Project>(std::move(project));
@@ -76,7 +86,7 @@ Document compiled(DocumentKind kind, const std::filesystem::path& file, Project 
                   const SensorBuild& how) {
   const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
   const Compile compile = [source](const SensorBuild& build) {
-    return shown_model(source->layout, *source->mesh.mesh, [&](const Layout& layout) {
+    return shown_model(source->layout, [&](const Layout& layout) {
       return build_sensor_model(SensorSource{source->file, layout, source->mesh}, build);
     });
   };
@@ -141,14 +151,14 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   layout.sampling.density = density_for(mesh.mesh->area());
   layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
   const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {
-    return shown_model(whole, *ptr, [&](const Layout& shown) {
-      return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build);
-    });
+    return shown_model(
+        whole, [&](const Layout& shown) { return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build); });
   };
   const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
   Document document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
   // What a mesh that cannot be simulated has wrong is shown by its report.
-  const std::string found = document.problem.empty() ? findings_text(document.mesh->findings) : "";
+  const bool repaired = document.model->mesh != document.model->loaded;
+  const std::string found = document.problem.empty() && !repaired ? findings_text(document.mesh->findings) : "";
   document.notes.push_back(fmt::format(
       "{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
       unit.scale == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z, found.empty() ? "" : "; ", found));
@@ -168,6 +178,7 @@ Document load_frame(const std::filesystem::path& file, const SensorBuild& how) {
           {},
           nullptr,
           frame,
+          "",
           read_archive_member(file, "state.json")};
 }
 

@@ -33,6 +33,7 @@ struct Document {
   /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
   SimFramePtr frame = nullptr;  ///< a step that was saved, with nothing to simulate; null for all else
+  std::string repair = {};      ///< what a repair did to its mesh; empty: nothing
   std::string state = {};       ///< of the window when it was saved (state.json); empty: unknown
   SkinChoice skin = {};         ///< on which a layout of another program was put
 

@@ -60,7 +60,7 @@ void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
   const OpenMeshPtr known = meshes_->known(ref);
   if (known && known->loaded.sha256 == mesh->loaded.sha256) return;
   meshes_->add(ref, std::move(mesh));
-  if (known && history_ && history_->project()->layout.mesh == ref) rebuild();
+  if (known && history_ && same_file(history_->project()->layout.mesh, ref)) rebuild();
 }
 
 OpenMeshPtr EditSession::mesh() const {

@@ -14,6 +14,7 @@ ModelWorker::~ModelWorker() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
+    if (preview_) preview_->cancel();
     if (polish_) polish_->cancel();
   }
   asked_.notify_all();
@@ -24,6 +25,7 @@ void ModelWorker::build(ModelJob job) {
   {
     const std::lock_guard lock(mutex_);
     next_ = std::move(job);
+    if (preview_ && next_->project->layout.mesh.repair != repair_) preview_->cancel();
     if (polish_) polish_->cancel();
   }
   asked_.notify_all();
@@ -34,6 +36,7 @@ void ModelWorker::clear() {
   ++dropped_;
   next_.reset();
   ready_.reset();
+  if (preview_) preview_->cancel();
   if (polish_) polish_->cancel();
 }
 
@@ -91,8 +94,10 @@ void ModelWorker::compile(const ModelJob& job, std::unique_lock<std::mutex>& loc
     if (wake_) wake_();
     return model;
   };
-  Progress whole;
-  const SensorModelPtr preview = stage(SampleQuality::preview, whole);
+  repair_ = job.project->layout.mesh.repair;
+  preview_ = std::make_shared<Progress>();
+  const SensorModelPtr preview = stage(SampleQuality::preview, *preview_);
+  preview_.reset();
   if (!preview || preview->quality == SampleQuality::polished || next_ || ending_) return;
   polish_ = std::make_shared<Progress>();
   stage(SampleQuality::polished, *polish_);
@@ -105,7 +110,7 @@ std::optional<BuiltModel> ModelWorker::attempt(const ModelJob& job, SampleQualit
   try {
     const Layout& layout = job.project->layout;
     const OpenMeshPtr mesh = job.meshes->get(layout.mesh);
-    ShownModel shown = shown_model(layout, *mesh->loaded.mesh, [&](const Layout& compiled) {
+    ShownModel shown = shown_model(layout, [&](const Layout& compiled) {
       return build_sensor_model(compiled, mesh->loaded.mesh, mesh->loaded.sha256, job.file, how);
     });
     return BuiltModel{job.number, std::move(shown.model), std::move(shown.problem)};

@@ -41,7 +41,8 @@ class ModelWorker {
   ModelWorker& operator=(const ModelWorker&) = delete;
 
   /// A preview of it comes first where polished samples are not at hand, and then the same polished. A job that has not
-  /// begun is dropped for this one, a preview under way is finished and told, polishing is cancelled.
+  /// begun is dropped for this one, a preview under way is finished and told unless it repairs the mesh in another way,
+  /// which may take seconds; polishing is cancelled.
   void build(ModelJob job);
   void clear();  ///< no job any more: nothing that was asked for is told
   /// The newest result, once.
@@ -64,7 +65,9 @@ class ModelWorker {
   std::condition_variable asked_, told_;
   std::optional<ModelJob> next_;
   std::optional<BuiltModel> ready_;
-  std::shared_ptr<Progress> polish_;  ///< of the polishing under way
+  std::shared_ptr<Progress> preview_;  ///< of the preview under way
+  RepairRecipe repair_;                ///< by which it repairs the mesh
+  std::shared_ptr<Progress> polish_;   ///< of the polishing under way
   std::uint64_t dropped_ = 0;         ///< counts clear(): what began before is not told
   bool working_ = false, ending_ = false;
   std::thread thread_;

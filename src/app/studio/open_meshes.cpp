@@ -18,7 +18,7 @@ void OpenMeshes::clear() {
 
 void OpenMeshes::add(const MeshRef& ref, OpenMeshPtr mesh) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(meshes_, [&](const auto& entry) { return entry.first == ref; });
+  std::erase_if(meshes_, [&](const auto& entry) { return same_file(entry.first, ref); });
   if (meshes_.size() >= kMost) meshes_.erase(meshes_.begin());
   meshes_.emplace_back(ref, std::move(mesh));
 }
@@ -26,7 +26,7 @@ void OpenMeshes::add(const MeshRef& ref, OpenMeshPtr mesh) {
 OpenMeshPtr OpenMeshes::known(const MeshRef& ref) const {
   const std::lock_guard lock(mutex_);
   const auto found =
-      std::find_if(meshes_.begin(), meshes_.end(), [&](const auto& entry) { return entry.first == ref; });
+      std::find_if(meshes_.begin(), meshes_.end(), [&](const auto& entry) { return same_file(entry.first, ref); });
   return found == meshes_.end() ? nullptr : found->second;
 }
 

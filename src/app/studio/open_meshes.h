@@ -24,11 +24,16 @@ using OpenMeshPtr = std::shared_ptr<const OpenMesh>;
 /// Reads a mesh and looks it over. Throws Error as load_mesh does, or Cancelled.
 OpenMeshPtr read_open_mesh(const MeshRef& mesh, Progress* progress = nullptr);
 
+/// Whether two references read the same mesh, however that is repaired.
+inline bool same_file(const MeshRef& a, const MeshRef& b) {
+  return a.file == b.file && a.scale == b.scale && a.sha256 == b.sha256;
+}
+
 /// From any thread.
 class OpenMeshes {
  public:
   void clear();
-  /// What this reference means from now on.
+  /// What this reference means from now on, whatever its repair.
   void add(const MeshRef& ref, OpenMeshPtr mesh);
   /// Null: it was not read yet.
   [[nodiscard]] OpenMeshPtr known(const MeshRef& ref) const;

@@ -205,6 +205,10 @@ void Session::accept_document(Document document, SessionNews& news) {
     const bool only_told = document.kind == DocumentKind::mesh || !document.skin.mesh.empty();
     news.messages.emplace_back(only_told ? Severity::note : Severity::warning, note);
   }
+  if (!document.repair.empty()) {
+    const std::string name = std::filesystem::path(document.file).filename().string();
+    news.messages.emplace_back(Severity::note, name + ": " + document.repair);
+  }
   if (!document.problem.empty()) news.messages.emplace_back(Severity::warning, document.file + ": " + document.problem);
   if (document.model && !document.previewed()) {
     for (const std::string& note : notes_of_samples(*document.model))

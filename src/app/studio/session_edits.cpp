@@ -152,6 +152,7 @@ void Session::accept_reload(const Document& document, SessionNews& news) {
   if (document.kind == DocumentKind::mesh) {  // the file knows no unit and no taxels
     const bool same_unit = before.scale == mesh.scale, same = before.sha256 == mesh.sha256;
     mesh.scale = before.scale;
+    mesh.repair = before.repair;
     if (same_unit) edits_.add_mesh(mesh, document.mesh);
     edit = ReplaceMesh{mesh, same ? *edits_.project()->layout.sampling.region : std::vector<int>{}};
   } else {

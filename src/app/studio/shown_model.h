@@ -13,9 +13,8 @@ struct ShownModel {
   std::string problem;  ///< why the layout cannot be simulated; empty: it can
 };
 
-/// Compiles a layout by `compile`. One that is soft on a mesh that is not closed, which no body can be made of, is
-/// compiled as a rigid one: to look at, and to place taxels on.
-ShownModel shown_model(const Layout& layout, const TriMesh& mesh,
-                       const std::function<SensorModelPtr(const Layout&)>& compile);
+/// Compiles a layout by `compile`. A soft layout whose mesh cannot be repaired, by the layout's own recipe or at all,
+/// is compiled as a rigid one on the mesh as loaded: to look at, and to place taxels on.
+ShownModel shown_model(const Layout& layout, const std::function<SensorModelPtr(const Layout&)>& compile);
 
 }  // namespace taxel::studio

@@ -114,7 +114,18 @@ Json model_json(const ui::UiInput& input) {
   return {{"quality", to_string(input.model->quality)}, {"polishing", input.polishing.active}};
 }
 
-Json document_json(const ui::UiInput& input) {
+Json repair_steps_json(const SensorModel& model) {
+  Json steps = Json::array();
+  for (const RepairStep& step : model.repaired->report.steps)
+    steps.push_back({{"code", step.code},
+                     {"severity", to_string(step.severity)},
+                     {"count", step.count},
+                     {"message", step.message},
+                     {"place", numbers<Json>(step.place)}});
+  return steps;
+}
+
+Json document_json(const ui::UiState& ui, const ui::UiInput& input) {
   if (!input.model) return nullptr;
   Json json = Json::object();
   json["name"] = input.name;
@@ -125,7 +136,12 @@ Json document_json(const ui::UiInput& input) {
   json["mesh"] = {{"triangles", mesh.face_count()},
                   {"shells", mesh.shell_count()},
                   {"closed", mesh.closed()},
-                  {"size", numbers<Json>(mesh.bounds().extent())}};
+                  {"size", numbers<Json>(mesh.bounds().extent())},
+                  {"level", std::string(to_word(layout.mesh.repair.level))},
+                  {"repaired", input.model->mesh != input.model->loaded},
+                  {"summary", repair_summary(input.model->repaired->report)},
+                  {"steps", repair_steps_json(*input.model)},
+                  {"show_changes", ui.mesh.shows_changes}};
   json["samples"] = input.model->samples.size();
   return json;
 }
@@ -275,7 +291,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["selection"] = {{"sensor", ui.selection.sensor}, {"taxel", nullptr}, {"taxels", ui.selection.taxels}};
   if (const std::optional<int> active = ui.selection.active()) json["selection"]["taxel"] = *active;
   const SensorModelPtr model = input.shown_model(ui);
-  json["document"] = document_json(input);
+  json["document"] = document_json(ui, input);
   json["model"] = model_json(input);
   json["title"] = ui.title;
   json["history"] = history_json(input.editing);

@@ -206,6 +206,7 @@ void Studio::act_on(const SessionNews& news) {
     ui::leave_probe(ui_);
     ui::leave_measure(ui_);
     ui_.clip.reset();
+    ui_.mesh = {};
     ui_.probe.sized = false;
     ui_.perturb = {};
     ui_.real = {};

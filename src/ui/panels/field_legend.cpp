@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/scene/draw/look.h"
+#include "ui/scene/repair_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
 
@@ -77,6 +78,30 @@ Legend tractions_legend(const TractionNumbers& numbers, const Look& colors) {
   return legend;
 }
 
+Legend repair_legend(const RepairedMesh& repaired) {
+  const RepairChanges& changes = repaired.changes;
+  Legend legend{"Changed by the repair", {}};
+  const auto add = [&](const glm::vec3& color, const char* text, std::size_t count) {
+    if (count > 0) legend.rows.push_back({color, text, grouped(static_cast<long long>(count))});
+  };
+  add(kFilledColor, "filled faces", changes.filled_faces.size());
+  const double largest = largest_distance(changes);
+  if (!(largest > 0)) add(kRemovedColor, "removed faces", changes.removed_faces.size());
+  add(kPartedColor, "parted edges", changes.parted_edges.size());
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    if (largest > 0)
+      legend.rows.push_back(
+          {distance_color(part, 1), part == 0 ? "distance of the wrap" : "", in_mm(part * largest, 3)});
+  }
+  if (legend.rows.empty()) legend.rows.push_back({std::nullopt, "nothing that can be seen", ""});
+  return legend;
+}
+
+float legend_height(const Legend& legend) {
+  const float line = ImGui::GetFontSize();
+  return 1.3f * line * static_cast<float>(legend.rows.size() + 1) + 0.75f * line;
+}
+
 /// Returns the upper edge.
 float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
   const Palette& colors = palette(ui.saved.dark);
@@ -84,7 +109,7 @@ float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
   const auto wide = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   float width = wide(legend.title);
   for (const Row& row : legend.rows) width = std::max(width, wide(row.text) + wide(row.value) + 2.4f * line);
-  const float height = step * static_cast<float>(legend.rows.size() + 1) + 1.5f * pad;
+  const float height = legend_height(legend);
   const ImVec2 corner(ui.view.rect.x1 - 0.7f * line - width - 2 * pad, bottom - height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width + 2 * pad, bottom}, to_u32(colors.panel, 0.88f), 3);
@@ -114,6 +139,14 @@ void draw_field_legends(const UiState& ui, const FieldNumbers& numbers, const Se
   if (numbers.coverage) bottom = draw_legend(ui, coverage_legend(*numbers.coverage), bottom) - gap;
   if (numbers.comparison) bottom = draw_legend(ui, comparison_legend(*numbers.comparison), bottom) - gap;
   if (numbers.normals) draw_legend(ui, normals_legend(*numbers.normals, model), bottom);
+  ImGui::PopFont();
+}
+
+void draw_repair_legend(const UiState& ui, const SensorModel& model, float top) {
+  if (ui.mode != Mode::layout || !ui.mesh.shows_changes || model.mesh == model.loaded) return;
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  const Legend legend = repair_legend(*model.repaired);
+  draw_legend(ui, legend, top + legend_height(legend));
   ImGui::PopFont();
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/repair_section.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -93,11 +94,14 @@ void draw_mesh_section(UiState& ui, const UiInput& input, const SensorModel& mod
   if (unit >= 0) ui.ask(SetMeshUnit{kUnits[static_cast<std::size_t>(unit)].metres});
   const dvec3 size = 1e3 * model.mesh->bounds().extent();
   property("Size (mm)", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z));
-  property("Triangles",
-           fmt::format("{}, {}", grouped(model.mesh->face_count()), model.mesh->closed() ? "closed" : "open"),
-           model.mesh->closed() ? palette(ui.saved.dark).text : palette(ui.saved.dark).warning);
+  property("Triangles", model.mesh == model.loaded
+                            ? grouped(model.mesh->face_count())
+                            : fmt::format("{}, {} in the file", grouped(model.mesh->face_count()),
+                                          grouped(model.loaded->face_count())));
+  draw_repair_rows(ui, input, model);
   draw_frame_choices(ui, layout.frame);
   end_properties();
+  draw_repair_steps(ui, input, model);
   if (!input.editing.mesh_findings) return;
   const std::string found = count_findings(*input.editing.mesh_findings);
   const std::string label = "Mesh report: " + (found.empty() ? "nothing found" : found);

@@ -154,6 +154,11 @@ int draw_over_scene(UiState& ui, const UiInput& input) {
     bottom = draw_filtered_legend(ui, *input.shown_state(ui)) - 0.5f * ImGui::GetFontSize();
   }
   if (const SensorModelPtr model = input.shown_model(ui)) draw_field_legends(ui, ui.view.numbers, *model, bottom);
+  if (const SensorModelPtr model = input.shown_model(ui)) {
+    const LegendPlace pressure = legend_place(ui);
+    const float line = ImGui::GetFontSize();
+    draw_repair_legend(ui, *model, pressure.corner.y + (shows_pressure(ui, input) ? pressure.height + line : 0));
+  }
   draw_border(ui, list);
   draw_hover_tooltip(ui, input);
   const int row = draw_tool_overlay(ui, input);

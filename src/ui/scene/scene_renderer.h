@@ -87,6 +87,7 @@ struct SceneInput {
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
   std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending
   FaceSet region;                    ///< painted faces of the document's mesh, ascending
+  bool repair_changes = false;       ///< shows what the repair of the document's mesh changed
   ShownFieldsPtr fields;             ///< what of receptive fields is worked out elsewhere; null: not yet, or nothing
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
   std::shared_ptr<const StepBefore> before;          ///< whose surfaces are drawn as ghosts; may be null

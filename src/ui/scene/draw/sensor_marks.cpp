@@ -105,6 +105,8 @@ void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
   state.clipped = scene.input.clip.has_value();
   if (!scene.input.region->empty() && view.state == nullptr)
     paint_.draw(region_.take(view.model->repaired, scene.input.region), state);
+  if (scene.input.repair_changes && view.state == nullptr && view.model->mesh != view.model->loaded)
+    repair_.draw(view.model->repaired, view.model->loaded, paint_, scene.segments, state);
   if (shown_map(scene.input, view) == nullptr) return;
   state.depth_write = scene.input.fields->wish.map == FieldMap::coverage;
   paint_.draw(paint_of(view).map(scene.input.fields), state);

@@ -9,6 +9,7 @@
 #include "ui/scene/draw/ghost_marks.h"
 #include "ui/scene/draw/model_marks.h"
 #include "ui/scene/draw/region_paint.h"
+#include "ui/scene/draw/repair_marks.h"
 #include "ui/scene/draw/surfaces.h"
 
 namespace taxel::ui {
@@ -64,6 +65,7 @@ class SensorMarks {
   std::map<int, StraightRings> straight_;  // by sensor, as all of these
   std::map<int, std::unique_ptr<FieldPaint>> field_paint_;
   RegionPaint region_;
+  RepairMarks repair_;
   GhostMarks ghosts_;
   FieldNumbers numbers_;
   std::map<int, std::unique_ptr<ModelMarks>> marks_;

@@ -1,0 +1,27 @@
+// Colours of what a repair changed. sRGB, 0 to 1.
+#pragma once
+
+#include <algorithm>
+#include <glm/glm.hpp>
+
+#include "core/mesh/repair/repair.h"
+#include "ui/scene/color_map.h"
+
+namespace taxel::ui {
+
+inline constexpr glm::vec3 kFilledColor{0.20f, 0.74f, 0.30f}, kRemovedColor{0.90f, 0.20f, 0.16f},
+    kPartedColor{0.98f, 0.82f, 0.10f};
+
+/// The largest distance of a wrapped vertex from the loaded faces [m]; 0 if nothing was wrapped.
+inline double largest_distance(const RepairChanges& changes) {
+  return changes.distance.empty()
+             ? 0.0
+             : static_cast<double>(*std::max_element(changes.distance.begin(), changes.distance.end()));
+}
+
+/// Colour of a wrapped vertex at a distance, of a scale that ends at `largest` [m].
+inline glm::vec3 distance_color(double distance, double largest) {
+  return viridis(largest > 0 ? distance / largest : 0.0);
+}
+
+}  // namespace taxel::ui
