@@ -12,6 +12,7 @@
 #include "fixtures/field_checks.h"
 #include "fixtures/pad_checks.h"
 #include "fixtures/pad_meshes.h"
+#include "fixtures/rough_meshes.h"
 
 namespace taxel {
 namespace {
@@ -204,7 +205,8 @@ TEST(PadField, IsTheSameEveryTime) {
 
 TEST(PadField, DoesNotDependOnTheNumberOfThreads) {
   for (const TriMeshPtr& mesh :
-       {share(make_spool()), share(make_l_block(0.005, 8)), share(make_thimble(0.008, 0.015, 0.0025, 0.001))}) {
+       {share(make_spool()), share(make_l_block(0.005, 8)), share(make_thimble(0.008, 0.015, 0.0025, 0.001)),
+        share(make_rough_ball(2, 0.6, 2)), share(make_wedge())}) {
     const PressureFieldPtr many = make_pad_field(mesh, kModulus, 0.003);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const PressureFieldPtr single = make_pad_field(mesh, kModulus, 0.003);
