@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(Skins, PadOfARealSkin,
                                          Skin{"Digit", "skins/digit_holder.stl", 0.001, 0.03},
                                          Skin{"Flange", "skins/gripper_flange.stl", 0.001, 0.04},
                                          Skin{"Leap", "skins/leap_pip.stl", 1, 0.04}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& skin) { return std::string(skin.param.name); });
 
 }  // namespace
 }  // namespace taxel
