@@ -144,5 +144,50 @@ TEST(Explain, RefusesWhatItCannotExplain) {
   EXPECT_EQ(taxel({"explain", (folder / "broken.npz").string(), "--taxel", "3", "--time", "1"}).status, 2);
 }
 
+/// The largest jump of a recording as a fraction of its taxel's own peak, of taxels that read 5 % of the largest
+/// reading.
+RecordedJump largest_own_jump(const fs::path& run, double& fraction) {
+  RecordedJump jump;
+  double top = 0;
+  fraction = 0;
+  const Table table = read_csv(run / "readings.csv");
+  const auto peak = [](const std::vector<double>& curve) { return *std::max_element(curve.begin(), curve.end()); };
+  for (const auto& [head, curve] : table)
+    if (head.starts_with("taxel_")) top = std::max(top, peak(curve));
+  for (const auto& [head, curve] : table) {
+    if (!head.starts_with("taxel_") || peak(curve) < 0.05 * top) continue;
+    for (std::size_t row = 1; row < curve.size(); ++row) {
+      const double part = std::abs(curve[row] - curve[row - 1]) / peak(curve);
+      if (part <= fraction) continue;
+      fraction = part;
+      jump = {std::stoi(head.substr(6)), table.at("time")[row], row, curve[row - 1], curve[row]};
+    }
+  }
+  return jump;
+}
+
+/// The artifact of the paper at its density: a taxel that reads less than others jumps by much of its own peak, which
+/// is little of the sensor's; found, explained as sampling noise, and cured by the samples that the verdict names.
+TEST(Explain, FindsAndCuresTheArtifactOfATaxelThatReadsLittle) {
+  const fs::path run = shared_sweep({"--density", "1e6"});
+  double fraction = 0;
+  const RecordedJump jump = largest_own_jump(run, fraction);
+  ASSERT_GT(fraction, 0.1);
+  const Json v = explain(run, jump.taxel, jump.time)["verdict"];
+  EXPECT_EQ(v["cause"], "sampling_noise") << v["text"];
+  EXPECT_GT(std::abs(v["noise"].get<double>()), 0.5 * std::abs(v["change"].get<double>()));
+  const double of_taxel = 0.1 * std::abs(jump.after - jump.before) / fraction;  // a jump is a tenth of the own peak
+  EXPECT_NEAR(v["limit"].get<double>(), of_taxel, 1e-9 * of_taxel);
+  const Json of_sensor = taxel_json({"explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time",
+                                     std::to_string(jump.time), "--of-sensor"})["verdict"];
+  EXPECT_GE(of_sensor["limit"].get<double>(), v["limit"].get<double>());
+  ASSERT_TRUE(v["samples_needed"].is_object());
+  const double enough = 1e6 * v["samples_needed"]["factor"].get<double>();
+  const fs::path cured = test_folder() / "cured";
+  taxel_json({"sweep", "--density", std::to_string(enough), "--out", cured.string(), "--quiet"});
+  const Json after = explain(cured, jump.taxel, jump.time)["verdict"];
+  EXPECT_EQ(after["cause"], "none") << after["text"];
+}
+
 }  // namespace
 }  // namespace taxel::test
