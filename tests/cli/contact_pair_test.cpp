@@ -331,7 +331,7 @@ TEST(ContactPair, CommandsThatReadTaxelsSayThatThereAreNone) {
   run_scene(folder, scene_of(materials(R"("ball": {"modulus": 1e5})") + key("pairs", "ball floor"),
                              kFloor + body("ball", "0 0 0.048", "type='sphere' size='.05'")));
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"models", "out"}, {"explain", "out", "--taxel", "0"}}) {
+       {std::vector<std::string>{"models", "out"}, {"explain", "out", "--taxel", "0", "--time", "0"}}) {
     const Outcome outcome = taxel(command, folder);
     EXPECT_EQ(outcome.status, 2) << command[0];
     EXPECT_NE(outcome.err.find("has soft geoms without taxels alone"), std::string::npos) << outcome.err;
