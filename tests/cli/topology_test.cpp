@@ -49,7 +49,7 @@ TEST(MeshTopology, RefusesBadNumbersAndMeshes) {
   refused({box, "--subdivide", "0"}, box + ": must be subdivided 1 time or more, asked for are 0");
   refused({box, "--subdivide", "40"}, box + ": has 12 faces: subdivided 40 times it has more than 4000000");
   refused({fin, "--decimate", "4"}, fin + ": must be a manifold: 1 edge with more than two faces");
-  refused({box, "--decimate", "4", "--subdivide", "1"}, "--subdivide excludes --decimate");
+  refused({box, "--decimate", "4", "--subdivide", "1"}, "--decimate excludes --subdivide");
 }
 
 }  // namespace

@@ -161,6 +161,12 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
     // What the noise may be for the whole change to stay below the limit, or half of that where the rest is as large.
     const double allowed = std::max(verdict.limit - std::abs(in.exact->change()), 0.5 * verdict.limit);
     if (out.levels) verdict.needed = samples_needed(*out.levels, *in.exact, allowed);
+    // With the number that is asked for it jumped: errors that were opposite before and now add up to more than their
+    // rms.
+    if (verdict.needed && verdict.needed->samples > 0 && !(verdict.needed->factor > 1)) {
+      const double more = out.levels->samples[Convergence::kAsked + 1];
+      verdict.needed = SamplesNeeded{more, more / out.levels->samples[Convergence::kAsked], true};
+    }
     if (model->layout.sampling.weights == SampleWeights::equal) {
       const SensorModelPtr voronoi = with_voronoi_weights(*model);
       verdict.voronoi_noise = std::abs(reading_of(*voronoi, taxel, now.surfaces) -
