@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/hole_fill.h"
 #include "core/mesh/repair/repair.h"
 #include "unit/mesh/broken_mesh.h"
 
@@ -107,6 +108,30 @@ TEST(Repair, FillsALargeHoleOfABoxFlat) {
   EXPECT_EQ(repaired.report.steps[0].severity, Severity::warning);  // wider than a tenth of the diagonal
   EXPECT_NEAR(repaired.mesh->volume(), 8e-6, 1e-12);
   expect_sound(repaired, broken);
+}
+
+TEST(Repair, FillsAHoleWithTheLeastAngleToItsSurroundings) {
+  // A saddle: both diagonals give the same area. The faces around say whether it is a ridge (0 2) or a valley (1 3).
+  HoleRim rim;
+  rim.corners = {{0, 0, 0.3}, {1, 0, 0}, {1, 1, 0.3}, {0, 1, 0}};
+  rim.may_join = [](int, int) { return true; };
+  const auto normal = [&](int a, int b, int c) {
+    const auto at_corner = [&](int i) { return rim.corners[test::slot(i)]; };
+    return glm::normalize(glm::cross(at_corner(b) - at_corner(a), at_corner(c) - at_corner(a)));
+  };
+  const auto has_edge = [](const std::vector<ivec3>& triangles, int i, int j) {
+    return std::all_of(triangles.begin(), triangles.end(), [&](const ivec3& t) {
+      return (t.x == i || t.y == i || t.z == i) && (t.x == j || t.y == j || t.z == j);
+    });
+  };
+  const std::vector<dvec3> ridge{normal(0, 1, 2), normal(0, 1, 2), normal(0, 2, 3), normal(0, 2, 3)};
+  const std::vector<dvec3> valley{normal(0, 1, 3), normal(1, 2, 3), normal(1, 2, 3), normal(0, 1, 3)};
+  // Steeper than the triangles of one choice, and so far from those of the other that the rim's angles decide.
+  const auto beyond = [](const dvec3& from, const dvec3& to) { return glm::normalize(to + 4.0 * (to - from)); };
+  for (std::size_t i = 0; i < 4; ++i) rim.normals.push_back(beyond(valley[i], ridge[i]));
+  EXPECT_TRUE(has_edge(fill_by_least_angle(rim).value(), 0, 2));
+  for (std::size_t i = 0; i < 4; ++i) rim.normals[i] = beyond(ridge[i], valley[i]);
+  EXPECT_TRUE(has_edge(fill_by_least_angle(rim).value(), 1, 3));
 }
 
 TEST(Repair, SplitsAnEdgeAtATJunction) {
