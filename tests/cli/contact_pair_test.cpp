@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "cli/taxel_program.h"
 
@@ -12,7 +13,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kPi = 3.14159265358979323846, kGravity = 9.81;
+constexpr double kGravity = 9.81;
 
 /// A scene with one `taxel.contact`.
 std::string scene_of(const std::string& keys, const std::string& bodies,
@@ -60,8 +61,8 @@ TEST(ContactPair, A1SoftSphereOnPlane) {
                 scene_of(materials(R"("ball": {"modulus": 1e5, "resolution": 0.005})") + key("pairs", "ball floor"),
                          kFloor + body("ball", fmt::format("0.3 0 {}", R - x), "type='sphere' size='.05'")));
   const Contact c = contact_of(table);
-  EXPECT_NEAR(c.force_z, kPi * kModulus * x * x * (1 - 2 * x / (3 * R)), 0.03 * c.force_z);
-  EXPECT_NEAR(c.area, kPi * (2 * R * x - x * x), 0.03 * c.area);
+  EXPECT_NEAR(c.force_z, std::numbers::pi * kModulus * x * x * (1 - 2 * x / (3 * R)), 0.03 * c.force_z);
+  EXPECT_NEAR(c.area, std::numbers::pi * (2 * R * x - x * x), 0.03 * c.area);
   EXPECT_GE(c.polygons, 10);
   // no taxels, no columns of taxels
   EXPECT_EQ(table.size(), 7U);
@@ -74,8 +75,8 @@ TEST(ContactPair, A2RigidSphereInSoftHalfSpace) {
       scene_of(
           materials(R"("floor": {"modulus": 1e5, "thickness": 0.02}, "ball": {"resolution": 0.003, "friction": 0})"),
           kFloor + body("ball", fmt::format("0 0 {}", R - x), "type='sphere' size='.05'", "<freejoint/>"))));
-  EXPECT_NEAR(-c.force_z, kappa * kPi * x * x * (R - x / 3), 0.02 * -c.force_z);  // on the floor
-  EXPECT_NEAR(c.area, 2 * kPi * R * x, 0.02 * c.area);
+  EXPECT_NEAR(-c.force_z, kappa * std::numbers::pi * x * x * (R - x / 3), 0.02 * -c.force_z);  // on the floor
+  EXPECT_NEAR(c.area, 2 * std::numbers::pi * R * x, 0.02 * c.area);
 }
 
 TEST(ContactPair, A3PolyhedronInLinearFieldFeelsItsSubmergedVolume) {
@@ -100,7 +101,7 @@ TEST(ContactPair, A5SoftCylinderStanding) {
   const Contact c = contact_of(run_scene(
       test_folder(), scene_of(materials(R"("can": {"modulus": 1e5, "resolution": 0.003})") + key("pairs", "floor can"),
                               kFloor + body("can", "0 0 0.038", "type='cylinder' size='.03 .04'"))));
-  const double force = kPi * kModulus * (R * R * R - std::pow(R - x, 3)) / (3 * H);
+  const double force = std::numbers::pi * kModulus * (R * R * R - std::pow(R - x, 3)) / (3 * H);
   EXPECT_NEAR(c.force_z, force, 0.01 * force);
 }
 
@@ -167,8 +168,8 @@ TEST(ContactPair, A9BallComesToRestWhereItsForceIsItsWeight) {
   EXPECT_NEAR(force, weight, 1e-3 * weight);
   // pi E x^2 (1 - 2x/(3R)) = m g
   double x = 0;
-  for (int n = 0; n < 50; ++n) x = std::sqrt(weight / (kPi * kModulus * (1 - 2 * x / (3 * R))));
-  EXPECT_NEAR(table.at("area").back(), kPi * (2 * R * x - x * x), 0.04 * table.at("area").back());
+  for (int n = 0; n < 50; ++n) x = std::sqrt(weight / (std::numbers::pi * kModulus * (1 - 2 * x / (3 * R))));
+  EXPECT_NEAR(table.at("area").back(), std::numbers::pi * (2 * R * x - x * x), 0.04 * table.at("area").back());
 }
 
 /// Positions of a soft geom in all rows, world [m].
@@ -200,7 +201,7 @@ TEST(ContactPair, A9BlockOnSlopeCreepsOrAccelerates) {
     return (p[p.size() - 1][0] - p[p.size() - 51][0]) / (50 * h);
   };
   const double gentle = std::atan(0.6 * mu);
-  const double creep = 1e-4 * std::tan(0.5 * kPi * std::tan(gentle) / mu);
+  const double creep = 1e-4 * std::tan(0.5 * std::numbers::pi * std::tan(gentle) / mu);
   EXPECT_NEAR(speed(gentle, 0.4), creep, 0.02 * creep);
   const double steep = std::atan(1.6 * mu), acceleration = kGravity * (std::sin(steep) - mu * std::cos(steep));
   EXPECT_NEAR(speed(steep, 0.2), acceleration * (0.2 - 25.5 * h), 0.03 * acceleration * 0.2);

@@ -1,13 +1,12 @@
 // `taxel contact` and `taxel validate`: closed forms, action and reaction, velocities, polygons.
 #include <cmath>
+#include <numbers>
 
 #include "cli/taxel_program.h"
 
 namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
-
-constexpr double kPi = 3.14159265358979323846;
 
 Json case_of(const Json& a, const Json& b) {
   return {{"format", "contact-case"}, {"version", 1}, {"a", a}, {"b", b}};
@@ -41,9 +40,10 @@ void expect_opposite(const Json& one, const Json& other, const char* key) {
 TEST(Contact, A1SoftSphereOnAPlane) {
   const double R = 0.05, x = 0.0025, E = 5e4;
   const Json result = contact(case_of(soft_sphere(R - x), kPlane));
-  const double force = kPi * E * x * x * (1 - 2 * x / (3 * R));
+  const double force = std::numbers::pi * E * x * x * (1 - 2 * x / (3 * R));
   EXPECT_NEAR(result["force"][2].get<double>(), force, 0.03 * force);
-  EXPECT_NEAR(result["area"].get<double>(), kPi * (2 * R * x - x * x), 0.03 * kPi * 2 * R * x);
+  EXPECT_NEAR(result["area"].get<double>(), std::numbers::pi * (2 * R * x - x * x),
+              0.03 * std::numbers::pi * 2 * R * x);
   EXPECT_NEAR(result["max_pressure"].get<double>(), E * x / R, 0.06 * E * x / R);  // one vertex tells it
   EXPECT_NEAR(result["force"][0].get<double>(), 0, 1e-10 * force);  // a plane pushes along its normal alone
   EXPECT_NEAR(result["centroid"][2].get<double>(), 0, 1e-12);
@@ -58,9 +58,9 @@ TEST(Contact, A2RigidSphereInASoftHalfSpace) {
   const Json sphere = {{"shape", {{"type", "sphere"}, {"size", {R}}}}, {"resolution", 0.002}, {"pos", {0, 0, R - x}}};
   const Json ground = {{"shape", {{"type", "plane"}}}, {"material", {{"modulus", 5e4}, {"thickness", 0.05}}}};
   const Json result = contact(case_of(sphere, ground));
-  const double force = kappa * kPi * x * x * (R - x / 3);
+  const double force = kappa * std::numbers::pi * x * x * (R - x / 3);
   EXPECT_NEAR(result["force"][2].get<double>(), force, 0.03 * force);
-  EXPECT_NEAR(result["area"].get<double>(), 2 * kPi * R * x, 0.03 * 2 * kPi * R * x);
+  EXPECT_NEAR(result["area"].get<double>(), 2 * std::numbers::pi * R * x, 0.03 * 2 * std::numbers::pi * R * x);
 }
 
 TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
@@ -69,7 +69,7 @@ TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
   const double half_length = 0.03, x = 0.01, kappa = 5e4 / 0.1, half = 0.02;
   const Json box = {{"shape", {{"type", "box"}, {"size", {half_length, half, half}}}},
                     {"pos", {0, 0, half * std::sqrt(2.0) - x}},
-                    {"quat", {std::cos(kPi / 8), std::sin(kPi / 8), 0, 0}}};
+                    {"quat", {std::cos(std::numbers::pi / 8), std::sin(std::numbers::pi / 8), 0, 0}}};
   const Json ground = {{"shape", {{"type", "plane"}}}, {"material", {{"modulus", 5e4}, {"thickness", 0.1}}}};
   const Json result = contact(case_of(box, ground));
   const double force = kappa * x * x * 2 * half_length;
@@ -84,7 +84,7 @@ TEST(Contact, PadPressedDeeperThanItsThicknessHasNoHole) {
     Json ball = soft_sphere(R - x);
     ball["material"] = {{"field", "pad"}, {"modulus", 5e4}, {"thickness", 0.002}};
     const Json result = contact(case_of(ball, kPlane));
-    const double force = kappa * kPi * (R * x * x - 2.0 / 3.0 * x * x * x);
+    const double force = kappa * std::numbers::pi * (R * x * x - 2.0 / 3.0 * x * x * x);
     EXPECT_NEAR(result["force"][2].get<double>(), force, 0.03 * force) << x;
     EXPECT_NEAR(result["max_pressure"].get<double>(), kappa * x, 0.03 * kappa * x) << x;
     EXPECT_EQ(result["warnings"], Json::array());
@@ -127,7 +127,7 @@ TEST(Contact, VelocitiesDampAndRub) {
   EXPECT_NEAR(force({0, 0, 1}, still, still)[2], 0, 1e-10 * rest);  // leaving fast: nothing pulls
   // sliding against mu = 2 mu1 mu2/(mu1 + mu2) = 0.5, far above the regularisation speed of 0.1 mm/s
   const std::vector<double> sliding = force({0.5, 0, 0}, still, still);
-  EXPECT_NEAR(sliding[0], -0.5 * rest * 2 / kPi * std::atan(0.5 / 1e-4), 1e-6 * rest);
+  EXPECT_NEAR(sliding[0], -0.5 * rest * 2 / std::numbers::pi * std::atan(0.5 / 1e-4), 1e-6 * rest);
   // rolling about y moves the touching point towards -x: friction pushes towards +x
   EXPECT_GT(force(still, {0, 10, 0}, still)[0], 0.49 * rest);
 }
