@@ -84,7 +84,7 @@ TEST(Convergence, MakesNothingTwice) {
   read_convergence(make_convergence_models(model, cache), list);
   const SensorSkinPtr skin = cache.skin(plate.mesh, Shells::outer);
   EXPECT_EQ(skin->sensed, model->skin);
-  EXPECT_EQ(cache.body(plate.mesh, plate.layout.material, ""), model->body);
+  EXPECT_EQ(cache.body(*model->repaired, plate.layout.material, kDefaultRefine, ""), model->body);
   Progress cancelled;
   cancelled.cancel();
   const auto samples = [&](double factor) {

@@ -14,7 +14,7 @@
 namespace taxel {
 namespace {
 
-const std::filesystem::path kFile =
+const std::filesystem::path kFingerFile =
     std::filesystem::path(TAXEL_SOURCE_DIR) / "assets" / "layouts" / "fingertip.taxels.json";
 constexpr int kMissing = 100;  // face of our fingertip that the broken one lacks
 
@@ -23,14 +23,14 @@ std::size_t at(int i) {
 }
 
 Layout finger_layout() {
-  Layout layout = read_layout(kFile);
+  Layout layout = read_layout(kFingerFile);
   layout.sampling.density = 2e6;
   return layout;
 }
 
 TriMeshPtr sound_finger() {
-  const Layout layout = read_layout(kFile);
-  return load_mesh(mesh_path(layout, kFile), layout.mesh.scale).mesh;
+  const Layout layout = read_layout(kFingerFile);
+  return load_mesh(mesh_path(layout, kFingerFile), layout.mesh.scale).mesh;
 }
 
 /// Our fingertip with a fin on its first edge as face 0 and without the face kMissing: all other faces have a number
