@@ -83,14 +83,6 @@ fs::path mesh_case(const std::string& obj, const Json& material = kSoft, double 
   return folder;
 }
 
-void expect_contact_refused(const std::string& obj, const std::string& line, const Json& material = kSoft) {
-  const fs::path folder = mesh_case(obj, material);
-  expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: " + line);
-  const Outcome check = taxel({"check", "case.json"}, folder);
-  EXPECT_EQ(check.status, 1);
-  EXPECT_NE(check.out.find("error"), std::string::npos) << check.out;
-}
-
 /// The contact is computed, with exactly one warning, which holds these words.
 void expect_contact_warns(const std::string& obj, const std::string& words, const Json& material = kSoft,
                           double half = 0.02) {
