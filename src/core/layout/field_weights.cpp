@@ -71,9 +71,13 @@ double FieldWeights::distance(std::size_t disc, int face, const dvec3& point) co
 }
 
 void FieldWeights::at(int face, const dvec3& point, std::span<const int> discs, AtPoint& out) const {
+  at(face, point, skin_->face_normals()[index(face)], discs, out);
+}
+
+void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::span<const int> discs,
+                      AtPoint& out) const {
   out.weights.clear();
   out.margin = -std::numeric_limits<double>::infinity();
-  const dvec3& normal = skin_->face_normals()[index(face)];
   double nearest = 0;  // subtaxel of the last taxel so far
   for (const int i : discs) {
     const Disc& d = discs_[index(i)];

@@ -36,6 +36,8 @@ class FieldWeights {
   void near(const dvec3& p, double reach, std::vector<int>& discs) const;
   /// At a point of a face of the skin; of `discs` alone (ascending).
   void at(int face, const dvec3& point, std::span<const int> discs, AtPoint& out) const;
+  /// The same where the skin has another unit normal than the face: on an edge or a corner, one between its faces'.
+  void at(int face, const dvec3& point, const dvec3& normal, std::span<const int> discs, AtPoint& out) const;
   /// The smallest radius among discs [m]; infinite for none.
   [[nodiscard]] double smallest_radius(std::span<const int> discs) const;
 

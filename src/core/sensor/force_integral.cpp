@@ -26,6 +26,17 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/// The normal with which the skin looks at x, whose nearest point on the skin is s: that of the face; on an edge or a
+/// corner, where all of its faces are equally near, the direction from x to s. It turns from one face's normal to the
+/// next one's as x moves, so that no tie between the faces decides.
+dvec3 normal_at(const TriMesh& skin, const SurfacePoint& s, const dvec3& x) {
+  constexpr double kInSkin = 1e-9;  // of the skin's size: nearer, the direction is rounding
+  const dvec3& b = s.barycentric;
+  const bool in_face = b.x != 0 && b.y != 0 && b.z != 0;
+  if (in_face || !(s.distance > kInSkin * skin.bounds().diagonal())) return skin.face_normals()[index(s.face)];
+  return (s.position - x) / s.distance;
+}
+
 double longest_edge(const std::array<dvec3, 3>& c) {
   return std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
 }
@@ -54,8 +65,8 @@ void ForceIntegral::evaluate(const Polygon& polygon, const dvec3& x) {
         nearest_on_triangle(x, skin.vertex(face_, 0), skin.vertex(face_, 1), skin.vertex(face_, 2)).squared_distance);
   const SurfacePoint s = model_->skin->closest_point(x, within);
   face_ = s.face;
-  weights_->at(s.face, s.position, std::span(discs_).subspan(polygon.first_disc, polygon.end_disc - polygon.first_disc),
-               at_);
+  weights_->at(s.face, s.position, normal_at(skin, s, x),
+               std::span(discs_).subspan(polygon.first_disc, polygon.end_disc - polygon.first_disc), at_);
   at_.margin = std::min(at_.margin, model_->max_depth - s.distance);
   if (s.distance > model_->max_depth) at_.weights.clear();
 }

@@ -2,8 +2,9 @@
 //
 // F_k = integral of phi_k p0 dA, phi_k = w_k / (sum over j of w_j), 0 where no taxel reaches. The weights of a point x
 // of a polygon are those of the skin's point s(x) nearest to x: of the rays that reach x against the normal of the face
-// where they start, that one's is the shortest. Deeper than SensorModel::max_depth no ray reaches. For a rigid sensor
-// the surface lies in the skin, and s(x) = x. docs/theory.md has the whole of it.
+// where they start, that one's is the shortest; on an edge or a corner the direction from x to s(x) is the skin's
+// normal. Deeper than SensorModel::max_depth no ray reaches. For a rigid sensor the surface lies in the skin, and
+// s(x) = x. docs/theory.md has the whole of it.
 #pragma once
 
 #include <array>

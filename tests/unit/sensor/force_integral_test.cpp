@@ -153,6 +153,47 @@ TEST(ForceIntegral, SubtaxelsAngleLimitAndDepthDecideWhatIsCovered) {
   EXPECT_NEAR(none.uncovered, 0.02 * kPatchWidth * p, 1e-12);
 }
 
+/// A block of 20 x 18 x 18 mm without its quarter y > 0, z < 0, its faces in either order.
+TriMeshPtr notched_block(bool reversed) {
+  const std::array<dvec2, 6> profile{
+      {{-0.010, -0.008}, {0, -0.008}, {0, 0}, {0.008, 0}, {0.008, 0.010}, {-0.010, 0.010}}};
+  std::vector<dvec3> vertices;
+  for (const double x : {-0.010, 0.010})
+    for (const dvec2& q : profile) vertices.emplace_back(x, q.x, q.y);
+  std::vector<ivec3> faces;
+  for (int i = 0; i < 6; ++i) {
+    const int j = (i + 1) % 6;
+    faces.insert(faces.end(), {{i, j, j + 6}, {i, j + 6, i + 6}});
+    if (i != 2 && j != 2) faces.insert(faces.end(), {{8, i + 6, j + 6}, {2, j, i}});
+  }
+  if (reversed) std::reverse(faces.begin(), faces.end());
+  return std::make_shared<TriMesh>(std::move(vertices), std::move(faces));
+}
+
+// All of the contact has the inner edge of a notch as its nearest skin, below which the skin looks toward +y and beside
+// which toward -z. The direction to the edge is less than 45 degrees from +y for z < -y, from -z for the rest.
+TEST(ForceIntegral, TheDirectionDecidesWhereAnEdgeIsNearest) {
+  const double depth = 0.002, width = 0.006, p = 1e4, half = p * width * depth;
+  ContactSurface surface;
+  add_polygon(surface,
+              {{-width / 2, -depth, 0},
+               {width / 2, -depth, 0},
+               {width / 2, -depth, 2 * depth},
+               {-width / 2, -depth, 2 * depth}},
+              p, dvec3(0));
+  Plate plate;
+  plate.add(0, dvec3(0), 0.008, dvec3(0, 1, 0));
+  plate.add(1, dvec3(0), 0.008, dvec3(0, 0, -1));
+  plate.layout.readout.max_depth = 0.006;
+  for (const bool reversed : {false, true}) {
+    const SensorModelPtr model = build_sensor_model(plate.layout, notched_block(reversed), "", "block");
+    const ForceReading force = force_of(*model, surface);
+    EXPECT_NEAR(force.values[0], half, 1e-3 * half) << reversed;
+    EXPECT_NEAR(force.values[1], half, 1e-3 * half) << reversed;
+    EXPECT_NEAR(force.uncovered, 0.0, 1e-3 * half) << reversed;
+  }
+}
+
 /// The finger of the project, by any metric, pressed onto a box at several places.
 struct Finger {
   SensorModelPtr model;
@@ -192,7 +233,9 @@ ForceReading oracle(const SensorModel& model, const ContactSurface& surface, int
           const dvec3 x = u * a + v * b + (1 - u - v) * c;
           const double force = area / n / n * (polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid));
           const SurfacePoint s = model.skin->closest_point(x);
-          const dvec3& normal = model.skin->mesh().face_normals()[index(s.face)];
+          const bool in_face = s.barycentric.x > 0 && s.barycentric.y > 0 && s.barycentric.z > 0;
+          const dvec3 normal =
+              in_face ? model.skin->mesh().face_normals()[index(s.face)] : glm::normalize(s.position - x);
           std::vector<double> w;
           for (const Taxel& t : model.layout.taxels) {
             const double left = std::max(0.0, t.radius - glm::distance(t.center, s.position));
