@@ -13,6 +13,13 @@ BruteForceContact oracle(const HydroBody& soft, const HydroBody& rigid, const Po
   return brute_force_contact(field_of(soft), X_SR);
 }
 
+/// A contact without its depth pieces (tests/unit/hydro/depth_pieces_test.cpp): what the tets of the bodies share.
+Contact without_pieces(Contact contact) {
+  std::erase_if(contact.surface.polygons, [](const ContactPolygon& polygon) { return polygon.tet < 0; });
+  contact.wrench = traction(contact.surface, {}, {}).wrench;
+  return contact;
+}
+
 /// What both found, relative to the size of the contact.
 void expect_equal(const Contact& found, const BruteForceContact& expected) {
   ASSERT_EQ(found.surface.polygons.size(), static_cast<std::size_t>(expected.polygons));
@@ -29,7 +36,7 @@ TEST_P(EveryShape, EqualsTheBruteForceOracle) {
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WS = soft_pose(i), X_WR = rigid_pose(X_WS, i);
     const BruteForceContact expected = oracle(*soft, *rigid, X_WS.inverse() * X_WR);
-    const Contact found = touch(*soft, *rigid, X_WS, X_WR);
+    const Contact found = without_pieces(touch(*soft, *rigid, X_WS, X_WR));
     SCOPED_TRACE(testing::Message() << "pose " << i);
     ASSERT_NO_FATAL_FAILURE(expect_equal(found, expected));
     touching += expected.polygons > 0 ? 1 : 0;
@@ -49,7 +56,7 @@ TEST(TwoSoftBodies, EqualTheBruteForceOracle) {
       const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
       const BruteForceContact expected = brute_force_contact(field_of(*pad), field_of(*other), X_WA.inverse() * X_WB);
       SCOPED_TRACE(testing::Message() << "pose " << i);
-      ASSERT_NO_FATAL_FAILURE(expect_equal(touch(*pad, *other, X_WA, X_WB), expected));
+      ASSERT_NO_FATAL_FAILURE(expect_equal(without_pieces(touch(*pad, *other, X_WA, X_WB)), expected));
       touching += expected.polygons > 0 ? 1 : 0;
     }
     EXPECT_GE(touching, 20);

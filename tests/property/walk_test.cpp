@@ -66,6 +66,7 @@ std::map<Key, double> polygons(const HydroBody& a, const HydroBody& b, const Pos
   intersect(a, b, Pose{}, X_WB, surface, workspace);
   std::map<Key, double> areas;
   for (const ContactPolygon& p : surface.polygons) {
+    if (p.tet < 0) continue;  // a depth piece, which no tet holds
     EXPECT_TRUE(areas.try_emplace({p.tet, p.tet_b, p.face}, p.area).second);
   }
   std::erase_if(areas, [](const auto& entry) { return entry.second < 1e-12 * kSize * kSize; });
