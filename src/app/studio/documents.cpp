@@ -53,11 +53,19 @@ std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) 
   return notes;
 }
 
-/// What the edges of a mesh file are is no problem of a mesh that was repaired.
-void tone_down(MeshFindings& findings) {
-  for (MeshFinding& finding : findings)
-    if (finding.code == "mesh_open" || finding.code == "mesh_nonmanifold" || finding.code == "mesh_winding")
+/// What a repair mends is no problem of the mesh that is used.
+void tone_down(MeshFindings& findings, const RepairReport& report) {
+  const bool united = std::any_of(report.steps.begin(), report.steps.end(), [](const RepairStep& step) {
+    return step.code == "repair_united" || step.code == "repair_wrapped";
+  });
+  for (MeshFinding& finding : findings) {
+    if (finding.code == "mesh_open" || finding.code == "mesh_nonmanifold" || finding.code == "mesh_winding" ||
+        finding.code == "mesh_inverted")
       finding.severity = Severity::note;
+    if (!united || (finding.code != "mesh_self_intersection" && finding.code != "mesh_shells")) continue;
+    finding.severity = Severity::note;
+    finding.meaning = "A repair unites the parts when the mesh is used (Inspector > Mesh); the file stays as it is.";
+  }
 }
 
 using Compile = std::function<ShownModel(const SensorBuild&)>;
@@ -73,7 +81,7 @@ Document document_of(DocumentKind kind, const std::filesystem::path& file, Proje
   if (how.progress != nullptr) how.progress->stop_if_cancelled();
   document.model = std::move(shown.model);
   document.repair = repair_summary(document.model->repaired->report);
-  if (document.model->mesh != document.model->loaded) tone_down(findings);
+  if (document.model->mesh != document.model->loaded) tone_down(findings, document.model->repaired->report);
   document.problem = std::move(shown.problem);
   document.mesh = std::make_shared<const OpenMesh>(OpenMesh{std::move(mesh), std::move(findings)});
   document.project = std::make_shared<const Project>(std::move(project));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "core/mesh/repair/draft.h"
@@ -87,6 +88,7 @@ Problems repair_problems(const RepairReport& report, const std::string& file) {
 }
 
 std::string repair_summary(const RepairReport& report) {
+  constexpr double kRounding = 1e-9;
   if (report.steps.empty()) return "";
   std::string text = "repaired: " + all_clauses(report.steps);
   double area = 0;
@@ -94,11 +96,11 @@ std::string repair_summary(const RepairReport& report) {
   if (area > 0) text += fmt::format(" ({})", area_text(area, report));
   if (report.distance_max > 0) {
     text += fmt::format(", surface within {}", in_mm(report.distance_max));
-  } else if (report.vertices_moved > 0) {
+  } else if (report.largest_move > kRounding * std::sqrt(report.area_before)) {
     text += fmt::format(", {} {} moved by at most {}", report.vertices_moved,
                         report.vertices_moved == 1 ? "vertex" : "vertices", in_mm(report.largest_move));
   } else {
-    text += ", no vertex moved";
+    text += report.vertices_moved > 0 ? ", vertices moved within rounding" : ", no vertex moved";
   }
   return text;
 }
