@@ -106,15 +106,15 @@ void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
 /// How much is kept, and what it costs.
 void draw_memory(UiState& ui, const UiInput& input, Flow& flow) {
   const HistoryState& history = input.frame->history;
-  const std::string shown = input.frame->recorded
-                                ? fmt::format("step {} of {}", grouped(static_cast<long long>(input.frame->step)),
-                                              grouped(static_cast<long long>(history.last)))
-                                : fmt::format("step {}", grouped(static_cast<long long>(history.last)));
+  const std::string last = grouped(static_cast<long long>(history.last));
+  const std::string kept = fmt::format("   {:.0f} MB, {} of", 1e-6 * static_cast<double>(history.bytes),
+                                       grouped(static_cast<long long>(history.steps)));
+  const auto past = [&](const std::string& step) { return fmt::format("step {} of {}{}", step, last, kept); };
   const std::string text =
-      fmt::format("{}   {} steps, {:.0f} MB of", shown, grouped(static_cast<long long>(history.steps)),
-                  1e-6 * static_cast<double>(history.bytes));
+      input.frame->recorded ? past(grouped(static_cast<long long>(input.frame->step))) : "step " + last + kept;
   const float field = 4.4f * ImGui::GetFontSize();
-  flow.last(ImGui::CalcTextSize(text.c_str()).x + field + 6);
+  const auto width = [&](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x + field + 6; };
+  flow.last(width(text), width(past(last)));  // where a step of the past is shown the lanes stay where they are
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text.c_str());
   if (ImGui::IsItemHovered())

@@ -19,8 +19,8 @@ void Flow::place(float width, float gap) {
   ++rows_;
 }
 
-void Flow::last(float width) {
-  place(width, gap_);
+void Flow::last(float width, float most) {
+  place(std::max(width, most), gap_);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({std::max(at.x, right_ - width), at.y});
 }

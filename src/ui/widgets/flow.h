@@ -11,8 +11,8 @@ class Flow {
   /// Before each item of so many pixels: the cursor goes on in this row, or to the next one.
   void next(float width) { place(width, gap_); }
   void next(float width, float gap) { place(width, gap); }
-  /// Before the last item: to the right end of the row.
-  void last(float width);
+  /// Before the last item: to the right end of the row that has room for the most that it may ever need.
+  void last(float width, float most = 0);
   [[nodiscard]] int rows() const { return rows_; }
 
  private:

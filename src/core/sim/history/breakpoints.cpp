@@ -58,6 +58,7 @@ const std::vector<std::optional<Jump>>& JumpDetector::compare(std::uint64_t step
       double largest = -1;
       for (std::size_t k = 0; k < now.readings.size(); ++k) {
         const double change = std::abs(now.readings[k] - before.readings[k]);
+        jump.largest_change = std::max(jump.largest_change, change);
         const double whole = limits.of_sensor ? of_sensor : scale(before.history, k, now.least, limits.jump, false);
         const double part = whole > 0 ? change / whole : 0.0;
         if (part < jump.part || (part == jump.part && !(change > largest))) continue;

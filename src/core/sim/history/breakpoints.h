@@ -33,6 +33,7 @@ struct Jump {
   double part = 0;                           ///< |after - before| over the largest reading; 0 in a first touch
   double force_before = 0, force_after = 0;  ///< on the sensor [N]
   bool at_equal_force = false;
+  double largest_change = 0;  ///< |after - before| of the taxel of this sensor that changed most, jump or not
 };
 
 /// A taxel whose samples do not read what its field is pressed with (disagreement.h).

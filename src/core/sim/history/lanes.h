@@ -50,7 +50,8 @@ struct SensorSummary {
   double largest_jump = 0;      ///< largest change of a reading since the step before [its unit]
   double largest_reading = 0;   ///< of all its taxels in the run so far [its unit]
   int polygons = 0;
-  int jumped_taxel = -1;  ///< number of the taxel with the largest jump; -1: none changed
+  /// Number of the taxel that changed by the largest part of what breakpoints measure it against; -1: none changed.
+  int jumped_taxel = -1;
 };
 
 /// Rows ascend by one step each.

@@ -121,7 +121,7 @@ std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout
     if (row.polygons > 0 && before == 0 && !first_row) mark.events |= bit(StepEvent::contact_begins);
     if (row.polygons == 0 && before > 0) mark.events |= bit(StepEvent::contact_ends);
     if (jumps[s]) {
-      row.largest_jump = std::abs(jumps[s]->after - jumps[s]->before);
+      row.largest_jump = jumps[s]->largest_change;
       row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
       if (is_jump(*jumps[s], breakpoints_))
         mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
