@@ -208,10 +208,21 @@ TEST(Explain, ASwitchTakesTheGhostAway) {
 }
 
 #ifdef TAXEL_PROGRAM
-// A recording of every step, explained by the command line: the same object to the last digit.
+// A recording of every step, explained by the command line: the same object to the last digit. A jump is measured
+// against the largest reading that is recorded, so the window runs on and comes back to the step of the jump.
 TEST(Explain, SaysTheSameAsTheCommandLine) {
   const StudioProgram studio;
-  studio.play(kJumped, coarse_layout(studio));
+  const auto jump_of = [](const char* percent) {
+    return Lines{press("Jump"), key("a", kCtrl), type(percent), key("Enter"), kIdle};
+  };
+  studio.play(
+      joined({kJumped,
+              {dump("jumped.json")},
+              jump_of("100"),
+              {key("b", kShift), kIdle, key("Space"), wait_time(1.5), key("Space"), kIdle, key("Left", kShift), kIdle},
+              jump_of("0.5"),
+              {kIdle, kIdle, dump("explained.json")}}),
+      coarse_layout(studio));
   Json window = studio.state("explained.json")["explain"];
   ASSERT_TRUE(window.is_object());
   const Outcome swept = run_program(TAXEL_PROGRAM,
@@ -219,11 +230,14 @@ TEST(Explain, SaysTheSameAsTheCommandLine) {
                                      "--record-every", "0.00001", "--out", "run", "--quiet"},
                                     studio.folder());
   ASSERT_EQ(swept.status, 0) << swept.err;
-  const Outcome said = run_program(TAXEL_PROGRAM,
-                                   {"explain", "run", "--taxel", std::to_string(window["taxel"]["id"].get<int>()),
-                                    "--time", std::to_string(window["time"].get<double>()), "--jump", "0.01", "--json"},
-                                   studio.folder());
+  const Outcome said =
+      run_program(TAXEL_PROGRAM,
+                  {"explain", "run", "--taxel", std::to_string(window["taxel"]["id"].get<int>()), "--time",
+                   std::to_string(window["time"].get<double>()), "--jump", "0.005", "--json"},
+                  studio.folder());
   ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(window["step"], studio.state("jumped.json")["simulation"]["history"]["stop"]["step"]);
+  EXPECT_NE(window["verdict"]["cause"], "none");
   for (const char* own : {"step", "step_before", "ghost", "selected_polygon"}) window.erase(own);
   EXPECT_EQ(Json::parse(said.out), window);
 }

@@ -113,11 +113,14 @@ TEST(Time, FiveHundredStepsBackAlsoAfterTheLayoutWasChanged) {
 
 TEST(Time, RunGoesOnFromTheStepThatIsShown) {
   const StudioProgram studio;
-  studio.play(joined({kInContact,
+  // against the largest reading of the sensor no taxel jumps here, so the contact is the only event
+  studio.play(joined({{kIdle, press("of sensor"), kIdle},
+                      kInContact,
                       {key("Left", kShift), kIdle, dump("back.json"), key("Space"), wait_time(0.8), key("Space"), kIdle,
                        dump("again.json")}}));
   const Json back = studio.state("back.json")["simulation"], again = studio.state("again.json")["simulation"];
-  EXPECT_EQ(back["step"], back["history"]["events"][0]["step"]) << "the contact begins";
+  EXPECT_EQ(back["step"], back["history"]["events"][0]["step"]);
+  EXPECT_EQ(back["history"]["events"][0]["what"], Json({"contact_begins"}));
   EXPECT_EQ(again["history"]["last"], again["step"]) << "what came after the step that was shown is forgotten";
   EXPECT_GT(again["step"], back["step"]);
   EXPECT_LT(again["step"], back["history"]["last"]);
@@ -148,10 +151,13 @@ TEST(Time, PausesWhereSamplesAndSurfaceDisagree) {
   EXPECT_NE(studio.state("state.json")["messages"].dump().find("by the surface"), std::string::npos);
 }
 
-TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
+/// Measured against the largest reading so far of each taxel, or of all of them.
+void pauses_at_the_first_jump(bool of_sensor) {
+  SCOPED_TRACE(of_sensor ? "of sensor" : "of each taxel");
   const StudioProgram studio;
-  const auto script = [](const Lines& stops) {
+  const auto script = [of_sensor](const Lines& stops) {
     return joined({{kIdle, key("Backspace"), kIdle, press("Jump"), key("a", kCtrl), type("1"), key("Enter"), kIdle},
+                   of_sensor ? Lines{press("of sensor"), kIdle} : Lines{},
                    stops,
                    {key("Space"), at_frame(170), dump("state.json")}});
   };
@@ -159,6 +165,7 @@ TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
   const Json free = studio.state("state.json")["simulation"];
   EXPECT_TRUE(free["finished"]);
   EXPECT_EQ(free["history"]["breakpoints"]["jump"], 0.01);
+  EXPECT_EQ(free["history"]["breakpoints"]["of_sensor"], of_sensor);
   EXPECT_GE(free["history"]["steps"], 2000) << "of the whole sweep";
   EXPECT_GT(free["history"]["bytes"], 2000 * 1000) << "and told in the timeline";
   int first = 0;
@@ -175,17 +182,26 @@ TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
   EXPECT_EQ(stop["step"], first);
   EXPECT_GT(stop["part"], 0.01);
   EXPECT_EQ(before["step"], first - 1);
-  double largest_change = 0;
-  std::size_t which = 0;
-  for (std::size_t k = 0; k < stopped["readings"].size(); ++k) {
+  const std::vector<double> peaks = stopped["peaks"];
+  const double of_all = *std::max_element(peaks.begin(), peaks.end());
+  const auto part_of = [&](std::size_t k) {
     const double change = std::abs(stopped["readings"][k].get<double>() - before["readings"][k].get<double>());
-    if (change > largest_change) which = k;
-    largest_change = std::max(largest_change, change);
+    return change / std::max(5.0, of_sensor ? of_all : peaks[k]);  // 5 Pa: 1e-4 of the modulus
+  };
+  const auto which = stop["taxel"].get<std::size_t>();  // ids of the own fingertip count from 0
+  EXPECT_DOUBLE_EQ(stop["part"].get<double>(), part_of(which));
+  // Measured against its own peak a taxel that was touched just now does not count yet.
+  if (of_sensor) {
+    for (std::size_t k = 0; k < peaks.size(); ++k) EXPECT_LE(part_of(k), part_of(which)) << k;
   }
   EXPECT_EQ(stop["after"], stopped["readings"][which]);
   EXPECT_EQ(stop["before"], before["readings"][which]);
   const std::regex said(R"(Paused at step \d+, [\d.]+ s: taxel \d+.* jumped from [\d.]+ kPa to [\d.]+ kPa, [\d.]+ %)");
   EXPECT_TRUE(std::regex_search(state["messages"].dump(), said)) << state["messages"].dump();
+}
+
+TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
+  for (const bool of_sensor : {false, true}) pauses_at_the_first_jump(of_sensor);
 }
 
 TEST(Time, KeepsAsManyStepsAsAskedAndTellsWhatTheyTake) {
