@@ -80,7 +80,7 @@ class PairMarch {
     w_.tree.build(w_.boxes);
     w_.visited.begin();
     w_.cubes.clear();
-    w_.steps.clear();
+    w_.queue.clear();
     for (const dvec3& x_A : w_.core_points) {
       const dvec3 place = X_SL_.inverse_point(writer_.point_S(x_A)) / edge_;
       // The lattice's surface may lie in the next cube.
@@ -89,31 +89,47 @@ class PairMarch {
         for (int y = from.y; y <= to.y; ++y)
           for (int x = from.x; x <= to.x; ++x) visit({x, y, z}, kSteps);
     }
-    for (std::size_t next = 0; next < w_.cubes.size(); ++next) {
-      const Node cube = w_.cubes[next];
-      const std::size_t before = writer_.polygon_count();
-      const unsigned faces = march(cube);
-      const int steps = writer_.polygon_count() > before ? kSteps : w_.steps[next] - 1;
-      if (steps == 0) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        for (int side = 0; side < 2; ++side) {
-          if ((faces >> (2 * axis + side) & 1u) == 0) continue;
-          Node neighbour = cube;
-          neighbour[axis] += 2 * side - 1;
-          visit(neighbour, steps);
-        }
-      }
-    }
+    for (std::size_t next = 0; next < w_.queue.size(); ++next) go_on(at(w_.queue[next]));
   }
-  static constexpr double kNear = 0.25;  // edges
-  static constexpr int kSteps = 3;       // cubes in a row that may be covered: the two surfaces differ a little
+  static constexpr double kNear = 0.25;      // edges
+  static constexpr double kBareArea = 1e-4;  // edges squared: what a cube that is not covered adds at least
+  static constexpr int kSteps = 3;           // cubes in a row that may be covered: the two surfaces differ a little
 
+  /// Reaches a cube with so many steps left. One that was reached with fewer goes on once more, so that the cubes that
+  /// are reached in the end do not depend on the order.
   void visit(const Node& cube, int steps) {
     bool is_new = false;
-    w_.visited.at(key_of(cube), is_new);
-    if (!is_new) return;
-    w_.cubes.push_back(cube);
-    w_.steps.push_back(steps);
+    std::int32_t& number = w_.visited.at(key_of(cube), is_new);
+    if (is_new) {
+      number = static_cast<std::int32_t>(w_.cubes.size());
+      w_.cubes.push_back({cube, 0, 0, false});
+    }
+    DepthWorkspace::Cube& found = w_.cubes[at(number)];
+    if (steps <= found.steps) return;
+    found.steps = steps;
+    w_.queue.push_back(number);
+  }
+
+  /// From a cube to its neighbours; the first time, its part of the surface is added.
+  void go_on(std::size_t number) {
+    DepthWorkspace::Cube cube = w_.cubes[number];
+    if (!cube.is_done) {
+      added_area_ = 0;
+      cube.faces = march(cube.corner);
+      if (added_area_ > kBareArea * edge_ * edge_) cube.steps = kSteps + 1;
+      cube.is_done = true;
+      w_.cubes[number] = cube;
+    }
+    const int steps = cube.steps - 1;
+    if (steps == 0) return;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side < 2; ++side) {
+        if ((cube.faces >> (2 * axis + side) & 1u) == 0) continue;
+        Node neighbour = cube.corner;
+        neighbour[axis] += 2 * side - 1;
+        visit(neighbour, steps);
+      }
+    }
   }
 
   /// A surface that no tet meets: by octree, in cubes of `side` lattice edges from `corner` on. Pressures are
@@ -214,7 +230,10 @@ class PairMarch {
 
   /// p = gradient . x + constant, frame L.
   void add_slice(const TetSlice& slice, const dvec3& normal, const dvec3& gradient, double constant) {
-    const dvec3 origin = slice.points[0], u = edge_ * any_perpendicular(normal), v = glm::cross(normal, u);
+    // The middle, not a corner: which corner is the first depends on which body is.
+    dvec3 origin(0);
+    for (std::size_t k = 0; k < at(slice.count); ++k) origin += slice.points[k] / static_cast<double>(slice.count);
+    const dvec3 u = edge_ * any_perpendicular(normal), v = glm::cross(normal, u);
     const dvec3 normal_S = X_SL_.R * normal, gradient_S = X_SL_.R * gradient;
     const SurfaceTriangle triangle = writer_.triangle({X_SL_(origin), X_SL_(origin + u), X_SL_(origin + v)}, normal_S);
     PlanePressure p{glm::dot(gradient, origin) + constant, glm::dot(gradient, u), glm::dot(gradient, v)};
@@ -232,7 +251,10 @@ class PairMarch {
       if (project(writer_.surface().polygons[at(w_.lists[n])], triangle, cover))
         subtract(cover, least, w_.rest, w_.scratch);
     }
-    for (const FlatPolygon& polygon : w_.rest) writer_.add_flat(polygon, triangle, p, gradient_S, -1, edge_);
+    for (const FlatPolygon& polygon : w_.rest) {
+      writer_.add_flat(polygon, triangle, p, gradient_S, -1, edge_);
+      added_area_ += 2 * triangle.area * polygon.area();
+    }
   }
 
   /// Keeps the part that is deeper than errors of the pressures.
@@ -269,6 +291,7 @@ class PairMarch {
   double thickness_, edge_, least_pressure_;
   SurfaceWriter& writer_;
   DepthWorkspace& w_;
+  double added_area_ = 0;  // by the present cube [m^2]
 };
 
 }  // namespace

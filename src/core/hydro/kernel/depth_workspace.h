@@ -102,9 +102,16 @@ struct DepthWorkspace {
   std::vector<dvec3> core_points;  ///< middles of the edges at which polygons of pairs of tets end on a core, frame A
   std::vector<Aabb> boxes;         ///< of the polygons of pairs of tets, frame A
   Bvh tree;                        ///< over these
-  PointCache<char> visited;        ///< cubes that the surface was followed into
-  std::vector<ivec3> cubes;        ///< the same cubes, in order
-  std::vector<int> steps;          ///< of each: how far to go on where the tets cover all
+  /// A cube of the lattice that the surface was followed into.
+  struct Cube {
+    ivec3 corner;
+    int steps;       ///< that are left where the tets cover all
+    unsigned faces;  ///< that the surface goes on across
+    bool is_done;    ///< its part of the surface is added
+  };
+  PointCache<std::int32_t> visited;  ///< numbers of `cubes`
+  std::vector<Cube> cubes;
+  std::vector<std::int32_t> queue;  ///< cubes from which to go on
 };
 
 }  // namespace taxel
