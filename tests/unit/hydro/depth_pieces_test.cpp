@@ -144,6 +144,50 @@ TEST(DepthPieces, HalfSpaceAgreesWithALargeBox) {
   }
 }
 
+/// A box whose top consists of narrow strips from one end to the other.
+TriMesh box_with_strips(double half, int strips) {
+  const TriMesh box = make_box(dvec3(half));
+  std::vector<dvec3> vertices = box.vertices();
+  std::vector<ivec3> faces;
+  for (int f = 0; f < box.face_count(); ++f) {
+    const bool is_top = box.face_normals()[static_cast<std::size_t>(f)].z > 0.5;
+    const bool is_end = std::abs(box.face_normals()[static_cast<std::size_t>(f)].y) > 0.5;
+    if (!is_top && !is_end) faces.push_back(box.faces()[static_cast<std::size_t>(f)]);
+  }
+  const int first = static_cast<int>(vertices.size());
+  for (int i = 0; i <= strips; ++i) {
+    for (const double y : {-half, half}) vertices.push_back({-half + 2 * half * i / strips, y, half});
+    const int a = first + 2 * i;  // (x, -y), then (x, +y)
+    if (i == 0) continue;
+    faces.push_back({a - 2, a, a + 1});
+    faces.push_back({a - 2, a + 1, a - 1});
+  }
+  for (const int end : {0, 1}) {
+    const double y = end == 0 ? -half : half;
+    const int low = static_cast<int>(vertices.size());
+    vertices.push_back({-half, y, -half});
+    vertices.push_back({half, y, -half});
+    std::vector<ivec3> fan{{low, low + 1, first + 2 * strips + end}};
+    for (int i = strips; i > 0; --i) fan.push_back({low, first + 2 * i + end, first + 2 * (i - 1) + end});
+    for (const ivec3& face : fan) faces.push_back(end == 0 ? face : ivec3(face.x, face.z, face.y));
+  }
+  return {std::move(vertices), std::move(faces)};
+}
+
+/// The round of an edge is made of such strips. Quartered, each took thousands of pieces narrower than a micrometre.
+TEST(DepthPieces, NarrowTrianglesNeedFewPieces) {
+  const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
+  const auto box = make_simple_body(ShapeType::box, dvec3(0.02)), strips = make_mesh_body(box_with_strips(0.02, 400));
+  for (const double part : {1.5, 3.0}) {
+    const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, part * kThickness, 0.02);
+    const Contact whole = touch(*finger, *box, Pose{}, X), cut = touch(*finger, *strips, Pose{}, X);
+    EXPECT_NEAR(force_of(cut), force_of(whole), 0.002 * force_of(whole)) << part;
+    EXPECT_NEAR(cut.surface.area(), whole.surface.area(), 0.002 * whole.surface.area()) << part;
+    EXPECT_GT(pieces_of(cut.surface), 100) << part;
+    EXPECT_LT(pieces_of(cut.surface), 4000) << part;
+  }
+}
+
 /// The same field that ends with its tets: what it has is there still, in the same order and with the same bits.
 TEST(DepthPieces, PolygonsOfTheTetsStayAsTheyAre) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));

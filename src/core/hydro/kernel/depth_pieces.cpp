@@ -69,8 +69,9 @@ class PlanePieces {
   static constexpr double kClipped = 2;  // tolerances: a shallower hole is an error of D, not a hole
   /// A factor of lengths: sizes of bodies are rarely multiples of them then, so that no rounding decides.
   static constexpr double kNoTie = 1.0137;
-  static constexpr double kCutEdge = 2;   // thicknesses: longest edge of a piece that the skin cuts
-  static constexpr double kLongEdge = 8;  // thicknesses: longest edge of any piece
+  static constexpr double kCutEdge = 2;    // thicknesses: longest edge of a piece that the skin cuts
+  static constexpr double kLongEdge = 8;   // thicknesses: longest edge of any piece
+  static constexpr double kElongated = 4;  // shortest edges: a longer triangle is cut across, not quartered
 
   struct Piece {
     std::array<Corner, 3> corners;
@@ -120,48 +121,123 @@ class PlanePieces {
     return area >= whole;
   }
 
-  void refine(const Piece& piece) {
+  /// What refine() needs to know of a piece.
+  struct Evaluation {
+    FlatPolygon flat;
+    std::array<DepthField::Sample, 3> at_corner, at_middle;
+    std::array<double, 3> edge;  ///< lengths; edge k runs from corner k to the next one [m]
+    double longest = 0;          ///< of the edges [m]
+  };
+
+  /// False if the piece is outside of the body or covered by the tets' polygons. Lists the covered polygons near the
+  /// piece at the end of the lists; the caller removes them.
+  bool evaluate(const Piece& piece, Evaluation& e) {
     const auto& c = piece.corners;
     const std::array<dvec3, 3> x{point(c[0]), point(c[1]), point(c[2])};
     Aabb box;
     for (const dvec3& corner : x) box.include(corner);
-    if (!box.overlaps(body_)) return;
-    FlatPolygon flat;
-    flat.count = 3;
-    for (std::size_t k = 0; k < 3; ++k) flat.x[k] = plane_point(c[k]);
+    if (!box.overlaps(body_)) return false;
+    e.flat.count = 3;
+    for (std::size_t k = 0; k < 3; ++k) e.flat.x[k] = plane_point(c[k]);
     const std::size_t first = w_.lists.size();
-    const double listed = list_near(piece, flat);
-    if (!is_covered(flat, first, listed)) refine_uncovered(piece, x, flat, first);
-    w_.lists.resize(first);
-  }
-
-  void refine_uncovered(const Piece& piece, const std::array<dvec3, 3>& x, const FlatPolygon& flat, std::size_t first) {
-    const auto& c = piece.corners;
-    const std::array<double, 3> edge{glm::distance(x[0], x[1]), glm::distance(x[1], x[2]), glm::distance(x[2], x[0])};
-    const double longest = std::max({edge[0], edge[1], edge[2]});
-    std::array<DepthField::Sample, 3> at_corner, at_middle;
+    const double listed = list_near(piece, e.flat);
+    if (is_covered(e.flat, first, listed)) return false;
+    for (std::size_t k = 0; k < 3; ++k) e.edge[k] = glm::distance(x[k], x[(k + 1) % 3]);
+    e.longest = std::max({e.edge[0], e.edge[1], e.edge[2]});
     double deepest = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
       const bool known = k > 0;
-      at_corner[k] = known ? sample(c[k], bound(at_corner[k - 1].depth, edge[k - 1])) : sample(c[k]);
-      deepest = std::max(deepest, at_corner[k].depth);
+      e.at_corner[k] = known ? sample(c[k], bound(e.at_corner[k - 1].depth, e.edge[k - 1])) : sample(c[k]);
+      deepest = std::max(deepest, e.at_corner[k].depth);
       // D is 1-Lipschitz: no point of the triangle is deeper than this.
-      if (at_corner[k].depth + longest < least_depth_) return;
+      if (e.at_corner[k].depth + e.longest < least_depth_) return false;
     }
     // No point of a triangle is farther from its nearest corner than L/sqrt(3).
-    if (deepest + longest / std::sqrt(3.0) < least_depth_) return;
-    const std::array<Corner, 3> m{middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
-    for (std::size_t k = 0; k < 3; ++k) at_middle[k] = sample(m[k], bound(at_corner[k].depth, 0.5 * edge[k]));
-    if (piece.levels <= 1 || !must_split(at_corner, at_middle, longest)) {
-      add_piece(flat, at_corner, at_middle, longest, first);
-      return;
+    if (deepest + e.longest / std::sqrt(3.0) < least_depth_) return false;
+    for (std::size_t k = 0; k < 3; ++k)
+      e.at_middle[k] = sample(middle(c[k], c[(k + 1) % 3]), bound(e.at_corner[k].depth, 0.5 * e.edge[k]));
+    return true;
+  }
+
+  void refine(const Piece& piece) {
+    const std::size_t first = w_.lists.size();
+    Evaluation e;
+    if (evaluate(piece, e)) {
+      const bool is_small = piece.levels <= 1 || !must_split(e.at_corner, e.at_middle, e.longest);
+      if (is_small) {
+        add_piece(e.flat, e.at_corner, e.at_middle, e.longest, first);
+      } else if (e.longest > kElongated * std::min({e.edge[0], e.edge[1], e.edge[2]})) {
+        cut_across(piece, e.edge, first);
+      } else {
+        quarter(piece, first);
+      }
     }
+    w_.lists.resize(first);
+  }
+
+  void quarter(const Piece& piece, std::size_t first) {
+    const auto& c = piece.corners;
+    const std::array<Corner, 3> m{middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
     const std::size_t last = w_.lists.size();
     const int levels = piece.levels - 1;
     refine({{c[0], m[0], m[2]}, levels, first, last});
     refine({{m[0], c[1], m[1]}, levels, first, last});
     refine({{m[2], m[1], c[2]}, levels, first, last});
     refine({{m[1], m[2], m[0]}, levels, first, last});
+  }
+
+  /// A triangle with two long edges, cut across them:
+  ///
+  ///     tip --- 1 --- 2 --- 3 --- a     Each of the 2^halvings strips has parts of the two long edges as its sides;
+  ///       `---- 1 --- 2 --- 3 --- b     strips are as long as the triangle is wide, or up to half of that.
+  struct Strips {
+    Corner tip, a, b;
+    int halvings;
+    [[nodiscard]] Corner on_edge(const Corner& end, std::int32_t n) const {
+      const auto between = [&](std::int64_t from, std::int64_t to) {
+        return static_cast<std::int32_t>(from + (to - from) * n / (1 << halvings));
+      };
+      return {between(tip.i, end.i), between(tip.j, end.j)};
+    }
+  };
+
+  /// Quarters are as narrow as they are short: an elongated triangle would need the square of the number of strips.
+  void cut_across(const Piece& piece, const std::array<double, 3>& edge, std::size_t first) {
+    std::size_t base = 0;  // the shortest edge
+    for (std::size_t k = 1; k < 3; ++k) base = edge[k] < edge[base] ? k : base;
+    Strips strips{piece.corners[(base + 2) % 3], piece.corners[base], piece.corners[(base + 1) % 3], 1};
+    double length = 0.5 * edge[(base + 1) % 3];
+    for (; strips.halvings < piece.levels - 1 && length > edge[base]; length *= 0.5) ++strips.halvings;
+    const std::int32_t half = 1 << (strips.halvings - 1);
+    const int levels = piece.levels - strips.halvings;
+    const std::size_t last = w_.lists.size();
+    refine_strips(strips, 0, half, levels, first, last);
+    refine_strips(strips, half, 2 * half, levels, first, last);
+  }
+
+  /// Halves the strips from `begin` to `end` while they are too large for two pieces. `levels` are left in a strip.
+  void refine_strips(const Strips& s, std::int32_t begin, std::int32_t end, int levels, std::size_t first,
+                     std::size_t last) {
+    const Corner a0 = s.on_edge(s.a, begin), a1 = s.on_edge(s.a, end);
+    const Corner b0 = s.on_edge(s.b, begin), b1 = s.on_edge(s.b, end);
+    const Piece at_end{{a0, a1, b1}, levels, first, last}, at_begin{{a0, b1, b0}, levels, first, last};
+    const bool is_tip = begin == 0;
+    if (end - begin > 1 && (is_too_large(at_end) || (!is_tip && is_too_large(at_begin)))) {
+      const std::int32_t between = begin + (end - begin) / 2;
+      refine_strips(s, begin, between, levels, first, last);
+      refine_strips(s, between, end, levels, first, last);
+      return;
+    }
+    refine(at_end);
+    if (!is_tip) refine(at_begin);
+  }
+
+  [[nodiscard]] bool is_too_large(const Piece& piece) {
+    const std::size_t first = w_.lists.size();
+    Evaluation e;
+    const bool splits = evaluate(piece, e) && must_split(e.at_corner, e.at_middle, e.longest);
+    w_.lists.resize(first);
+    return splits;
   }
 
   static double bound(double depth, double distance) { return (std::abs(depth) + distance) * (1 + 1e-9); }
