@@ -40,7 +40,7 @@ Problems check_layout_with_mesh(const Layout& layout, const LoadedMesh& loaded, 
     }
   }
   for (const Problems& found :
-       {check_layout_mesh(*model->mesh, file), check_loaded_mesh(*model->loaded, *model->repaired, file)})
+       {check_layout_mesh(*model->repaired, file), check_loaded_mesh(*model->loaded, *model->repaired, file)})
     problems.insert(problems.end(), found.begin(), found.end());
   for (const std::string& note : loaded.notes) {
     problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});

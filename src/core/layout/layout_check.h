@@ -21,7 +21,7 @@ Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, cons
 
 /// The mesh that a layout is checked on.
 struct LayoutMesh {
-  const TriMesh& loaded;  ///< as read from the file: /sampling/region counts its faces
+  const TriMesh& loaded;  ///< mesh as read from the file: /sampling/region counts its faces
   const RepairedMesh& repaired;
   const MeshIndex& skin;  ///< the shells of the repaired mesh that are sampled
 };
@@ -29,13 +29,13 @@ struct LayoutMesh {
 Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, const std::string& sha256,
                               const std::string& file);
 
-/// What a mesh file itself is, for a mesh that was repaired: notes that it is open, not a manifold, not wound alike.
-/// Empty if nothing was repaired.
+/// Returns notes on the mesh file if the mesh was repaired: that the file's mesh is open, not a manifold or not wound
+/// alike. Empty if nothing was repaired.
 Problems check_loaded_mesh(const TriMesh& loaded, const RepairedMesh& repaired, const std::string& file);
 
-/// What a mesh itself tells against its use: a size that is hardly metres, faces that cut through each other. Not part
-/// of the above, because editing a layout changes nothing about it.
-Problems check_layout_mesh(const TriMesh& mesh, const std::string& file);
+/// Reports faces of a layout's mesh that cut through each other and a size that is hardly metres. Not part of the rules
+/// above, because editing a layout changes neither. Cost: a search for intersections, unless the repair did it.
+Problems check_layout_mesh(const RepairedMesh& repaired, const std::string& file);
 
 /// Index of the taxel that a JSON pointer such as /taxels/3/radius leads into; nothing where it leads elsewhere.
 std::optional<std::size_t> taxel_of_pointer(std::string_view pointer);

@@ -148,13 +148,11 @@ bool placeable(const T& disc) {
 
 }  // namespace
 
-Problems check_layout_mesh(const TriMesh& mesh, const std::string& file) {
-  Problems out;
-  for (Problem& p : check_mesh(mesh, file)) {
-    if (p.code != "mesh_units" && p.code != "mesh_self_intersection") continue;
-    p.pointer = p.code == "mesh_units" ? "/mesh/scale" : "/mesh/file";
-    out.push_back(std::move(p));
-  }
+Problems check_layout_mesh(const RepairedMesh& repaired, const std::string& file) {
+  const TriMesh& mesh = *repaired.mesh;
+  Problems out =
+      check_cuts_and_size(mesh, repaired.crossings ? *repaired.crossings : find_self_intersections(mesh), file);
+  for (Problem& p : out) p.pointer = p.code == "mesh_units" ? "/mesh/scale" : "/mesh/file";
   return out;
 }
 

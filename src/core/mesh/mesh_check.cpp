@@ -7,7 +7,6 @@
 
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/halfedge.h"
-#include "core/mesh/self_intersection.h"
 
 namespace taxel {
 namespace {
@@ -87,7 +86,12 @@ Problems check_mesh(const TriMesh& mesh, const std::string& file) {
   Problems problems;
   add_edge_problems(mesh, file, problems);
   check_shells(mesh, file, problems);
-  const SelfIntersections cuts = find_self_intersections(mesh);
+  for (Problem& p : check_cuts_and_size(mesh, find_self_intersections(mesh), file)) problems.push_back(std::move(p));
+  return problems;
+}
+
+Problems check_cuts_and_size(const TriMesh& mesh, const SelfIntersections& cuts, const std::string& file) {
+  Problems problems;
   if (cuts.pairs > 0) {
     constexpr double kFew = 1e-3;  // of the faces
     const Severity severity = cuts.pairs > kFew * mesh.face_count() ? Severity::warning : Severity::note;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/mesh/self_intersection.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -22,8 +23,11 @@ namespace taxel {
 /// Each names `file`, the number of places and the first of them. O(n log n).
 Problems check_mesh(const TriMesh& mesh, const std::string& file);
 
-/// The first three of check_mesh(): what the edges of a mesh that is not closed are.
+/// Returns the first three of check_mesh(): the faults of a mesh's edges.
 Problems check_edges(const TriMesh& mesh, const std::string& file);
+
+/// The last two of check_mesh(), for a mesh of which the intersections `cuts` are known.
+Problems check_cuts_and_size(const TriMesh& mesh, const SelfIntersections& cuts, const std::string& file);
 
 /// Where a mesh that is not closed lets the inside out: each kind of bad edge with its number and first place.
 std::string openings(const TriMesh& mesh);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/mesh/bvh.h"
 
 namespace taxel {
@@ -55,16 +56,11 @@ std::optional<dvec3> crossing(const TriMesh& mesh, int f, int g) {
   return std::nullopt;
 }
 
-}  // namespace
-
-SelfIntersections find_self_intersections(const TriMesh& mesh) {
-  std::vector<Aabb> boxes(mesh.faces().size());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh.vertex(f, c));
-  }
-  const Bvh bvh(boxes);
+/// Pairs of faces f < g with begin <= f < end.
+SelfIntersections find_in_range(const TriMesh& mesh, const std::vector<Aabb>& boxes, const Bvh& bvh, int begin,
+                                int end) {
   SelfIntersections found;
-  for (int f = 0; f < mesh.face_count(); ++f) {
+  for (int f = begin; f < end; ++f) {
     bvh.visit([&](const Aabb& box) { return box.overlaps(boxes[at(f)]); },
               [&](int g) {
                 if (g <= f || !boxes[at(g)].overlaps(boxes[at(f)])) return;
@@ -77,6 +73,28 @@ SelfIntersections find_self_intersections(const TriMesh& mesh) {
                 found.face_b = g;
                 found.place = *place;
               });
+  }
+  return found;
+}
+
+}  // namespace
+
+SelfIntersections find_self_intersections(const TriMesh& mesh) {
+  std::vector<Aabb> boxes(mesh.faces().size());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh.vertex(f, c));
+  }
+  const Bvh bvh(boxes);
+  constexpr int kChunk = 256;
+  std::vector<SelfIntersections> of_chunk(boxes.size() / kChunk + 1);
+  parallel_chunks(mesh.face_count(), kChunk, [&](int begin, int end) {
+    of_chunk[at(begin / kChunk)] = find_in_range(mesh, boxes, bvh, begin, end);
+  });
+  SelfIntersections found;
+  for (const SelfIntersections& part : of_chunk) {
+    const int pairs = found.pairs + part.pairs;
+    if (found.pairs == 0) found = part;
+    found.pairs = pairs;
   }
   return found;
 }

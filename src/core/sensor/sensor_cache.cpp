@@ -117,8 +117,8 @@ SensorSkinPtr SensorCache::skin(const TriMeshPtr& mesh, Shells shells) {
   return skins_.get({{mesh}, shells}, [&] { return make_sensor_skin(mesh, shells); });
 }
 
-Problems SensorCache::mesh_problems(const TriMeshPtr& mesh) {
-  return mesh_problems_.get({mesh}, [&] { return check_layout_mesh(*mesh, ""); });
+Problems SensorCache::mesh_problems(const RepairedMesh& repaired) {
+  return mesh_problems_.get({repaired.mesh}, [&] { return check_layout_mesh(repaired, ""); });
 }
 
 HydroBodyPtr SensorCache::body(const RepairedMesh& repaired, const Material& material, double refine,

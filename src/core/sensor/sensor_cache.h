@@ -81,8 +81,8 @@ class SensorCache {
                            Progress* progress);
   /// Skin of a mesh: by its vertices and faces, and which shells.
   SensorSkinPtr skin(const TriMeshPtr& mesh, Shells shells);
-  /// What check_layout_mesh() says about a mesh, without a file: by its vertices and faces.
-  Problems mesh_problems(const TriMeshPtr& mesh);
+  /// Result of check_layout_mesh() without a file: by the vertices and faces of the repaired mesh.
+  Problems mesh_problems(const RepairedMesh& repaired);
   /// Body of a whole mesh: by its vertices and faces, material and `refine` (Shape::refine). Throws as make_body does.
   HydroBodyPtr body(const RepairedMesh& repaired, const Material& material, double refine, const std::string& name);
   /// The part of a skin that is sampled: by skin and region.

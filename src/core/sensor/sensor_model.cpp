@@ -216,7 +216,7 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
       [&] { model->body = body_of(input.layout, *model->repaired, cache, input.file); },
       [&] {
         if (input.mesh_notes == nullptr) return;
-        of_mesh = cache.mesh_problems(model->mesh);
+        of_mesh = cache.mesh_problems(*model->repaired);
         append(check_loaded_mesh(*input.mesh, *model->repaired, input.file), of_mesh);
       });
   add_problems_of_body(*model, input.file);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/layout/layout_json.h"
+#include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/primitives.h"
 
@@ -314,6 +315,18 @@ TEST(LayoutCheck, TheRealLayoutHasNoErrors) {
   const LoadedMesh loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
   EXPECT_EQ(listed(check_layout_on_mesh(layout, MeshIndex(loaded.mesh), loaded.sha256, "f.json")),
             List{"note /mesh/file mesh_has_cavity"});
+}
+
+/// Intersections that a repair found are reported as they are; otherwise the mesh is searched for them.
+TEST(LayoutCheck, ReportsIntersectionsThatTheRepairFound) {
+  const MeshIndex index = box();
+  RepairedMesh repaired = *as_loaded(index.mesh_ptr());
+  EXPECT_TRUE(check_layout_mesh(repaired, "f.json").empty());
+  repaired.crossings = SelfIntersections{5, 1, 3, dvec3(0.001, 0, 0)};
+  const Problems problems = check_layout_mesh(repaired, "f.json");
+  EXPECT_EQ(listed(problems), List{"warning /mesh/file mesh_self_intersection"});
+  EXPECT_EQ(problems.at(0).message,
+            "5 pairs of faces cut through each other, the first at (0.001, 0, 0) (faces 1 and 3)");
 }
 
 }  // namespace

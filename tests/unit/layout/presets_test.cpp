@@ -10,6 +10,7 @@
 #include "core/layout/layout_check.h"
 #include "core/layout/layout_json.h"
 #include "core/layout/sensor_presets.h"
+#include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel {
@@ -64,7 +65,7 @@ TEST(SensorPresets, HaveNoProblemsOnTheirMeshes) {
     Problems problems = check_layout_values(preset.layout, name);
     for (const Problem& p : check_layout_on_mesh(preset.layout, MeshIndex(preset.mesh), sha256, name))
       problems.push_back(p);
-    for (const Problem& p : check_layout_mesh(*preset.mesh, name)) problems.push_back(p);
+    for (const Problem& p : check_layout_mesh(*as_loaded(preset.mesh), name)) problems.push_back(p);
     for (const Problem& p : problems) ADD_FAILURE() << name << p.pointer << ": " << p.message;
     EXPECT_EQ(layout_to_json(make_sensor_preset(name).layout), layout_to_json(preset.layout)) << name;
   }

@@ -43,6 +43,16 @@ TEST(Repair, KeepsTheObjectOfASoundMesh) {
   }
 }
 
+/// Only of the mesh itself: faces of a changed mesh have other numbers.
+TEST(Repair, KeepsTheIntersectionsOfAnUnchangedMeshAlone) {
+  const auto sound = std::make_shared<const TriMesh>(make_fingertip());
+  const RepairedMeshPtr unchanged = repair_mesh(sound, {}, 0.002);
+  ASSERT_TRUE(unchanged->crossings);
+  EXPECT_EQ(unchanged->crossings->pairs, 0);
+  const auto open = std::make_shared<const TriMesh>(test::without_faces(*sound, {7}));
+  EXPECT_FALSE(repair_mesh(open, {}, 0.002)->crossings);
+}
+
 TEST(Repair, RemovesRepeatedAndFoldedFaces) {
   const TriMesh sphere = make_icosphere(0.01, 2);
   std::vector<ivec3> faces = sphere.faces();

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/layout/layout_check.h"
+#include "core/mesh/loaded_faces.h"
 #include "core/mesh/primitives.h"
 
 namespace taxel {
@@ -191,7 +192,7 @@ TEST(Fixes, LeaveDecisionsToPeople) {
 
 TEST(Fixes, ReadAMeshInMillimetres) {
   const MeshIndex large(std::make_shared<TriMesh>(make_box(dvec3(10, 8, 5))));
-  const Problems problems = check_layout_mesh(large.mesh(), "f");
+  const Problems problems = check_layout_mesh(*as_loaded(large.mesh_ptr()), "f");
   ASSERT_EQ(problems.size(), 1U);
   const std::optional<Fix> fix = fix_for(problems[0], good(), &large);
   ASSERT_TRUE(fix);

@@ -47,7 +47,7 @@ std::vector<char> faces_at_open_edges(const Draft& draft) {
 struct ThinShells {
   std::vector<std::vector<int>> shells;
   bool has_solid = false;  ///< there are other shells
-  WindingNumber solid;     ///< of the other shells
+  WindingNumber solid;     ///< winding number of the other shells
 };
 
 ThinShells find_thin_shells(const Draft& draft, const RepairLimits& limits) {
@@ -198,7 +198,7 @@ void RepairRun::take_thin_shells() {
   note(removed);
 }
 
-/// Forgets the holes whose fillers are gone.
+/// Drops holes whose filled-in faces were removed from the report.
 void RepairRun::recount_filled() {
   const auto step =
       std::find_if(steps_.begin(), steps_.end(), [](const RepairStep& s) { return s.code == "repair_filled"; });
@@ -215,7 +215,7 @@ void RepairRun::recount_filled() {
 
 /// Shells that cut through each other are united, not wrapped. The whole is examined first, because it is fast.
 void RepairRun::take_crossed_shells() {
-  if (draft_.face_count() > kMaxFacesToWrap || draft_.faces.empty() || !cuts_through_itself(draft_)) return;
+  if (draft_.face_count() > kMaxFacesToWrap || draft_.faces.empty() || !is_crossed()) return;
   std::vector<char> chosen(draft_.faces.size(), 0);
   for (const std::vector<int>& shell : find_shells(draft_).faces) {
     std::vector<char> own(draft_.faces.size(), 0);
@@ -224,6 +224,14 @@ void RepairRun::take_crossed_shells() {
     for (const int f : shell) chosen[at(f)] = 1;
   }
   take(chosen, WrapKind::solid);
+}
+
+/// Whether the whole draft cuts through itself. Opening a layout reports the same faces, so a search in an unchanged
+/// mesh is kept for that.
+bool RepairRun::is_crossed() {
+  if (!is_as_loaded()) return cuts_through_itself(draft_);
+  loaded_crossings_ = find_self_intersections(*loaded_);
+  return cuts_through_itself(*loaded_crossings_, loaded_->face_count());
 }
 
 void RepairRun::take_all() {
@@ -244,11 +252,13 @@ void RepairRun::refuse_wrap() const {
   if (recipe_.level == RepairLevel::exact)
     throw Error(
         "", "/mesh/repair/level",
-        fmt::format("is exact, but the surface at {} cannot be closed by exact steps: allow a wrap (auto)", place));
+        fmt::format("is \"exact\", but exact steps cannot close the surface at {}: set it to \"auto\" to allow a wrap",
+                    place));
   if (loaded_->face_count() > kMaxFacesToWrap && !recipe_.edge)
-    throw Error("", "/mesh/repair/edge",
-                fmt::format("must be set to wrap a mesh of {} faces, of which those at {} are not closed",
-                            loaded_->face_count(), place));
+    throw Error(
+        "", "/mesh/repair/edge",
+        fmt::format("must be set (in metres) to wrap a mesh of more than {} faces: it has {}, the first to wrap at {}",
+                    kMaxFacesToWrap, loaded_->face_count(), place));
 }
 
 void RepairRun::wrap() {
@@ -290,13 +300,20 @@ bool RepairRun::is_closed() const {
   return !draft_.faces.empty() && std::none_of(open.begin(), open.end(), [](char c) { return c != 0; });
 }
 
+bool RepairRun::is_as_loaded() const {
+  return draft_.faces == loaded_->faces() && draft_.points == loaded_->vertices();
+}
+
 RepairedMesh RepairRun::finish() {
   drop_unused_points(draft_);
   RepairedMesh repaired;
   repaired.report.steps = std::move(steps_);
-  const bool same = draft_.faces == loaded_->faces() && draft_.points == loaded_->vertices();
-  repaired.mesh = same ? loaded_ : std::make_shared<const TriMesh>(std::move(draft_.points), draft_.faces);
-  if (same) return repaired;
+  if (is_as_loaded()) {
+    repaired.mesh = loaded_;
+    repaired.crossings = loaded_crossings_;
+    return repaired;
+  }
+  repaired.mesh = std::make_shared<const TriMesh>(std::move(draft_.points), draft_.faces);
   repaired.changes = std::move(changes_);
   list_changes(repaired);
   repaired.loaded_face_of = std::move(draft_.loaded);

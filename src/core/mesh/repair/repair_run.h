@@ -29,12 +29,14 @@ class RepairRun {
   void take_thin_shells();
   void recount_filled();
   void take_crossed_shells();
+  [[nodiscard]] bool is_crossed();
   void take_all();
   void check_encloses() const;
   void refuse_wrap() const;
   void wrap();
   void unite();
   [[nodiscard]] bool is_closed() const;
+  [[nodiscard]] bool is_as_loaded() const;
   void find_nearest_faces(RepairedMesh& repaired) const;
   void list_changes(RepairedMesh& repaired) const;
 
@@ -46,6 +48,7 @@ class RepairRun {
   std::vector<ToWrap> to_wrap_;
   bool has_wrapped_ = false;
   RepairChanges changes_;
+  std::optional<SelfIntersections> loaded_crossings_;  ///< of the loaded mesh, if they were searched in it
   std::vector<RepairStep> steps_;
 };
 

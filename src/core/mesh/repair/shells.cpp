@@ -1,7 +1,6 @@
 #include "core/mesh/repair/shells.h"
 
 #include "core/mesh/disjoint_sets.h"
-#include "core/mesh/self_intersection.h"
 
 namespace taxel {
 
@@ -35,15 +34,19 @@ double volume_of(const Draft& draft, const std::vector<int>& faces) {
   return volume;
 }
 
-bool cuts_through_itself(const Draft& draft) {
+bool cuts_through_itself(const SelfIntersections& found, int faces) {
   constexpr double kFew = 1e-3;
   constexpr int kMinPairs = 4;
+  return found.pairs >= kMinPairs && found.pairs > kFew * faces;
+}
+
+bool cuts_through_itself(const Draft& draft) {
   std::vector<ivec3> faces;
   for (int f = 0; f < draft.face_count(); ++f)
     if (draft.area(f) > 0) faces.push_back(draft.faces[at(f)]);
   if (faces.empty()) return false;
-  const int pairs = find_self_intersections(TriMesh(draft.points, faces)).pairs;
-  return pairs >= kMinPairs && pairs > kFew * static_cast<double>(faces.size());
+  const auto count = static_cast<int>(faces.size());
+  return cuts_through_itself(find_self_intersections(TriMesh(draft.points, std::move(faces))), count);
 }
 
 }  // namespace taxel

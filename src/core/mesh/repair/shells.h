@@ -2,12 +2,13 @@
 #pragma once
 
 #include "core/mesh/repair/draft.h"
+#include "core/mesh/self_intersection.h"
 
 namespace taxel {
 
 /// Faces that hang together by shared points, numbered by their first face.
 struct Shells {
-  std::vector<std::vector<int>> faces;  ///< of each shell, ascending
+  std::vector<std::vector<int>> faces;  ///< faces of each shell, ascending
   std::vector<int> of_face;
 };
 Shells find_shells(const Draft& draft);
@@ -18,5 +19,7 @@ double volume_of(const Draft& draft, const std::vector<int>& faces);
 /// Whether a surface cuts through itself in more than a thousandth of its faces, and in more than a few. Fewer places
 /// are folds that a pressure field survives.
 bool cuts_through_itself(const Draft& draft);
+/// The same for a surface of `faces` faces of which the intersections are known.
+bool cuts_through_itself(const SelfIntersections& found, int faces);
 
 }  // namespace taxel

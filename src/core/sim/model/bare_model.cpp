@@ -14,7 +14,7 @@ SensorModelPtr bare_model(const std::string& name, const TriMeshPtr& surface, co
   model->layout.frame = {{1, 0, 0}, {0, 0, 1}};
   model->layout.material = body->material;
   model->loaded = model->mesh = surface;
-  model->repaired = std::make_shared<const RepairedMesh>(RepairedMesh{model->mesh, {}, {}, {}});
+  model->repaired = std::make_shared<const RepairedMesh>(RepairedMesh{model->mesh, {}, {}, {}, {}});
   model->skin = std::make_shared<const MeshIndex>(model->mesh);
   model->skin_face_of.resize(static_cast<std::size_t>(model->mesh->face_count()));
   std::iota(model->skin_face_of.begin(), model->skin_face_of.end(), 0);
