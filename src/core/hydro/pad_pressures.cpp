@@ -102,6 +102,11 @@ double depth_inside(const MeshIndex& index, const dvec3& x, double most) {
   return skin.point.face < 0 ? most : std::clamp(-skin.signed_distance, 0.0, most);
 }
 
+bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance) {
+  constexpr double kNearest = 0.97;
+  return depth_inside(index, x, distance) >= kNearest * distance;
+}
+
 PadDepths pad_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
   PadDepths depths;
   depths.planes = mean_plane_depths(mesh, shape, thickness);

@@ -10,6 +10,10 @@ namespace taxel {
 /// min(depth, most) of a point inside the mesh: cheap, since only the skin that near is looked at.
 double depth_inside(const MeshIndex& index, const dvec3& x, double most);
 
+/// Whether the skin nearest to a point inside the mesh is the one at this distance [m] from it, but for three percent:
+/// no other part of the skin is nearer.
+bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance);
+
 /// Two readings of how deep the inner vertices lie, per leg [m], at most the thickness. They agree but where the skin
 /// is concave: there the distance to the skin exceeds the depth below the planes of the faces around.
 struct PadDepths {

@@ -22,8 +22,6 @@ constexpr double kStraight = 0.9;
 constexpr double kEven = 0.03;
 /// Depth of the points at which that is tried, in thicknesses.
 constexpr double kTried = 0.1;
-/// No other part of the skin is near a point that is at least this part of its way below a face away from the skin.
-constexpr double kRoom = 0.97;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -113,7 +111,8 @@ class Bisection {
     return !found.empty();
   }
 
-  /// The face (a, b, c) becomes (a, m, c) and, as a new face, (m, b, c); the one across likewise from its own corner.
+  /// The face (a, b, c) becomes (a, m, c) and, as a new face, (m, b, c). The face across the edge is cut in the same
+  /// way.
   void bisect(const Edge& e) {
     const auto m = static_cast<int>(vertices_.size());
     vertices_.push_back(0.5 * (vertices_[at(e.low)] + vertices_[at(e.high)]));
@@ -224,7 +223,7 @@ std::vector<char> uneven_faces(const MeshIndex& index, const PadShape& shape, co
       pressures_below(field, face, x, {&depth, 1}, {&pressure, 1});
       if (pressure < 0) {
         // Where the body is that thin, smaller faces reach no deeper.
-        if (depth_inside(index, x - 2 * depth * outward, 2 * depth) > kRoom * 2 * depth) return true;
+        if (is_nearest_skin(index, x - 2 * depth * outward, 2 * depth)) return true;
         continue;
       }
       const double exact = modulus / thickness * depth_inside(index, x - depth * outward, depth);

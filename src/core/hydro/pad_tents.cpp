@@ -20,8 +20,6 @@ constexpr double kFirstHeight = 0.35;
 /// A tent that is nearer to another part of the skin than to its face is lowered by this factor, at most so often.
 constexpr double kLower = 0.6;
 constexpr int kMaxLowerings = 12;
-/// The depth of a tent's vertex, in heights above its face, from which on the face counts as the nearest.
-constexpr double kOwnDepth = 0.97;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -73,14 +71,15 @@ std::vector<SkinTet> skin_tets(const std::vector<ivec4>& tets, int skin_vertices
   return found;
 }
 
-/// The vertex between incentre and apex, as high as the skin around allows; the incentre itself where no height does.
+/// Returns a vertex between incentre and apex, as high as the skin around allows; the incentre itself if no height is
+/// allowed.
 dvec3 tent_vertex(const MeshIndex& index, const Face& face, const dvec3& apex, double thickness) {
   const double whole = glm::dot(apex - face.incentre, face.inward);
   double fraction = kFirstHeight;
   for (int i = 0; i < kMaxLowerings; ++i, fraction *= kLower) {
     const dvec3 m = face.incentre + fraction * (apex - face.incentre);
     const double height = fraction * whole;
-    if (height <= thickness && depth_inside(index, m, height) >= kOwnDepth * height) return m;
+    if (height <= thickness && is_nearest_skin(index, m, height)) return m;
   }
   return face.incentre;
 }
@@ -209,8 +208,7 @@ class OwnTents {
     constexpr double kFlattest = 1e-3;
     for (int i = 0; i < kMaxLowerings && height > kFlattest * face.inradius; ++i, height *= kLower) {
       const dvec3 m = face.incentre + height * face.inward;
-      if (depth_inside(index_, m, height) < kOwnDepth * height || !is_free({face.x[0], face.x[2], face.x[1], m}))
-        continue;
+      if (!is_nearest_skin(index_, m, height) || !is_free({face.x[0], face.x[2], face.x[1], m})) continue;
       const ivec3& v = mesh_.faces()[at(f)];
       pad_.vertices.push_back(m);
       pad_.pressure.push_back(modulus_ * height / thickness_);

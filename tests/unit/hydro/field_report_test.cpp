@@ -8,10 +8,6 @@
 namespace taxel {
 namespace {
 
-TriMeshPtr share(TriMesh mesh) {
-  return std::make_shared<const TriMesh>(std::move(mesh));
-}
-
 const Problem* find(const Problems& problems, const std::string& code) {
   for (const Problem& p : problems) {
     if (p.code == code) return &p;

@@ -23,10 +23,6 @@ std::size_t at(int i) {
 
 constexpr double kModulus = 1e5;
 
-TriMeshPtr share(TriMesh mesh) {
-  return std::make_shared<const TriMesh>(std::move(mesh));
-}
-
 /// Part of the skin that has tets below it.
 double covered(const PressureField& field, double skin) {
   double area = 0;
@@ -171,7 +167,7 @@ TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
 
 /// A block with a pit from below, whose tip is 1.5 mm under the middle of a large face. All corners of that face have
 /// room for the pad, its middle has not.
-TEST(PadField, OfALargeFaceStaysOnItsSideOfAWall) {
+TEST(PadField, StaysOnItsSideOfAWallBelowLargeFaces) {
   const TriMesh box = make_box(dvec3(0.02, 0.02, 0.005));
   std::vector<dvec3> vertices = box.vertices();
   std::vector<ivec3> faces;

@@ -21,10 +21,6 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-TriMeshPtr share(TriMesh mesh) {
-  return std::make_shared<const TriMesh>(std::move(mesh));
-}
-
 struct Layered {
   PressureFieldPtr field;
   int middles = 0, faces = 0;

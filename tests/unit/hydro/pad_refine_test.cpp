@@ -1,4 +1,4 @@
-// Refinement of a pad's skin: the same surface, only where the pad is uneven, and what it is worth.
+// Refinement of a pad's skin: the same surface, refined only where the pad is uneven, with an even field.
 #include "core/hydro/pad_refine.h"
 
 #include <gtest/gtest.h>
@@ -20,10 +20,6 @@ constexpr double kModulus = 1e5;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-TriMeshPtr share(TriMesh mesh) {
-  return std::make_shared<const TriMesh>(std::move(mesh));
 }
 
 double longest_edge(const TriMesh& mesh, int face) {
@@ -89,7 +85,7 @@ TEST(PadRefine, KeepsAnglesAlsoAroundTheWantedFaces) {
   }
 }
 
-/// Wanted faces alone are refined, but for what the paths of longest edges ask of those around.
+/// Only wanted faces are refined, and faces around them to which paths of longest edges lead.
 TEST(PadRefine, LeavesUnwantedFacesThatAreFarAway) {
   const TriMesh mesh = make_of_cubes(0.01, 6, [](const ivec3&) { return true; });
   std::vector<char> wanted(mesh.faces().size(), 0);
@@ -170,7 +166,7 @@ TEST(PadRefine, TakesLengthsFromTheCoarseShape) {
   }
 }
 
-/// What a pad on a coarse skin has to be worth: any_mesh targets of the project.
+/// Targets of the project for a pad on a coarse skin.
 void expect_even(const TriMeshPtr& mesh, double thickness, double deviation) {
   const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
   const FieldReport& report = field->report();

@@ -21,10 +21,6 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-TriMeshPtr share(TriMesh mesh) {
-  return std::make_shared<const TriMesh>(std::move(mesh));
-}
-
 /// A pad without tents.
 PadTets plain_pad(const MeshIndex& index, double thickness) {
   const PadShape shape(index, thickness);
@@ -195,7 +191,7 @@ TEST(PadTents, StandOnNoFaceThatTetsCover) {
   EXPECT_EQ(bare, std::vector<char>(12, 1));
 }
 
-TEST(TetOverlap, OfTetsThatTouchIsNone) {
+TEST(TetOverlap, IsFalseForTetsThatOnlyTouch) {
   const std::array<dvec3, 4> a{dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
   const auto moved = [&](const dvec3& d) {
     std::array<dvec3, 4> b = a;
@@ -255,7 +251,7 @@ TEST(TetOverlap, HoldsAgainstRandomPoints) {
   EXPECT_GT(apart, 50);
 }
 
-TEST(PadPress, OfACubeIsExact) {
+TEST(PadPress, IsExactForACube) {
   constexpr double kThickness = 0.005;
   const TriMeshPtr cube = share(make_box(dvec3(0.02)));
   const std::vector<FieldReport::PressError> errors = make_pad_field(cube, kModulus, kThickness)->report().press_errors;

@@ -1,4 +1,4 @@
-// The plugin `taxel.contact` beside sensors, in copies of data, and in sensordata.
+// The plugin `taxel.contact` next to sensors, in copies of data, and in sensordata.
 #include <gtest/gtest.h>
 
 #include "core/base/files.h"
@@ -34,6 +34,19 @@ std::string stack(const std::string& more = "") {
          free_ball("b", 0.0596) + "</worldbody></mujoco>";
 }
 
+/// A simulation of these balls after some steps, with its frame then.
+struct SimulatedStack {
+  explicit SimulatedStack(int steps) {
+    write_file_atomically(scene.folder / "scene.xml", stack());
+    simulator = Simulator::load(scene.folder / "scene.xml");
+    for (int n = 0; n < steps; ++n) simulator->step();
+    simulator->fill_frame(frame);
+  }
+  SensorScene scene;
+  std::unique_ptr<Simulator> simulator;
+  SimFrame frame;
+};
+
 TEST(ContactPlugin, ComputesASoftPairOnceAndShowsItToBoth) {
   SensorScene s;
   s.compile(stack("<sensor><plugin plugin='taxel.contact' instance='soft'/></sensor>"));
@@ -54,7 +67,8 @@ TEST(ContactPlugin, ComputesASoftPairOnceAndShowsItToBoth) {
   EXPECT_TRUE(a.warnings.empty() && b.warnings.empty());
 }
 
-/// What is applied is what is recorded: each ball's momentum changes by gravity and by the recorded forces alone.
+/// The recorded forces are those that are applied: each ball's momentum changes by gravity and by the recorded forces
+/// alone.
 TEST(ContactPlugin, AppliesEachForceOnce) {
   SensorScene s;
   s.compile(stack());
@@ -97,7 +111,7 @@ TEST(ContactPlugin, StateHoldsWhatTheNextStepNeeds) {
 }
 
 /// A sensor on a mesh ball at z = 0, which presses on a plane and on a soft sphere.
-class BesideSensor : public testing::Test {
+class ContactNextToSensor : public testing::Test {
  protected:
   void SetUp() override { s.add_sensor("tip", make_sphere(0.02, 0.006), {FieldKind::star, 1e5, 0, 3, 0.4}); }
   std::string scene(const std::string& sensor_keys, const std::string& contacts) {
@@ -110,7 +124,7 @@ class BesideSensor : public testing::Test {
   SensorScene s;
 };
 
-TEST_F(BesideSensor, FeelsASoftGeomAndLeavesThePairToOneOfBoth) {
+TEST_F(ContactNextToSensor, FeelsASoftGeomAndLeavesThePairToOneOfBoth) {
   s.compile(scene(key("others", "wall ball"),
                   contact(key("materials", "{" + material("ball", 1e5) + "}") + key("pairs", "ball wall"))));
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -127,7 +141,7 @@ TEST_F(BesideSensor, FeelsASoftGeomAndLeavesThePairToOneOfBoth) {
   EXPECT_NE(tip.touched()[1].role.mirrored, ball.touched()[1].role.mirrored);
 }
 
-TEST_F(BesideSensor, TakesThePairsOfAContactWithItsGeom) {
+TEST_F(ContactNextToSensor, TakesThePairsOfAContactWithItsGeom) {
   s.compile(scene(key("others", "wall"),
                   contact(key("materials", "{" + material("ball", 1e5) + "}") + key("pairs", "ball tip"))));
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -136,7 +150,7 @@ TEST_F(BesideSensor, TakesThePairsOfAContactWithItsGeom) {
   EXPECT_EQ(body_of(s, contact_instances(*s.model).at(0), 0).touched().size(), 1U);
 }
 
-TEST_F(BesideSensor, DisagreementIsACompileError) {
+TEST_F(ContactNextToSensor, DisagreementIsACompileError) {
   const auto error_of = [&](const std::string& sensor_keys, const std::string& contacts) {
     s.model.reset();
     s.compile(scene(sensor_keys, contacts));
@@ -155,17 +169,13 @@ TEST_F(BesideSensor, DisagreementIsACompileError) {
 }
 
 TEST(ContactPlugin, SavedStepsHoldItsSurfaces) {
-  SensorScene s;
-  write_file_atomically(s.folder / "scene.xml", stack());
-  const auto simulator = Simulator::load(s.folder / "scene.xml");
-  for (int n = 0; n < 5; ++n) simulator->step();
-  SimFrame frame;
-  simulator->fill_frame(frame);
+  const SimulatedStack s(5);
+  const SimFrame& frame = s.frame;
   ASSERT_EQ(frame.sensors.size(), 2U);
   ASSERT_EQ(frame.sensors[0].surfaces.size(), 2U);
   EXPECT_TRUE(frame.sensors[0].readings.empty());
-  write_file_atomically(s.folder / "step.taxelframe", frame_to_bundle(frame, {}));
-  const SimFramePtr read = read_frame_bundle(s.folder / "step.taxelframe", {});
+  write_file_atomically(s.scene.folder / "step.taxelframe", frame_to_bundle(frame, {}));
+  const SimFramePtr read = read_frame_bundle(s.scene.folder / "step.taxelframe", {});
   ASSERT_EQ(read->sensors.size(), 2U);
   EXPECT_EQ(read->sensors[0].force_W, frame.sensors[0].force_W);
   EXPECT_EQ(read->sensors[1].surfaces[0].polygons.size(), frame.sensors[1].surfaces[0].polygons.size());
@@ -175,14 +185,10 @@ TEST(ContactPlugin, SavedStepsHoldItsSurfaces) {
 
 /// The same contact at recorded poses as in the step, for commands that compute a recording's contacts again.
 TEST(ContactPlugin, ContactAtPosesIsThatOfTheStep) {
-  SensorScene s;
-  write_file_atomically(s.folder / "scene.xml", stack());
-  const auto simulator = Simulator::load(s.folder / "scene.xml");
-  for (int n = 0; n < 3; ++n) simulator->step();
-  SimFrame frame;
-  simulator->fill_frame(frame);
+  const SimulatedStack s(3);
+  const SimFrame& frame = s.frame;
   const std::vector<Pose> poses{frame.sensors[0].X_WM, frame.sensors[1].X_WM};
-  const PosedContact posed = simulator->contact_at(1, poses, frame.geom_poses);
+  const PosedContact posed = s.simulator->contact_at(1, poses, frame.geom_poses);
   ASSERT_EQ(posed.surfaces.size(), 1U);
   EXPECT_EQ(posed.surfaces[0].polygons.size(), frame.sensors[1].surfaces[0].polygons.size());
   EXPECT_EQ(posed.surfaces[0].area(), frame.sensors[1].surfaces[0].area());

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "core/base/math.h"
-#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/repair/steps.h"
 
 namespace taxel {
@@ -75,13 +74,10 @@ using Group = std::vector<EdgeSide>;
 class SharedEdges {
  public:
   SharedEdges(const Draft& draft, std::span<const SidePair> pairs)
-      : corners_(3 * draft.faces.size()), partner_(3 * draft.faces.size(), {-1, -1, -1, -1, false}) {
+      : corners_(join_corners(draft, pairs)), partner_(3 * draft.faces.size(), {-1, -1, -1, -1, false}) {
     for (const SidePair& pair : pairs) {
-      const EdgeSide &s = pair.a, &t = pair.b;
-      corners_.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
-      corners_.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
-      partner_[at(3 * s.face + s.corner)] = t;
-      partner_[at(3 * t.face + t.corner)] = s;
+      partner_[at(3 * pair.a.face + pair.a.corner)] = pair.b;
+      partner_[at(3 * pair.b.face + pair.b.corner)] = pair.a;
     }
   }
 
@@ -108,7 +104,7 @@ class SharedEdges {
 
  private:
   DisjointSets corners_;
-  std::vector<EdgeSide> partner_;  ///< of the side at 3 face + corner; its face is -1 if there is none
+  std::vector<EdgeSide> partner_;  ///< partner of the side at 3 face + corner; its face is -1 if it has none
 };
 
 /// Splits the faces of each group at a middle vertex of the group's own.
@@ -174,12 +170,7 @@ void part_vertices(Draft& draft, std::span<const SidePair> pairs, RepairStep& st
 
 /// Whether some point has more than one fan of faces.
 bool has_several_fans(const Draft& draft, std::span<const SidePair> pairs) {
-  DisjointSets corners(3 * draft.faces.size());
-  for (const SidePair& pair : pairs) {
-    const EdgeSide &s = pair.a, &t = pair.b;
-    corners.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
-    corners.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
-  }
+  DisjointSets corners = join_corners(draft, pairs);
   std::vector<int> fan_of(draft.points.size(), -1);
   for (int f = 0; f < draft.face_count(); ++f) {
     for (int c = 0; c < 3; ++c) {

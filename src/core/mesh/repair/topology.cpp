@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "core/mesh/disjoint_sets.h"
-
 namespace taxel {
 
 std::vector<SidePair> plain_pairs(std::span<const EdgeSide> sides) {
@@ -14,6 +12,16 @@ std::vector<SidePair> plain_pairs(std::span<const EdgeSide> sides) {
       pairs.push_back({edge[0], edge[1]});
   });
   return pairs;
+}
+
+DisjointSets join_corners(const Draft& draft, std::span<const SidePair> pairs) {
+  DisjointSets corners(3 * draft.faces.size());
+  for (const SidePair& pair : pairs) {
+    const EdgeSide &s = pair.a, &t = pair.b;
+    corners.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
+    corners.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
+  }
+  return corners;
 }
 
 namespace {
@@ -36,12 +44,7 @@ void add_alone(Topology& topology, const Draft& draft, int face) {
 /// that share both of its ends are the exception: parted.cpp splits such edges beforehand, and a face that OpenMesh
 /// still refuses gets vertices of its own.
 Topology make_topology(const Draft& draft, std::span<const SidePair> pairs) {
-  DisjointSets corners(3 * draft.faces.size());
-  for (const SidePair& pair : pairs) {
-    const EdgeSide &s = pair.a, &t = pair.b;
-    corners.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
-    corners.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
-  }
+  DisjointSets corners = join_corners(draft, pairs);
   Topology topology;
   topology.mesh.reserve(draft.points.size(), 3 * draft.faces.size() / 2, draft.faces.size());
   std::vector<OpenMesh::VertexHandle> vertex_of_fan(3 * draft.faces.size());

@@ -4,6 +4,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <vector>
 
+#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/repair/draft.h"
 
 namespace taxel {
@@ -27,7 +28,9 @@ struct Topology {
 
 /// Pairs at the edges of exactly two faces in opposite directions, in the order of edges.
 std::vector<SidePair> plain_pairs(std::span<const EdgeSide> sides);
-/// Joins the corners of paired sides: each set of joined corners is one vertex. Every face is kept.
+/// Joins the corners, 3 face + c, that meet across paired sides: each set is one fan of faces at a point.
+DisjointSets join_corners(const Draft& draft, std::span<const SidePair> pairs);
+/// Makes one vertex of each set of join_corners(). Every face is kept.
 Topology make_topology(const Draft& draft, std::span<const SidePair> pairs);
 
 /// Groups of faces that hang together across `pairs`, numbered by their first face. Returns how many there are.
