@@ -2,6 +2,8 @@
 // The file on disk is never changed.
 #include "cli/taxel_program.h"
 #include "core/mesh/mesh_io.h"
+#include "fixtures/pad_meshes.h"
+#include "unit/mesh/broken_mesh.h"
 
 namespace taxel::test {
 namespace {
@@ -88,6 +90,102 @@ TEST(RepairInput, RefusesFacesThatEncloseNothing) {
   const Outcome refused = taxel({"samples", layout.string()});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("/mesh/file: encloses nothing"), std::string::npos) << refused.err;
+}
+
+/// Our layout with one taxel at `center` on this mesh.
+fs::path layout_of_one_taxel(const fs::path& folder, const TriMesh& mesh, const dvec3& center) {
+  const Json taxel = {{"id", 0}, {"center", {center.x, center.y, center.z}}, {"normal", {0, 0, 1}}, {"radius", 0.003}};
+  return layout_on(folder, obj_text(mesh), Json::array({set("/taxels", Json::array({taxel}))}));
+}
+
+/// A surface without an inside becomes a body, and the report says so.
+void expect_thickened(const fs::path& folder, const TriMesh& sheet) {
+  const fs::path layout = layout_of_one_taxel(folder, sheet, sheet.vertex(0, 0));
+  const std::string before = file_text(folder / "m.obj");
+  const Outcome checked = taxel({"check", layout.string()});
+  EXPECT_EQ(checked.status, 1) << checked.err;
+  EXPECT_NE(
+      checked.out.find(layout.string() + ": /mesh/file: warning: repaired: 1 surface without an inside thickened"),
+      std::string::npos)
+      << checked.out;
+  EXPECT_NE(checked.out.find("0 errors"), std::string::npos) << checked.out;
+  const Json mesh = taxel_json({"mesh", "m.obj", "--repair", "auto"}, folder);
+  EXPECT_EQ(mesh["repair"]["closed"], true);
+  EXPECT_EQ(file_text(folder / "m.obj"), before);
+}
+
+TEST(RepairInput, ThickensOneTriangle) {
+  const fs::path folder = test_folder();
+  const TriMesh triangle({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}});
+  expect_thickened(folder, triangle);
+  const Outcome whole = taxel({"mesh", "m.obj", "--repair", "auto"}, folder);
+  EXPECT_NE(whole.out.find("thickened (50 mm^2, 100 % of the area)"), std::string::npos) << whole.out;
+  const Outcome exact = taxel({"mesh", "m.obj", "--repair", "exact"}, folder);
+  EXPECT_EQ(exact.status, 2);
+  EXPECT_EQ(exact.err.rfind(
+                "taxel: m.obj: /mesh/repair/level: is \"exact\", but exact steps cannot close the surface at (", 0),
+            0U)
+      << exact.err;
+}
+
+TEST(RepairInput, ThickensAMoebiusStrip) {
+  expect_thickened(test_folder(), moebius_strip(0.01, 0.003, 60));
+}
+
+TEST(RepairInput, Unites180Shells) {
+  const fs::path folder = test_folder();
+  TriMesh all = make_icosphere(0.01, 1);
+  for (int i = 1; i < 180; ++i)
+    all = together(all, moved(make_icosphere(0.01, 1), {0.007 * (i % 20), 0.007 * (i / 20), 0}));
+  save_mesh(folder / "shells.stl", all);
+  const Json mesh = taxel_json({"mesh", "shells.stl", "--repair", "auto"}, folder);
+  EXPECT_EQ(mesh["repair"]["shells_before"], 180);
+  EXPECT_EQ(mesh["repair"]["shells_after"], 1);
+  EXPECT_EQ(mesh["repair"]["closed"], true);
+  const Json steps = mesh["repair"]["steps"];
+  EXPECT_TRUE(std::any_of(steps.begin(), steps.end(), [](const Json& s) { return s["code"] == "repair_united"; }))
+      << steps;
+}
+
+/// A ball of 2 million triangles without one of them: filled exactly, and wrapped only with an edge.
+TEST(RepairInput, ClosesAMeshOfTwoMillionTriangles) {
+  const fs::path folder = test_folder();
+  constexpr int kRings = 1000;
+  std::vector<dvec2> outline;
+  for (int i = 0; i <= kRings; ++i) {
+    const double angle = kPi * i / kRings;
+    outline.emplace_back(i == 0 || i == kRings ? 0 : 0.01 * std::sin(angle), -0.01 * std::cos(angle));
+  }
+  const TriMesh ball = swept_profile(outline, 1002);
+  ASSERT_GT(ball.face_count(), 2000000);
+  save_mesh(folder / "large.stl", without_faces(ball, {ball.face_count() - 1}));
+  const Json mesh = taxel_json({"mesh", "large.stl", "--repair", "auto"}, folder);
+  EXPECT_EQ(mesh["closed"], false);
+  EXPECT_EQ(mesh["repair"]["level"], "exact");
+  EXPECT_EQ(mesh["repair"]["closed"], true);
+  EXPECT_EQ(mesh["repair"]["faces_after"], ball.face_count());
+  const Outcome wrap = taxel({"mesh", "large.stl", "--repair", "wrap"}, folder);
+  EXPECT_EQ(wrap.status, 2);
+  EXPECT_EQ(wrap.err.rfind("taxel: large.stl: /mesh/repair/edge: must be set (in metres) to wrap a mesh of more than "
+                           "500000 faces: it has 2001995, the first to wrap at (",
+                           0),
+            0U)
+      << wrap.err;
+  fs::remove(folder / "large.stl");
+}
+
+TEST(RepairInput, NamesTaxelsFarFromTheMesh) {
+  const fs::path folder = test_folder();
+  const fs::path layout = layout_of_one_taxel(folder, fingertip(), {0.5, 0, 0.1});
+  const std::string place = ": /taxels/0/center: ";
+  const Outcome samples = taxel({"samples", layout.string()});
+  EXPECT_EQ(samples.status, 2);
+  EXPECT_EQ(samples.err.rfind("taxel: " + layout.string() + place + "is 4", 0), 0U) << samples.err;
+  EXPECT_NE(samples.err.find(" mm from the surface, the radius is 3 mm (taxel 0)"), std::string::npos) << samples.err;
+  const Outcome checked = taxel({"check", layout.string()});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_NE(checked.out.find(layout.string() + place + "error: is 4"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("; nearest point of the surface: ["), std::string::npos) << checked.out;
 }
 
 TEST(RepairInput, SweepsABrokenMeshIntoAFolderThatRunsElsewhere) {

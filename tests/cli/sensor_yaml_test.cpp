@@ -1,4 +1,4 @@
-// Sensor descriptions of the predecessor's code through the program: with a mesh beside them, and on geoms of scenes.
+// Sensor descriptions of the predecessor's code through the program: with a mesh next to them, and on geoms of scenes.
 #include <algorithm>
 
 #include "cli/taxel_program.h"
@@ -94,6 +94,29 @@ TEST_F(SensorYamlCli, NamesTheLineOfAGeomThatTheSceneLacks) {
       taxel({"run", scene, "--layout", other}),
       "taxel: " + other + ": line 5, key geomName: the scene has no geom \"thumb_geom\"; it has floor, tip_geom");
   EXPECT_EQ(taxel({"run", scene, "--layout", other, "--geom", "tip_geom", "--seconds", "0.002"}).status, 0);
+}
+
+TEST_F(SensorYamlCli, NamesLineAndKeyOfBadFiles) {
+  const std::string good = yaml_of("CurvedSensor", "tip_geom"), bad = (folder / "bad.yaml").string();
+  write_text(folder / "scene.xml", scene_of("type='box' size='0.01 0.01 0.01'"));
+  const auto refused = [&](const std::string& text, const std::string& complaint) {
+    write_text(bad, text);
+    expect_refusal(taxel({"samples", bad, "--mesh", mesh, "--scale", "0.001"}), "taxel: " + bad + ": " + complaint);
+    expect_refusal(taxel({"run", (folder / "scene.xml").string(), "--layout", bad}),
+                   "taxel: " + bad + ": " + complaint);
+  };
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  refused(changed("0.006", "wide"), "line 6, key include_margin: must be a number, is \"wide\"");
+  refused(changed("[0, 0, -0.01]", "[0, below, -0.01]"), "line 7, key taxels[1][1]: must be a number, is \"below\"");
+  refused(changed(",\n       normals: [[0, 0, 1], [0, 0, -1]]", ""),
+          "line 5, key SurfacePlugins[0]: key normals is missing: a CurvedSensor has one for each taxel");
+  refused("MujocoPlugins:\n  - type: a/Mocap\n  - type: b/Ros\n",
+          "key MujocoPlugins: no plugin holds SurfacePlugins; there are a/Mocap, b/Ros");
+  refused("MujocoPlugins:\n  - type: a\n    SurfacePlugins: [{type: b/Other}]\n",
+          "key SurfacePlugins: holds no CurvedSensor, TaxelSensor or FlatTactileSensor, but b/Other");
 }
 
 TEST_F(SensorYamlCli, TakesMaterialOfTheScenesField) {

@@ -113,6 +113,75 @@ class PluginTest(unittest.TestCase):
         np.testing.assert_array_equal(data.sensordata, before)
 
 
+BALLS = """
+<mujoco>
+  <option timestep="0.001"/>
+  <extension>
+    <plugin plugin="taxel.contact">
+      <instance name="soft">
+        <config key="materials" value='{"a": {"modulus": 1e5, "dissipation": 3}, "b": {"modulus": 2e5}}'/>
+        <config key="pairs" value="a floor, a b"/>
+      </instance>
+    </plugin>
+  </extension>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1"/>
+    <body pos="0 0 0.0198">
+      <freejoint/><geom name="a" type="sphere" size="0.02" mass="0.05" contype="0" conaffinity="0"/>
+    </body>
+    <body pos="0 0 0.0596">
+      <freejoint/><geom name="b" type="sphere" size="0.02" mass="0.05" contype="0" conaffinity="0"/>
+    </body>
+  </worldbody>
+  <sensor><plugin plugin="taxel.contact" instance="soft"/></sensor>
+</mujoco>
+"""
+
+
+class ContactPluginTest(unittest.TestCase):
+    """Soft geoms without taxels: two balls, one on the other, on a rigid floor."""
+
+    def setUp(self):
+        self.model = mujoco.MjModel.from_xml_string(BALLS)
+        self.data = mujoco.MjData(self.model)
+
+    def step(self, data):
+        mujoco.mj_step(self.model, data)
+        return data.sensordata.reshape(2, 6).copy()  # a wrench for each ball: force, torque
+
+    def test_recorded_forces_are_those_that_move_the_balls(self):
+        mass, gravity, timestep = 0.05, 9.81, 0.001
+        largest = 0
+        for _ in range(100):
+            before = self.data.qvel[[2, 8]].copy()
+            force = self.step(self.data)[:, 2]
+            change = mass * (self.data.qvel[[2, 8]] - before)
+            np.testing.assert_allclose(change, timestep * (force - mass * gravity), rtol=0, atol=1e-9)
+            largest = max(largest, force[1])
+        self.assertGreater(largest, mass * gravity)  # the upper ball is carried
+
+    def test_copies_go_on_as_the_original(self):
+        for _ in range(20):
+            self.step(self.data)
+        twin = copy.copy(self.data)
+        other = pickle.loads(pickle.dumps(self.data))
+        for _ in range(20):
+            expected = self.step(self.data)
+            self.assertGreater(abs(expected).max(), 0)
+            np.testing.assert_array_equal(self.step(twin), expected)
+            np.testing.assert_array_equal(self.step(other), expected)
+
+    def test_mistakes_are_python_errors_that_name_them(self):
+        cases = [('"modulus": 1e5', '"modulus": "soft"', "modulus"), ("a floor, a b", "a floor, a c", '"c"'),
+                 ('key="pairs"', 'key="pair"', "pair"), ('{"a": {', '{"c": {', '"c"')]
+        for before, after, word in cases:
+            with self.subTest(word=word):
+                self.assertIn(before, BALLS)
+                with self.assertRaises(ValueError) as caught:
+                    mujoco.MjModel.from_xml_string(BALLS.replace(before, after))
+                self.assertIn(word, str(caught.exception))
+
+
 if __name__ == "__main__":
     mujoco.mj_loadPluginLibrary(PLUGIN)
     unittest.main(argv=sys.argv[:1], verbosity=1)

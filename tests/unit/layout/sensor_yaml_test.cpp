@@ -1,4 +1,5 @@
-// Sensor descriptions of the predecessor's code: three types, what is not carried over, and bad input by line and key.
+// Sensor descriptions of the predecessor's code: three types, keys that are not carried over, and bad input by line and
+// key.
 #include "core/layout/formats/sensor_yaml.h"
 
 #include <fmt/format.h>
@@ -88,6 +89,33 @@ TEST(SensorYaml, CoversTheTopWithCellsOfAFlatSensor) {
   EXPECT_EQ(read.layout.frame.pad, dvec3(0, 0, 1));
   EXPECT_EQ(read.layout.frame.distal, dvec3(1, 0, 0)) << "the longer side";
   EXPECT_LE(read.layout.sampling.density * box->area(), 1e5);
+}
+
+TEST(SensorYaml, LeavesOutCellsThatMissTheSkin) {
+  const std::string text = yaml_of("type: s/FlatTactileSensor, geomName: foam, resolution: 0.025,\n");
+  ImportedLayout read = parse_sensor_yaml(text, "s.yaml");
+  const auto ball = std::make_shared<const TriMesh>(make_icosphere(0.05, 4));
+  put_on_skin(read, ball, "s.yaml");
+  ASSERT_EQ(read.layout.taxels.size(), 12U) << "4 x 4 cells without those at the corners";
+  EXPECT_EQ(read.layout.taxels[0].id, 1) << "cells keep their numbers";
+  EXPECT_TRUE(any_contains(read.notes, "4 of 16 cells are not above the skin: left out"));
+  const auto refusal = [&](double size) {
+    ImportedLayout other = parse_sensor_yaml(text, "s.yaml");
+    const auto box = std::make_shared<const TriMesh>(make_box(dvec3(size)));
+    return test::complaint_of([&] { put_on_skin(other, box, "s.yaml"); });
+  };
+  EXPECT_EQ(refusal(0.01), "s.yaml: a cell of 0.025 m is larger than the mesh, 0.02 x 0.02 m");
+  EXPECT_EQ(refusal(10), "s.yaml: cells of 0.025 m over 20 x 20 m are more than 100000: check --scale");
+}
+
+/// The material, the density and the frame are not in such a file: put_on_skin() completes them, with notes.
+TEST(SensorYaml, ListsValuesThatTheFileDoesNotGive) {
+  ImportedLayout read = parse_sensor_yaml(yaml_of(replaced(kCurved, ", sample_resolution: 1e6", "")), "s.yaml");
+  EXPECT_FALSE(read.has_density);
+  EXPECT_FALSE(read.has_material);
+  put_on_skin(read, std::make_shared<const TriMesh>(make_box(dvec3(0.01))), "s.yaml");
+  EXPECT_TRUE(any_contains(read.notes, "the density of the samples is "));
+  EXPECT_TRUE(any_contains(read.notes, "the file does not say where the sensor points: distal is ["));
 }
 
 TEST(SensorYaml, ReadsLengthBelowOneAsNoDensity) {

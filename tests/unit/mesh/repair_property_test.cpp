@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <set>
+
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/shells.h"
+#include "core/mesh/repair/steps.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {
@@ -72,7 +76,7 @@ TEST(RepairProperty, ClosesMeshesThatLostDoubledTurnedOrTornFaces) {
     const RepairedMeshPtr repaired = repair(broken_mesh(seed, false));
     ASSERT_TRUE(repaired->mesh->closed());
     EXPECT_EQ(repair_mesh(repaired->mesh, {}, 0.002)->mesh, repaired->mesh);
-    // The ring has 44 faces: some seeds break every fourth of them, and no side of it can be told from the other.
+    // The ring has 44 faces: some seeds break every fourth of them, so that its two sides cannot be distinguished.
     if (seed % 4 == 3 && repaired->report.level == RepairLevel::wrap) continue;
     EXPECT_NE(repaired->report.level, RepairLevel::wrap);
     EXPECT_NEAR(repaired->mesh->volume(), sound.volume(), 0.15 * sound.volume());
@@ -122,6 +126,60 @@ TEST(RepairProperty, IsNotQuadraticInShells) {
   EXPECT_EQ(repaired->mesh->shell_count(), 3000);
   EXPECT_EQ(repaired->mesh->face_count(), 12000);
   EXPECT_LT(repaired->report.seconds, 20);  // 0.2 s on a machine that does nothing else
+}
+
+/// Two tets on either side of the plane z = 0 that have the edge from (0, 0, 0) to (1, 0, 0) in common. One face of
+/// each is in that plane: both are at the same angle around the edge, and their third corners differ.
+TriMesh touching_tets() {
+  return test::welded(test::together(
+      TriMesh({{0, 0, 0}, {1, 0, 0}, {0.2, 1, 0}, {0.4, 0.3, 0.5}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+      TriMesh({{0, 0, 0}, {1, 0, 0}, {0.7, 0.8, 0}, {0.4, 0.3, -0.6}}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}})));
+}
+
+/// The mesh with its faces in another order, each beginning with another corner.
+TriMesh shuffled(const TriMesh& mesh, std::uint64_t seed) {
+  test::RandomStream random(seed);
+  std::vector<ivec3> faces = mesh.faces();
+  for (std::size_t i = faces.size(); i > 1; --i)
+    std::swap(faces[i - 1], faces[test::slot(random.below(static_cast<int>(i)))]);
+  for (ivec3& f : faces)
+    for (int turns = random.below(3); turns > 0; --turns) f = {f.y, f.z, f.x};
+  return {mesh.vertices(), std::move(faces)};
+}
+
+/// The shells into which surfaces are parted, by the positions of their corners: the numbers of faces and points do not
+/// matter.
+std::multiset<std::multiset<std::vector<double>>> parted_shells(const TriMesh& mesh) {
+  Draft draft = make_draft(mesh);
+  RepairChanges changes;
+  part_touching(draft, changes);
+  std::multiset<std::multiset<std::vector<double>>> shells;
+  for (const std::vector<int>& shell : find_shells(draft).faces) {
+    std::multiset<std::vector<double>> faces;
+    for (const int f : shell) {
+      std::vector<std::vector<double>> turns;
+      for (int first = 0; first < 3; ++first) {
+        turns.emplace_back();
+        for (int c = 0; c < 3; ++c) {
+          const dvec3& p = draft.corner(f, (first + c) % 3);
+          turns.back().insert(turns.back().end(), {p.x, p.y, p.z});
+        }
+      }
+      faces.insert(*std::min_element(turns.begin(), turns.end()));
+    }
+    shells.insert(std::move(faces));
+  }
+  return shells;
+}
+
+TEST(RepairProperty, PartsAlikeInAnyOrderOfFaces) {
+  const auto tets = parted_shells(touching_tets());
+  ASSERT_EQ(tets.size(), 2U);
+  for (const auto& shell : tets) EXPECT_EQ(shell.size(), 4U);
+  for (const TriMesh& mesh : {touching_tets(), test::closed_ring_of_cubes(0.005)}) {
+    const auto expected = parted_shells(mesh);
+    for (std::uint64_t seed = 0; seed < 100; ++seed) EXPECT_EQ(parted_shells(shuffled(mesh, seed)), expected) << seed;
+  }
 }
 
 }  // namespace

@@ -57,7 +57,10 @@ std::string all_clauses(const std::vector<RepairStep>& steps) {
 }
 
 std::string area_text(double area, const RepairReport& report) {
-  return fmt::format("{}, {:.2g} % of the area", in_mm2(area), 100 * area / report.area_before);
+  const double percent = 100 * area / report.area_before;
+  // Two digits, but never as a power of ten for a large part.
+  const std::string part = percent < 99.5 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
+  return fmt::format("{}, {} % of the area", in_mm2(area), part);
 }
 
 /// Lengths and areas of a step, in brackets.
