@@ -143,7 +143,7 @@ TEST(DepthMarch, PadInsideOfACoreHasASurface) {
   const auto small = make_mesh_body(make_icosphere(0.004, 3), soft_material(40 * kModulus, 0.001));
   const Contact c = touch(*large, *small, Pose{}, at_height(0.03 - 0.010));
   ASSERT_FALSE(c.surface.empty());
-  // Nearly rigid beside the large one, and D is the depth below the top there: F is about (E/H) V (A3).
+  // Nearly rigid compared with the large one, and D is the depth below the top there: F is about (E/H) V (A3).
   const double force = kModulus / 0.001 * 4.0 / 3.0 * kPi * std::pow(0.004, 3);
   EXPECT_LT(c.wrench.force.z, -0.7 * force);
   EXPECT_GT(c.wrench.force.z, -force);

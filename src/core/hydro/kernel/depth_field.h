@@ -1,5 +1,5 @@
-// The field of a pad beyond its tets: p = (E/H) D(x), D the distance to the skin, positive inside (any_mesh: depth
-// pieces). The tets hold the same field near the skin.
+// The field of a pad beyond its tets: p = (E/H) D(x), D the distance to the skin, positive inside. The tets hold the
+// same field near the skin (docs/theory.md, "Beyond the tets").
 #pragma once
 
 #include <memory>
@@ -17,10 +17,10 @@ class DepthField {
 
   struct Sample {
     double depth = 0;   ///< D(x): the distance to the skin, negative outside [m]
-    dvec3 gradient{0};  ///< of D, unit; points inward
+    dvec3 gradient{0};  ///< gradient of D: a unit vector that points inward
   };
-  /// D at x, frame of the body. `within`: an upper bound of the distance to the skin, which makes the search short.
-  /// O(log n). The result does not depend on the bound.
+  /// Returns D at x, frame of the body. `within` is an upper bound of the distance to the skin: it shortens the search
+  /// and does not change the result. O(log n).
   [[nodiscard]] Sample at(const dvec3& x, double within = std::numeric_limits<double>::infinity()) const;
 
   [[nodiscard]] const TriMeshPtr& skin() const { return skin_; }

@@ -12,10 +12,11 @@
 
 namespace taxel {
 
-/// Largest difference, in thicknesses, between D at the middle of a piece's edge and the mean of its ends. Smaller:
-/// more pieces. The force is then within 1 % of that of far smaller pieces.
+/// Largest difference, in thicknesses, between D at the middle of a piece's edge and the mean of D at its ends. A
+/// smaller value makes more pieces. With this one the force is within 1 % of that of far smaller pieces.
 inline constexpr double kDepthTolerance = 0.02;
-/// Pieces are not cut below this edge, in thicknesses: across the medial axis D is never linear.
+/// Shortest edge of a piece that is cut, in thicknesses. Without it cutting would not end at the medial axis, across
+/// which D is not linear however small the pieces are.
 inline constexpr double kMinPieceEdge = 0.25;
 
 /// How pieces are cut, for tests that need finer ones.
@@ -34,7 +35,7 @@ class PointCache {
     for (Entry& entry : entries_) entry.epoch = 0;
     epoch_ = 1;
   }
-  /// The value of a point; `is_new` says that it is still to be set. Valid until the next call.
+  /// Returns the value of a point; `is_new` becomes true if the value is not set yet. Valid until the next call.
   Value& at(std::uint64_t key, bool& is_new) {
     if (2 * (used_ + 1) > entries_.size()) grow();
     Entry& entry = entries_[slot_of(key)];
@@ -78,7 +79,7 @@ struct PressurePair {
   double a = 0, b = 0;
 };
 
-/// Parts of a piece that are smaller are rounding.
+/// Area below which a part of a piece is rounding, as a fraction of the piece.
 inline constexpr double kLeastPart = 1e-9;
 
 struct DepthWorkspace {
@@ -89,7 +90,7 @@ struct DepthWorkspace {
   };
   std::vector<DeepTriangle> triangles;
   PointCache<DepthField::Sample> samples;  ///< D at the corners of pieces
-  PointCache<PressurePair> pressures;      ///< of two soft bodies, at the corners of cubes
+  PointCache<PressurePair> pressures;      ///< pressures of two soft bodies at the corners of cubes
   /// A polygon of the tets in the coordinates of the plane.
   struct Covered {
     FlatPolygon polygon;
@@ -100,12 +101,12 @@ struct DepthWorkspace {
   std::vector<std::int32_t> lists;  ///< numbers of `covered` near a piece, of all pieces from the first to the present
   std::vector<FlatPolygon> rest, scratch;
   std::vector<dvec3> core_points;  ///< middles of the edges at which polygons of pairs of tets end on a core, frame A
-  std::vector<Aabb> boxes;         ///< of the polygons of pairs of tets, frame A
+  std::vector<Aabb> boxes;         ///< boxes of the polygons of pairs of tets, frame A
   Bvh tree;                        ///< over these
   /// A cube of the lattice that the surface was followed into.
   struct Cube {
     ivec3 corner;
-    int steps;       ///< that are left where the tets cover all
+    int steps;       ///< number of further cubes to follow from here where the tets cover them
     unsigned faces;  ///< that the surface goes on across
     bool is_done;    ///< its part of the surface is added
   };

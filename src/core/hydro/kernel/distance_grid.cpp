@@ -76,10 +76,10 @@ void DistanceGrid::mark(const PressureField& field) {
   spread(marked);
 }
 
-/// By the skin's crossings of the lines of cells along x: inside lies what is passed by one more face that leads in
-/// than out (nonzero winding). A line goes through the middles of cells, moved by an irrational part of a cell: a face
-/// that it touches in an edge or a corner is as good as impossible, and a line whose crossings do not add up marks
-/// nothing.
+/// Counts the crossings of the skin with lines along x, one per row of cells. A cell is inside if more faces were
+/// entered than left before it (nonzero winding). Each line passes the middles of its cells, moved by an irrational
+/// fraction of a cell, so that it practically never meets an edge or a corner of a face. A line that enters and leaves
+/// a different number of faces marks no cell.
 void DistanceGrid::mark_core(const TriMesh& skin) {
   if (cells_.empty()) return;
   const double shift_y = 0.5 + 1e-3 * std::sqrt(2.0), shift_z = 0.5 - 1e-3 * std::sqrt(3.0);

@@ -11,11 +11,11 @@ namespace taxel {
 
 class DistanceGrid {
  public:
-  /// Instead of a tet, for cells that lie inside of the skin beyond all tets (mark_core).
+  /// Value of Cell::tet for cells inside of the skin that hold no tet (mark_core).
   static constexpr std::int32_t kCoreCell = -2;
   struct Cell {
-    /// Every point of the cell is at least this far from every tet [m]; 0 in cells with tets, and in cells that lie
-    /// inside of the skin beyond all tets, where depth pieces are (mark_core).
+    /// Lower bound of the distance from every point of the cell to the tets [m]. It is 0 in cells with tets, and in
+    /// cells inside of the skin without tets, which depth pieces serve (mark_core).
     float distance = 0;
     std::int32_t tet = -1;  ///< one that meets the cell, that of its middle where there is one; -1 or kCoreCell if none
     std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none

@@ -10,12 +10,14 @@ namespace taxel {
 
 /// A convex polygon, counter-clockwise.
 struct FlatPolygon {
-  static constexpr int kMaxStored = 8;  ///< vertices of a polygon that cutting is given
-  static constexpr int kMax = 24;       ///< vertices of one while it is cut
-  std::array<dvec2, kMax> x;            // NOLINT: filled up to `count`
+  static constexpr int kMaxStored = 8;  ///< largest number of vertices before a cut
+  static constexpr int kMax = 24;       ///< largest number of vertices during a cut
+  std::array<dvec2, kMax> x;            // NOLINT: the first `count` entries are the vertices, the others have no value
   int count = 0;
 
-  FlatPolygon() {}  // NOLINT: `x` holds what it did
+  // Not `= default`: `FlatPolygon{}` would then fill all of `x` with zeros, of which only `count` entries are ever
+  // used.
+  FlatPolygon() {}  // NOLINT
   FlatPolygon(const FlatPolygon& other) { *this = other; }
   FlatPolygon& operator=(const FlatPolygon& other) {
     if (this == &other) return *this;
@@ -26,13 +28,13 @@ struct FlatPolygon {
   [[nodiscard]] double area() const;
 };
 
-/// Cuts a polygon along the line from a to b. `left` and `right` get what lies on each side; empty if nothing does.
+/// Cuts a polygon along the line from a to b. `left` and `right` become its parts on each side, empty if there is none.
 void split(const FlatPolygon& polygon, const dvec2& a, const dvec2& b, FlatPolygon& left, FlatPolygon& right);
 
-/// The area that two convex polygons share.
+/// Returns the area that two convex polygons share.
 double shared_area(const FlatPolygon& a, const FlatPolygon& b);
 
-/// Replaces each polygon of `pieces` by convex polygons that fill what `hole` leaves of it, none with more than
+/// Replaces each polygon of `pieces` by convex polygons that fill its part outside of `hole`, each of at most
 /// FlatPolygon::kMaxStored vertices. Parts of at most `least_area` are dropped. Keeps the memory of `scratch`.
 void subtract(const FlatPolygon& hole, double least_area, std::vector<FlatPolygon>& pieces,
               std::vector<FlatPolygon>& scratch);

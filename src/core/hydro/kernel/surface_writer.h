@@ -104,7 +104,7 @@ class SurfaceWriter {
   void finish();
 
   [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
-  /// Polygons so far that end on a pad's core, as count_at_core() was told.
+  /// Number of polygons so far that end on a pad's core, as counted by count_at_core().
   [[nodiscard]] int core_count() const {
     constexpr auto kCore = static_cast<std::size_t>(Rejection::beyond_core);
     return whole_.rejected[kCore].count + since_mark_.rejected[kCore].count;
@@ -114,7 +114,7 @@ class SurfaceWriter {
     points.clear();
     core_points_ = &points;
   }
-  /// Forgets what the cores hide: depth pieces fill it.
+  /// Discards the record of polygons that end on cores, because depth pieces fill the rest.
   void clear_core();
   /// The surface as it is so far. Its vertices are followed by room for more.
   [[nodiscard]] const ContactSurface& surface() const { return out_; }

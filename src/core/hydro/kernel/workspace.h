@@ -84,7 +84,7 @@ struct IntersectWorkspace {
   std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of B
   std::vector<std::uint32_t> seen_in;   ///< of each tet: the triangle, counted over all calls, that last met it
   MetPairs met;
-  DepthWorkspace depth;  ///< of pairs that reach beyond a pad's tets
+  DepthWorkspace depth;  ///< memory for pairs that reach beyond a pad's tets
   std::uint32_t call = 0, triangle = 0;
 
   /// Makes room for so many vertices and tets, and opens a new call.
