@@ -20,7 +20,7 @@ TEST(MeshTopology, DecimatesAndReportsTheDistance) {
   EXPECT_EQ(taxel_json({"mesh", out})["triangles"], found["after"]["triangles"]);
 }
 
-TEST(MeshTopology, SubdividesByMidpointsUnlessToldOtherwise) {
+TEST(MeshTopology, SubdividesByMidpointsByDefault) {
   const Json flat = taxel_json({"mesh", kFinger, "--subdivide", "1"});
   EXPECT_EQ(flat["scheme"], "midpoint");
   EXPECT_EQ(flat["after"]["triangles"], 4 * flat["before"]["triangles"].get<int>());

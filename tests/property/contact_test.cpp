@@ -13,7 +13,8 @@ BruteForceContact oracle(const HydroBody& soft, const HydroBody& rigid, const Po
   return brute_force_contact(field_of(soft), X_SR);
 }
 
-/// A contact without its depth pieces (tests/unit/hydro/depth_pieces_test.cpp): what the tets of the bodies share.
+/// A contact without its depth pieces (tests/unit/hydro/depth_pieces_test.cpp): the part that the tets of the bodies
+/// share.
 Contact without_pieces(Contact contact) {
   std::erase_if(contact.surface.polygons, [](const ContactPolygon& polygon) { return polygon.tet < 0; });
   contact.wrench = traction(contact.surface, {}, {}).wrench;

@@ -18,7 +18,7 @@ struct ContactPolygon {
   dvec3 centroid{0};    ///< of the area
   double pressure = 0;  ///< elastic pressure p0 at the centroid [Pa]
   dvec3 gradient{0};    ///< of p0 [Pa/m]; p0(x) = pressure + dot(gradient, x - centroid)
-  int tet = -1;         ///< of the soft body, of A where both are soft; -1 in a half-space and beyond a pad's tets
+  int tet = -1;         ///< tet of the soft body (of A if both are soft); -1 in a half-space and beyond a pad's tets
   int tet_b = -1;       ///< of B where both are soft
   int face = -1;        ///< of the rigid mesh; -1 on a half-space
 };

@@ -77,7 +77,7 @@ std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& de
   return std::vector<char>(depths.planes.size(), layering == PadLayering::two ? 1 : 0);
 }
 
-/// The tets of a pad, and what they were made of.
+/// The tets of a pad and the offsets and depths that they were built from.
 struct RawPad {
   PadTets tets;
   std::vector<char> bare;  ///< whether a face has no tet, per face
@@ -114,7 +114,8 @@ PressureFieldPtr finish(const MeshIndex& index, const PadShape& shape, RawPad pa
   return field;
 }
 
-/// A refined skin has at most so many faces, or so many times those of the mesh: 3 to 5 tets each.
+/// Largest number of faces of a refined skin: the first one or the second one times the faces of the mesh, whichever
+/// is larger. Each face takes 3 to 5 tets.
 constexpr int kMostFaces = 2000, kMostFactor = 3;
 /// A skin whose uneven faces make up less than this part of it stays as it is: refinement would build the pad twice.
 constexpr double kWorthIt = 0.005;

@@ -19,7 +19,7 @@ constexpr int kPoints = 1024;
 /// Depths of the presses in thicknesses. The last one is that of the core but for rounding.
 constexpr std::array<double, 4> kParts{0.1, 0.25, 0.5, 1.0};
 constexpr double kRounding = 1e-9;
-/// So many of them are held against the distance to the skin.
+/// Number of depths, from the first on, at which the pressure is compared with the distance to the skin.
 constexpr std::size_t kCompared = 2;
 
 /// Areas of all faces up to each one [m^2].
@@ -95,7 +95,7 @@ std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const 
   const CounterRng rng(2);
   struct Felt {
     std::array<double, kParts.size()> pressure;
-    std::array<double, kCompared> ratio;  ///< of the pressure to E times the depth over H; 0 where it does not count
+    std::array<double, kCompared> ratio;  ///< pressure over E depth/H; 0 if the point is left out
   };
   std::vector<Felt> felt(kPoints);
   constexpr int kChunk = 64;

@@ -22,9 +22,9 @@ std::vector<char> uneven_faces(const MeshIndex& index, const PadShape& shape, co
                                double thickness, double longest);
 
 /// Bisects the longest edge of wanted faces, and of those that come from them, until none is longer than `longest` [m]
-/// or the mesh has `most_faces`. Rivara (1997): where the longest edge of the face across is another one, that is
-/// bisected first, so that no angle falls below half of the least before. Longest edges first; of equal ones that of
-/// the lowest vertex numbers. A point of the new mesh is on the old surface, but for rounding.
+/// or the mesh has `most_faces`. Rivara (1997): if the face across has a longer edge, that edge is bisected first, so
+/// that no angle falls below half of the least one before. Longest edges come first; of equal ones, that of the lowest
+/// vertex numbers. The new mesh is the same surface, but for rounding.
 RefinedSkin refine_skin(const TriMesh& mesh, std::vector<char> wanted, double longest, int most_faces);
 
 }  // namespace taxel

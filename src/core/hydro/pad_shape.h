@@ -84,7 +84,7 @@ class PadShape {
   const TriMesh& mesh_;
   double thickness_;
   PadLegs legs_;
-  int vertices_of_legs_ = 0;  ///< of the mesh that legs_ belongs to
+  int vertices_of_legs_ = 0;  ///< number of vertices of the mesh that legs_ belongs to
   std::vector<OwnOffset> own_;
   std::vector<double> offset_;              ///< per leg: its length [m]
   std::vector<double> depth_;               ///< per leg; negative where the offset changed since

@@ -10,19 +10,20 @@
 namespace taxel {
 namespace {
 
-/// The middle of an inner triangle crosses the medial axis if its depth is less than this part of what it has to be.
+/// The middle of an inner triangle has crossed the medial axis if its depth is less than this fraction of the depth
+/// that its corners have at least.
 constexpr double kBeyond = 0.8;
-/// Faces of which no edge is longer than this part of their offsets cross nothing that their corners do not cross.
+/// A face without an edge longer than this fraction of its offsets crosses no wall that its corners do not cross.
 constexpr double kSmall = 0.5;
-/// Offsets of crossing prisms shrink by this factor, at most so often (to a fifteenth).
+/// Factor by which the offsets of crossing prisms shrink in a round, and most rounds (down to a fifteenth).
 constexpr double kShrink = 0.8;
 constexpr int kRounds = 12;
 
 }  // namespace
 
 /// Whether the middle of a face's inner triangle is beyond the medial axis, although its corners are not: below a large
-/// face the other wall may be nearer than at the corners. The depth there is compared with what the corners have at
-/// least (PadShape::own_offset); below convex skin it cannot be less.
+/// face the other wall may be nearer than at the corners. The depth of the middle is compared with the least depth of
+/// the corners (PadShape::own_offset); below convex skin it cannot be less.
 bool PadShape::crosses_wall(int face) const {
   double least = 0, longest = 0, edge = 0;
   dvec3 centroid(0);

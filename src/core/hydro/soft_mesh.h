@@ -1,4 +1,4 @@
-// The mesh of a soft body that is no sensor: repaired, because it comes from a file that nobody looked at.
+// Repair of the mesh of a soft body that is no sensor, which may come from any file.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace taxel {
 
-/// Repairs the mesh of a shape that is to be soft by the default recipe; face_numbers stay those of the faces that the
-/// shape came with, -1 for faces that were filled in. Shapes that are no mesh and rigid ones stay as they are. Returns
-/// what was changed, null if nothing was. Throws Error as repair_mesh() does.
+/// Repairs the mesh of a shape that is to be soft, by the default recipe. face_numbers remain those of the faces before
+/// the repair, -1 for faces that were filled in. Rigid shapes and shapes that are no mesh stay as they are. Returns the
+/// repaired mesh with its report, or null if nothing was changed. Throws Error as repair_mesh() does.
 RepairedMeshPtr repair_soft_mesh(Shape& shape, const Material& material);
 
 }  // namespace taxel

@@ -40,7 +40,7 @@ Json region_json(const std::vector<int>& faces) {
   return runs;
 }
 
-/// Only what is set. A number that is not set means its default, which depends on the mesh.
+/// Writes only the values that are set. The default of a number that is not set depends on the mesh.
 Json repair_json(const RepairRecipe& recipe) {
   Json json = Json::object();
   if (recipe.level != RepairLevel::automatic) json["level"] = word(recipe.level);

@@ -18,7 +18,7 @@ struct Fix {
 
 /// What mends `problem`, which must have been found on this project's layout as it is; nothing where that takes a
 /// decision (a mesh that no repair closed, a subtaxel far away). `skin` are the shells that are sampled, null where the
-/// mesh could not be read: then there are fewer repairs. To mend many, apply one, check again, and so on, in one
+/// mesh could not be read: then there are fewer repairs. To repair many, apply one, check again, and so on, in one
 /// gesture.
 ///
 /// A place or a normal is mended alone; a twin follows in its radius only. `mesh_sha256` is that of the mesh file read.

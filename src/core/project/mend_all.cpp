@@ -13,7 +13,7 @@ namespace {
 /// A round mends one thing of each taxel: its place, its normal, its radius, those of its subtaxels.
 constexpr int kRounds = 32;
 
-/// `mesh` is that of the project as it was `before`.
+/// `mesh` belongs to the project `before` any repair.
 Problems problems_of(const Project& project, const Project& before, const LayoutMesh& mesh) {
   Problems problems = check_layout_values(project.layout, "");
   const bool repairs = project.layout.mesh.repair != before.layout.mesh.repair;
@@ -25,7 +25,7 @@ Problems problems_of(const Project& project, const Project& before, const Layout
   return problems;
 }
 
-/// Another file, unit or mesh is for the user to decide; to repair the mesh is not.
+/// Whether the user must decide: about another file, unit or mesh, but not about a repair of the mesh.
 bool is_decision(const Problem& problem) {
   return problem.pointer.starts_with("/mesh") && problem.code != "mesh_open" && problem.code != "repair_out_of_range";
 }

@@ -18,7 +18,7 @@ enum class ScenarioKind {
   twist,   ///< pressed down, it turns about its pad's normal through its lowest point, and back
   slide,   ///< pressed down, it slides along the top, and back
   drop,    ///< released above the object: gravity, no weld
-  path,    ///< through way points
+  path,    ///< through waypoints
   replay,  ///< the poses of a recording, step by step
   paper    ///< the path of the paper's released demo, onto the demo's box and back
 };

@@ -50,7 +50,7 @@ class SurfaceCaster {
   std::vector<const ContactSurface*> surfaces_;
   std::vector<Bvh> blas_;                       // of surface i; more than surfaces_ where earlier steps had more
   std::vector<std::vector<EdgePlane>> planes_;  // likewise: of surface i, one per vertex
-  std::vector<std::vector<int>> polygons_;      // likewise: of surface i, those in its BLAS
+  std::vector<std::vector<int>> polygons_;      // of surface i, those in its BLAS; as long as blas_
   Bvh tlas_;
   std::vector<Instance> instances_;  // TLAS primitives: the surfaces that are not empty
   std::vector<Aabb> boxes_;

@@ -14,7 +14,8 @@ namespace taxel {
 
 struct ImportedSource {
   SensorSource source;
-  std::vector<std::string> notes;  ///< what was not in the file or could not be carried over, a sentence each
+  /// Values that were not in the file, and keys that could not be carried over: a sentence each.
+  std::vector<std::string> notes;
 };
 
 /// Reads a layout of any format and its mesh. `choice.mesh` replaces the mesh of a layout that has one. Throws Error

@@ -188,7 +188,7 @@ TEST(DepthPieces, NarrowTrianglesNeedFewPieces) {
   }
 }
 
-/// The same field that ends with its tets: what it has is there still, in the same order and with the same bits.
+/// A field that ends with its tets gives the same polygons of tets, in the same order and with the same bits.
 TEST(DepthPieces, PolygonsOfTheTetsStayAsTheyAre) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
   HydroBody ends = *finger;

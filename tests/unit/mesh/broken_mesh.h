@@ -47,7 +47,7 @@ inline TriMesh with_turned_faces(const TriMesh& mesh, const std::vector<int>& tu
   return {mesh.vertices(), std::move(faces)};
 }
 
-/// A triangle that stands on an edge of a face, `height` high.
+/// A triangle on an edge of a face, at right angles to it and `height` high.
 inline TriMesh with_fin(const TriMesh& mesh, int face, double height) {
   std::vector<dvec3> vertices = mesh.vertices();
   std::vector<ivec3> faces = mesh.faces();

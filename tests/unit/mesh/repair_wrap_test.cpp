@@ -1,4 +1,4 @@
-// Wraps: what no exact step makes into a solid gets a new surface around.
+// Wraps: faces that no exact step makes into a solid get a new surface around them.
 #include <gtest/gtest.h>
 
 #include "core/mesh/repair/repair.h"

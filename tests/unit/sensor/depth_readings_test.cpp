@@ -60,7 +60,7 @@ TEST(DepthReadings, LargestPressureGrowsWithDepth) {
     double largest = 0;
     for (const std::int32_t r : reading.hits.hit_rays())
       largest = std::max(largest, reading.hits[static_cast<std::size_t>(r)].pressure);
-    // The skin falls away beside the lowest point of the finger: the ball is 0.114 mm less deep.
+    // The skin falls away next to the lowest point of the finger: the ball is 0.114 mm less deep.
     EXPECT_NEAR(largest, 5e4 * (depth - 0.000114) / 0.002, 0.01 * 5e4);
     EXPECT_GT(*std::max_element(reading.values.begin(), reading.values.end()), before);
     before = *std::max_element(reading.values.begin(), reading.values.end());

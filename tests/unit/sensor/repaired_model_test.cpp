@@ -1,4 +1,4 @@
-// Sensor models on meshes that need repair: faces keep the numbers of the file, and what is written reads the same.
+// Sensor models on meshes that need repair: faces keep the numbers of the file, and written files read the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -168,7 +168,7 @@ TEST(RepairedModel, IsRepairedOnceForEachRecipe) {
   EXPECT_EQ(cache.repaired(sound, {}, thicker, nullptr), cache.repaired(sound, {}, material, nullptr));
 }
 
-/// What a folder of a scene holds: the repaired mesh as a file, and the layout for it.
+/// A folder of a scene holds the repaired mesh as a file, and the layout for it.
 SensorModelPtr through_a_file(const SensorModel& model) {
   const test::TempFolder folder;
   save_mesh(folder.path() / "mesh.obj", *model.mesh);

@@ -1,4 +1,4 @@
-// Scenes written for MuJoCo 2.x load: what MuJoCo has dropped is left out with a note, what is wrong stays an error.
+// Scenes written for MuJoCo 2.x load: attributes that MuJoCo has dropped are left out with a note, errors stay errors.
 #include "core/sim/scene/dropped_attributes.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace taxel {
 namespace {
 
 constexpr double kMaxSamples = 1e5;  ///< over the whole skin; a million takes a minute to place
-constexpr int kMaxCells = 100000;    ///< of a flat array: more is a pitch in other units
+constexpr int kMaxCells = 100000;    ///< limit of a flat array; more cells mean a pitch in other units
 
 /// The normal of the nearest face. Smooth normals would lean outward on the faces of a box.
 void take_normals(Layout& layout, const MeshIndex& skin) {

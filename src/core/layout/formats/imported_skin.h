@@ -1,4 +1,4 @@
-// What the skin adds to a layout of another program: scale, normals, cells, frame and density.
+// Values that the skin adds to a layout of another program: scale, normals, cells, frame and density.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace taxel {
 /// closest to the surface in the mean; by the size of the mesh where the file lists no taxels. A guess: to be shown.
 double guess_scale(const ImportedLayout& imported, const TriMesh& unscaled);
 
-/// Completes what the file left open, and adds a note for each completion: normals of the nearest points of the skin,
-/// the cells of a flat array over the top (+z) of the skin, the frame, and a density of at most 100000 samples.
+/// Adds the values that the file does not give, with a note for each: normals of the nearest points of the skin, the
+/// cells of a flat array over the top (+z) of the skin, the frame, and a density of at most 100000 samples.
 /// `skin`: the scaled mesh. Throws Error naming `file` if no cell of an array is on the skin.
 void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file);
 

@@ -10,13 +10,13 @@
 
 namespace taxel {
 
-/// A layout as read, what about it is not from the file, and what a skin has to add (see imported_skin.h).
+/// A layout as read, notes on values that are not from the file, and the values that a skin must add (imported_skin.h).
 struct ImportedLayout {
   Layout layout;
   std::vector<std::string> notes;  ///< "holds no mesh", a sentence each
   std::string geom = {};           ///< name of the geom that the file puts the sensor on; empty if it names none
-  std::string geom_place = {};     ///< of that name in the file, for messages: "line 8, key geomName"
-  std::vector<std::string> other_geoms = {};  ///< of the sensors of the file that are left out
+  std::string geom_place = {};     ///< place of that name in the file, for messages: "line 8, key geomName"
+  std::vector<std::string> other_geoms = {};  ///< geoms of the sensors of the file that are left out
   bool has_normals = true;                    ///< otherwise the skin gives the normals of the taxels
   /// Edge length of a square cell of an array that lists no taxels: they cover the top of the skin [m]. 0 if listed.
   double cell = 0;

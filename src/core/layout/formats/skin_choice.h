@@ -1,4 +1,4 @@
-// What the user chooses where a layout of another program leaves it open.
+// Choices of the user that complete a layout of another program.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace taxel {
 struct SkinChoice {
   std::string sensor = {};          ///< its name or geom in a file that holds several; empty: the first
   std::string mesh = {};            ///< mesh file; empty: the layout's own
-  std::optional<dvec3> scale = {};  ///< of `mesh` to metres; empty: guessed from the taxels, with a note
+  std::optional<dvec3> scale = {};  ///< factor from units of `mesh` to metres; guessed, with a note, if empty
   bool operator==(const SkinChoice&) const = default;
 };
 

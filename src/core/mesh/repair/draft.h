@@ -46,10 +46,10 @@ struct Draft {
 
 /// Lengths of a recipe with their defaults filled in [m].
 struct RepairLimits {
-  double diagonal = 0;  ///< of the loaded mesh's bounds
+  double diagonal = 0;  ///< diagonal of the loaded mesh's bounds
   double join = 0, fill = 0, edge = 0, tolerance = 0;
-  double thickness = 0;    ///< of the body that a sheet becomes
-  double loaded_area = 0;  ///< of the loaded mesh [m^2]
+  double thickness = 0;    ///< thickness of the body that a sheet becomes
+  double loaded_area = 0;  ///< area of the loaded mesh [m^2]
 };
 
 /// The loaded faces and, if the mesh is not closed without them, its faces without area.

@@ -11,7 +11,7 @@ namespace {
 /// Points along a rim with the loaded face's normal outside of each edge.
 struct Loop {
   std::vector<int> points;
-  std::vector<dvec3> normals;  ///< of the face outside of the edge from each point to the next one
+  std::vector<dvec3> normals;  ///< normal of the face outside of the edge from each point to the next
 };
 
 /// Rims as OpenMesh runs along them. A rim that passes a point twice is several rims that touch there.

@@ -1,4 +1,4 @@
-// How a mesh file is to be repaired: plain values, exactly what the key /mesh/repair of a layout holds.
+// Recipe for the repair of a mesh file: plain values, those of the key /mesh/repair of a layout.
 #pragma once
 
 #include <optional>

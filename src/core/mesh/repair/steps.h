@@ -1,4 +1,4 @@
-// The steps of a repair, in the order in which they run. Each removes one kind of fault and says what it did.
+// The steps of a repair, in the order in which they run. Each removes one kind of fault and returns a report of it.
 #pragma once
 
 #include "core/mesh/repair/draft.h"
@@ -19,8 +19,8 @@ RepairStep join_rims(Draft& draft, const RepairLimits& limits);
 RepairStep turn_flat_faces(Draft& draft);
 /// Splits an open edge at each rim point that lies on it within 1e-5 of the diagonal.
 RepairStep split_junctions(Draft& draft, const RepairLimits& limits);
-/// Turns faces so that neighbours wind alike. `unorientable` gets bands on which this fails (a Moebius strip): a nonzero
-/// entry for each of their faces. A body on which it fails keeps a seam of open edges.
+/// Turns faces so that neighbours wind alike. `unorientable` gets bands on which this fails (a Moebius strip): a
+/// nonzero entry for each of their faces. A body on which it fails keeps a seam of open edges.
 RepairStep wind_alike(Draft& draft, std::vector<char>& unorientable);
 /// Separates surfaces that only touch along an edge or at a point, so that solid lies between the faces of each.
 RepairStep part_touching(Draft& draft, RepairChanges& changes);

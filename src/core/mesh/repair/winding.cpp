@@ -68,7 +68,7 @@ class Regions {
   }
 
   DisjointSets region_, patch_;
-  std::vector<int> parity_;                ///< of each region, by its first face
+  std::vector<int> parity_;                ///< parity of each region, by its first face
   std::vector<std::vector<int>> members_;  ///< regions of each patch
   std::vector<std::pair<int, int>> seam_edges_;
   std::map<int, int> seams_;

@@ -9,7 +9,7 @@
 
 namespace taxel {
 
-/// What is wrapped.
+/// The kind of body that a wrap makes of some faces.
 enum class WrapKind {
   solid,            ///< the space that the faces wind around
   sheet,            ///< a body of the pad's thickness behind the faces
@@ -24,7 +24,7 @@ class WrapField {
   /// too large.
   WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind kind, const RepairLimits& limits);
   [[nodiscard]] double operator()(const dvec3& p) const;
-  [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< of the body, with two edges around
+  [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< bounds of the body, with two edges around
   [[nodiscard]] const MeshIndex& faces() const { return *index_; }
 
  private:
@@ -48,7 +48,7 @@ class WrapField {
   std::vector<std::pair<dvec3, dvec3>> rim_;  ///< ends of edges with one face [m]
   Bvh rim_tree_;
   Aabb bounds_;
-  double width_ = 0;  ///< of a cell [m]
+  double width_ = 0;  ///< width of a cell [m]
   ivec3 counts_{0};
   std::vector<Cell> cells_;
 };

@@ -14,7 +14,7 @@
 namespace taxel {
 namespace {
 
-constexpr float kMaxTurnDeg = 60;  ///< of a face by one collapse; larger turns fold the surface
+constexpr float kMaxTurnDeg = 60;  ///< largest turn of a face by one collapse; larger ones fold the surface
 
 using QuadricBase = OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>;
 

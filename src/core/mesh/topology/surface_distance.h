@@ -8,7 +8,7 @@ namespace taxel {
 /// From points of each surface to the closest point of the other one [m].
 struct SurfaceDistance {
   double largest = 0;  ///< a lower bound of the Hausdorff distance; exact for vertices
-  double rms = 0;      ///< of the points that are spread over both surfaces
+  double rms = 0;      ///< root mean square over points spread over both surfaces
 };
 
 /// Measures both ways: from all vertices, and from `points` points spread evenly by area. Deterministic.

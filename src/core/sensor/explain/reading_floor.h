@@ -1,4 +1,4 @@
-// What a largest reading counts at least where a change is measured as a fraction of it.
+// Least value of the largest reading when a change is measured as a fraction of it.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 
 namespace taxel {
 
-/// 1e-4 of the modulus, below what any contact of a sensor reads: it only keeps rounding from being a jump. For readings
-/// that are forces, that pressure on the largest receptive field. 0 for a rigid sensor. [unit of the reading]
+/// Returns 1e-4 of the modulus, which is less than any contact of a sensor reads, so that rounding is not a jump. For
+/// readings that are forces: that pressure times the largest receptive field. 0 for a rigid sensor. [unit of the
+/// reading]
 inline double reading_floor(const SensorModel& model) {
   constexpr double kFraction = 1e-4;
   const double pressure = kFraction * model.layout.material.modulus;

@@ -4,7 +4,7 @@
 //   material (4: modulus, thickness, dissipation, friction); of a soft half-space half_space (2: stiffness, thickness),
 //   of a rigid mesh mesh (number), of a soft body vertices (v, 3), tets (t, 4), pressure (v), core (1: ends on a rigid
 //   core), of one that goes on beyond its tets skin (number of a mesh), depth (2: thickness, E/H)
-//   sensor<i>/body/... likewise, of a soft geom without taxels
+//   sensor<i>/body/... the same arrays, for a soft geom without taxels
 //   sensor<i>/touched (t, 5: body or -1, geom, sensor, mirrored, is known), touched_names, touched_pos (t, 3),
 //   touched_quat (t, 4), touched_shapes (t texts: "" where it is a sensor), touched_sizes (t, 3), touched_meshes (t)
 #pragma once

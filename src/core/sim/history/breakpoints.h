@@ -52,7 +52,7 @@ using Stop = std::variant<Jump, Disagreement>;
 struct SensorSignal {
   std::span<const double> readings;
   double force = 0;  ///< magnitude [N]
-  double least = 0;  ///< what a largest reading counts at least (reading_floor.h) [unit of the readings]
+  double least = 0;  ///< least value of a largest reading (reading_floor.h) [unit of the readings]
 };
 
 /// The readings of one sensor in the steps so far.
@@ -71,7 +71,7 @@ struct ReadingHistory {
 
 /// Compares each step with the one before. Equation: taxel k of a sensor jumps in step n when
 /// |r_k(n) - r_k(n-1)| > jump * max(least, max over all steps m <= n of |r_k(m)|),
-/// and it does so at equal force where |F(n) - F(n-1)| <= equal_force * max(F(n), F(n-1)) besides. With `of_sensor` the
+/// and it does so at equal force if also |F(n) - F(n-1)| <= equal_force * max(F(n), F(n-1)). With `of_sensor` the
 /// largest reading is that of all taxels.
 ///
 /// A first touch is no jump: a reading that begins to grow as n^c changes by the fraction c / n of itself in its n-th
@@ -90,8 +90,8 @@ class JumpDetector {
   void go_on_from(std::span<const SensorSignal> sensors, std::span<const ReadingHistory> histories);
   /// Of all taxels of a sensor, of the steps compared so far.
   [[nodiscard]] double largest(std::size_t sensor) const;
-  /// What fractions of each taxel's readings are fractions of [Pa] or [N]; infinite where a taxel does not count yet
-  /// for a threshold `limit`.
+  /// Returns for each taxel the reading that fractions are measured by [Pa] or [N]; infinite if the taxel does not
+  /// count yet for a threshold `limit`.
   [[nodiscard]] std::vector<double> scales(std::size_t sensor, double least, double limit, bool of_sensor) const;
 
  private:

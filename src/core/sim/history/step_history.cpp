@@ -160,7 +160,7 @@ std::optional<Disagreement> StepHistory::disagreement(const StepView& view) cons
   return worst;
 }
 
-/// What is known of the readings of the oldest rows stays known.
+/// Drops the oldest rows and keeps their largest readings and their numbers of touched steps.
 void StepHistory::trim_rows() {
   const std::size_t count = rows_.rows() - size();
   if (count > 0 && rows_.forgotten_largest.size() != rows_.reading_count) {

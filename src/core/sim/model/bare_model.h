@@ -9,10 +9,10 @@
 
 namespace taxel {
 
-/// The model of a sensor without taxels, samples and rays with this body; `surface` is what is drawn of it.
+/// Returns the model of a sensor with this body but without taxels, samples and rays; `surface` is drawn for it.
 SensorModelPtr bare_model(const std::string& name, const TriMeshPtr& surface, const HydroBodyPtr& body);
 
-/// The same of a geom, in the geom's frame.
+/// Returns the model for a geom, in the geom's frame.
 SensorModelPtr bare_model(const mjModel& m, int geom, const HydroBodyPtr& body);
 
 }  // namespace taxel

@@ -24,8 +24,8 @@ struct TouchedGeom {
   int geom = -1;
   HydroBodyPtr body;  ///< null: a partner that has no body yet, or none that can be touched
   PairProperties properties;
-  Pose X_GB;                    ///< of the touched body's frame in the geom's; identity unless it is a sensor's
-  double half_diagonal = 0;     ///< of the touched body's bounds [m]; 0 unless this body is a half-space
+  Pose X_GB;                    ///< touched body's frame in the geom's; identity unless it is a sensor's
+  double half_diagonal = 0;     ///< half of the touched body's diagonal [m]; 0 unless this is a half-space
   PairRole role;                ///< towards a declared body on the geom
   bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
   unsigned step_checks = 0;     ///< how often the time step was to be checked
@@ -34,9 +34,9 @@ struct TouchedGeom {
 
 /// A pair in one state.
 struct PairState {
-  Pose X_WB;               ///< of the touched body's frame
-  Twist V;                 ///< of the body relative to it, at M's origin, frame M
-  Twist V_rub;             ///< the same where `wrench` was found: of the step's end where that is implicit
+  Pose X_WB;               ///< touched body's frame in the world
+  Twist V;                 ///< motion of the body relative to B, at M's origin, frame M
+  Twist V_rub;             ///< V for which `wrench` was found: of the step's end if that is implicit
   ContactSurface surface;  ///< frame M
   Wrench wrench;           ///< on the body
 };
@@ -63,7 +63,7 @@ class BodyContacts {
 
   [[nodiscard]] BodyId id() const { return declared_[self_].id; }
   [[nodiscard]] const ContactSettings& settings() const { return declared_[self_].settings; }
-  [[nodiscard]] const HydroBodyPtr& body() const { return body_; }  ///< null before set_body()
+  [[nodiscard]] const HydroBodyPtr& body() const { return body_; }  ///< body, or null before set_body()
   [[nodiscard]] const Pose& X_GM() const { return X_GM_; }
   [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return touched_; }
   /// Size of the contact with a touched geom, which compares angles with lengths [m].
@@ -97,7 +97,7 @@ class BodyContacts {
   /// Forgets all states.
   void reset();
 
-  std::vector<std::string> warnings;  ///< what the user should know of the scene
+  std::vector<std::string> warnings;  ///< warnings about the scene, for the user
   SensorTimes times;                  ///< time spent so far; a copy begins at 0
   /// Set by the plugin when a callback failed: reported once, then the body has no contacts.
   std::string failure;

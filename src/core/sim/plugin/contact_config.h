@@ -13,12 +13,12 @@
 namespace taxel {
 
 struct ContactConfig {
-  std::string name;                        ///< of the instance, for messages
+  std::string name;                        ///< name of the instance, for messages
   OtherMaterials materials;                ///< by geom name
   std::vector<ContactSettings> bodies;     ///< the soft geoms without a sensor, ascending by geom
   std::vector<std::pair<int, int>> pairs;  ///< named pairs, the smaller geom first, ascending; empty: all that collide
   bool apply = true;                       ///< forces move bodies; otherwise they are sensed only
-  std::vector<Output> output;              ///< of each body, in the order of `bodies`
+  std::vector<Output> output;              ///< outputs of each body, in the order of `bodies`
 };
 
 /// Reads and checks all keys. Throws Error whose place is the key: a geom that does not exist or is named twice, a pair

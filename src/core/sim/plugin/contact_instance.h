@@ -15,7 +15,7 @@ class ContactInstance {
   ContactInstance(const mjModel& m, int instance);
 
   [[nodiscard]] const ContactConfig& config() const { return config_; }
-  [[nodiscard]] std::vector<BodyContacts>& bodies() { return bodies_; }  ///< as config().bodies
+  [[nodiscard]] std::vector<BodyContacts>& bodies() { return bodies_; }  ///< one per entry of config().bodies
 
   /// Retains the present state of all bodies and fills sensordata.
   void sense(const mjModel& m, mjData& d);

@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-/// The body that stands for a geom; null if there is none.
+/// Returns the body that represents a geom, or null if there is none.
 const DeclaredBody* body_on(const std::vector<DeclaredBody>& bodies, int geom) {
   const DeclaredBody* found = nullptr;
   for (const DeclaredBody& body : bodies) {
@@ -115,7 +115,7 @@ void give_pairs_to_sensors(const mjModel& m, Declared& all, int instance) {
   }
 }
 
-/// What is touched touches; a material given by a contact counts for all.
+/// Adds each named pair to both of its bodies, and the material that a contact gives a geom to all of them.
 void complete_settings(Declared& all) {
   for (const DeclaredContact& contact : all.contacts)
     for (DeclaredBody& body : all.bodies)

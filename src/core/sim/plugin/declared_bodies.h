@@ -1,5 +1,5 @@
-// The bodies whose contacts a model declares: each sensor, and each soft geom of a `taxel.contact`. Which of two such
-// bodies computes their contact: both feel one surface, and one wrench moves them.
+// The bodies whose contacts a model declares: each sensor, and each soft geom of a `taxel.contact`. Also decides which
+// of two such bodies computes their contact: both feel one surface, and one wrench moves them.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -22,17 +22,18 @@ struct BodyId {
 
 struct DeclaredBody {
   BodyId id;
-  bool sensor = true;        ///< of a `taxel.sensor`
-  ContactSettings settings;  ///< as configured, then completed by complete_settings()
+  bool sensor = true;        ///< whether the instance is a `taxel.sensor`
+  ContactSettings settings;  ///< configured values, then completed by complete_settings()
 };
 
-/// The bodies that the model declares, ascending. An instance whose configuration cannot be read is left out, since its
-/// own init says why; only for `instance` the Error is thrown.
+/// Returns the bodies that the model declares, ascending. An instance whose configuration cannot be read is left out,
+/// because its own init reports the reason; only for `instance` the Error is thrown.
 ///
-/// The settings are completed by those of the other bodies: what is touched touches; a pair of a `taxel.contact` with a
-/// sensor's geom belongs to the sensor; and a material that a `taxel.contact` gives a geom counts for all. Throws Error
-/// if `instance` gives a geom another material than another instance does, makes a geom soft that another instance
-/// makes soft, or applies forces of a pair that a sensor only senses, or the other way round.
+/// The settings are completed by those of the other bodies: a pair that one of two bodies names is a pair of both; a
+/// pair of a `taxel.contact` with a sensor's geom belongs to the sensor; and a material that a `taxel.contact` gives a
+/// geom holds for all instances. Throws Error if `instance` gives a geom another material than another instance does,
+/// makes a geom soft that another instance makes soft, or applies forces of a pair that a sensor only senses, or the
+/// other way round.
 std::vector<DeclaredBody> declared_bodies(const mjModel& m, int instance);
 
 /// How a body and a geom that it touches share their contact.
@@ -42,9 +43,9 @@ struct PairRole {
   bool applies = true;    ///< the wrench moves bodies: once per pair of geoms
 };
 
-/// The role of `self` towards `geom`. Of two bodies that one computes the pair which applies forces, else the one whose
-/// geom's name comes first. Where several sensors lie on one geom, the first that applies forces, else the first,
-/// stands for it; the others compute their pairs with bodies for themselves and move nothing.
+/// Returns the role of `self` towards `geom`. Of two bodies the one that applies forces computes the pair, otherwise
+/// the one whose geom's name comes first. If several sensors are on one geom, the first that applies forces represents
+/// it, otherwise the first; the others compute their pairs for themselves and move nothing.
 PairRole pair_role(const std::vector<DeclaredBody>& bodies, const DeclaredBody& self, int geom);
 
 }  // namespace taxel

@@ -103,7 +103,7 @@ int count_states(const mjModel* m, int instance) {
 
 int count_sensor_values(const mjModel* m, int instance, int) {
   int count = 0;
-  // What is wrong is reported by init, which follows: MuJoCo makes that the compile error.
+  // An error is left to init, which follows: MuJoCo makes the error of init the compile error.
   try {
     const bool contact = is_plugin(m->plugin[instance], kContactPluginName);
     count = contact ? contact_dimension(*m, instance) : sensor_dimension(*m, instance);

@@ -32,7 +32,7 @@ using OtherMaterials = std::map<std::string, OtherMaterial>;
 /// The part of a configuration that says which contacts of a geom are computed: that of a sensor, or that of a soft
 /// geom of a `taxel.contact`.
 struct ContactSettings {
-  std::string name;           ///< of the instance, for messages
+  std::string name;           ///< name of the instance, for messages
   int geom = -1;              ///< geom whose contacts are computed
   std::string geom_name;      ///< its name
   std::vector<int> others;    ///< geoms it touches, ascending

@@ -34,7 +34,7 @@ dvec3 box_half(const mjModel& m, int geom) {
   return vec3(m.geom_size + 3 * geom);
 }
 
-/// What the fields of the scene say of the geom; a box is as thick as its pad can be.
+/// Sets the material that the fields of the scene give the geom. The pad of a box is as thick as it can be.
 void take_material(const mjModel& m, int geom, ImportedLayout& imported) {
   Material& material = imported.layout.material;
   if (m.geom_type[geom] == mjGEOM_BOX) {

@@ -17,8 +17,8 @@ namespace taxel {
 ImportedLayout read_attached_layout(const SceneAttachment& attachment);
 
 /// Puts the layout on the mesh that is chosen, otherwise on that of the geom, and compiles it. A field "cs::GEOM" of
-/// the scene gives the material. Adds to `notes` what was not in the file. Throws Error naming file and place: no such
-/// geom, or one whose shape is neither a mesh file nor a box.
+/// the scene gives the material. Adds values that were not in the file to `notes`. Throws Error naming file and place:
+/// no such geom, or one whose shape is neither a mesh file nor a box.
 SensorModelPtr compile_attached_layout(const SceneAttachment& attachment, ImportedLayout imported,
                                        const std::string& geom, const mjModel& scene, std::vector<std::string>& notes);
 

@@ -20,7 +20,7 @@ namespace {
 struct Dropped {
   std::string_view parent;   ///< element around the attribute's element; empty: any
   std::string_view element;  ///< element that had the attribute
-  std::string_view name;     ///< of the attribute
+  std::string_view name;     ///< name of the attribute
   std::string_view renamed;  ///< attributes that took over its value, separated by spaces; empty: none did
   std::string_view reason;   ///< for the note
 };
@@ -58,7 +58,7 @@ struct Tag {
   std::size_t end = 0;  ///< behind it
 };
 
-/// Tags of XML one after another. Stops at what is no XML.
+/// Reads the tags of XML one after another. Stops at text that is no XML.
 class Tags {
  public:
   explicit Tags(std::string_view text) : text_(text) {}

@@ -19,7 +19,7 @@ std::string without_dropped_attributes(const std::string& xml, const std::string
 
 /// A file of a scene with other text than on disk.
 struct CurrentMjcf {
-  std::filesystem::path file;  ///< as MuJoCo will ask for it
+  std::filesystem::path file;  ///< path under which MuJoCo opens it
   std::string text;
 };
 

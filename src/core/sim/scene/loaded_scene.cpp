@@ -105,14 +105,14 @@ void exclude_contacts(CompiledScene& scene, const std::set<IntPair>& pairs) {
   }
 }
 
-/// The name of the `taxel.contact` that stands for the fields of a scene of the predecessor's.
+/// Name of the `taxel.contact` that replaces the fields of a scene of the predecessor's.
 constexpr const char* kOldContact = "contacts of the scene";
 
 /// A sensor to be added to a scene.
 struct AddedSensor {
   std::string instance, geom, keys;          ///< keys: further ones, as MJCF
-  SensorModelPtr model;                      ///< null until the scene is known, for layouts of other programs
-  const SceneAttachment* foreign = nullptr;  ///< that asks for such a layout
+  SensorModelPtr model;                      ///< model; null until the scene is known, for layouts of other programs
+  const SceneAttachment* foreign = nullptr;  ///< request for a layout of another program, or null
   ImportedLayout imported = {};
 };
 
@@ -159,8 +159,8 @@ void compile_foreign(std::vector<AddedSensor>& added, CompiledScene& scene) {
       one.model = compile_attached_layout(*one.foreign, std::move(one.imported), one.geom, *scene.model, scene.notes);
 }
 
-/// The scene with the sensors, and with the contact of these keys unless they are empty. The text pretends to lie
-/// beside the scene, so that relative names keep their meaning.
+/// Returns the scene with the sensors, and with a contact of these keys unless they are empty. Relative names in the
+/// text are those of the scene's folder.
 std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& added, const std::string& contact) {
   std::string instances, sensors;
   for (const AddedSensor& one : added) {
@@ -218,8 +218,8 @@ void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>&
   }
 }
 
-/// Adds the sensors that the fields of a scene of the predecessor's ask for, and what its fields say of those added
-/// already. Returns the keys of a `taxel.contact` for all other soft geoms; empty if there are none.
+/// Adds the sensors that the fields of a scene of the predecessor's request, and the values of its fields to the
+/// sensors added before. Returns the keys of a `taxel.contact` for all other soft geoms; empty if there are none.
 std::string add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, CompiledScene& scene) {
   const OldFields fields = old_fields(m);
   scene.notes.insert(scene.notes.end(), fields.notes.begin(), fields.notes.end());
@@ -257,7 +257,8 @@ void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added, c
     if (one == added.end()) continue;
     const int unnamed = unnamed_geom(one->geom);
     if (unnamed >= 0 && unnamed != config.geom)
-      throw Error(name, fmt::format("geom {} cannot be told from others: name it in the scene", unnamed));
+      throw Error(name,
+                  fmt::format("geom {} has no name, so the sensor cannot refer to it: name it in the scene", unnamed));
     scene.handed[config.name] = one->model;
     if (!config.apply) continue;
     for (const int other : config.others) pairs.insert(ordered(config.geom, other));

@@ -29,8 +29,8 @@ struct OldFields {
 /// signed distance functions can only be rigid: their modulus becomes 0, with a note.
 OldFields old_fields(const mjModel& m);
 
-/// Returns the keys "others", "materials" and "force" of a `taxel.sensor` on that geom, as MJCF: what the fields say of
-/// the others. Empty if the geom has no field.
+/// Returns the keys "others", "materials" and "force" of a `taxel.sensor` on that geom, as MJCF: the values that the
+/// fields give the other geoms. Empty if the geom has no field.
 std::string old_keys(const mjModel& m, const OldFields& fields, const std::string& geom);
 
 /// Returns the keys of a `taxel.contact` for the soft geoms that have no sensor, as MJCF: their contacts with each
