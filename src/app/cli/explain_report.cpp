@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/number_text.h"
 #include "core/layout/words.h"
 
 namespace taxel::cli {
@@ -98,8 +99,10 @@ std::string explain_text(const Explanation& e) {
   const std::string name = e.name.empty() ? "" : fmt::format(" ({})", e.name);
   text += fmt::format("\ntaxel {}{} at {:.6g} s, {} [{}]\n", e.id, name, e.time, to_word(e.aggregate),
                       reading_unit(e.aggregate));
-  text += fmt::format("{:>16} {:.6g}", "reading", e.reading);
-  text += e.change ? fmt::format(", before {:.6g}\n", e.change->reading.before) : "\n";
+  constexpr int kDigits = 6;
+  const NumberPair readings = number_pair(e.reading, e.change ? e.change->reading.before : e.reading, kDigits);
+  text += fmt::format("{:>16} {}", "reading", readings.first);
+  text += e.change ? fmt::format(", before {}\n", readings.second) : "\n";
   text += fmt::format("{:>16} {}", "exact integral", value_text(e.exact));
   text += e.exact_before ? fmt::format(", before {}\n", value_text(*e.exact_before)) : "\n";
   return text + levels_text(e) + budget_text(e.budget) + polygons_text(e) + samples_text(e);

@@ -142,16 +142,19 @@ std::string taxel_text(const Taxel& taxel) {
 
 std::string stop_text(const Jump& jump, const Taxel& taxel, const ui::ReadingUnit& unit, const char* whose) {
   const double force = jump.force_before > 0 ? 100 * (jump.force_after / jump.force_before - 1) : 0.0;
+  constexpr int kForceDigits = 4;
+  const NumberPair readings = ui::pair_in_unit(jump.before, jump.after, unit);
+  const NumberPair forces = number_pair(jump.force_before, jump.force_after, kForceDigits);
   return fmt::format(
-      "{} jumped from {} to {}, {:.1f} % of {} largest reading, while the force {} {:.4g} to {:.4g} N ({:+.2f} %)",
-      taxel_text(taxel), ui::in_unit(jump.before, unit), ui::in_unit(jump.after, unit), 100 * jump.part, whose,
-      jump.at_equal_force ? "stayed," : "went from", jump.force_before, jump.force_after, force);
+      "{} jumped from {} to {}, {:.1f} % of {} largest reading, while the force {} {} to {} N ({:+.2f} %)",
+      taxel_text(taxel), readings.first, readings.second, 100 * jump.part, whose,
+      jump.at_equal_force ? "stayed," : "went from", forces.first, forces.second, force);
 }
 
 std::string stop_text(const Disagreement& gap, const Taxel& taxel, const ui::ReadingUnit& unit, const char* whose) {
+  const NumberPair readings = ui::pair_in_unit(gap.sampled, gap.exact, unit);
   return fmt::format("{} reads {} by its samples and {} by the surface, {:.1f} % of {} largest reading apart",
-                     taxel_text(taxel), ui::in_unit(gap.sampled, unit), ui::in_unit(gap.exact, unit), 100 * gap.part,
-                     whose);
+                     taxel_text(taxel), readings.first, readings.second, 100 * gap.part, whose);
 }
 
 std::uint64_t step_of(const Stop& stop) {

@@ -54,18 +54,22 @@ void draw_verdict(UiState& ui, const UiInput& input, const Explanation& e) {
                                             to_u32(color_of(e.change->verdict.cause, colors)));
 }
 
-void property_exact(const char* name, const ExactReading& exact, const ReadingUnit& unit) {
-  property(name, exact.value ? fmt::format("{} \xc2\xb1 {:.1g}", in_unit(*exact.value, unit), unit.scale * exact.error)
-                             : "there is none");
+/// `text` is the exact reading with its unit.
+void property_exact(const char* name, const ExactReading& exact, const std::string& text, const ReadingUnit& unit) {
+  property(name, exact.value ? fmt::format("{} \xc2\xb1 {:.1g}", text, unit.scale * exact.error) : "there is none");
   if (!exact.value) tooltip(exact.missing);
 }
 
 void draw_exact(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
   if (!header(ui, "Exact and sampled") || !begin_properties("exact")) return;
-  property("Reading", in_unit(e.reading, unit));
-  property_exact("Exact integral", e.exact, unit);
-  if (e.change) property("Reading before", in_unit(e.change->reading.before, unit));
-  if (e.exact_before) property_exact("Exact before", *e.exact_before, unit);
+  const NumberPair readings = pair_in_unit(e.reading, e.change ? e.change->reading.before : e.reading, unit);
+  const double exact = e.exact.value.value_or(0);
+  const double exact_before = e.exact_before ? e.exact_before->value.value_or(exact) : exact;
+  const NumberPair exacts = pair_in_unit(exact, exact_before, unit);
+  property("Reading", readings.first);
+  property_exact("Exact integral", e.exact, exacts.first, unit);
+  if (e.change) property("Reading before", readings.second);
+  if (e.exact_before) property_exact("Exact before", *e.exact_before, exacts.second, unit);
   end_properties();
 }
 
@@ -82,7 +86,9 @@ void draw_change(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
   samples("Began to hit", c.began);
   samples("Ceased", c.ceased);
   samples("Stayed", c.stayed);
-  property("Force", fmt::format("{} to {}", newtons(c.force.before), newtons(c.force.now)));
+  constexpr int kForceDigits = 4;
+  const NumberPair forces = number_pair(c.force.before, c.force.now, kForceDigits);
+  property("Force", fmt::format("{} to {} N", forces.first, forces.second));
   end_properties();
 }
 

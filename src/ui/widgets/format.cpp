@@ -48,7 +48,19 @@ ReadingUnit shown_unit(Aggregate aggregate) {
 }
 
 std::string in_unit(double reading, const ReadingUnit& unit) {
-  return fmt::format("{:.{}f} {}", unit.scale * reading, unit.pressure ? 2 : 3, unit.text);
+  constexpr int kDigits = 3, kMaxDecimals = 7;
+  const double shown = unit.scale * reading;
+  int decimals = unit.pressure ? 2 : 3;
+  if (std::abs(shown) > std::pow(10.0, -kMaxDecimals))
+    decimals =
+        std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), decimals, kMaxDecimals);
+  return fmt::format("{:.{}f} {}", shown, decimals, unit.text);
+}
+
+NumberPair pair_in_unit(double first, double second, const ReadingUnit& unit) {
+  constexpr int kDigits = 3;
+  const NumberPair numbers = number_pair(unit.scale * first, unit.scale * second, kDigits);
+  return {fmt::format("{} {}", numbers.first, unit.text), fmt::format("{} {}", numbers.second, unit.text)};
 }
 
 std::string number_in_unit(double reading, const ReadingUnit& unit) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/number_text.h"
 #include "core/layout/layout.h"
 
 namespace taxel::ui {
@@ -20,7 +21,10 @@ struct ReadingUnit {
   bool pressure = true;  ///< shares the range of the contact surface's colours
 };
 ReadingUnit shown_unit(Aggregate aggregate);
-std::string in_unit(double reading, const ReadingUnit& unit);         ///< "12.34 kPa"
+/// "12.34 kPa". Small readings get three significant digits, down to a ten-millionth of the unit.
+std::string in_unit(double reading, const ReadingUnit& unit);
+/// Two readings that are compared, each with its unit, with enough digits to see that they differ: see number_pair().
+NumberPair pair_in_unit(double first, double second, const ReadingUnit& unit);
 std::string number_in_unit(double reading, const ReadingUnit& unit);  ///< "12.3": short, for bars
 std::string grouped(long long count);                                 ///< "12 345"
 /// value * 10^exponent as one would write it: 4.2 by -3 is the number that is nearest to 0.0042.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
+
 namespace taxel {
 namespace {
 
@@ -90,11 +92,13 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
     case Cause::contact:
       break;
   }
+  constexpr int kForceDigits = 3;
   const double larger = std::max(in.force.before, in.force.now);
-  const std::string force =
-      v.force_stays ? fmt::format("the force on the sensor stayed at {:.3g} N", in.force.now)
-                    : fmt::format("the force on the sensor went from {:.3g} to {:.3g} N ({:+.3g} %)", in.force.before,
-                                  in.force.now, larger > 0 ? 100 * in.force.change() / larger : 0.0);
+  const NumberPair forces = number_pair(in.force.before, in.force.now, kForceDigits);
+  const std::string force = v.force_stays
+                                ? fmt::format("the force on the sensor stayed at {:.3g} N", in.force.now)
+                                : fmt::format("the force on the sensor went from {} to {} N ({:+.3g} %)", forces.first,
+                                              forces.second, larger > 0 ? 100 * in.force.change() / larger : 0.0);
   std::string text = fmt::format("{}: {}{}; {}.", v.cause == Cause::contact ? "The contact itself" : "Redistribution",
                                  reading, exactly, force);
   if (v.cause == Cause::redistribution) text += " The pressure moved to other places.";
