@@ -121,7 +121,7 @@ TEST(BadMesh, Open) {
   const Json soft = taxel_json({"contact", "case.json"}, mesh_case(open));
   EXPECT_NE(soft["warnings"].dump().find("1 hole"), std::string::npos) << soft["warnings"];
   EXPECT_GT(soft["area"], 0);
-  expect_contact_warns(open, "3 open edges around 1 hole, the first at (0, -0.02, 0.02)", Json::object());
+  expect_contact_warns(open, "3 open edges around 1 hole, the first at (0, -20, 20) mm", Json::object());
   expect_mesh_told(open, "mesh_open", "3 open edges");
 }
 
@@ -209,7 +209,7 @@ TEST(BadMesh, OfAWrongUnitIsWarnedOf) {
 
 TEST(BadMesh, PadThickerThanTheBody) {
   expect_contact_warns(Obj().box(0.02).text(),
-                       "the pad is 0.05 m thick, more than half of the body's smallest extent, 0.02 m",
+                       "the pad is 50 mm thick, more than half of the body's smallest extent, 20 mm",
                        {{"modulus", 5e4}, {"thickness", 0.05}});
 }
 

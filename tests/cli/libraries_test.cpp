@@ -31,7 +31,7 @@ TEST(Libraries, HalfEdgesFindTheEdgeThatHasThreeFaces) {
   const fs::path folder = test_folder();
   // a fin on the upper edge at +x: a triangle over corners 6 and 8 and a point above
   write_text(folder / "fin.obj", box_obj(0.01) + "v 0.03 0 0.03\nf 6 8 9\n");
-  const std::string bad = "1 edge with more than two faces, the first at (0.01, 0, 0.01) (3 faces)";
+  const std::string bad = "1 edge with more than two faces, the first at (10, 0, 10) mm (3 faces)";
   const Outcome check = taxel({"check", "fin.obj", "--json"}, folder);
   EXPECT_EQ(check.status, 1);
   const Json problems = Json::parse(check.out)["problems"];

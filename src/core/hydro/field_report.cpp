@@ -2,21 +2,27 @@
 
 #include <fmt/format.h>
 
+#include "core/base/number_text.h"
+
 namespace taxel {
 namespace {
-
-std::string vector(const dvec3& v) {
-  return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z);
-}
 
 const char* plural(int count) {
   return count == 1 ? "" : "s";
 }
 
-/// "13 faces (0.2 mm^2, 0.1 % of the skin) between (..) and (..)"
+/// "13 faces (0.2 mm\u00b2, 0.1 % of the skin) between (..) mm and (..) mm"
 std::string part_text(const SkinPart& part, double skin_area) {
-  return fmt::format("{} face{} ({:.3g} m^2, {:.3g} % of the skin) between {} and {} m", part.faces, plural(part.faces),
-                     part.area, 100 * part.area / skin_area, vector(part.bounds.lo), vector(part.bounds.hi));
+  return fmt::format("{} face{} ({}, {:.3g} % of the skin) between {} and {}", part.faces, plural(part.faces),
+                     in_mm2(part.area), 100 * part.area / skin_area, place_in_mm(part.bounds.lo),
+                     place_in_mm(part.bounds.hi));
+}
+
+/// "face 12, (1, 2, 3) mm". A face that the repair filled in has no number in the file.
+std::string worst_face_text(const SkinPart& part) {
+  const std::string face =
+      part.worst_face < 0 ? "a face that the repair filled in" : fmt::format("face {}", part.worst_face);
+  return fmt::format("{}, {}", face, place_in_mm(part.worst_place));
 }
 
 /// "; 0.1 H deep 1 +- 0.003 times E depth/H, 0.25 H deep 0.99 +- 0.02; no tets 0.25 H below 4 %, 1 H below 78 % of the
@@ -54,23 +60,23 @@ std::string pad_text(const FieldReport& report) {
 void add_limits(const FieldReport& report, const std::string& file, const std::string& pointer, Problems& out) {
   if (report.thickness > report.deepest && report.core) {
     out.push_back({file, pointer, Severity::warning, "field_thicker_than_body",
-                   fmt::format("the pad is {:.4g} m thick, more than half of the body's smallest extent, {:.4g} m: it "
+                   fmt::format("the pad is {} thick, more than half of the body's smallest extent, {}: it "
                                "ends in the middle, where the pressure is below the modulus",
-                               report.thickness, report.deepest),
+                               in_mm(report.thickness), in_mm(report.deepest)),
                    "a thickness in metres, below that"});
   }
   if (report.limited.faces > 0) {
-    out.push_back({file, pointer, Severity::note, "field_thickness_limited",
-                   fmt::format("the pad is thinner than {:.3g} m at {}: {:.3g} of it is left at face {}, {}",
-                               report.thickness, part_text(report.limited, report.skin_area), report.least_part,
-                               report.limited.worst_face, vector(report.limited.worst_place)),
-                   ""});
+    out.push_back(
+        {file, pointer, Severity::note, "field_thickness_limited",
+         fmt::format("the pad is thinner than {} at {}: {:.3g} of it is left at {}", in_mm(report.thickness),
+                     part_text(report.limited, report.skin_area), report.least_part, worst_face_text(report.limited)),
+         ""});
   }
   if (report.bare.faces > 0) {
     out.push_back(
         {file, pointer, Severity::note, "field_bare",
-         fmt::format("{} have no tets, folded or edge on: depth pieces serve contact there; the largest is face {}, {}",
-                     part_text(report.bare, report.skin_area), report.bare.worst_face, vector(report.bare.worst_place)),
+         fmt::format("{} have no tets, folded or edge on: depth pieces serve contact there; the largest is {}",
+                     part_text(report.bare, report.skin_area), worst_face_text(report.bare)),
          ""});
   }
 }

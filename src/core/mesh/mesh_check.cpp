@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/halfedge.h"
 
@@ -15,9 +16,8 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-std::string place(const TriMesh& mesh, int a, int b) {
-  const dvec3 p = 0.5 * (mesh.vertices()[at(a)] + mesh.vertices()[at(b)]);
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+std::string middle_text(const TriMesh& mesh, int a, int b) {
+  return place_in_mm(0.5 * (mesh.vertices()[at(a)] + mesh.vertices()[at(b)]));
 }
 
 const char* plural(std::size_t count) {
@@ -39,21 +39,21 @@ void add_edge_problems(const TriMesh& mesh, const std::string& file, Problems& p
   if (!open.empty()) {
     problems.push_back({file, "", Severity::warning, "mesh_open",
                         fmt::format("{} open edge{} around {}, the first at {}", open.size(), plural(open.size()),
-                                    holes_text(mesh, open), place(mesh, open[0].first, open[0].second)),
+                                    holes_text(mesh, open), middle_text(mesh, open[0].first, open[0].second)),
                         "close the mesh: without an inside it has no pressure field"});
   }
   const auto& bad = half_edges.nonmanifold_edges();
   if (!bad.empty()) {
     problems.push_back({file, "", Severity::error, "mesh_nonmanifold",
                         fmt::format("{} edge{} with more than two faces, the first at {} ({} faces)", bad.size(),
-                                    plural(bad.size()), place(mesh, bad[0].a, bad[0].b), bad[0].faces.size()),
+                                    plural(bad.size()), middle_text(mesh, bad[0].a, bad[0].b), bad[0].faces.size()),
                         "remove the inner faces there"});
   }
   const auto& turned = half_edges.misoriented_edges();
   if (!turned.empty()) {
     problems.push_back({file, "", Severity::error, "mesh_winding",
                         fmt::format("{} edge{} between faces that wind differently, the first at {} (faces {} and {})",
-                                    turned.size(), plural(turned.size()), place(mesh, turned[0].a, turned[0].b),
+                                    turned.size(), plural(turned.size()), middle_text(mesh, turned[0].a, turned[0].b),
                                     turned[0].faces[0], turned[0].faces[1]),
                         "orient the faces alike"});
   }
@@ -95,12 +95,11 @@ Problems check_cuts_and_size(const TriMesh& mesh, const SelfIntersections& cuts,
   if (cuts.pairs > 0) {
     constexpr double kFew = 1e-3;  // of the faces
     const Severity severity = cuts.pairs > kFew * mesh.face_count() ? Severity::warning : Severity::note;
-    problems.push_back({file, "", severity, "mesh_self_intersection",
-                        fmt::format("{} pair{} of faces cut through each other, the first at ({:.6g}, {:.6g}, {:.6g}) "
-                                    "(faces {} and {})",
-                                    cuts.pairs, plural(at(cuts.pairs)), cuts.place.x, cuts.place.y, cuts.place.z,
-                                    cuts.face_a, cuts.face_b),
-                        "unite the parts that overlap: nothing was repaired"});
+    problems.push_back(
+        {file, "", severity, "mesh_self_intersection",
+         fmt::format("{} pair{} of faces cut through each other, the first at {} (faces {} and {})", cuts.pairs,
+                     plural(at(cuts.pairs)), place_in_mm(cuts.place), cuts.face_a, cuts.face_b),
+         "unite the parts that overlap: nothing was repaired"});
   }
   const UnitGuess guess = guess_unit(mesh);
   if (guess.scale != 1) {

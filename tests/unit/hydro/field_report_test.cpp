@@ -1,5 +1,6 @@
 #include "core/hydro/field_report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "fixtures/hydro_bodies.h"
@@ -90,6 +91,14 @@ TEST(FieldReport, CountsFacesWithoutAPad) {
   const Problems problems = field_problems(report, "", "");
   ASSERT_NE(find(problems, "field_bare"), nullptr);
   EXPECT_NE(find(problems, "field_bare")->message.find(std::to_string(report.bare.faces)), std::string::npos);
+  const std::string named = fmt::format("face {}, (", report.bare.worst_face);
+  EXPECT_NE(find(problems, "field_bare")->message.find(named), std::string::npos);
+
+  const std::vector<int> filled(numbers.size(), -1);  // as a repair numbers the faces that it filled in
+  const Problems of_filled = field_problems(make_pad_field(mesh, 1e5, 0.002, filled)->report(), "", "");
+  const std::string& message = find(of_filled, "field_bare")->message;
+  EXPECT_NE(message.find("the largest is a face that the repair filled in, ("), std::string::npos) << message;
+  EXPECT_TRUE(message.ends_with(", 5) mm")) << message;
 }
 
 TEST(FieldReport, WarnsOfPadsThickerThanTheBody) {

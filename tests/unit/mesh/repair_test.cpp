@@ -1,4 +1,5 @@
 // Repair of meshes: each fault is made from a sound mesh, and healed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
@@ -305,6 +306,33 @@ TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
   }
 }
 
+/// What was removed and what went inside of a union are not added up.
+TEST(Repair, SummaryGivesEachKindOfAreaItsOwn) {
+  const TriMesh box = make_box({0.01, 0.01, 0.01});
+  std::vector<dvec3> vertices = box.vertices();
+  std::vector<ivec3> faces = box.faces();
+  const int corners = box.vertex_count();
+  for (const dvec3& v : box.vertices()) vertices.push_back(v + dvec3(0.01, 0.002, 0.003));
+  for (const ivec3& f : box.faces()) faces.push_back(f + ivec3(corners));
+  // A fin on an edge of the first box, away from the second.
+  const ivec3 face = box.faces().front();
+  vertices.push_back(box.vertex(0, 0) + dvec3(-0.002, -0.001, -0.001));
+  faces.emplace_back(face.x, face.y, static_cast<int>(vertices.size()) - 1);
+  const RepairedMesh repaired = repair(TriMesh(std::move(vertices), std::move(faces)));
+  EXPECT_EQ(codes(repaired), "repair_fin repair_united");
+  double fin = 0, inside = 0;
+  for (const RepairStep& step : repaired.report.steps) (step.code == "repair_fin" ? fin : inside) = step.area;
+  ASSERT_GT(fin, 0);
+  ASSERT_GT(inside, 0);
+  const double all = repaired.report.area_before;
+  EXPECT_EQ(repair_summary(repaired.report),
+            fmt::format("repaired: 1 fin removed ({:.3g} mm\u00b2, {:.2g} % of the area), {} united ({:.3g} mm\u00b2, "
+                        "{:.2g} % of the area), no vertex moved",
+                        1e6 * fin, 100 * fin / all,
+                        repaired.report.steps.back().count == 1 ? "1 overlapping shell" : "2 overlapping shells",
+                        1e6 * inside, 100 * inside / all));
+}
+
 TEST(Repair, HealsThePapersFingertip) {
   const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / "paper" / "ubi_tip_collision.stl";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "the paper's mesh is absent: " << path;
@@ -317,7 +345,7 @@ TEST(Repair, HealsThePapersFingertip) {
   EXPECT_EQ(repaired.report.vertices_moved, 0);
   EXPECT_EQ(repaired.report.shells_after, 1);
   EXPECT_EQ(repair_summary(repaired.report),
-            "repaired: 2 folded faces and 1 fin removed (2.63 mm^2, 0.16 % of the area), no vertex moved");
+            "repaired: 2 folded faces and 1 fin removed (2.63 mm\u00b2, 0.16 % of the area), no vertex moved");
   expect_sound(repaired, *loaded.mesh);
 }
 

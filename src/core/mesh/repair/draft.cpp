@@ -1,7 +1,5 @@
 #include "core/mesh/repair/draft.h"
 
-#include <fmt/format.h>
-
 #include <tuple>
 
 namespace taxel {
@@ -68,18 +66,6 @@ RepairStep start_step(const char* code) {
 
 void add_place(RepairStep& step, const dvec3& place) {
   if (step.count++ == 0) step.place = place;
-}
-
-std::string in_mm(double length) {
-  return fmt::format("{:.3g} mm", 1e3 * length);
-}
-
-std::string in_mm2(double area) {
-  return fmt::format("{:.3g} mm^2", 1e6 * area);
-}
-
-std::string at_place(const dvec3& place) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x, place.y, place.z);
 }
 
 }  // namespace taxel

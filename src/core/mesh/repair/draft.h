@@ -71,9 +71,4 @@ RepairStep start_step(const char* code);
 /// Counts one more place of a step; the first one is kept.
 void add_place(RepairStep& step, const dvec3& place);
 
-/// A length in millimetres, an area in square millimetres and a point, as messages write them.
-std::string in_mm(double length);
-std::string in_mm2(double area);
-std::string at_place(const dvec3& place);
-
 }  // namespace taxel

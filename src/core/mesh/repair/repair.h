@@ -79,8 +79,9 @@ RepairedMeshPtr repair_mesh(const TriMeshPtr& loaded, const RepairRecipe& recipe
 /// One problem per step, with its code and severity, for `file` at /mesh/file; none if nothing was changed.
 Problems repair_problems(const RepairReport& report, const std::string& file);
 
-/// The report in one line: "repaired: 2 folded faces and 1 fin removed (14.2 mm^2, 0.8 % of the area), no vertex
-/// moved". Empty if nothing was changed.
+/// The report in one line: "repaired: 2 folded faces and 1 fin removed (14.2 mm\u00b2, 0.8 % of the area), 1 hole
+/// filled (3 mm\u00b2, 0.2 % of the area), no vertex moved". Areas of different kinds are not added up. Empty if
+/// nothing was changed.
 std::string repair_summary(const RepairReport& report);
 
 }  // namespace taxel

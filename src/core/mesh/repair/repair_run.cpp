@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/number_text.h"
 #include "core/mesh/repair/distances.h"
 #include "core/mesh/repair/shells.h"
 #include "core/mesh/repair/wrap.h"
@@ -248,7 +249,7 @@ void RepairRun::check_encloses() const {
 
 void RepairRun::refuse_wrap() const {
   const Draft& first = to_wrap_.front().faces;
-  const std::string place = at_place(first.center(0));
+  const std::string place = place_in_mm(first.center(0));
   if (recipe_.level == RepairLevel::exact)
     throw Error(
         "", "/mesh/repair/level",

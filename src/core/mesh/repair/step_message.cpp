@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/number_text.h"
 #include "core/mesh/repair/draft.h"
 
 namespace taxel {
@@ -42,25 +43,32 @@ std::string counted(const RepairStep& step) {
   return fmt::format("{} {}", step.count, step.count == 1 ? words.singular : words.plural);
 }
 
-/// "2 folded faces and 1 fin removed, 1 hole filled".
-std::string all_clauses(const std::vector<RepairStep>& steps) {
-  std::string text;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const std::string_view verb = words_of(steps[i].code).verb;
-    const bool verb_follows = i + 1 < steps.size() && words_of(steps[i + 1].code).verb == verb;
-    const bool verb_before = i > 0 && words_of(steps[i - 1].code).verb == verb;
-    if (i > 0) text += verb_before && !verb_follows ? " and " : ", ";
-    text += counted(steps[i]);
-    if (!verb_follows) text += fmt::format(" {}", verb);
-  }
-  return text;
-}
-
 std::string area_text(double area, const RepairReport& report) {
   const double percent = 100 * area / report.area_before;
   // Two digits, but never as a power of ten for a large part.
   const std::string part = percent < 99.5 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
   return fmt::format("{}, {} % of the area", in_mm2(area), part);
+}
+
+/// "2 folded faces and 1 fin removed (2.63 mm\u00b2, 0.16 % of the area), 1 hole filled (...)". The area in brackets is
+/// that of the steps with this verb: what was removed is not added to what went inside of a union.
+std::string all_clauses(const RepairReport& report) {
+  const std::vector<RepairStep>& steps = report.steps;
+  std::string text;
+  double area = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Words& words = words_of(steps[i].code);
+    const bool verb_follows = i + 1 < steps.size() && words_of(steps[i + 1].code).verb == words.verb;
+    const bool verb_before = i > 0 && words_of(steps[i - 1].code).verb == words.verb;
+    if (i > 0) text += verb_before && !verb_follows ? " and " : ", ";
+    text += counted(steps[i]);
+    if (words.changes_area) area += steps[i].area;
+    if (verb_follows) continue;
+    text += fmt::format(" {}", words.verb);
+    if (area > 0) text += fmt::format(" ({})", area_text(area, report));
+    area = 0;
+  }
+  return text;
 }
 
 /// Lengths and areas of a step, in brackets.
@@ -80,7 +88,7 @@ void finish_step(RepairStep& step, const RepairReport& report) {
   constexpr double kMuch = 0.01;  // of the area
   if (words_of(step.code).changes_area && step.area > kMuch * report.area_before) step.severity = Severity::warning;
   step.message = fmt::format("{} {}{}; first at {}", counted(step), words_of(step.code).verb, measures(step, report),
-                             at_place(step.place));
+                             place_in_mm(step.place));
 }
 
 Problems repair_problems(const RepairReport& report, const std::string& file) {
@@ -93,10 +101,7 @@ Problems repair_problems(const RepairReport& report, const std::string& file) {
 std::string repair_summary(const RepairReport& report) {
   constexpr double kRounding = 1e-9;
   if (report.steps.empty()) return "";
-  std::string text = "repaired: " + all_clauses(report.steps);
-  double area = 0;
-  for (const RepairStep& step : report.steps) area += words_of(step.code).changes_area ? step.area : 0;
-  if (area > 0) text += fmt::format(" ({})", area_text(area, report));
+  std::string text = "repaired: " + all_clauses(report);
   if (report.distance_max > 0) {
     text += fmt::format(", surface within {}", in_mm(report.distance_max));
   } else if (report.largest_move > kRounding * std::sqrt(report.area_before)) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/mesh/halfedge.h"
 
 namespace taxel {
@@ -11,9 +12,9 @@ namespace {
 void refuse(const TriMesh& mesh, int vertex, std::size_t count, const std::string& what) {
   const dvec3& p = mesh.vertices()[static_cast<std::size_t>(vertex)];
   throw Error("", "",
-              fmt::format("must be a manifold: {} {}, the first at ({:.6g}, {:.6g}, {:.6g}); repair the mesh first: "
+              fmt::format("must be a manifold: {} {}, the first at {}; repair the mesh first: "
                           "taxel mesh FILE --repair auto --out REPAIRED",
-                          count, what, p.x, p.y, p.z));
+                          count, what, place_in_mm(p)));
 }
 
 void check_manifold(const TriMesh& mesh) {
