@@ -137,7 +137,7 @@ void draw_start_card(UiState& ui) {
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
   ImGui::TextUnformatted("Drop a mesh or a layout here");
   ImGui::PopFont();
-  ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   .taxelproj   MuJoCo XML");
+  ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   .yaml   .taxelproj   MuJoCo XML");
   ImGui::Spacing();
   if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui);
   ImGui::SameLine();
