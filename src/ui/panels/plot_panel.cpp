@@ -13,6 +13,7 @@
 #include "ui/theme.h"
 #include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/dashed_curve.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
@@ -64,19 +65,49 @@ void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit
   ImPlot::SetupFinish();
 }
 
-void draw_curve(UiState& ui, std::size_t reading, double scale, int color, int id, bool selected) {
+/// One curve of a pair that lies on each other is drawn in dashes over the other one, which is wider.
+enum class PairPart { none, leader, follower };
+
+void draw_curve(UiState& ui, std::size_t reading, double scale, int color, int id, PairPart part) {
+  constexpr float kLine = 1.8f, kSelected = 3.2f, kWider = 1.7f;  // [pixels], and the factor of a leader
+  constexpr DashLengths kDashes{5, 5};
   const ImVec2 pixels = ImPlot::GetPlotSize();
   const ImPlotRect limits = ImPlot::GetPlotLimits();
-  const CurvePoints& drawn = drawn_curve(ui.curves, reading, limits.X.Size() / std::max(1.0f, pixels.x),
-                                         kCurveTolerance * limits.Y.Size() / std::max(1.0f, pixels.y), scale);
+  const double column = limits.X.Size() / std::max(1.0f, pixels.x), height = limits.Y.Size() / std::max(1.0f, pixels.y);
+  const CurvePoints& whole = drawn_curve(ui.curves, reading, column, kCurveTolerance * height, scale);
+  CurvePoints dashes;
+  if (part == PairPart::follower)
+    dashes = dashes_of(whole, 1 / column, 1 / height, {kDashes.dash * ui.pixel_scale, kDashes.gap * ui.pixel_scale});
+  const CurvePoints& drawn = part == PairPart::follower ? dashes : whole;
   const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
-  spec.LineWeight = (selected ? 3.2f : 1.8f) * static_cast<float>(ui.pixel_scale);
+  spec.LineWeight = (ui.selection.contains(id) ? kSelected : kLine) * static_cast<float>(ui.pixel_scale) *
+                    (part == PairPart::leader ? kWider : 1.0f);
   const std::string label = fmt::format("{}", id);
   ImPlot::PlotLine(label.c_str(), drawn.x.data(), drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
   if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
     click_taxel(ui, id, ImGui::GetIO().KeyShift);
+}
+
+/// Curves that follow another one come last, so that they lie on top.
+void draw_curves(UiState& ui, const SensorModel& model, double scale, std::size_t first) {
+  const PlotCurves& curves = ui.curves;
+  std::vector<std::size_t> shown;
+  for (std::size_t r = first; r < std::min(first + model.layout.taxels.size(), curves.readings.size()); ++r)
+    if (!ui.saved.plot.responding_only || curves.peaks[r] > kTaxelResponds * curves.largest) shown.push_back(r);
+  const std::vector<int>& leaders = leaders_among(ui.curves, shown);
+  for (const bool followers : {false, true}) {
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      if ((leaders[i] >= 0) != followers) continue;
+      const std::size_t k = shown[i] - first;
+      const bool leads = std::find(leaders.begin(), leaders.end(), static_cast<int>(i)) != leaders.end();
+      draw_curve(ui, shown[i], scale, model.color(static_cast<int>(k)), model.layout.taxels[k].id,
+                 followers ? PairPart::follower
+                 : leads   ? PairPart::leader
+                           : PairPart::none);
+    }
+  }
 }
 
 void draw_cursor(const UiState& ui, const UiInput& input) {
@@ -120,7 +151,6 @@ void scrub_in_plot(UiState& ui, const UiInput& input) {
 void draw_plot(UiState& ui, const UiInput& input) {
   PlotCurves& curves = ui.curves;
   const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
-  const Layout& layout = model.layout;
   const ReadingUnit unit = unit_of(ui, input);
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
@@ -129,11 +159,7 @@ void draw_plot(UiState& ui, const UiInput& input) {
     setup_axes(ui, input, unit, curves.largest, size.y);
     const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 1.0) : unit.scale;
     const std::size_t first = first_reading(ui, input);
-    for (std::size_t k = 0; k < layout.taxels.size() && first + k < curves.readings.size(); ++k) {
-      if (ui.saved.plot.responding_only && !(curves.peaks[first + k] > kTaxelResponds * curves.largest)) continue;
-      draw_curve(ui, first + k, scale, model.color(static_cast<int>(k)), layout.taxels[k].id,
-                 ui.selection.contains(layout.taxels[k].id));
-    }
+    draw_curves(ui, model, scale, first);
     draw_real_curves(ui, input, scale, curves.largest, first);
     draw_polish_mark(ui);
     draw_cursor(ui, input);

@@ -7,13 +7,12 @@
 #include "core/sensor/reading.h"
 #include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"
+#include "ui/widgets/dashed_curve.h"
 #include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 
 namespace {
-
-constexpr float kDash = 6, kBetweenDashes = 4;  // [pixels] at scale 1
 
 /// Where the plot has a time of the run: travel in a sweep [mm], else the time [s]. NaN outside of the run.
 double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
@@ -62,26 +61,16 @@ void rebuild(RealCurves& kept, const UiInput& input, double largest, std::size_t
   }
 }
 
-/// Dashes go on along the whole curve, whatever the length of its parts.
-void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weight, float pixel_scale) {
-  ImDrawList& list = *ImPlot::GetPlotDrawList();
-  const float dash = kDash * pixel_scale, period = dash + kBetweenDashes * pixel_scale;
-  float walked = 0;
-  for (std::size_t i = 1; i < curve.x.size(); ++i) {
-    const ImVec2 a = ImPlot::PlotToPixels(curve.x[i - 1], scale * curve.y[i - 1]),
-                 b = ImPlot::PlotToPixels(curve.x[i], scale * curve.y[i]);
-    const float length = std::hypot(b.x - a.x, b.y - a.y);
-    if (!(length > 0) || length > 1e5f) continue;
-    for (float at = 0; at < length;) {
-      const float phase = std::fmod(walked + at, period);
-      const float end = std::min(length, at + std::max(0.05f, (phase < dash ? dash : period) - phase));
-      const auto point = [&](float s) {
-        return ImVec2(a.x + s / length * (b.x - a.x), a.y + s / length * (b.y - a.y));
-      };
-      if (phase < dash) list.AddLine(point(at), point(end), color, weight);
-      at = end;
-    }
-    walked = std::fmod(walked + length, period);
+void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weight, double pixel_scale) {
+  const ImVec2 pixels = ImPlot::GetPlotSize();
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  constexpr DashLengths kLengths;
+  const CurvePoints dashes = dashes_of(curve, pixels.x / limits.X.Size(), scale * pixels.y / limits.Y.Size(),
+                                       {kLengths.dash * pixel_scale, kLengths.gap * pixel_scale});
+  for (std::size_t i = 1; i < dashes.x.size(); ++i) {
+    if (std::isnan(dashes.x[i - 1]) || std::isnan(dashes.x[i])) continue;
+    ImPlot::GetPlotDrawList()->AddLine(ImPlot::PlotToPixels(dashes.x[i - 1], scale * dashes.y[i - 1]),
+                                       ImPlot::PlotToPixels(dashes.x[i], scale * dashes.y[i]), color, weight);
   }
 }
 
@@ -112,8 +101,7 @@ void draw_real_curves(UiState& ui, const UiInput& input, double scale, double la
       const float weight = (ui.selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
       thin_curve(curve.x, curve.y, limits.X.Size() / std::max(1.0f, pixels.x),
                  kCurveTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
-      draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
-                  static_cast<float>(ui.pixel_scale));
+      draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight, ui.pixel_scale);
     }
   }
   ImPlot::PopPlotClipRect();

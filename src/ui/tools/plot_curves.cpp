@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/project/recording/curve_pairs.h"
+
 namespace taxel::ui {
 
 namespace {
@@ -16,11 +18,13 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel) {
   const std::vector<TraceRow>& rows = trace.rows;
   const bool same = curves.edition == trace.edition && curves.by_travel == by_travel && curves.x.size() <= rows.size();
   const std::size_t known = same ? curves.x.size() : 0;
-  if (same && known == rows.size()) return;
+  curves.is_growing = !same || known != rows.size();
+  if (!curves.is_growing) return;
   if (known == 0) {
     curves = {};
     curves.edition = trace.edition;
     curves.by_travel = by_travel;
+    curves.is_growing = true;
     const std::size_t readings = rows.empty() ? 0 : rows.front().readings.size();
     curves.readings.resize(readings);
     curves.peaks.assign(readings, 0.0);
@@ -50,6 +54,19 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
   thin_curve(curves.x, curves.readings[reading], column, tolerance / scale, drawn);
   for (double& y : drawn.y) y *= scale;
   return drawn;
+}
+
+const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings) {
+  constexpr double kFewRows = 1.1;  // as many rows again: looking at all of them for each new one would take long
+  const auto rows = static_cast<double>(curves.x.size()), looked_at = static_cast<double>(curves.paired_rows);
+  const bool is_recent = rows == looked_at || (curves.is_growing && rows > looked_at && rows < kFewRows * looked_at);
+  if (curves.paired == readings && is_recent) return curves.leaders;
+  std::vector<std::span<const double>> lines;
+  for (const std::size_t reading : readings) lines.emplace_back(curves.readings[reading]);
+  curves.leaders = find_leaders(lines);
+  curves.paired = readings;
+  curves.paired_rows = curves.x.size();
+  return curves.leaders;
 }
 
 }  // namespace taxel::ui

@@ -21,6 +21,10 @@ struct PlotCurves {
   std::optional<double> polished_from;        ///< x from which on the readings are of polished samples; none: all are
   std::vector<CurvePoints> drawn;             ///< parallel to readings; empty: not thinned yet
   std::array<double, 3> drawn_for{};          ///< column, tolerance, scale
+  std::vector<std::size_t> paired;            ///< readings among which `leaders` were looked for
+  std::vector<int> leaders;                   ///< parallel to `paired`: see find_leaders()
+  std::size_t paired_rows = 0;                ///< number of rows of which `leaders` are
+  bool is_growing = false;                    ///< the last update added rows
 };
 
 /// Those of a trace: of the one they are of, only new rows are looked at. `by_travel`: over travel, else over time.
@@ -29,5 +33,9 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel);
 /// One taxel's curve, its readings times `scale`: see thin_curve(). `tolerance` is in scaled readings. Kept until
 /// something else is asked for.
 const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double column, double tolerance, double scale);
+
+/// For each of `readings` the index in `readings` of the curve that it follows, or -1: see find_leaders(). While rows
+/// are added the reply may be that of up to a tenth fewer rows.
+const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings);
 
 }  // namespace taxel::ui

@@ -1,0 +1,18 @@
+// Curves that lie on each other, such as those of two mirrored taxels: which one to draw over which.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace taxel {
+
+/// Largest distance between two curves that are drawn as a pair, as a fraction of the follower's peak. Below, the
+/// dashes of one are hard to tell from the line of the other.
+inline constexpr double kPairDistance = 0.25;
+
+/// Returns for each curve the earlier curve that it follows, or -1 if it follows none. A curve follows the nearest of
+/// the earlier curves that follow none themselves, if the largest difference between the two is below kPairDistance
+/// times the peak of the later one. All curves have the same number of rows. The rule of scripts/plot_sweep.gp.
+std::vector<int> find_leaders(const std::vector<std::span<const double>>& curves);
+
+}  // namespace taxel
