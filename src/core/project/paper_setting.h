@@ -2,9 +2,13 @@
 #pragma once
 
 #include "core/layout/layout.h"
+#include "core/mesh/tri_mesh.h"
 #include "core/project/edit.h"
 
 namespace taxel {
+
+/// The box of the released demo, world [m]: see core/sim/scene/paper_demo.h.
+inline const Aabb kDemoBox{{-0.015, -0.025, -0.012}, {0.035, 0.025, 0.038}};
 
 /// Returns `layout` with the demo's body and samples: star field, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3, 1e6
 /// samples per m^2, all of equal weight. Taxels, mesh, seed and readout stay.

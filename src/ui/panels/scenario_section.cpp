@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "core/project/paper_setting.h"
+#include "core/project/recorded_path.h"
 #include "ui/panels/scenario_fields.h"
 #include "ui/panels/way_point_table.h"
 #include "ui/tools/path_recorder.h"
@@ -36,9 +37,9 @@ void draw_kind(UiState& ui, const UiInput& input, const Scenario& scenario, Scen
     ui.path.chosen = kind;
     return;
   }
-  Scenario edited = with_kind(scenario, *kind);
-  if (*kind == ScenarioKind::path && scenario.points.size() < 2) edited.points = points_to_begin_with(ui, input);
-  ask_edit(ui, SetScenario{edited});
+  const bool begins_path = *kind == ScenarioKind::path && scenario.points.size() < 2;
+  ask_edit(ui, SetScenario{begins_path ? path_of_run(scenario, input.scenario, points_to_begin_with(ui, input))
+                                       : with_kind(scenario, *kind)});
 }
 
 void draw_object(UiState& ui, Scenario& edited, bool& changed) {

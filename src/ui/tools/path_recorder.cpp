@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "core/project/recorded_path.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/path_tool.h"
 
@@ -22,9 +23,7 @@ void finish(UiState& ui, const UiInput& input) {
   const std::string text =
       fmt::format("Recorded a path of {} way points in {:.2f} s.", points.size(), points.back().time);
   add_message(ui, Severity::note, text, ImGui::GetTime());
-  Scenario edited = *edited_scenario(ui, input);
-  edited = with_kind(edited, ScenarioKind::path);
-  edited.points = std::move(points);
+  const Scenario edited = path_of_run(*edited_scenario(ui, input), input.scenario, std::move(points));
   ui.path.chosen.reset();
   ui.path.selected = -1;
   ui.ask(EditProject{SetScenario{edited}, {}});

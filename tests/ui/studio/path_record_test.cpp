@@ -59,6 +59,30 @@ TEST(PathRecording, WhatAScenarioDidBecomesAPathThatDoesTheSame) {
   EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], before["scenario"]["edited"]);
 }
 
+/// The box of the paper's demo begins at (-15, -25, -12) mm, boxes of all other scenarios at (0, -25, 0) mm.
+TEST(PathRecording, MovesThePapersPathWithItsBox) {
+  const StudioProgram studio;
+  studio.play(joined({kStill,
+                      choose_kind("paper"),
+                      {kRecord, kIdle},
+                      kRunScenario,
+                      {R"({"do": "wait_time", "time": 0.5})", key("Space"), kIdle, dump("run.json"), kRecord, kIdle,
+                       dump("path.json")},
+                      kRunScenario,
+                      {key("Space"), kIdle, dump("played.json")}}),
+              coarse_fingertip(studio));
+  const Json run = studio.state("run.json"), path = studio.state("path.json"), played = studio.state("played.json");
+  const Json& edited = path["scenario"]["edited"];
+  ASSERT_EQ(edited["kind"], "path") << path["messages"].dump();
+  const dvec3 box_moved(0.015, 0, 0.012);
+  const Json& points = edited["points"];
+  ASSERT_GT(points.size(), 4U);
+  const dvec3 finger = vector_of(run["simulation"]["sensors"][0]["position"]);
+  EXPECT_LT(glm::distance(vector_of(points.back()["pos"]), finger + box_moved), 1e-4) << "it lags a little";
+  EXPECT_EQ(played["scenario"]["running"], edited);
+  EXPECT_EQ(played["scenario"]["running"].value("object", "box"), "box");
+}
+
 TEST(PathRecording, AHandLeadsTheFingerWhileTheSimulationStands) {
   const StudioProgram studio;
   const Json ctrl = {"ctrl"};

@@ -12,13 +12,12 @@
 #pragma once
 
 #include "core/layout/layout.h"
-#include "core/mesh/tri_mesh.h"
+#include "core/project/paper_setting.h"
 
 namespace taxel {
 
 inline constexpr double kDemoSeconds = 25;
 inline constexpr double kPaperFriction = 0.3;
-inline const Aabb kDemoBox{{-0.015, -0.025, -0.012}, {0.035, 0.025, 0.038}};
 
 /// R_WM, M being the frame of the finger's mesh file. The paper's finger is turned by the quaternion above; any other
 /// one so that its `distal` and `pad` point where those of the paper's finger do.
