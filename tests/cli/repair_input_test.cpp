@@ -2,6 +2,7 @@
 // The file on disk is never changed.
 #include "cli/taxel_program.h"
 #include "core/mesh/mesh_io.h"
+#include "fixtures/finger_scene_xml.h"
 #include "fixtures/pad_meshes.h"
 #include "unit/mesh/broken_mesh.h"
 
@@ -119,7 +120,7 @@ TEST(RepairInput, ThickensOneTriangle) {
   const TriMesh triangle({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}});
   expect_thickened(folder, triangle);
   const Outcome whole = taxel({"mesh", "m.obj", "--repair", "auto"}, folder);
-  EXPECT_NE(whole.out.find("thickened (50 mm^2, 100 % of the area)"), std::string::npos) << whole.out;
+  EXPECT_NE(whole.out.find("thickened (50 mm², 100 % of the area)"), std::string::npos) << whole.out;
   const Outcome exact = taxel({"mesh", "m.obj", "--repair", "exact"}, folder);
   EXPECT_EQ(exact.status, 2);
   EXPECT_EQ(exact.err.rfind(
@@ -186,6 +187,35 @@ TEST(RepairInput, NamesTaxelsFarFromTheMesh) {
   EXPECT_EQ(checked.status, 1);
   EXPECT_NE(checked.out.find(layout.string() + place + "error: is 4"), std::string::npos) << checked.out;
   EXPECT_NE(checked.out.find("; nearest point of the surface: ["), std::string::npos) << checked.out;
+}
+
+TEST(RepairInput, RunsASceneAndReportsTheRepairOfItsLayout) {
+  const fs::path folder = test_folder();
+  const std::string obj = broken_fingertip();
+  layout_on(folder, obj);
+  write_text(folder / "fingertip.obj", obj_text(fingertip()));
+  const std::string floor_and_finger = finger_body("tip", 0, true, "<freejoint/>");
+  const auto run = [&](const std::string& xml, const std::vector<std::string>& more) {
+    write_text(folder / "scene.xml", xml);
+    std::vector<std::string> arguments{"run", "scene.xml", "--seconds", "0.004"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return taxel(arguments, folder);
+  };
+  const std::string note = "\"tip\": mesh of the layout: repaired: ";
+  const Outcome declared = run(finger_scene(floor_and_finger, {"tip"}, "changed.taxels.json"), {});
+  ASSERT_EQ(declared.status, 0) << declared.err;
+  const auto first = declared.err.find(note);
+  EXPECT_NE(first, std::string::npos) << declared.err;
+  EXPECT_EQ(declared.err.find(note, first + 1), std::string::npos) << "once: " << declared.err;
+  EXPECT_NE(declared.err.find("1 fin removed ("), std::string::npos) << declared.err;
+  EXPECT_NE(declared.err.find(" mm\u00b2, "), std::string::npos) << declared.err;
+  const Outcome attached = run(finger_scene(floor_and_finger), {"--layout", "changed.taxels.json", "--geom", "tip"});
+  ASSERT_EQ(attached.status, 0) << attached.err;
+  EXPECT_NE(attached.err.find("\"taxels of tip\": mesh of the layout: repaired: "), std::string::npos) << attached.err;
+  // A sound mesh has nothing to report.
+  layout_on(folder, obj_text(fingertip()));
+  const Outcome sound = run(finger_scene(floor_and_finger, {"tip"}, "changed.taxels.json"), {});
+  EXPECT_EQ(sound.err.find("repaired"), std::string::npos) << sound.err;
 }
 
 TEST(RepairInput, SweepsABrokenMeshIntoAFolderThatRunsElsewhere) {

@@ -29,6 +29,10 @@ std::vector<std::string> Simulator::warnings() const {
     const BodyContacts& body = impl_->contacts(i);
     const std::string who = (i < impl_->sensor_count() ? "sensor \"" : "contact \"") + body.settings().name + "\": ";
     for (const std::string& text : body.warnings) all.push_back(who + text);
+    // The model of a built-in scenario is of the caller, who knows its report.
+    const SensorModelPtr model = i < impl_->sensor_count() && !impl_->scenario ? impl_->model(i) : nullptr;
+    if (model != nullptr && model->mesh != model->loaded)
+      all.push_back(who + "mesh of the layout: " + repair_summary(model->repaired->report));
   }
   return all;
 }
