@@ -207,5 +207,18 @@ TEST(BadSensing, CavitiesAndIslandsAreLeftOutUnlessAskedFor) {
                  "taxel: " + unknown.string() + R"(: /sampling/shells: must be one of "outer", "all", is "inner")");
 }
 
+TEST(BadSensing, SweepNamesMissingTaxels) {
+  const fs::path layout =
+      changed_layout(test_folder(), Json::parse(R"([{"op": "replace", "path": "/taxels", "value": []},
+                                                    {"op": "replace", "path": "/sampling/density", "value": 1e5}])"));
+  const Outcome swept = taxel({"sweep", "--layout", layout.string()});
+  EXPECT_EQ(swept.status, 2);
+  EXPECT_NE(swept.err.find("taxel: " + layout.string() + ": /taxels: has none: a scenario has nothing to read. Place "),
+            std::string::npos)
+      << swept.err;
+  for (const char* help : {"taxelstudio", "taxel presets NAME --out FILE", "--layout SENSOR.yaml --mesh MESH"})
+    EXPECT_NE(swept.err.find(help), std::string::npos) << swept.err;
+}
+
 }  // namespace
 }  // namespace taxel::test

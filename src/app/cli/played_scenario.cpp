@@ -8,6 +8,7 @@
 #include "app/cli/recording_report.h"
 #include "core/base/output_folder.h"
 #include "core/sim/recording/write_recording.h"
+#include "core/sim/scene/scenario_scene.h"
 
 namespace taxel::cli {
 
@@ -17,6 +18,7 @@ int play(const PlayedScenario& played, Console& console) {
 
   const auto start = std::chrono::steady_clock::now();
   const SensorModelPtr model = load_model(played.layout, played.over, console);
+  check_has_taxels(*model, played.layout);
   const std::unique_ptr<Simulator> simulator = Simulator::make_scenario(model, played.scenario);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   RunCost cost;

@@ -152,7 +152,16 @@ std::string scene_xml(const SensorModel& model, const Scenario& s, const Motion&
 
 }  // namespace
 
+void check_has_taxels(const SensorModel& model, const std::string& file) {
+  if (model.taxel_count() > 0) return;
+  throw Error(
+      file, "/taxels",
+      "has none: a scenario has nothing to read. Place taxels on the mesh with taxelstudio, or use the layout of "
+      "a known sensor (taxel presets NAME --out FILE) or a sensor YAML (--layout SENSOR.yaml --mesh MESH)");
+}
+
 ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& scenario) {
+  check_has_taxels(model, model.layout.name);
   check_scenario(scenario);
   ScenarioScene scene;
   const std::string mesh = obj_text(*model.mesh);

@@ -22,7 +22,11 @@ struct ScenarioScene {
 inline constexpr const char* kFingerGeom = "finger";
 inline constexpr const char* kObjectGeom = "box";
 
-/// Throws Error for scenario values out of range, or an object mesh or recording that cannot be read.
+/// Throws Error that names `file` if a model has no taxels, and says where taxels come from.
+void check_has_taxels(const SensorModel& model, const std::string& file);
+
+/// Throws Error for a model without taxels, scenario values out of range, or an object mesh or recording that cannot be
+/// read.
 ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& scenario);
 
 }  // namespace taxel
