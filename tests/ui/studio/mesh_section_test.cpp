@@ -88,6 +88,15 @@ TEST(MeshReport, OpensFromTheMenuAndNotByItselfForWhatARepairMends) {
   EXPECT_EQ(studio.state("sound.json")["widgets"].dump().find("Mesh report window"), std::string::npos);
 }
 
+TEST(MeshReport, OpensByItselfForAMeshThatStaysOpen) {
+  const StudioProgram studio;
+  studio.play({kIdle, dump("opened.json"), R"({"do": "screenshot", "file": "report.png"})"},
+              {with_hole(studio.folder())});
+  const std::string opened = studio.state("opened.json")["widgets"].dump();
+  EXPECT_NE(opened.find("Mesh report window"), std::string::npos);
+  EXPECT_NE(opened.find("3 open edges around 1 hole, the first at ("), std::string::npos);
+}
+
 TEST(OpenMesh, CanBeLookedAtAndEditedButNotSimulated) {
   const StudioProgram studio;
   const std::string file = with_hole(studio.folder()), out = (studio.folder() / "out.taxels.json").string();

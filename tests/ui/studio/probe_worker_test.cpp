@@ -8,6 +8,7 @@
 
 #include "app/studio/documents.h"
 #include "app/studio/edit_session.h"
+#include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 
 namespace taxel::studio {
@@ -100,6 +101,39 @@ TEST_F(ProbeWorkerTest, SaysWhyItCannotPress) {
   EXPECT_NE(flat.find("encloses nothing"), std::string::npos) << flat;
   EXPECT_EQ(problem(ProbeMesh{}, TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj"), "");
   EXPECT_GT(worker.newest()->area, 0);
+}
+
+TEST_F(ProbeWorkerTest, PressesAnOpenMeshAsItsRepairClosesIt) {
+  const test::TempFolder folder;
+  const TriMesh whole = *load_mesh(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj").mesh;
+  const std::filesystem::path closed = folder.path() / "closed.obj", open = folder.path() / "open.obj";
+  save_mesh(closed, whole);
+  // The hole is where nothing touches: the highest face of the probe.
+  std::vector<ivec3> faces = whole.faces();
+  const auto height = [&](const ivec3& f) {
+    return std::min({whole.vertices()[static_cast<std::size_t>(f.x)].z,
+                     whole.vertices()[static_cast<std::size_t>(f.y)].z,
+                     whole.vertices()[static_cast<std::size_t>(f.z)].z});
+  };
+  faces.erase(std::max_element(faces.begin(), faces.end(),
+                               [&](const ivec3& a, const ivec3& b) { return height(a) < height(b); }));
+  save_mesh(open, TriMesh(whole.vertices(), faces));
+  ASSERT_FALSE(load_mesh(open).mesh->closed());
+  wish.probe.shape = ProbeMesh{};
+  const auto pressed = [&](const std::filesystem::path& file) {
+    wish.mesh_file = file.string();
+    worker.press(document.model, wish);
+    worker.wait();
+    return worker.newest();
+  };
+  const ui::PressedProbePtr by_closed = pressed(closed), by_open = pressed(open);
+  EXPECT_EQ(by_open->problem, "");
+  ASSERT_NE(by_open->mesh, nullptr);
+  EXPECT_TRUE(by_open->mesh->closed());
+  EXPECT_EQ(by_open->mesh->face_count(), whole.face_count());
+  EXPECT_GT(by_closed->force, 0.01);
+  EXPECT_NEAR(by_open->force, by_closed->force, 1e-9 * by_closed->force);
+  EXPECT_EQ(by_open->polygons, by_closed->polygons);
 }
 
 TEST_F(ProbeWorkerTest, WithoutAWishThereIsNoReading) {
