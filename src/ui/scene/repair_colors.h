@@ -12,7 +12,7 @@ namespace taxel::ui {
 inline constexpr glm::vec3 kFilledColor{0.20f, 0.74f, 0.30f}, kRemovedColor{0.90f, 0.20f, 0.16f},
     kPartedColor{0.98f, 0.82f, 0.10f};
 
-/// The largest distance of a wrapped vertex from the loaded faces [m]; 0 if nothing was wrapped.
+/// The largest distance between a wrapped surface and the loaded faces [m]; 0 if nothing was wrapped.
 inline double largest_distance(const RepairChanges& changes) {
   return changes.distance.empty()
              ? 0.0

@@ -96,6 +96,33 @@ TEST(MeshRepair, ShowsItsChangesAndFramesAStep) {
   EXPECT_GT(red(with), red(without) + 100) << "the outline of the fin";
 }
 
+TEST(MeshRepair, ColoursAWrapByItsDistance) {
+  const StudioProgram studio;
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"] = {{"file", kMeshFile}, {"repair", {{"level", "wrap"}, {"edge", 1e-3}}}};
+  layout["taxels"] = Json::array();
+  layout["sampling"]["density"] = 1e5;
+  write_text(studio.folder() / "wrap.taxels.json", layout.dump());
+  studio.play({kIdle, kLayoutMode, kIdle, R"({"do": "screenshot", "file": "hidden.png"})", press("Show changes"), kIdle,
+               dump("state.json"), R"({"do": "screenshot", "file": "wrap.png"})"},
+              tall_window(studio, (studio.folder() / "wrap.taxels.json").string()));
+  const Json state = studio.state("state.json");
+  EXPECT_TRUE(has_step(state, "repair_wrapped"));
+  EXPECT_EQ(mesh_of(state)["show_changes"], true);
+  // The scale is viridis from 0 to the largest distance: violet where the wrap lies on the mesh, green where it is off.
+  const auto pixels = [](const Picture& picture, const auto& is) {
+    int count = 0;
+    for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3)
+      count += is(picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]) ? 1 : 0;
+    return count;
+  };
+  const auto violet = [](int r, int g, int b) { return r > 45 && r < 90 && g < 40 && b > 60 && b < 120; };
+  const auto green = [](int r, int g, int b) { return r < 70 && g > 120 && g < 190 && b > 90 && b < 150; };
+  const Picture shown = studio.picture("wrap.png"), hidden = studio.picture("hidden.png");
+  EXPECT_GT(pixels(shown, violet), pixels(hidden, violet) + 20000);
+  EXPECT_GT(pixels(shown, green), pixels(hidden, green) + 2000);
+}
+
 TEST(MeshRepair, IsUndoneAndDoneAgain) {
   const StudioProgram studio;
   std::vector<std::string> arguments = tall_window(studio, broken_layout(studio, "keep"));

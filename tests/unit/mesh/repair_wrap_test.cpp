@@ -44,6 +44,10 @@ TEST(RepairWrap, StaysNearASphere) {
   EXPECT_LT(repaired.report.distance_max, 1e-3);  // two edges
   EXPECT_LT(repaired.report.distance_rms, 0.1e-3);
   EXPECT_GT(repaired.report.distance_rms, 0);
+  const std::vector<float>& distances = repaired.changes.distance;
+  EXPECT_FLOAT_EQ(*std::max_element(distances.begin(), distances.end()),
+                  static_cast<float>(repaired.report.distance_max))
+      << "the scale of the colours ends at the distance that is reported";
 }
 
 TEST(RepairWrap, MakesASheetIntoABodyOfThePadsThickness) {

@@ -38,10 +38,20 @@ std::vector<PointOnFace> even_points(const TriMesh& mesh, int count) {
   return points;
 }
 
-std::vector<double> distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& points) {
-  std::vector<double> distances(points.size());
+/// From points to a mesh.
+struct Distances {
+  std::vector<double> value;  ///< [m]; -1: left out
+  std::vector<int> face;      ///< of the mesh, where it is nearest
+};
+
+Distances distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& points) {
+  Distances distances{std::vector<double>(points.size()), std::vector<int>(points.size())};
   parallel_chunks(static_cast<int>(points.size()), 256, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) distances[at(i)] = mesh.closest_point(points[at(i)].position).distance;
+    for (int i = begin; i < end; ++i) {
+      const SurfacePoint nearest = mesh.closest_point(points[at(i)].position);
+      distances.value[at(i)] = nearest.distance;
+      distances.face[at(i)] = nearest.face;
+    }
   });
   return distances;
 }
@@ -59,35 +69,51 @@ bool is_seen(const MeshIndex& mesh, const PointOnFace& point) {
   return false;
 }
 
+/// The largest distance of a face's points, at each of its corners. The corners of a wrap are on the loaded faces
+/// themselves, so distances from them alone would be 0 or rounding.
+class DistanceOfVertices {
+ public:
+  explicit DistanceOfVertices(const TriMesh& mesh) : mesh_(mesh), distance_(mesh.vertices().size(), 0) {}
+  void include(int face, double distance) {
+    for (int c = 0; c < 3; ++c) {
+      float& largest = distance_[at(mesh_.faces()[at(face)][c])];
+      largest = std::max(largest, static_cast<float>(distance));
+    }
+  }
+  [[nodiscard]] std::vector<float> take() { return std::move(distance_); }
+
+ private:
+  const TriMesh& mesh_;
+  std::vector<float> distance_;
+};
+
 }  // namespace
 
 void measure_distances(const TriMeshPtr& loaded, double edge, RepairedMesh& repaired) {
   constexpr int kPoints = 20000;
   const MeshIndex loaded_index(loaded), repaired_index(repaired.mesh);
-  std::vector<double> all = distances_to(loaded_index, even_points(*repaired.mesh, kPoints));
+  const std::vector<PointOnFace> on_repaired = even_points(*repaired.mesh, kPoints);
+  const Distances forward = distances_to(loaded_index, on_repaired);
   const std::vector<PointOnFace> on_loaded = even_points(*loaded, kPoints);
-  std::vector<double> back = distances_to(repaired_index, on_loaded);
+  Distances back = distances_to(repaired_index, on_loaded);
   // Only far points are worth the rays: a wall inside of the body is far from its surface.
-  parallel_chunks(static_cast<int>(back.size()), 64, [&](int begin, int end) {
+  parallel_chunks(static_cast<int>(on_loaded.size()), 64, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      if (back[at(i)] > edge && !is_seen(loaded_index, on_loaded[at(i)])) back[at(i)] = -1;
+      if (back.value[at(i)] > edge && !is_seen(loaded_index, on_loaded[at(i)])) back.value[at(i)] = -1;
   });
-  all.insert(all.end(), back.begin(), back.end());
   double squares = 0, count = 0;
-  for (const double d : all) {
-    if (d < 0) continue;
+  DistanceOfVertices of_vertices(*repaired.mesh);
+  const auto include = [&](double d, int repaired_face) {
+    if (d < 0) return;
     repaired.report.distance_max = std::max(repaired.report.distance_max, d);
     squares += d * d;
     ++count;
-  }
+    of_vertices.include(repaired_face, d);
+  };
+  for (std::size_t i = 0; i < on_repaired.size(); ++i) include(forward.value[i], on_repaired[i].face);
+  for (std::size_t i = 0; i < on_loaded.size(); ++i) include(back.value[i], back.face[i]);
   repaired.report.distance_rms = count > 0 ? std::sqrt(squares / count) : 0;
-  repaired.changes.distance.resize(repaired.mesh->vertices().size());
-  parallel_chunks(repaired.mesh->vertex_count(), 256, [&](int begin, int end) {
-    for (int v = begin; v < end; ++v) {
-      const double d = loaded_index.closest_point(repaired.mesh->vertices()[at(v)]).distance;
-      repaired.changes.distance[at(v)] = static_cast<float>(d);
-    }
-  });
+  repaired.changes.distance = of_vertices.take();
 }
 
 }  // namespace taxel

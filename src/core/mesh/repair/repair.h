@@ -47,7 +47,7 @@ struct RepairChanges {
   std::vector<int> filled_faces;                      ///< faces of the repaired mesh, ascending
   std::vector<int> removed_faces;                     ///< faces of the loaded mesh, ascending
   std::vector<std::pair<dvec3, dvec3>> parted_edges;  ///< ends of edges at which surfaces were parted [m]
-  /// Distance from each vertex of the repaired mesh to the loaded faces [m]; empty if nothing was wrapped.
+  /// Largest distance between the surfaces around each repaired vertex [m]; empty if nothing was wrapped.
   std::vector<float> distance;
 };
 
@@ -79,9 +79,8 @@ RepairedMeshPtr repair_mesh(const TriMeshPtr& loaded, const RepairRecipe& recipe
 /// One problem per step, with its code and severity, for `file` at /mesh/file; none if nothing was changed.
 Problems repair_problems(const RepairReport& report, const std::string& file);
 
-/// The report in one line: "repaired: 2 folded faces and 1 fin removed (14.2 mm\u00b2, 0.8 % of the area), 1 hole
-/// filled (3 mm\u00b2, 0.2 % of the area), no vertex moved". Areas of different kinds are not added up. Empty if
-/// nothing was changed.
+/// The report in one line: "repaired: 2 folded faces and 1 fin removed (14.2 mm\u00b2, 0.8 % of the area), no vertex
+/// moved", with an area for each kind of change. Empty if nothing was changed.
 std::string repair_summary(const RepairReport& report);
 
 }  // namespace taxel
