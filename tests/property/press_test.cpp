@@ -1,0 +1,200 @@
+// Rigid bodies pressed into a pad anywhere, from 0.1 to 3 thicknesses deep: force grows, and no area is lost.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/rng.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair.h"
+#include "fixtures/depth_oracle.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kModulus = 5e4, kThickness = 0.002, kStiffness = kModulus / kThickness;
+constexpr int kPlaces = 30;
+constexpr std::array kParts{0.1, 0.3, 0.6, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.0};  ///< depths in thicknesses
+
+struct Stamp {
+  std::string name;
+  HydroBodyPtr body;
+  double reach;  ///< from the body's origin to its lowest point [m]
+  TriMesh mesh;  ///< for dense quadrature, with its lowest point at -mesh_reach
+  double mesh_reach;
+};
+
+std::vector<Stamp> make_stamps() {
+  const auto ball = make_simple_body(ShapeType::sphere, dvec3(0.004, 0, 0), {}, 0.0008);
+  const auto plane = make_simple_body(ShapeType::plane, dvec3(0));
+  const dvec3 half(0.006, 0.004, 0.006);
+  return {{"ball", ball, 0.004, std::get<RigidMesh>(ball->geometry).index->mesh(), 0.004},
+          {"plane", plane, 0, make_box(dvec3(0.1)), 0.1},
+          {"box", make_simple_body(ShapeType::box, half), half.z, make_box(half), half.z}};
+}
+
+struct Place {
+  dvec3 x, normal;
+};
+
+/// Each at random in its own share of the area.
+std::vector<Place> even_places(const TriMesh& skin) {
+  std::vector<double> area_to;
+  double area = 0;
+  for (int f = 0; f < skin.face_count(); ++f) {
+    area += 0.5 * glm::length(glm::cross(skin.vertex(f, 1) - skin.vertex(f, 0), skin.vertex(f, 2) - skin.vertex(f, 0)));
+    area_to.push_back(area);
+  }
+  const CounterRng rng(5);
+  std::vector<Place> places;
+  for (int i = 0; i < kPlaces; ++i) {
+    const auto n = 3 * static_cast<std::uint64_t>(i);
+    const double share = (i + rng.uniform(n)) / kPlaces * area;
+    const auto f = static_cast<int>(std::upper_bound(area_to.begin(), area_to.end() - 1, share) - area_to.begin());
+    const double u = std::sqrt(rng.uniform(n + 1)), v = rng.uniform(n + 2);
+    places.push_back({(1 - u) * skin.vertex(f, 0) + u * (1 - v) * skin.vertex(f, 1) + u * v * skin.vertex(f, 2),
+                      skin.face_normals()[static_cast<std::size_t>(f)]});
+  }
+  return places;
+}
+
+class Press {
+ public:
+  explicit Press(const TriMesh& mesh)
+      : skin_(std::make_shared<const TriMesh>(extract_shells(mesh, outer_shells(mesh)))),
+        body_(make_mesh_body(skin_.mesh(), soft_material(kModulus, kThickness))),
+        places_(even_places(skin_.mesh())),
+        stamps_(make_stamps()) {
+    fine_.piece_size = {0.002, 0.1};
+  }
+
+  /// Presses each stamp at each place. Every third place also checks area and force against fine pieces.
+  void run() {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      for (const Stamp& stamp : stamps_) press(i, stamp);
+    }
+  }
+
+  int falls = 0;              ///< presses that push no more than the shallower one before, by size or along the press
+  int unexplained_falls = 0;  ///< those of which dense quadrature of (E/H) D says otherwise
+  int unfelt = 0;             ///< presses of 0.1 thicknesses without force
+  double largest_area_error = 0, largest_force_error = 0;  ///< relative, beyond one thickness
+
+ private:
+  struct Push {
+    double size, along;  ///< of the force [N]
+  };
+
+  [[nodiscard]] Pose pose(const Place& place, double depth, double reach) const {
+    const dvec3 z = -place.normal, x = any_perpendicular(z), y = glm::cross(z, x);
+    return {glm::normalize(glm::quat_cast(dmat3(x, y, z))), place.x + (reach - depth) * place.normal};
+  }
+
+  Push push(const Stamp& stamp, const Place& place, double depth, IntersectWorkspace& workspace) {
+    intersect(*body_, *stamp.body, Pose{}, pose(place, depth, stamp.reach), surface_, workspace);
+    const dvec3 force = pressure_wrench(surface_).force;
+    return {glm::length(force), glm::dot(force, -place.normal)};
+  }
+
+  /// The place moved outward to where the stamp, led along the normal from afar, touches first.
+  Place first_touch(const Stamp& stamp, const Place& place) {
+    const auto touches = [&](double height) {
+      push(stamp, place, -height, workspace_);
+      return !surface_.polygons.empty();
+    };
+    double height = skin_.mesh().bounds().diagonal() + 2 * stamp.reach;
+    const double step = 0.2 * kThickness;
+    while (height > -kThickness && !touches(height)) height -= step;
+    double clear = height + step;
+    for (int k = 0; k < 16; ++k) {
+      const double middle = 0.5 * (height + clear);
+      (touches(middle) ? height : clear) = middle;
+    }
+    return {place.x + height * place.normal, place.normal};
+  }
+
+  Push oracle(const Stamp& stamp, const Place& place, double depth) const {
+    const double edge = stamp.name == "ball" ? 2e-4 : 4e-4;
+    const dvec3 force = depth_oracle(skin_, kStiffness, stamp.mesh, pose(place, depth, stamp.mesh_reach), edge).force;
+    return {glm::length(force), glm::dot(force, place.normal) * -1};
+  }
+
+  void press(std::size_t i, const Stamp& stamp) {
+    const Place place = first_touch(stamp, places_[i]);
+    Push before{0, 0};
+    double depth_before = 0;
+    for (const double part : kParts) {
+      const double depth = part * kThickness;
+      const Push now = push(stamp, place, depth, workspace_);
+      const double area = surface_.area();
+      if (depth_before == 0 && !(now.size > 0)) ++unfelt;
+      if (!(now.size > before.size && now.along > before.along)) {
+        ++falls;
+        const Push exact_before = oracle(stamp, place, depth_before), exact = oracle(stamp, place, depth);
+        const bool is_true = (now.size > before.size || exact.size <= exact_before.size) &&
+                             (now.along > before.along || exact.along <= exact_before.along);
+        if (!is_true) ++unexplained_falls;
+        EXPECT_TRUE(is_true) << stamp.name << " at place " << i << ", " << part << " H deep: " << before.size
+                             << " N to " << now.size << " N, by quadrature " << exact_before.size << " to "
+                             << exact.size;
+      }
+      if (i % 3 == 0 && part > 1) {
+        const Push exact = push(stamp, place, depth, fine_);
+        largest_area_error = std::max(largest_area_error, std::abs(area / surface_.area() - 1));
+        largest_force_error = std::max(largest_force_error, std::abs(now.size / exact.size - 1));
+      }
+      before = now;
+      depth_before = depth;
+    }
+  }
+
+  MeshIndex skin_;
+  HydroBodyPtr body_;
+  std::vector<Place> places_;
+  std::vector<Stamp> stamps_;
+  ContactSurface surface_;
+  IntersectWorkspace workspace_, fine_;
+};
+
+/// A real mesh in mm, repaired as a layout does, or null if the file is absent.
+TriMeshPtr repaired_mesh(const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / name;
+  if (!std::filesystem::exists(path)) return nullptr;
+  return repair_mesh(load_mesh(path, dvec3(0.001)).mesh, {}, kThickness)->mesh;
+}
+
+TEST(Press, ForceGrowsEverywhereOnTheFinger) {
+  Press press(make_fingertip());
+  press.run();
+  EXPECT_EQ(press.falls, 0);
+  EXPECT_EQ(press.unfelt, 0);
+  EXPECT_LT(press.largest_area_error, 0.005);
+  EXPECT_LT(press.largest_force_error, 0.02);
+}
+
+/// At a thin lip of the skin a ball goes through: the field itself pushes less then, and quadrature says so.
+TEST(Press, ForceGrowsAsTheFieldOnTheShadowFingertip) {
+  const TriMeshPtr mesh = repaired_mesh("meshes/shadow_f_distal_pst.stl");
+  if (!mesh) GTEST_SKIP() << "the real meshes are absent: " << TAXEL_REAL_DATA;
+  Press press(*mesh);
+  press.run();
+  EXPECT_EQ(press.unexplained_falls, 0);
+  EXPECT_LT(press.falls, 40);
+  EXPECT_EQ(press.unfelt, 0);
+  EXPECT_LT(press.largest_area_error, 0.01);  // 0.8 %: shallower than 0.04 H beside its thin lip
+  EXPECT_LT(press.largest_force_error, 0.02);
+}
+
+TEST(Press, ForceGrowsAsTheFieldOnThePapersFinger) {
+  const TriMeshPtr mesh = repaired_mesh("paper/ubi_tip_collision.stl");
+  if (!mesh) GTEST_SKIP() << "the real meshes are absent: " << TAXEL_REAL_DATA;
+  Press press(*mesh);
+  press.run();
+  EXPECT_EQ(press.unexplained_falls, 0);
+  EXPECT_LT(press.falls, 15);
+  EXPECT_EQ(press.unfelt, 0);
+  EXPECT_LT(press.largest_area_error, 0.005);
+  EXPECT_LT(press.largest_force_error, 0.02);
+}
+
+}  // namespace
+}  // namespace taxel
