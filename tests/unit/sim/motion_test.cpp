@@ -195,6 +195,18 @@ TEST(Motion, SweepOverAnEdgeBeginsAndEndsClearOfIt) {
   }
 }
 
+/// A pyramid on its apex, steeper toward +x than toward -x: of its vertices only the apex is below the crest, so the
+/// distances are found where its edges pass the crest.
+TEST(Motion, ClearReachCountsFacesThatPassTheCrest) {
+  const double forward = 3, backward = 2;  // per height, for edges in the plane y = 0
+  const TriMesh pyramid({{0, 0, 0}, {forward, 0, 1}, {0, 1, 1}, {-backward, 0, 1}, {0, -1, 1}},
+                        {{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}, {1, 2, 3}, {1, 3, 4}});
+  const double crest = 0.01, round = 0.0004;
+  const dvec2 reach = clear_reach(pyramid, Pose{}, crest, round);
+  EXPECT_NEAR(reach[0], forward * crest + crest + round, 1e-15);
+  EXPECT_NEAR(reach[1], backward * crest + crest + round, 1e-15);
+}
+
 TEST(Motion, SweepOverAnEdgeKeepsALongerWayThatIsAskedFor) {
   const TriMesh skin = finger();
   const Scenario scenario;
