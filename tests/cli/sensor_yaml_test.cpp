@@ -15,7 +15,7 @@ std::string yaml_of(const std::string& type, const std::string& geom) {
          "       taxels: [[0, 0, 0.01], [0, 0, -0.01]],\n       normals: [[0, 0, 1], [0, 0, -1]]}\n";
 }
 
-bool tells(const Outcome& outcome, const std::string& part) {
+bool mentions(const Outcome& outcome, const std::string& part) {
   return outcome.err.find(part) != std::string::npos;
 }
 
@@ -40,14 +40,14 @@ TEST_F(SensorYamlCli, SamplesOnTheMeshThatIsNamed) {
   const Outcome outcome =
       taxel({"samples", yaml, "--mesh", mesh, "--scale", "0.001", "--out", (folder / "s.csv").string()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(tells(outcome, "not carried over: topicName")) << outcome.err;
+  EXPECT_TRUE(mentions(outcome, "not carried over: topicName")) << outcome.err;
   EXPECT_EQ(read_csv(folder / "s.csv").at("x").size(), 2400U) << "1e6 per m^2 on 6 x 4 cm^2";
 }
 
 TEST_F(SensorYamlCli, GuessesTheScaleAndSaysSo) {
   const Outcome outcome = taxel({"samples", yaml, "--mesh", mesh, "--out", (folder / "s.csv").string()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(tells(outcome, "box.obj is taken with scale 0.001")) << outcome.err;
+  EXPECT_TRUE(mentions(outcome, "box.obj is taken with scale 0.001")) << outcome.err;
 }
 
 TEST_F(SensorYamlCli, AsksForTheMesh) {
@@ -127,7 +127,8 @@ TEST_F(SensorYamlCli, TakesMaterialOfTheScenesField) {
   write_text(folder / "scene.xml", text);
   const Outcome outcome = taxel({"run", (folder / "scene.xml").string(), "--layout", yaml, "--seconds", "0.002"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(tells(outcome, "\"cs::tip_geom\" gives the material: modulus 30000 Pa, dissipation 2 s/m, friction 0.2"))
+  EXPECT_TRUE(
+      mentions(outcome, "\"cs::tip_geom\" gives the material: modulus 30000 Pa, dissipation 2 s/m, friction 0.2"))
       << outcome.err;
 }
 

@@ -17,7 +17,7 @@ constexpr double kEven = 0.02;
 /// A tent's vertex is at first at this fraction of the way from the face's incentre to the old tet's apex. Higher tents
 /// are even further inside, but leave thin tets around them.
 constexpr double kFirstHeight = 0.35;
-/// A tent that is nearer to another part of the skin than to its face is lowered by this factor, at most so often.
+/// A tent that is nearer to another part of the skin than to its face is lowered by this factor, at most this often.
 constexpr double kLower = 0.6;
 constexpr int kMaxLowerings = 12;
 

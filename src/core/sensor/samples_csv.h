@@ -9,7 +9,7 @@
 namespace taxel {
 
 /// `x,y,z,nx,ny,nz,face,area,id,used`: position [m] and normal in frame M, triangle of the mesh file from 0 (-1 on
-/// faces that a repair filled in, the nearest one on a wrapped surface), area that the sample stands for [m^2], number,
+/// faces that a repair filled in, the nearest one on a wrapped surface), area of the skin per sample [m^2], number,
 /// 1 where a taxel uses it. `file_face_of`: for each face of the model's loaded mesh its number in the file
 /// (LoadedMesh).
 std::string samples_to_csv(const SensorModel& model, const std::vector<int>& file_face_of);

@@ -62,7 +62,7 @@ using SensorModelPtr = std::shared_ptr<const SensorModel>;
 inline constexpr const char* kFieldWithoutSamples = "field_without_samples";
 
 /// The layout of a model for its repaired mesh, to be written with that mesh: /sampling/region counts the repaired
-/// faces, and of the recipe only what the repaired mesh still needs is left. The same as before if nothing was
+/// faces, and its recipe has only the values that the repaired mesh still needs. Unchanged if nothing was
 /// repaired.
 Layout layout_on_repaired_mesh(const SensorModel& model);
 

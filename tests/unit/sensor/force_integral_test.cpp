@@ -170,8 +170,8 @@ TriMeshPtr notched_block(bool reversed) {
   return std::make_shared<TriMesh>(std::move(vertices), std::move(faces));
 }
 
-// All of the contact has the inner edge of a notch as its nearest skin, below which the skin looks toward +y and beside
-// which toward -z. The direction to the edge is less than 45 degrees from +y for z < -y, from -z for the rest.
+// All of the contact has the inner edge of a notch as its nearest skin, below which the skin looks toward +y and next
+// to which toward -z. The direction to the edge is less than 45 degrees from +y for z < -y, from -z for the rest.
 TEST(ForceIntegral, TheDirectionDecidesWhereAnEdgeIsNearest) {
   const double depth = 0.002, width = 0.006, p = 1e4, half = p * width * depth;
   ContactSurface surface;
