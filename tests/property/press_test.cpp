@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kModulus = 5e4, kThickness = 0.002, kStiffness = kModulus / kThickness;
+constexpr double kPadModulus = 5e4, kPadThickness = 0.002, kPadStiffness = kPadModulus / kPadThickness;
 constexpr int kPlaces = 30;
 constexpr std::array kParts{0.1, 0.3, 0.6, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.0};  ///< depths in thicknesses
 
@@ -61,7 +61,7 @@ class Press {
  public:
   explicit Press(const TriMesh& mesh)
       : skin_(std::make_shared<const TriMesh>(extract_shells(mesh, outer_shells(mesh)))),
-        body_(make_mesh_body(skin_.mesh(), soft_material(kModulus, kThickness))),
+        body_(make_mesh_body(skin_.mesh(), soft_material(kPadModulus, kPadThickness))),
         places_(even_places(skin_.mesh())),
         stamps_(make_stamps()) {
     fine_.piece_size = {0.002, 0.1};
@@ -102,8 +102,8 @@ class Press {
       return !surface_.polygons.empty();
     };
     double height = skin_.mesh().bounds().diagonal() + 2 * stamp.reach;
-    const double step = 0.2 * kThickness;
-    while (height > -kThickness && !touches(height)) height -= step;
+    const double step = 0.2 * kPadThickness;
+    while (height > -kPadThickness && !touches(height)) height -= step;
     double clear = height + step;
     for (int k = 0; k < 16; ++k) {
       const double middle = 0.5 * (height + clear);
@@ -114,7 +114,8 @@ class Press {
 
   Push oracle(const Stamp& stamp, const Place& place, double depth) const {
     const double edge = stamp.name == "ball" ? 2e-4 : 4e-4;
-    const dvec3 force = depth_oracle(skin_, kStiffness, stamp.mesh, pose(place, depth, stamp.mesh_reach), edge).force;
+    const dvec3 force =
+        depth_oracle(skin_, kPadStiffness, stamp.mesh, pose(place, depth, stamp.mesh_reach), edge).force;
     return {glm::length(force), glm::dot(force, place.normal) * -1};
   }
 
@@ -123,7 +124,7 @@ class Press {
     Push before{0, 0};
     double depth_before = 0;
     for (const double part : kParts) {
-      const double depth = part * kThickness;
+      const double depth = part * kPadThickness;
       const Push now = push(stamp, place, depth, workspace_);
       const double area = surface_.area();
       if (depth_before == 0 && !(now.size > 0)) ++unfelt;
@@ -159,7 +160,7 @@ class Press {
 TriMeshPtr repaired_mesh(const std::string& name) {
   const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / name;
   if (!std::filesystem::exists(path)) return nullptr;
-  return repair_mesh(load_mesh(path, dvec3(0.001)).mesh, {}, kThickness)->mesh;
+  return repair_mesh(load_mesh(path, dvec3(0.001)).mesh, {}, kPadThickness)->mesh;
 }
 
 TEST(Press, ForceGrowsEverywhereOnTheFinger) {
