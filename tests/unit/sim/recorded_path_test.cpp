@@ -5,6 +5,7 @@
 
 #include "core/mesh/primitives.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
 #include "core/sim/scene/scenario_scene.h"
 #include "fixtures/sweep_model.h"
@@ -17,6 +18,7 @@ struct Box {
   dvec3 center, half;
 };
 Box object_of(const ScenarioScene& scene) {
+  register_sensor_plugin();
   const CompiledScene compiled = compile_scene(scene.hosted_xml, scene.files.files, "path");
   const int g = mj_name2id(compiled.model.get(), mjOBJ_GEOM, kObjectGeom);
   const mjModel& m = *compiled.model;
