@@ -55,7 +55,11 @@ int run(const Options& options, Console& console) {
     throw Error(options.scene,
                 "declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom");
   }
-  for (const SensorModelPtr& model : scene.sensors) console.tell(model->problems);
+  for (const SensorModelPtr& model : scene.sensors) {
+    Problems problems = model->problems;  // repairs of meshes are among the warnings of the simulator
+    std::erase_if(problems, [](const Problem& p) { return p.code.starts_with("repair_"); });
+    console.tell(problems);
+  }
   RunCost cost;
   const Recording recording = record(*simulator, options.seconds, console, cost);
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();

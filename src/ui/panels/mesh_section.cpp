@@ -121,12 +121,12 @@ void draw_mesh_report(UiState& ui, const UiInput& input) {
                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
                           ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("Mesh report", &ui.saved.panels.mesh_report, kFlags)) {
-    ui.widgets.note_item("Mesh report window");
     ImGui::PushTextWrapPos(37 * em);
     if (!input.editing.project) {
       ImGui::TextDisabled("No mesh is open.");
     } else {
       ImGui::TextDisabled("%s", input.editing.project->layout.mesh.file.c_str());
+      ui.widgets.note_item("Mesh report window");
       if (!input.editing.mesh_findings) {
         ImGui::TextDisabled("It could not be read.");
       } else if (input.editing.mesh_findings->empty()) {
