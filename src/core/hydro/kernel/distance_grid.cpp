@@ -80,8 +80,9 @@ void DistanceGrid::mark(const PressureField& field) {
 /// entered than left before it (nonzero winding). Each line passes the middles of its cells, moved by an irrational
 /// fraction of a cell, so that it practically never meets an edge or a corner of a face. A line that enters and leaves
 /// a different number of faces marks no cell.
-void DistanceGrid::mark_core(const TriMesh& skin) {
+void DistanceGrid::mark_core(const PressureField& field, const TriMesh& skin) {
   if (cells_.empty()) return;
+  mark_gaps(field, skin);
   const double shift_y = 0.5 + 1e-3 * std::sqrt(2.0), shift_z = 0.5 - 1e-3 * std::sqrt(3.0);
   std::vector<int> turns(cells_.size() + at(dims_.y) * at(dims_.z), 0);  // one more per line: what lies behind it
   const std::size_t stride = at(dims_.x) + 1;
@@ -122,9 +123,51 @@ void DistanceGrid::mark_core(const TriMesh& skin) {
       for (int x = 0; x < dims_.x; ++x) {
         sum += line[x];
         Cell& cell = cells_[index(x, y, z)];
-        if (sum <= 0 || cell.tet >= 0) continue;
+        const bool is_crossed = (gaps_[index(x, y, z)] & kSkin) != 0;
+        if ((sum <= 0 && !is_crossed) || cell.tet >= 0) continue;
         cell.distance = 0;
         cell.tet = kCoreCell;
+      }
+    }
+  }
+}
+
+/// A point that no tet holds is found by a walk that leaves the tets by a face of the skin if it is outside, or if it
+/// lies in a gap between tets that reaches up to the skin. Only cells that the skin crosses next to a core's face can
+/// hold such gaps: where the pad is whole, the core is a thickness away.
+void DistanceGrid::mark_gaps(const PressureField& field, const TriMesh& skin) {
+  constexpr double kNear = 4;  // cells: a core's face that is deeper than this has no gap at the skin
+  gaps_.assign(cells_.size(), 0);
+  for (int f = 0; f < skin.face_count(); ++f)
+    mark_triangle({skin.vertex(f, 0), skin.vertex(f, 1), skin.vertex(f, 2)}, 0, kSkin);
+  if (!field.report().core) return;
+  for (const Tet& tet : field.tets()) {
+    for (int i = 0; i < 4; ++i) {
+      if (tet.neighbour[i] >= 0 || field.is_skin(tet, i)) continue;
+      std::array<dvec3, 3> corners;
+      double least = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 3; ++k) {
+        corners[at(k)] = field.vertices()[at(tet.vertices[(i + 1 + k) % 4])];
+        least = std::min(least, glm::dot(tet.gradient, corners[at(k)]) + tet.constant);
+      }
+      if (least <= kNear * edge_ * glm::length(tet.gradient)) mark_triangle(corners, edge_, kNearCore);
+    }
+  }
+}
+
+/// Sets a bit of the cells that a triangle passes at most `margin` away, along each axis.
+void DistanceGrid::mark_triangle(const std::array<dvec3, 3>& corners, double margin, std::uint8_t bit) {
+  Aabb box;
+  for (const dvec3& corner : corners) box.include(corner);
+  const dvec3 n = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double reach = (0.500001 * edge_ + margin) * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+  const ivec3 from(glm::clamp((box.lo - margin - low_) / edge_ - 1e-6, dvec3(0), dvec3(dims_ - 1)));
+  const ivec3 to(glm::clamp((box.hi + margin - low_) / edge_ + 1e-6, dvec3(0), dvec3(dims_ - 1)));
+  for (int z = from.z; z <= to.z; ++z) {
+    for (int y = from.y; y <= to.y; ++y) {
+      for (int x = from.x; x <= to.x; ++x) {
+        const dvec3 center = low_ + edge_ * (dvec3(x, y, z) + 0.5);
+        if (std::abs(glm::dot(n, center - corners[0])) <= reach) gaps_[index(x, y, z)] |= bit;
       }
     }
   }

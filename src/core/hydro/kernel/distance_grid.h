@@ -30,8 +30,9 @@ class DistanceGrid {
 
   DistanceGrid() = default;
   explicit DistanceGrid(const PressureField& field);
-  /// Finds the cells that lie inside of the closed skin and hold no tet: their distance becomes 0.
-  void mark_core(const TriMesh& skin);
+  /// Finds the cells that hold no tet and lie inside of the closed skin, or are crossed by it: their distance becomes
+  /// 0. Finds the gaps of the field below the skin, too.
+  void mark_core(const PressureField& field, const TriMesh& skin);
 
   /// Bounds of the field, enlarged a little.
   [[nodiscard]] const dvec3& low() const { return low_; }
@@ -48,18 +49,28 @@ class DistanceGrid {
     return cells_[index(static_cast<int>(r.x), static_cast<int>(r.y), static_cast<int>(r.z))];
   }
 
+  /// Whether the cell of a point is crossed by the skin and may hold a part of the body that no tet fills. False before
+  /// mark_core().
+  [[nodiscard]] bool may_hold_gap(const dvec3& p) const {
+    return !gaps_.empty() && gaps_[static_cast<std::size_t>(&cell_of(p) - cells_.data())] == kGap;
+  }
+
  private:
+  static constexpr std::uint8_t kSkin = 1, kNearCore = 2, kGap = kSkin | kNearCore;
   [[nodiscard]] std::size_t index(int x, int y, int z) const {
     return static_cast<std::size_t>(x + dims_.x * (y + dims_.y * z));
   }
   void mark(const PressureField& field);
   void spread(const std::vector<char>& marked);
+  void mark_gaps(const PressureField& field, const TriMesh& skin);
+  void mark_triangle(const std::array<dvec3, 3>& corners, double margin, std::uint8_t bit);
 
   dvec3 low_{0};
   ivec3 dims_{0};
   double edge_ = 1, per_metre_ = 1;  ///< of a cell, and its inverse
   std::vector<Cell> cells_;
   std::vector<Face> faces_;
+  std::vector<std::uint8_t> gaps_;  ///< per cell: bits kSkin, kNearCore; empty if the field ends with its tets
 };
 
 }  // namespace taxel

@@ -27,7 +27,7 @@ PackedTet packed(const PressureField& field, const Tet& tet) {
 
 FieldIndex::FieldIndex(PressureFieldPtr field_ptr, const TriMesh* skin)
     : field_(std::move(field_ptr)), grid_(*field_), goes_on_(skin != nullptr) {
-  if (skin != nullptr) grid_.mark_core(*skin);
+  if (skin != nullptr) grid_.mark_core(*field_, *skin);
   const PressureField& field = *field_;
   std::vector<Aabb> boxes;
   boxes.reserve(field.tets().size());

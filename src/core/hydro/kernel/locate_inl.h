@@ -83,14 +83,15 @@ HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const d
 
 /// Whether x, which no tet holds, may lie inside of the body: locate() found it in the core, or left the tets there. A
 /// walk to a point outside of the skin leaves by the core too at times; the pressure of the last tet is negative then.
+/// So it is at a point in a gap that reaches up to the skin, for which the grid knows where such gaps are.
 HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const dvec3& x) {
   if (held >= kOutside) return false;
   if (held == kInCore) return true;
   const std::int32_t code = kOutside - 1 - held;
   const PackedTet& tet = field.tets()[static_cast<std::size_t>(code / 4)];
-  if ((tet.core_faces >> (code % 4) & 1u) == 0) return false;
   const LinearPressure p = tet.pressure();
-  return glm::dot(p.gradient, x) + p.constant > 0;
+  const bool left_by_core = (tet.core_faces >> (code % 4) & 1u) != 0;
+  return (left_by_core && glm::dot(p.gradient, x) + p.constant > 0) || field.grid().may_hold_gap(x);
 }
 
 /// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
