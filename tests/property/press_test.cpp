@@ -1,4 +1,4 @@
-// Rigid bodies pressed into a pad anywhere, from 0.1 to 3 thicknesses deep: force grows, and no area is lost.
+// Rigid bodies pressed into a pad anywhere, from 0.1 to 3 thicknesses deep: each press is felt, and force grows.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
 #include "fixtures/depth_oracle.h"
+#include "fixtures/rough_meshes.h"
 
 namespace taxel {
 namespace {
@@ -37,7 +38,7 @@ struct Place {
 };
 
 /// Each at random in its own share of the area.
-std::vector<Place> even_places(const TriMesh& skin) {
+std::vector<Place> even_places(const TriMesh& skin, int count) {
   std::vector<double> area_to;
   double area = 0;
   for (int f = 0; f < skin.face_count(); ++f) {
@@ -46,9 +47,9 @@ std::vector<Place> even_places(const TriMesh& skin) {
   }
   const CounterRng rng(5);
   std::vector<Place> places;
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < count; ++i) {
     const auto n = 3 * static_cast<std::uint64_t>(i);
-    const double share = (i + rng.uniform(n)) / kPlaces * area;
+    const double share = (i + rng.uniform(n)) / count * area;
     const auto f = static_cast<int>(std::upper_bound(area_to.begin(), area_to.end() - 1, share) - area_to.begin());
     const double u = std::sqrt(rng.uniform(n + 1)), v = rng.uniform(n + 2);
     places.push_back({(1 - u) * skin.vertex(f, 0) + u * (1 - v) * skin.vertex(f, 1) + u * v * skin.vertex(f, 2),
@@ -62,7 +63,7 @@ class Press {
   explicit Press(const TriMesh& mesh)
       : skin_(std::make_shared<const TriMesh>(extract_shells(mesh, outer_shells(mesh)))),
         body_(make_mesh_body(skin_.mesh(), soft_material(kPadModulus, kPadThickness))),
-        places_(even_places(skin_.mesh())),
+        places_(even_places(skin_.mesh(), kPlaces)),
         stamps_(make_stamps()) {
     fine_.piece_size = {0.002, 0.1};
   }
@@ -161,6 +162,70 @@ TriMeshPtr repaired_mesh(const std::string& name) {
   const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / name;
   if (!std::filesystem::exists(path)) return nullptr;
   return repair_mesh(load_mesh(path, dvec3(0.001)).mesh, {}, kPadThickness)->mesh;
+}
+
+/// How a facet of 0.04 H, parallel to the skin and 0.1 H below it, feels p = (E/H) D.
+struct Felt {
+  int places = 0;  ///< those with D >= 0.05 H: farther from a sharp edge than that
+  int unfelt = 0;  ///< those where less than half of the facet is in contact
+  int exact = 0;   ///< those with a pressure within 5 % of (E/H) D
+};
+
+Felt felt_by_facets(const TriMesh& mesh, int count) {
+  const MeshIndex skin(std::make_shared<const TriMesh>(extract_shells(mesh, outer_shells(mesh))));
+  const auto pad = make_mesh_body(skin.mesh(), soft_material(kPadModulus, kPadThickness));
+  const double depth = 0.1 * kPadThickness;
+  const dvec3 half(0.2 * depth, 0.2 * depth, depth);
+  const auto pin = make_simple_body(ShapeType::box, half);
+  const TriMesh& faces = std::get<RigidMesh>(pin->geometry).index->mesh();
+  Felt felt;
+  ContactSurface surface;
+  IntersectWorkspace workspace;
+  for (const Place& place : even_places(skin.mesh(), count)) {
+    const dvec3 below = place.x - depth * place.normal;
+    const double D = -skin.signed_distance(below);
+    if (D < 0.5 * depth) continue;
+    ++felt.places;
+    const dvec3 z = -place.normal, x = any_perpendicular(z), y = glm::cross(z, x);
+    const Pose X{glm::normalize(glm::quat_cast(dmat3(x, y, z))), place.x};
+    intersect(*pad, *pin, Pose{}, X, surface, workspace);
+    double force = 0, area = 0;
+    for (const ContactPolygon& p : surface.polygons) {
+      if (p.face < 0 || faces.face_normals()[static_cast<std::size_t>(p.face)].z < 0.5) continue;
+      force += p.pressure * p.area;
+      area += p.area;
+    }
+    if (area < 2 * half.x * half.y) {
+      ++felt.unfelt;
+    } else if (std::abs(force / area - kPadStiffness * D) <= 0.05 * kPadStiffness * D) {
+      ++felt.exact;
+    }
+  }
+  return felt;
+}
+
+/// Small triangles in gaps between the tets below a rough skin: ten of these facets were lost.
+TEST(Press, SmallFacetIsFeltBetweenTheTets) {
+  const Felt felt = felt_by_facets(make_rough_ball(3, 0.4, 7), 2000);
+  EXPECT_GT(felt.places, 1900);
+  EXPECT_EQ(felt.unfelt, 0);
+}
+
+TEST(Press, SmallFacetFeelsTheDepthOnTheFinger) {
+  const Felt felt = felt_by_facets(make_fingertip(), 1000);
+  EXPECT_EQ(felt.places, 1000);
+  EXPECT_EQ(felt.exact, 1000);
+}
+
+TEST(Press, SmallFacetFeelsTheDepthOnRealSkins) {
+  for (const char* name : {"paper/ubi_tip_collision.stl", "meshes/shadow_f_distal_pst.stl", "skins/gripper_flange.stl",
+                           "skins/digit_holder.stl"}) {
+    const TriMeshPtr mesh = repaired_mesh(name);
+    if (!mesh) GTEST_SKIP() << "the real meshes are absent: " << TAXEL_REAL_DATA;
+    const Felt felt = felt_by_facets(*mesh, 2000);
+    EXPECT_EQ(felt.unfelt, 0) << name;
+    EXPECT_GT(felt.exact, 0.95 * felt.places) << name;
+  }
 }
 
 TEST(Press, ForceGrowsEverywhereOnTheFinger) {
