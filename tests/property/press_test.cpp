@@ -246,7 +246,7 @@ TEST(Press, ForceGrowsAsTheFieldOnTheShadowFingertip) {
   EXPECT_EQ(press.unexplained_falls, 0);
   EXPECT_LT(press.falls, 40);
   EXPECT_EQ(press.unfelt, 0);
-  EXPECT_LT(press.largest_area_error, 0.01);  // 0.8 %: shallower than 0.04 H beside its thin lip
+  EXPECT_LT(press.largest_area_error, 0.005);
   EXPECT_LT(press.largest_force_error, 0.02);
 }
 

@@ -66,7 +66,7 @@ class PlanePieces {
   void add(const std::array<Corner, 3>& corners, int levels) { refine({corners, levels, 0, w_.lists.size()}); }
 
  private:
-  static constexpr double kClipped = 2;  // tolerances: a shallower hole is an error of D, not a hole
+  static constexpr double kClipped = 0.5;  // tolerances: a shallower hole is an error of D, not a hole
   /// A factor of lengths: sizes of bodies are rarely multiples of them then, so that no rounding decides.
   static constexpr double kNoTie = 1.0137;
   static constexpr double kCutEdge = 2;    // thicknesses: longest edge of a piece that the skin cuts
