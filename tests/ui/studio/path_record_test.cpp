@@ -80,7 +80,7 @@ TEST(PathRecording, MovesThePapersPathWithItsBox) {
   const dvec3 finger = vector_of(run["simulation"]["sensors"][0]["position"]);
   EXPECT_LT(glm::distance(vector_of(points.back()["pos"]), finger + box_moved), 1e-4) << "it lags a little";
   EXPECT_EQ(played["scenario"]["running"], edited);
-  EXPECT_EQ(played["scenario"]["running"].value("object", "box"), "box");
+  EXPECT_EQ(played["scenario"]["running"].value("shape", "box"), "box");
 }
 
 TEST(PathRecording, AHandLeadsTheFingerWhileTheSimulationStands) {
