@@ -23,6 +23,7 @@ LIBRARIES = {
     "implot": ["ui/**/*", "ui/*", "app/studio/*", "app/studio/**/*"],
     "CLI/": ["app/**/*"],
     "iostream": [],
+    "fstream": [],
 }
 UI_MAY_USE_OF_SIM = {"core/sim/sim_frame.h", "core/sim/trace.h", "core/sim/sim_command.h", "core/sim/history/lanes.h", "core/sim/scene_controls.h",
                      "core/sim/history/breakpoints.h"}

@@ -2,28 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "core/base/error.h"
 
 namespace taxel {
 namespace fs = std::filesystem;
-
-std::string read_file(const fs::path& path) {
-  std::error_code ec;
-  if (!fs::exists(path, ec)) throw Error(path.string(), "no such file");
-  if (fs::is_directory(path, ec)) throw Error(path.string(), "is a folder, not a file");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(path.string(), fmt::format("cannot be read: {}", std::strerror(errno)));
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (in.bad()) throw Error(path.string(), "reading failed half way");
-  return bytes;
-}
 
 namespace {
 
@@ -46,6 +36,17 @@ class Descriptor {
     }
     return sync();
   }
+  /// Appends the next bytes of the file. False at the end of the file, or after an error; then errno is not 0.
+  [[nodiscard]] bool read(std::string& bytes) const {
+    std::array<char, 1U << 16> block;
+    errno = 0;
+    ssize_t n = 0;
+    do n = ::read(number_, block.data(), block.size());
+    while (n < 0 && errno == EINTR);
+    if (n > 0) bytes.append(block.data(), static_cast<std::size_t>(n));
+    return n > 0;
+  }
+  [[nodiscard]] bool status(struct stat& out) const { return ::fstat(number_, &out) == 0; }
   [[nodiscard]] bool sync() const { return ::fsync(number_) == 0 || errno == EINVAL; }  // EINVAL: has no disk
 
  private:
@@ -59,6 +60,28 @@ void sync_folder(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
+  const auto too_large = [&] {
+    return Error(path.string(), fmt::format("is larger than {} bytes, the most that is read", max_bytes));
+  };
+  const auto unreadable = [&] { return Error(path.string(), fmt::format("cannot be read: {}", std::strerror(errno))); };
+  const Descriptor in(path, O_RDONLY | O_NONBLOCK | O_NOCTTY);  // without O_NONBLOCK opening a FIFO waits for a writer
+  struct stat status {};
+  if (!in.open() && (errno == ENOENT || errno == ENOTDIR)) throw Error(path.string(), "no such file");
+  if (!in.open() && errno == ENXIO) throw Error(path.string(), "is not a regular file");  // a socket
+  if (!in.open() || !in.status(status)) throw unreadable();
+  if (S_ISDIR(status.st_mode)) throw Error(path.string(), "is a folder, not a file");
+  if (!S_ISREG(status.st_mode)) throw Error(path.string(), "is not a regular file");
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size > max_bytes) throw too_large();
+  std::string bytes;
+  bytes.reserve(size + 1);
+  while (in.read(bytes))
+    if (bytes.size() > max_bytes) throw too_large();
+  if (errno != 0) throw unreadable();
+  return bytes;
+}
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
   const fs::path beside = path.string() + fmt::format(".{}.part", ::getpid());

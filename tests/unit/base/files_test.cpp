@@ -1,6 +1,7 @@
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
@@ -24,6 +25,26 @@ std::string message_of(const Action& action) {
 
 std::size_t file_count(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Files, ReadsRegularFilesOnly) {
+  const TempFolder folder;
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(message_of([&] { read_file(pipe); }), pipe.string() + ": is not a regular file");
+  EXPECT_EQ(message_of([&] { read_file("/dev/zero"); }), "/dev/zero: is not a regular file");
+  EXPECT_EQ(message_of([&] { read_file(folder.path()); }), folder.path().string() + ": is a folder, not a file");
+}
+
+TEST(Files, RefusesFilesAboveTheLimit) {
+  const TempFolder folder;
+  write_file_atomically(folder / "five", "12345");
+  EXPECT_EQ(read_file(folder / "five", 5), "12345");
+  EXPECT_EQ(message_of([&] { read_file(folder / "five", 4); }),
+            (folder / "five").string() + ": is larger than 4 bytes, the most that is read");
+  fs::resize_file(folder / "five", kMaxFileBytes + 1);  // a file with a hole takes no room on the disk
+  EXPECT_EQ(message_of([&] { read_file(folder / "five"); }),
+            (folder / "five").string() + ": is larger than 1073741824 bytes, the most that is read");
 }
 
 TEST(Files, BytesGoRoundUnchanged) {
