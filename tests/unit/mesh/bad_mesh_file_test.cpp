@@ -89,7 +89,22 @@ constexpr Bad kBad[] = {
      "0\n1",
      "cut off"},
     {"no_z.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
-     "not finite or missing"},
+     "header: element 'vertex' has no property 'z'"},
+    {"no_rows.ply",
+     "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nproperty list uchar int vertex_indices\n"
+     "end_header\n3 0 1 2\n",
+     "header: element 'vertex' has no property 'x'"},
+    {"two_vertex.ply", "ply\nformat ascii 1.0\nelement vertex 3\nelement vertex 3\nend_header\n",
+     "header: must have one element 'vertex', has 2"},
+    {"no_newline.ply",
+     "ply\nformat binary_little_endian 1.0\nelement a 2000000000\nproperty double q\nelement vertex 3\nproperty "
+     "float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+     "end_header",
+     "byte 207: is cut off"},
+    {"one_vertex.ply",
+     "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\n"
+     "end_header",
+     "is cut off"},
     {"index.ply",
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",

@@ -104,6 +104,20 @@ Header read_header(TextCursor& cursor) {
   cursor.fail("is cut off: no 'end_header'");
 }
 
+/// Throws Error if there are several elements 'vertex', or the rows of the one lack x, y or z.
+void check_vertex_element(const Header& header, const std::string& file) {
+  const auto is_vertex = [](const Element& element) { return element.name == "vertex"; };
+  const auto count = std::count_if(header.elements.begin(), header.elements.end(), is_vertex);
+  if (count > 1) throw Error(file, "header", fmt::format("must have one element 'vertex', has {}", count));
+  if (count == 0) return;
+  const Element& vertex = *std::find_if(header.elements.begin(), header.elements.end(), is_vertex);
+  for (const std::string_view name : {"x", "y", "z"}) {
+    const auto is_coordinate = [&](const Property& p) { return p.name == name && p.count == Number::none; };
+    if (std::none_of(vertex.properties.begin(), vertex.properties.end(), is_coordinate))
+      throw Error(file, "header", fmt::format("element 'vertex' has no property '{}'", name));
+  }
+}
+
 /// The numbers after the header, one after another, whatever their encoding.
 class Body {
  public:
@@ -214,6 +228,7 @@ void read_face(Body& body, const Element& element, double vertex_count, std::vec
 PolygonSoup read_ply(std::string_view bytes, const std::string& file) {
   TextCursor text(bytes, file, '\0');
   const Header header = read_header(text);
+  check_vertex_element(header, file);
   Body body(bytes, file, header, text);
   double vertex_count = 0;
   for (const Element& element : header.elements) {

@@ -34,7 +34,7 @@ bool TextCursor::next_line() {
   while (next_ < text_.size()) {
     const std::size_t end = std::min(text_.find('\n', next_), text_.size());
     rest_ = text_.substr(next_, end - next_);
-    next_ = end + 1;
+    next_ = std::min(end + 1, text_.size());  // the last line may end without a newline
     ++line_number_;
     if (comment_ != 0) rest_ = rest_.substr(0, rest_.find(comment_));
     while (!rest_.empty() && is_space(rest_.front())) rest_.remove_prefix(1);
