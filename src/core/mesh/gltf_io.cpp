@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 
 namespace taxel {
 namespace {
@@ -16,16 +17,35 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Nodes deeper than this are a loop.
+/// Deeper nodes are refused: each level takes a part of the stack.
 constexpr int kMaxNodeDepth = 256;
+/// Most vertices and triangles of a scene: a mesh that many nodes show is as large as all its copies.
+constexpr std::size_t kMaxVertices = 10'000'000, kMaxTriangles = 20'000'000;
 
 bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return true;
+}
+
+/// Buffers in files of their own are read as every file is: regular files only, up to a limit.
+bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+  try {
+    const std::string bytes = read_file(path);
+    out->assign(bytes.begin(), bytes.end());
+  } catch (const Error& e) {
+    *error += e.what();
+    return false;
+  }
   return true;
 }
 
 tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& path) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
+  tinygltf::FsCallbacks files{};
+  files.FileExists = [](const std::string& file, void*) { return std::filesystem::exists(file); };
+  files.ExpandFilePath = [](const std::string& file, void*) { return file; };
+  files.ReadWholeFile = read_buffer_file;
+  loader.SetFsCallbacks(files);
   tinygltf::Model model;
   std::string error, warning;
   const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
@@ -67,12 +87,14 @@ class AccessorReader {
     component_size_ = at(size);
     stride_ = at(stride);
     normalized_ = accessor.normalized;
-    const std::size_t begin = view.byteOffset + accessor.byteOffset;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+      fail("its buffer view reaches beyond its buffer");
+    if (accessor.byteOffset > view.byteLength) fail("reaches beyond its buffer view");
+    const std::size_t room = view.byteLength - accessor.byteOffset;  // no sum of offsets: it could wrap
     const std::size_t element = component_size_ * at(components);
-    if (begin > data.size() ||
-        (count_ > 0 && (data.size() - begin < element || (count_ - 1) > (data.size() - begin - element) / stride_)))
-      fail("reaches beyond its buffer");
-    data_ = data.data() + begin;
+    if (count_ > 0 && (room < element || (count_ - 1) > (room - element) / stride_))
+      fail("reaches beyond its buffer view");
+    data_ = data.data() + view.byteOffset + accessor.byteOffset;
   }
 
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -138,11 +160,17 @@ glm::dmat4 local_transform(const tinygltf::Node& node) {
 /// Collects the triangles of a scene.
 class SceneReader {
  public:
-  SceneReader(const tinygltf::Model& model, std::string file) : model_(model), file_(std::move(file)) {}
+  SceneReader(const tinygltf::Model& model, std::string file)
+      : model_(model), file_(std::move(file)), added_(model.nodes.size(), 0) {}
 
   void add_node(int index, const glm::dmat4& parent, int depth) {
     if (index < 0 || at(index) >= model_.nodes.size()) throw Error(file_, fmt::format("node {} does not exist", index));
-    if (depth > kMaxNodeDepth) throw Error(file_, fmt::format("node {} is its own descendant", index));
+    if (depth > kMaxNodeDepth)
+      throw Error(file_, fmt::format("node {} is nested deeper than {} nodes", index, kMaxNodeDepth));
+    // Nodes form trees (glTF 2.0, 3.5.3): 31 nodes that share children would otherwise be 2^30 copies of a mesh.
+    if (added_[at(index)] != 0)
+      throw Error(file_, fmt::format("node {} has several parents or is its own descendant", index));
+    added_[at(index)] = 1;
     const tinygltf::Node& node = model_.nodes[at(index)];
     const glm::dmat4 transform = parent * local_transform(node);
     if (node.mesh >= 0) {
@@ -164,6 +192,8 @@ class SceneReader {
     const AccessorReader points(model_, position->second, file_);
     if (points.components() != 3)
       throw Error(file_, fmt::format("accessor {}", position->second), "is no list of points");
+    if (points.count() > kMaxVertices - soup_.vertices.size())
+      throw Error(file_, fmt::format("the scene has more than {} vertices, the most that are read", kMaxVertices));
     const int first = static_cast<int>(soup_.vertices.size());
     for (std::size_t i = 0; i < points.count(); ++i) {
       const dvec3 p(transform * glm::dvec4(points.number(i, 0), points.number(i, 1), points.number(i, 2), 1.0));
@@ -200,10 +230,13 @@ class SceneReader {
       if (odd != mirrored) std::swap(t.y, t.z);
       soup_.triangles.push_back(t + first);
     }
+    if (soup_.triangles.size() > kMaxTriangles)
+      throw Error(file_, fmt::format("the scene has more than {} triangles, the most that are read", kMaxTriangles));
   }
 
   const tinygltf::Model& model_;
   std::string file_;
+  std::vector<char> added_;  ///< parallel to the model's nodes: 1 if the node is in the scene already
   PolygonSoup soup_;
 };
 

@@ -1,6 +1,7 @@
 #include "core/mesh/gltf_io.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -154,7 +155,7 @@ TEST(Gltf, ReferencesIntoNothingAreErrors) {
   };
   using Pointer = json::json_pointer;
   EXPECT_NE(with(Pointer("/accessors/0/count"), 5000).find("beyond its buffer"), std::string::npos);
-  EXPECT_NE(with(Pointer("/accessors/1/byteOffset"), 1000).find("beyond its buffer"), std::string::npos);
+  EXPECT_NE(with(Pointer("/accessors/1/byteOffset"), 1000).find("beyond its buffer view"), std::string::npos);
   EXPECT_NE(with(Pointer("/accessors/0/bufferView"), 9).find("buffer view"), std::string::npos);
   EXPECT_NE(with(Pointer("/meshes/0/primitives/0/attributes/POSITION"), 7).find("does not exist"), std::string::npos);
   EXPECT_NE(with(Pointer("/meshes/0/primitives/0/indices"), 0).find("vertex numbers"), std::string::npos);
@@ -170,6 +171,54 @@ TEST(Gltf, ReferencesIntoNothingAreErrors) {
   no_bin.document["buffers"] = {{{"uri", "none.bin"}, {"byteLength", 4}}};
   const TempFolder folder;
   EXPECT_THROW(load_mesh(folder.write("a.gltf", no_bin.document.dump())), Error);
+}
+
+TEST(Gltf, RefusesOffsetsWhoseSumWraps) {
+  TetFile file;
+  const std::uint64_t half = std::uint64_t{1} << 63;  // half + half is 0 in 64 bits
+  file.document["bufferViews"][0]["byteOffset"] = half;
+  file.document["accessors"][0]["byteOffset"] = half;
+  EXPECT_NE(message_of(file).find("buffer view reaches beyond its buffer"), std::string::npos);
+  TetFile inside;
+  inside.document["bufferViews"][0]["byteLength"] = 12;
+  EXPECT_NE(message_of(inside).find("reaches beyond its buffer view"), std::string::npos);
+}
+
+TEST(Gltf, RefusesNodesWithSeveralParents) {
+  TetFile shared;
+  json nodes = json::array();
+  for (int i = 1; i <= 30; ++i) nodes.push_back({{"children", {i, i}}});
+  nodes.push_back({{"mesh", 0}});
+  shared.document["nodes"] = nodes;
+  EXPECT_NE(message_of(shared).find("node 30 has several parents"), std::string::npos);
+  TetFile twice;
+  twice.document["scenes"][0]["nodes"] = {0, 0};
+  EXPECT_NE(message_of(twice).find("node 0 has several parents"), std::string::npos);
+}
+
+TEST(Gltf, RefusesScenesOfTooManyVertices) {
+  TetFile file;
+  json primitive = file.document["meshes"][0]["primitives"][0];
+  primitive.erase("indices");
+  file.buffer.resize(12'000'000);
+  file.document["bufferViews"][0]["byteLength"] = file.buffer.size();
+  file.document["accessors"][0]["count"] = 1'000'000;
+  file.document["meshes"][0]["primitives"] = json::array();
+  for (int i = 0; i < 11; ++i) file.document["meshes"][0]["primitives"].push_back(primitive);
+  EXPECT_NE(message_of(file).find("more than 10000000 vertices"), std::string::npos);
+}
+
+TEST(Gltf, RefusesBuffersThatAreNotRegularFiles) {
+  for (const char* uri : {".", "pipe", "zero"}) {
+    const TempFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", folder / "zero");
+    TetFile file;
+    const auto path = file.write(folder);
+    file.document["buffers"][0]["uri"] = uri;
+    (void)folder.write("tet.gltf", file.document.dump());
+    EXPECT_THROW(load_mesh(path), Error) << uri;
+  }
 }
 
 TEST(Gltf, NanIsAnError) {
