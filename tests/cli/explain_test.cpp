@@ -135,7 +135,7 @@ TEST(Explain, RefusesWhatItCannotExplain) {
           "taxel: " + npz.string() + ": ends at 1.4 s and begins at 0 s, asked for is 99 s");
   const fs::path folder = test_folder();
   refused(folder, {"--taxel", "3", "--time", "1"},
-          "taxel: " + (folder / "readings.npz").string() + ": cannot be read as .npz: No such file");
+          "taxel: " + (folder / "readings.npz").string() + ": no such file");
   fs::copy(npz, folder);
   refused(folder, {"--taxel", "3", "--time", "1"},
           "taxel: " + (folder / "scene.xml").string() +

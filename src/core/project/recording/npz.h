@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/project/recording/recording.h"
+#include "core/project/recording/zip_archive.h"
 
 namespace taxel {
 
@@ -32,22 +32,23 @@ class NpzWriter {
   std::vector<std::pair<std::string, std::string>> members_;  ///< file names and bytes
 };
 
-/// The arrays of an archive that NpzWriter, or NumPy without compression, wrote. Asked for an array, it throws Error
-/// naming file and array where there is none, or one of another type.
+/// The arrays of an archive that NpzWriter or NumPy wrote. Each is unpacked when it is asked for, within the limits of
+/// ZipArchive. Every reading function throws Error naming file and array if there is no such array, it is of another
+/// type, or its bytes differ from their checksum.
 class NpzReader {
  public:
   using Shape = NpzWriter::Shape;
-  /// Throws Error where the file cannot be read, is no zip archive, or holds an array that is broken off.
-  explicit NpzReader(const std::filesystem::path& path);
-  [[nodiscard]] bool has(const std::string& name) const { return arrays_.contains(name); }
-  [[nodiscard]] const Shape& shape(const std::string& name) const { return at(name).shape; }
+  /// Throws Error if the file cannot be read or is not a zip archive.
+  explicit NpzReader(const std::filesystem::path& path) : archive_(path) {}
+  [[nodiscard]] bool has(const std::string& name) const { return archive_.has(name + ".npy"); }
+  [[nodiscard]] Shape shape(const std::string& name) const { return at(name).shape; }
   /// `shape` as it must be; a dimension of any size is kAny.
   static constexpr std::size_t kAny = static_cast<std::size_t>(-1);
   [[nodiscard]] std::vector<double> doubles(const std::string& name, const Shape& shape) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name, const Shape& shape) const;
   [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;  ///< of no or one dimension, as UTF-8
   [[nodiscard]] std::string text(const std::string& name) const;                ///< one
-  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const std::string& file() const { return archive_.file(); }
 
  private:
   struct Array {
@@ -56,13 +57,11 @@ class NpzReader {
     std::string data;
     std::size_t count = 1;
   };
-  [[nodiscard]] const Array& at(const std::string& name) const;
-  [[nodiscard]] Array parse(const std::string& name, const std::string& bytes) const;
+  [[nodiscard]] Array at(const std::string& name) const;
   template <class T>
   [[nodiscard]] std::vector<T> numbers(const std::string& name, const std::string& type, const Shape& shape) const;
 
-  std::string file_;
-  std::map<std::string, Array> arrays_;
+  ZipArchive archive_;
 };
 
 /// A member that is no array, under its whole name; empty where there is none. Throws Error where the archive cannot be
@@ -78,7 +77,8 @@ std::string read_archive_member(const std::filesystem::path& path, const std::st
 std::string recording_to_npz(const Recording& recording);
 
 /// What recording_to_npz() wrote: the same values, bit for bit. `path`: the archive, or the folder with a readings.npz.
-/// Throws Error naming file and array.
+/// Throws Error naming file and array, also if there are no rows, times or steps do not ascend, a step has no mocap
+/// pose, a number is not finite, a quaternion is not of length 1, or a number does not fit.
 Recording read_recording(const std::filesystem::path& path);
 
 /// The archive that read_recording() reads.

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <limits>
 
 #include "core/base/error.h"
-#include "core/project/recording/npz.h"
+#include "core/project/recording/checked_arrays.h"
 #include "core/project/recording/npz_rows.h"
 
 namespace taxel {
@@ -18,14 +19,45 @@ std::string unit_of_readings(const NpzReader& npz, const std::string& prefix) {
   return units.substr(at + key.size(), units.find('"', at + key.size()) - at - key.size());
 }
 
+/// Times of the rows, each later than the one before.
+std::vector<double> read_times(const NpzReader& npz) {
+  std::vector<double> time = finite_doubles(npz, "time", {NpzReader::kAny});
+  if (time.empty()) throw Error(npz.file(), "time", "has no rows");
+  for (std::size_t r = 1; r < time.size(); ++r)
+    if (!(time[r] > time[r - 1]))
+      throw Error(npz.file(), "time",
+                  fmt::format("row {} must be later than {} s of the row before, is {} s", r, time[r - 1], time[r]));
+  return time;
+}
+
+/// Steps of the rows: ascending places in the mocap arrays.
+std::vector<std::int64_t> read_steps(const NpzReader& npz, std::size_t rows, std::size_t steps) {
+  std::vector<std::int64_t> step = bounded_integers(npz, "step", {rows}, 0, static_cast<std::int64_t>(steps) - 1);
+  for (std::size_t r = 1; r < step.size(); ++r)
+    if (step[r] <= step[r - 1])
+      throw Error(npz.file(), "step",
+                  fmt::format("row {} must be greater than {} of the row before, is {}", r, step[r - 1], step[r]));
+  return step;
+}
+
+void read_mocap(const NpzReader& npz, Recording& recording) {
+  const std::vector<double> pos = finite_doubles(npz, "mocap_pos", {NpzReader::kAny, 3});
+  const std::vector<double> quat = unit_quaternions(npz, "mocap_quat", {pos.size() / 3, 4});
+  for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_of_row(pos, quat, i));
+  recording.timestep = finite_doubles(npz, "timestep", {}).front();
+  if (!(recording.timestep > 0))
+    throw Error(npz.file(), "timestep", fmt::format("must be greater than 0, is {}", recording.timestep));
+}
+
 void read_rows(const NpzReader& npz, Recording& recording) {
-  const std::vector<double> time = npz.doubles("time", {NpzReader::kAny});
+  const std::vector<double> time = read_times(npz);
   const std::size_t n = time.size();
-  const std::vector<double> travel = npz.doubles("travel", {n});
-  const std::vector<std::int64_t> step = npz.integers("step", {n});
+  const std::vector<double> travel = finite_doubles(npz, "travel", {n});
+  const std::vector<std::int64_t> step = read_steps(npz, n, recording.mocap.size());
   recording.objects = npz.texts("object_names");
   const std::size_t m = recording.objects.size();
-  const std::vector<double> pos = npz.doubles("object_pos", {n, m, 3}), quat = npz.doubles("object_quat", {n, m, 4});
+  const std::vector<double> pos = finite_doubles(npz, "object_pos", {n, m, 3}),
+                            quat = unit_quaternions(npz, "object_quat", {n, m, 4});
   for (std::size_t r = 0; r < n; ++r) {
     RecordedRow& row = recording.rows.emplace_back();
     row.step = step[r], row.time = time[r], row.travel = travel[r];
@@ -34,7 +66,7 @@ void read_rows(const NpzReader& npz, Recording& recording) {
 }
 
 void read_tangents(const NpzReader& npz, const std::string& prefix, RecordedSensor& sensor) {
-  const std::vector<double> values = npz.doubles(prefix + "tangents", {sensor.taxel_ids.size(), 2, 3});
+  const std::vector<double> values = finite_doubles(npz, prefix + "tangents", {sensor.taxel_ids.size(), 2, 3});
   for (std::size_t k = 0; k < sensor.taxel_ids.size(); ++k)
     sensor.tangents.push_back({vector_at(values, 6 * k), vector_at(values, 6 * k + 3)});
 }
@@ -42,7 +74,8 @@ void read_tangents(const NpzReader& npz, const std::string& prefix, RecordedSens
 RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& prefix, const std::string& geom) {
   RecordedSensor sensor;
   sensor.geom = geom;
-  for (const std::int64_t id : npz.integers(prefix + "taxel_ids", {NpzReader::kAny}))
+  using Id = std::numeric_limits<int>;
+  for (const std::int64_t id : bounded_integers(npz, prefix + "taxel_ids", {NpzReader::kAny}, Id::min(), Id::max()))
     sensor.taxel_ids.push_back(static_cast<int>(id));
   sensor.taxel_names = npz.texts(prefix + "taxel_names");
   if (sensor.taxel_names.size() != sensor.taxel_ids.size())
@@ -61,16 +94,18 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
   const RecordedSensor& sensor = recording.sensors.back();
   const std::size_t n = recording.rows.size(), k = sensor.taxel_ids.size();
   const auto optional = [&](bool there, const char* name, const NpzReader::Shape& shape) {
-    return there ? npz.doubles(prefix + name, shape) : std::vector<double>();
+    return there ? finite_doubles(npz, prefix + name, shape) : std::vector<double>();
   };
-  const std::vector<double> force = npz.doubles(prefix + "force", {n, 3}), area = npz.doubles(prefix + "area", {n}),
-                            readings = npz.doubles(prefix + "readings", {n, k}),
-                            pos = npz.doubles(prefix + "sensor_pos", {n, 3}),
-                            quat = npz.doubles(prefix + "sensor_quat", {n, 4}),
+  const std::vector<double> force = finite_doubles(npz, prefix + "force", {n, 3}),
+                            area = finite_doubles(npz, prefix + "area", {n}),
+                            readings = finite_doubles(npz, prefix + "readings", {n, k}),
+                            pos = finite_doubles(npz, prefix + "sensor_pos", {n, 3}),
+                            quat = unit_quaternions(npz, prefix + "sensor_quat", {n, 4}),
                             calibrated = optional(sensor.calibrated_unit.has_value(), "calibrated", {n, k}),
                             shear = optional(sensor.shear, "shear", {n, k, 2}),
                             uncovered = optional(sensor.force, "uncovered", {n, 3});
-  const std::vector<std::int64_t> polygons = npz.integers(prefix + "polygons", {n});
+  const std::vector<std::int64_t> polygons =
+      bounded_integers(npz, prefix + "polygons", {n}, 0, std::numeric_limits<int>::max());
   const auto row_of = [&](const std::vector<double>& values, std::size_t r) {
     return values.empty() ? std::vector<double>()
                           : std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(r * k),
@@ -94,12 +129,14 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
 }  // namespace
 
 std::filesystem::path recording_file(const std::filesystem::path& path) {
-  return std::filesystem::is_directory(path) ? path / "readings.npz" : path;
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? path / "readings.npz" : path;
 }
 
 Recording read_recording(const std::filesystem::path& path) {
   const NpzReader npz(recording_file(path));
   Recording recording;
+  read_mocap(npz, recording);
   read_rows(npz, recording);
   const std::vector<std::string> geoms = npz.texts("sensor_geoms");
   for (const std::string& geom : geoms) {
@@ -107,10 +144,6 @@ Recording read_recording(const std::filesystem::path& path) {
     recording.sensors.push_back(read_sensor_columns(npz, prefix, geom));
     read_sensor_rows(npz, prefix, recording);
   }
-  const std::vector<double> pos = npz.doubles("mocap_pos", {NpzReader::kAny, 3});
-  const std::vector<double> quat = npz.doubles("mocap_quat", {pos.size() / 3, 4});
-  for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_of_row(pos, quat, i));
-  recording.timestep = npz.doubles("timestep", {}).front();
   return recording;
 }
 
