@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/project/recording/npz.h"
 #include "core/sim/history/step_view.h"
 #include "core/sim/simulator.h"
@@ -110,6 +112,43 @@ TEST_F(FrameBundleTest, HitsOfPolygonsThatAreNotThereAreRefused) {
   hit->polygon = 1'000'000;
   const std::string said = test::complaint_of([&] { (void)read_frame_bundle(write(frame_to_bundle(broken))); });
   EXPECT_NE(said.find("sensor0/hit_surface_polygon: 1000000 is not among 0 to"), std::string::npos) << said;
+}
+
+TEST_F(FrameBundleTest, RefusesNumbersThatCannotBe) {
+  const auto complaint_after = [&](const auto& change) {
+    SimFrame broken = *frame_;
+    change(broken);
+    return test::complaint_of([&] { (void)read_frame_bundle(write(frame_to_bundle(broken))); });
+  };
+  const auto expect = [](const std::string& said, const std::string& part) {
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  };
+  const double nan = std::nan("");
+  expect(complaint_after([](SimFrame& f) { f.sensors[0].surfaces[0].polygons[0].tet = (1U << 31) - 7; }),
+         "sensor0/surface0/polygons: 2147483641 is not among -1 to ");
+  expect(complaint_after([](SimFrame& f) { f.sensors[0].surfaces[0].polygons[0].face = -2; }),
+         "sensor0/surface0/polygons: -2 is not among -1 to ");
+  expect(complaint_after([](SimFrame& f) { f.step = std::uint64_t{1} << 62; }),
+         "step: value 0 must be from 0 to 9007199254740992, is 4611686018427387904");
+  expect(complaint_after([&](SimFrame& f) { f.geom_poses[1].p.x = nan; }), "geom_pos: value 3 must be finite, is nan");
+  expect(complaint_after([](SimFrame& f) { f.geom_poses[1].q = dquat(0, 0, 0, 0); }),
+         "geom_quat: quaternion 1 must be of length 1, is of length 0");
+  expect(complaint_after([](SimFrame& f) { f.sensors[0].X_WM.q = dquat(0, 0, 0, 0); }),
+         "sensor0/quat: quaternion 0 must be of length 1, is of length 0");
+  expect(complaint_after([&](SimFrame& f) { f.sensors[0].X_WM.p.z = nan; }),
+         "sensor0/pos: value 2 must be finite, is nan");
+  expect(complaint_after([&](SimFrame& f) { f.time = nan; }), "time: value 0 must be finite, is nan");
+  expect(complaint_after([&](SimFrame& f) { f.sensors[0].surfaces[0].vertices[0].y = nan; }),
+         "sensor0/surface0/vertices: value 1 must be finite, is nan");
+}
+
+TEST_F(FrameBundleTest, RefusesAChangedByte) {
+  std::string bytes = frame_to_bundle(*frame_);
+  const std::size_t member = bytes.find("sensor0/readings.npy");
+  ASSERT_NE(member, std::string::npos);
+  bytes[member + 20 + 128 + 3] ^= 1;  // behind its name and the head of 128 bytes of NPY
+  const std::string said = test::complaint_of([&] { (void)read_frame_bundle(write(bytes)); });
+  EXPECT_NE(said.find("sensor0/readings: is broken off or damaged"), std::string::npos) << said;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/project/recording/npz.h"
+#include "core/project/recording/checked_arrays.h"
 #include "core/project/recording/npz_rows.h"
 
 namespace taxel {
@@ -28,13 +28,13 @@ void add_vectors(NpzWriter& out, const std::string& name, const Vectors& vectors
 }
 
 inline std::vector<dvec3> vectors_of(const NpzReader& in, const std::string& name) {
-  const std::vector<double> flat = in.doubles(name, {NpzReader::kAny, 3});
+  const std::vector<double> flat = finite_doubles(in, name, {NpzReader::kAny, 3});
   std::vector<dvec3> vectors;
   for (std::size_t i = 0; i < flat.size(); i += 3) vectors.push_back(vector_at(flat, i));
   return vectors;
 }
 inline double number_of(const NpzReader& in, const std::string& name) {
-  return in.doubles(name, {})[0];
+  return finite_doubles(in, name, {})[0];
 }
 /// A whole number within [least, end).
 inline int index_of(const NpzReader& in, const std::string& name, std::int64_t value, std::int64_t least,

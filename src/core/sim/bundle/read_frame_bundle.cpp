@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "core/base/error.h"
 #include "core/layout/layout_json.h"
 #include "core/sim/bundle/frame_bundle.h"
@@ -34,8 +36,9 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
   const std::vector<std::string> names = in.texts("geom_names"), bodies = in.texts("geom_bodies");
   const std::size_t n = names.size();
   if (bodies.size() != n) throw Error(in.file(), "geom_bodies", "are not as many as geom_names");
-  const std::vector<double> rgba = in.doubles("geom_rgba", {n, 4}), positions = in.doubles("geom_pos", {n, 3}),
-                            quaternions = in.doubles("geom_quat", {n, 4});
+  const std::vector<double> rgba = finite_doubles(in, "geom_rgba", {n, 4}),
+                            positions = finite_doubles(in, "geom_pos", {n, 3}),
+                            quaternions = unit_quaternions(in, "geom_quat", {n, 4});
   const std::vector<std::int64_t> zeros(n, 0);  // of a version that left groups out
   const std::vector<std::int64_t> plane = in.integers("geom_plane", {n}), sensor = in.integers("geom_sensor", {n}),
                                   mesh = in.integers("geom_mesh", {n}),
@@ -54,17 +57,28 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
   }
 }
 
-void read_polygons(const NpzReader& in, const std::string& prefix, ContactSurface& surface) {
+/// Number of tets that a polygon may name: those of the sensor's body if it is soft. Otherwise the tets are another
+/// body's, and nothing looks them up.
+std::size_t tet_count(const SensorModel& model) {
+  const auto* soft = model.body ? std::get_if<SoftBody>(&model.body->geometry) : nullptr;
+  return soft != nullptr ? soft->field->tets().size() : std::numeric_limits<int>::max();
+}
+
+/// `tets`: see tet_count().
+void read_polygons(const NpzReader& in, const std::string& prefix, std::size_t tets, ContactSurface& surface) {
   const std::vector<std::int64_t> polygons = in.integers(prefix + "polygons", {kAny, 5});
   const std::size_t n = polygons.size() / 5;
-  const std::vector<double> planes = in.doubles(prefix + "planes", {n, 11});
+  const std::vector<double> planes = finite_doubles(in, prefix + "planes", {n, 11});
+  constexpr std::size_t kMaxIndex = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < n; ++i) {
     ContactPolygon& p = surface.polygons.emplace_back();
     const std::int64_t* whole = &polygons[5 * i];
     p.first = index_of(in, prefix + "polygons", whole[0], 0, surface.vertices.size());
     p.count =
         index_of(in, prefix + "polygons", whole[1], 3, surface.vertices.size() - static_cast<std::size_t>(p.first) + 1);
-    p.tet = static_cast<int>(whole[2]), p.tet_b = static_cast<int>(whole[3]), p.face = static_cast<int>(whole[4]);
+    p.tet = index_of(in, prefix + "polygons", whole[2], -1, tets);
+    p.tet_b = index_of(in, prefix + "polygons", whole[3], -1, kMaxIndex);
+    p.face = index_of(in, prefix + "polygons", whole[4], -1, kMaxIndex);
     p.normal = vector_at(planes, 11 * i);
     p.area = planes[11 * i + 3];
     p.centroid = vector_at(planes, 11 * i + 4);
@@ -73,14 +87,19 @@ void read_polygons(const NpzReader& in, const std::string& prefix, ContactSurfac
   }
 }
 
-ContactSurface read_surface(const NpzReader& in, const std::string& prefix) {
+ContactSurface read_surface(const NpzReader& in, const std::string& prefix, std::size_t tets) {
   ContactSurface surface;
   for (const dvec3& v : vectors_of(in, prefix + "vertices")) surface.vertices.push_back(v);
-  for (const double p : in.doubles(prefix + "pressure", {surface.vertices.size()})) surface.pressure.push_back(p);
-  read_polygons(in, prefix, surface);
-  const std::vector<double> rejected = in.doubles(prefix + "rejected", {kRejections, 3});
-  for (std::size_t r = 0; r < kRejections; ++r)
-    surface.rejected[r] = {static_cast<int>(rejected[3 * r]), rejected[3 * r + 1], rejected[3 * r + 2]};
+  for (const double p : finite_doubles(in, prefix + "pressure", {surface.vertices.size()}))
+    surface.pressure.push_back(p);
+  read_polygons(in, prefix, tets, surface);
+  const std::vector<double> rejected = finite_doubles(in, prefix + "rejected", {kRejections, 3});
+  for (std::size_t r = 0; r < kRejections; ++r) {
+    const double count = rejected[3 * r];
+    if (!(count >= 0 && count <= std::numeric_limits<int>::max()))
+      throw Error(in.file(), prefix + "rejected", fmt::format("count {} of row {} is out of range", count, r));
+    surface.rejected[r] = {static_cast<int>(count), rejected[3 * r + 1], rejected[3 * r + 2]};
+  }
   surface.filtered_vertices = vectors_of(in, prefix + "filtered_vertices");
   const std::string name = prefix + "filtered";
   const std::vector<std::int64_t> filtered = in.integers(name, {kAny, 3});
@@ -98,7 +117,7 @@ std::vector<RayHit> read_hits(const NpzReader& in, const std::string& prefix,
                               const std::vector<ContactSurface>& surfaces, std::size_t rays) {
   const std::vector<std::int64_t> of = in.integers(prefix + "hit_rays", {kAny});
   const std::vector<std::int64_t> where = in.integers(prefix + "hit_surface_polygon", {of.size(), 2});
-  const std::vector<double> values = in.doubles(prefix + "hit_depth_pressure", {of.size(), 2});
+  const std::vector<double> values = finite_doubles(in, prefix + "hit_depth_pressure", {of.size(), 2});
   std::vector<RayHit> hits(rays);
   for (std::size_t i = 0; i < of.size(); ++i) {
     RayHit& hit = hits[static_cast<std::size_t>(index_of(in, prefix + "hit_rays", of[i], 0, rays))];
@@ -126,7 +145,7 @@ SensorModelPtr read_model(const NpzReader& in, const std::string& prefix, const 
 std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& name, std::size_t surfaces) {
   std::vector<SurfaceMotion> motions;
   if (!in.has(name)) return motions;
-  const std::vector<double> numbers = in.doubles(name, {kAny, 8});
+  const std::vector<double> numbers = finite_doubles(in, name, {kAny, 8});
   for (std::size_t i = 0; i < numbers.size(); i += 8)
     motions.push_back({{numbers[i], numbers[i + 1]}, {vector_at(numbers, i + 2), vector_at(numbers, i + 5)}});
   if (!motions.empty() && motions.size() != surfaces)
@@ -138,20 +157,24 @@ std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& 
 std::vector<dvec2> read_shear_rows(const NpzReader& in, const std::string& name, const SensorModel& model) {
   std::vector<dvec2> shear;
   if (!model.layout.readout.shear || !in.has(name)) return shear;
-  const std::vector<double> numbers = in.doubles(name, {static_cast<std::size_t>(model.taxel_count()), 2});
+  const std::vector<double> numbers = finite_doubles(in, name, {static_cast<std::size_t>(model.taxel_count()), 2});
   for (std::size_t i = 0; i < numbers.size(); i += 2) shear.emplace_back(numbers[i], numbers[i + 1]);
   return shear;
 }
 
+dvec3 one_vector_of(const NpzReader& in, const std::string& name) {
+  return vector_at(finite_doubles(in, name, {1, 3}), 0);
+}
+
 SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, const SensorModel& model) {
   SensorFrameState state;
-  state.X_WM = pose_of_row(in.doubles(prefix + "pos", {3}), in.doubles(prefix + "quat", {4}), 0);
-  state.force_W = vectors_of(in, prefix + "force").at(0);
-  state.uncovered_W = vectors_of(in, prefix + "uncovered").at(0);
-  state.readings = in.doubles(prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
+  state.X_WM = pose_of_row(finite_doubles(in, prefix + "pos", {3}), unit_quaternions(in, prefix + "quat", {4}), 0);
+  state.force_W = one_vector_of(in, prefix + "force");
+  state.uncovered_W = one_vector_of(in, prefix + "uncovered");
+  state.readings = finite_doubles(in, prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
   state.shear = read_shear_rows(in, prefix + "shear", model);
   for (std::size_t k = 0; k < count_of(in, prefix + "surfaces"); ++k)
-    state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k)));
+    state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k), tet_count(model)));
   state.motions = read_motions(in, prefix + "motions", state.surfaces.size());
   const std::size_t rays = count_of(in, prefix + "rays");
   if (rays != model.rays.size())
@@ -189,7 +212,8 @@ SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBui
   scene->timestep = number_of(in, "timestep");
   scene->path_W = vectors_of(in, "path");
   scene->sensor_geoms = in.texts("sensor_geoms");
-  frame->step = static_cast<std::uint64_t>(in.integers("step", {})[0]);
+  constexpr std::int64_t kMaxStep = std::int64_t{1} << 53;  // a step counts as a double in times and plots
+  frame->step = static_cast<std::uint64_t>(bounded_integers(in, "step", {}, 0, kMaxStep)[0]);
   frame->time = number_of(in, "time");
   frame->travel = number_of(in, "travel");
   read_geoms(in, meshes, *scene, *frame);

@@ -31,7 +31,7 @@ TriMeshPtr mesh_at(const NpzReader& in, const std::string& name, std::int64_t nu
 /// The field beyond the tets; null if there is none, or the file's version did not write it.
 DepthFieldPtr read_depth(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
   if (!in.has(prefix + "skin")) return nullptr;
-  const std::vector<double> depth = in.doubles(prefix + "depth", {2});
+  const std::vector<double> depth = finite_doubles(in, prefix + "depth", {2});
   if (!(depth[0] > 0) || !(depth[1] > 0)) throw Error(in.file(), prefix + "depth", "must be greater than 0");
   return std::make_shared<const DepthField>(mesh_at(in, prefix + "skin", in.integers(prefix + "skin", {})[0], meshes),
                                             depth[0], depth[1]);
@@ -45,7 +45,7 @@ SoftBody read_field(const NpzReader& in, const std::string& prefix, const std::v
     tets[i / 4][static_cast<int>(i % 4)] = index_of(in, prefix + "tets", flat[i], 0, vertices.size());
   FieldReport report;
   report.core = in.integers(prefix + "core", {})[0] != 0;
-  std::vector<double> pressure = in.doubles(prefix + "pressure", {vertices.size()});
+  std::vector<double> pressure = finite_doubles(in, prefix + "pressure", {vertices.size()});
   try {
     return SoftBody(std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
                                                           std::move(report)),
@@ -90,8 +90,9 @@ std::vector<TouchedBody> read_rows(const NpzReader& in, const std::string& prefi
   const std::size_t n = who.size() / 5;
   const std::vector<std::string> names = in.texts(name + "_names"), shapes = in.texts(name + "_shapes");
   if (names.size() != n || shapes.size() != n) throw Error(in.file(), name, "has not as many rows as names and shapes");
-  const std::vector<double> pos = in.doubles(name + "_pos", {n, 3}), quat = in.doubles(name + "_quat", {n, 4}),
-                            sizes = in.doubles(name + "_sizes", {n, 3});
+  const std::vector<double> pos = finite_doubles(in, name + "_pos", {n, 3}),
+                            quat = unit_quaternions(in, name + "_quat", {n, 4}),
+                            sizes = finite_doubles(in, name + "_sizes", {n, 3});
   const Integers shape_meshes = in.integers(name + "_meshes", {n});
   std::vector<TouchedBody> touched(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -145,13 +146,13 @@ void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes&
 HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
   auto body = std::make_shared<HydroBody>();
   body->name = in.text(prefix + "name");
-  const std::vector<double> material = in.doubles(prefix + "material", {4});
+  const std::vector<double> material = finite_doubles(in, prefix + "material", {4});
   const std::optional<FieldKind> field = from_word<FieldKind>(in.text(prefix + "field"));
   if (!field) throw Error(in.file(), prefix + "field", "is none that is known");
   body->material = {*field, material[0], material[1], material[2], material[3]};
   const std::size_t kind = place_of(in, prefix + "kind", in.text(prefix + "kind"), kKinds);
   if (kind == 1) {
-    const std::vector<double> space = in.doubles(prefix + "half_space", {2});
+    const std::vector<double> space = finite_doubles(in, prefix + "half_space", {2});
     body->geometry = SoftHalfSpace{space[0], space[1]};
   } else if (kind == 2) {
     body->geometry = read_field(in, prefix, meshes);
