@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/temporary_path.h"
 
 namespace taxel {
 namespace fs = std::filesystem;
@@ -27,15 +28,6 @@ class Descriptor {
     if (open()) ::close(number_);
   }
   [[nodiscard]] bool open() const { return number_ >= 0; }
-  /// All bytes, and down to the disk. False: errno says why.
-  [[nodiscard]] bool write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(number_, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR) return false;
-      if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return sync();
-  }
   /// Appends the next bytes of the file. False at the end of the file, or after an error; then errno is not 0.
   [[nodiscard]] bool read(std::string& bytes) const {
     std::array<char, 1U << 16> block;
@@ -47,16 +39,31 @@ class Descriptor {
     return n > 0;
   }
   [[nodiscard]] bool status(struct stat& out) const { return ::fstat(number_, &out) == 0; }
-  [[nodiscard]] bool sync() const { return ::fsync(number_) == 0 || errno == EINVAL; }  // EINVAL: has no disk
 
  private:
   int number_;
 };
 
+/// Writes down to the disk. Returns 0 or the error number.
+int sync(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;  // EINVAL: has no disk
+}
+
+/// Writes all bytes, down to the disk. Returns 0 or the error number.
+int write_bytes(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return errno;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return sync(descriptor);
+}
+
 void sync_folder(const fs::path& folder) {
-  const Descriptor descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
-  // The new file is in place: where its folder cannot be synced there is nothing to take back.
-  static_cast<void>(descriptor.open() && descriptor.sync());
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  sync(descriptor);  // the new file is in place: there is nothing to take back if this fails
+  ::close(descriptor);
 }
 
 }  // namespace
@@ -84,23 +91,20 @@ std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
-  const fs::path beside = path.string() + fmt::format(".{}.part", ::getpid());
+  int why = 0;
+  TemporaryPath temporary(path.parent_path(), path.filename().string() + ".", [&](const fs::path& at) {
+    const int descriptor = ::open(at.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    why = descriptor < 0 ? errno : 0;
+    return descriptor;
+  });
+  if (why != 0) throw Error(path.string(), fmt::format("cannot be written: {}", std::strerror(why)));
+  why = write_bytes(temporary.descriptor(), bytes);
+  if (why != 0) throw Error(path.string(), fmt::format("writing failed: {}", std::strerror(why)));
+  temporary.close();
+  const auto lock = lock_temporary_paths();  // a signal either comes before the file is in place or after it
   std::error_code ec;
-  {
-    const Descriptor out(beside, O_WRONLY | O_CREAT | O_TRUNC);
-    if (!out.open()) throw Error(path.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
-    if (!out.write(bytes)) {
-      const int why = errno;
-      fs::remove(beside, ec);
-      throw Error(path.string(), fmt::format("writing failed: {}", std::strerror(why)));
-    }
-  }
-  fs::rename(beside, path, ec);
-  if (ec) {
-    const std::string why = ec.message();
-    fs::remove(beside, ec);
-    throw Error(path.string(), fmt::format("cannot be replaced: {}", why));
-  }
+  fs::rename(temporary.path(), path, ec);
+  if (ec) throw Error(path.string(), fmt::format("cannot be replaced: {}", ec.message()));
   sync_folder(path.parent_path());
 }
 

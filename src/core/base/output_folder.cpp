@@ -1,9 +1,13 @@
 #include "core/base/output_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -25,38 +29,70 @@ fs::path first_missing(const fs::path& path) {
 
 OutputFolder::OutputFolder(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
   if (folder_.filename().empty()) folder_ = folder_.parent_path();
-  topmost_made_ = first_missing(folder_);
-  staging_ = folder_ / fmt::format(".taxel-{}.part", ::getpid());
+  made_ = std::make_unique<UnfinishedFolder>(first_missing(folder_));
   try {
     make_folder(folder_);
-    make_folder(staging_);
+    int why = 0;
+    staging_ = std::make_unique<TemporaryPath>(folder_, ".taxel-", [&](const fs::path& path) {
+      int descriptor = -1;
+      if (::mkdir(path.c_str(), 0777) == 0) descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      why = descriptor < 0 ? errno : 0;
+      return descriptor;
+    });
+    if (why != 0) throw Error(folder.string(), fmt::format("cannot be written: {}", std::strerror(why)));
   } catch (const Error& e) {
-    std::error_code ec;
-    if (!topmost_made_.empty()) fs::remove_all(topmost_made_, ec);
     throw Error(folder.string(), e.message());
   }
 }
 
-OutputFolder::~OutputFolder() {
-  std::error_code ec;
-  fs::remove_all(staging_, ec);
-  if (!committed_ && !topmost_made_.empty()) fs::remove_all(topmost_made_, ec);
-}
+OutputFolder::~OutputFolder() = default;
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
-  write_file_atomically(staging_ / name, bytes);
+  fill([&](const fs::path& folder) { write_file_atomically(folder / name, bytes); });
+}
+
+void OutputFolder::fill(const std::function<void(const fs::path&)>& fill) {
+  const std::string staging = staging_->path().string();
+  try {
+    fill(staging_->path());
+  } catch (const Error& e) {
+    if (!e.file().starts_with(staging)) throw;
+    throw Error(folder_.string() + e.file().substr(staging.size()), e.where(), e.message());
+  }
+}
+
+std::vector<std::string> OutputFolder::collected() const {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(staging_->path()))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void OutputFolder::check_targets(const std::vector<std::string>& names) const {
+  std::error_code ec;
+  const auto refuse = [&](const std::string& name, const char* why) {
+    throw Error((folder_ / name).string(), fmt::format("{}; no file was written", why));
+  };
+  for (const std::string& name : names) {
+    const bool is_folder = fs::is_directory(folder_ / name, ec);
+    const bool needs_folder = fs::is_directory(staging_->path() / name, ec);
+    if (is_folder && !needs_folder) refuse(name, "is a folder, a file is needed");
+    if (!is_folder && needs_folder && fs::exists(folder_ / name, ec)) refuse(name, "is a file, a folder is needed");
+  }
+  for (const std::string& name : left_out_)
+    if (fs::is_directory(folder_ / name, ec)) refuse(name, "is a folder, a file of this name would be removed");
 }
 
 std::vector<std::string> OutputFolder::commit() {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
+  const auto lock = lock_temporary_paths();  // a signal waits until all files are in place
+  const std::vector<std::string> names = collected();
+  check_targets(names);
+  made_->keep();
   for (const std::string& name : names) {
     std::error_code ec;
-    if (fs::is_directory(staging_ / name, ec)) fs::remove_all(folder_ / name, ec);
-    fs::rename(staging_ / name, folder_ / name, ec);
+    if (fs::is_directory(staging_->path() / name, ec)) fs::remove_all(folder_ / name, ec);
+    fs::rename(staging_->path() / name, folder_ / name, ec);
     if (ec) throw Error((folder_ / name).string(), fmt::format("cannot be written: {}", ec.message()));
   }
   for (const std::string& name : left_out_) {
@@ -64,7 +100,7 @@ std::vector<std::string> OutputFolder::commit() {
     fs::remove(folder_ / name, ec);
     if (ec) throw Error((folder_ / name).string(), fmt::format("cannot be removed: {}", ec.message()));
   }
-  committed_ = true;
+  left_out_.clear();
   return names;
 }
 

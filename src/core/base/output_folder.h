@@ -2,9 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/base/temporary_path.h"
 
 namespace taxel {
 
@@ -17,18 +21,27 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where files are put until commit().
-  [[nodiscard]] const std::filesystem::path& staging() const { return staging_; }
+  /// Folder in which files are collected until commit().
+  [[nodiscard]] const std::filesystem::path& staging() const { return staging_->path(); }
   void write(const std::string& name, std::string_view bytes);
-  /// An older file of this name goes away on commit(): it would be taken for one of this run.
+  /// Calls fill(folder) with the folder in which files are collected until commit(). An Error of fill() names the final
+  /// file in its place.
+  void fill(const std::function<void(const std::filesystem::path&)>& fill);
+  /// An older file of this name is removed by commit(): it would be taken for a file of this run.
   void leave_out(const std::string& name) { left_out_.push_back(name); }
-  /// Moves every file into the folder, over older ones of the same name; returns their names, sorted.
+  /// Moves every collected file into the folder, over older ones of the same name, and returns their names, sorted.
+  /// More files can be collected and committed afterwards. Throws Error before any file is moved if a folder is in the
+  /// place of a file, or a file in the place of a folder.
   std::vector<std::string> commit();
 
  private:
-  std::filesystem::path folder_, staging_, topmost_made_;
+  [[nodiscard]] std::vector<std::string> collected() const;
+  void check_targets(const std::vector<std::string>& names) const;
+
+  std::filesystem::path folder_;
+  std::unique_ptr<UnfinishedFolder> made_;  ///< topmost folder that was created here, until commit()
+  std::unique_ptr<TemporaryPath> staging_;
   std::vector<std::string> left_out_;
-  bool committed_ = false;
 };
 
 }  // namespace taxel

@@ -1,10 +1,16 @@
 #include "core/base/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
+
 #include "core/base/error.h"
+#include "core/base/output_folder.h"
 #include "fixtures/temp_folder.h"
 
 namespace taxel {
@@ -89,12 +95,79 @@ TEST(Files, WhatCannotBeWrittenIsNamedAndLeavesNothing) {
 
 TEST(Files, AFailedWriteKeepsTheOldFile) {
   const TempFolder folder;
-  write_file_atomically(folder / "a", "old");
-  // A folder where the file beside the target would go.
-  fs::create_directory((folder / "a").string() + "." + std::to_string(::getpid()) + ".part");
-  EXPECT_NE(message_of([&] { write_file_atomically(folder / "a", "new"); }).find("cannot be written"),
-            std::string::npos);
-  EXPECT_EQ(read_file(folder / "a"), "old");
+  const fs::path file = folder / std::string(250, 'a');  // with the end of a temporary name it is too long
+  std::ofstream(file) << "old";
+  EXPECT_NE(message_of([&] { write_file_atomically(file, "new"); }).find("cannot be written"), std::string::npos);
+  EXPECT_EQ(read_file(file), "old");
+}
+
+TEST(Files, RemovesTemporaryPathsOfEndedProcesses) {
+  const TempFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  const std::string ended = std::to_string(child), running = std::to_string(::getppid());
+  for (const std::string& name : {"a." + ended + ".part", "a." + running + ".part", "b." + ended + ".part",
+                                  std::string("a.notes.part"), ".taxel-" + ended + ".part/x"}) {
+    fs::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << "half";
+  }
+  write_file_atomically(folder / "a", "whole");
+  EXPECT_FALSE(fs::exists(folder / ("a." + ended + ".part")));
+  EXPECT_TRUE(fs::exists(folder / ("a." + running + ".part"))) << "its process runs";
+  EXPECT_TRUE(fs::exists(folder / ("b." + ended + ".part"))) << "belongs to another file";
+  EXPECT_TRUE(fs::exists(folder / "a.notes.part")) << "is a user's file";
+  OutputFolder output(folder.path());
+  EXPECT_FALSE(fs::exists(folder / (".taxel-" + ended + ".part")));
+}
+
+TEST(Files, KeepsTemporaryPathsThatAreLocked) {
+  // The process id of another machine or container says nothing here; its lock does.
+  const TempFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  const fs::path other = folder / ("a." + std::to_string(child) + ".part");
+  const int descriptor = ::open(other.c_str(), O_WRONLY | O_CREAT, 0666);
+  ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+  write_file_atomically(folder / "a", "whole");
+  EXPECT_TRUE(fs::exists(other));
+  ::close(descriptor);
+  write_file_atomically(folder / "a", "whole");
+  EXPECT_FALSE(fs::exists(other));
+}
+
+TEST(OutputFolders, ChecksAllTargetsBeforeAnyIsWritten) {
+  const TempFolder folder;
+  fs::create_directories(folder / "out/b");
+  std::ofstream(folder / "out/a") << "old";
+  OutputFolder output(folder / "out");
+  output.write("a", "new");
+  output.write("b", "new");
+  EXPECT_NE(message_of([&] { output.commit(); }).find("out/b: is a folder, a file is needed"), std::string::npos);
+  EXPECT_EQ(read_file(folder / "out/a"), "old");
+}
+
+TEST(OutputFolders, ErrorsNameTheFinalFile) {
+  const TempFolder folder;
+  OutputFolder output(folder / "out");
+  const std::string name(250, 'a');
+  EXPECT_EQ(message_of([&] { output.write(name, ""); }),
+            (folder / "out" / name).string() + ": cannot be written: File name too long");
+}
+
+TEST(OutputFolders, CommitsSeveralTimes) {
+  const TempFolder folder;
+  {
+    OutputFolder output(folder / "deep/out");
+    output.write("a", "1");
+    EXPECT_EQ(output.commit(), std::vector<std::string>{"a"});
+    output.write("b", "2");
+  }
+  EXPECT_EQ(read_file(folder / "deep/out/a"), "1");
+  EXPECT_EQ(file_count(folder / "deep/out"), 1U) << "the second file was not committed";
+  { const OutputFolder nothing(folder / "other/out"); }
+  EXPECT_FALSE(fs::exists(folder / "other"));
 }
 
 TEST(Files, FullDisksAreNamed) {

@@ -8,7 +8,7 @@
 namespace taxel {
 
 void put_recording(OutputFolder& folder, const Recording& recording, const Simulator* scene, bool tactile_state) {
-  if (scene != nullptr) scene->export_scene(folder.staging());
+  if (scene != nullptr) folder.fill([&](const std::filesystem::path& into) { scene->export_scene(into); });
   const auto put = [&](const char* name, const std::string& text) {
     text.empty() ? folder.leave_out(name) : folder.write(name, text);
   };
