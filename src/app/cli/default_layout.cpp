@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "app/cli/signals.h"
 #include "core/base/hash.h"
 #include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
@@ -54,6 +55,7 @@ SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, 
   });
   while (building.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
     console.progress(progress.fraction());
+    if (received_signal() != 0) progress.cancel();
   }
   console.progress(1);
   return building.get();

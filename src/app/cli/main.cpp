@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/signals.h"
 #include "app/version/version.h"
 #include "core/base/error.h"
 
@@ -32,7 +33,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "`taxel COMMAND --help` shows a command's options, units and an example.\n"
-      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input.");
+      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input; 128 + "
+      "N\nended by signal N, after writing what was computed.");
   CommonOptions common;
   const std::vector<Command> commands{add_sweep(app, common),   add_play(app, common),    add_study(app, common),
                                       add_run(app, common),     add_contact(app, common), add_read(app, common),
@@ -65,6 +67,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  taxel::cli::handle_signals();
   try {
     return run(argc, argv);
   } catch (const taxel::Error& e) {

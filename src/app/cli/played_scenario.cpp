@@ -6,6 +6,7 @@
 
 #include "app/cli/default_layout.h"
 #include "app/cli/recording_report.h"
+#include "app/cli/signals.h"
 #include "core/base/output_folder.h"
 #include "core/sim/recording/write_recording.h"
 #include "core/sim/scene/scenario_scene.h"
@@ -21,6 +22,7 @@ int play(const PlayedScenario& played, Console& console) {
   check_has_taxels(*model, played.layout);
   const std::unique_ptr<Simulator> simulator = Simulator::make_scenario(model, played.scenario);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const FinishOnSignal finish;
   RunCost cost;
   const Recording recording = record(*simulator, 0, console, cost);
   RecordingReport report{played.command, played.scenario, "", 0,         {model}, recording,
@@ -31,7 +33,7 @@ int play(const PlayedScenario& played, Console& console) {
     report.files = folder->commit();
   }
   console.result(console.json() ? recording_json(report) : recording_text(report));
-  return kDone;
+  return FinishOnSignal::exit_status(kDone);
 }
 
 }  // namespace taxel::cli

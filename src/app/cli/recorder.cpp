@@ -1,10 +1,13 @@
 #include "app/cli/recorder.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <set>
 
+#include "app/cli/signals.h"
 #include "core/sim/recording/run_recorder.h"
 
 namespace taxel::cli {
@@ -37,7 +40,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   const SensorTimes before = simulator.sensor_times();
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
-  for (long step = 0; step != last && !simulator.finished(); ++step) {
+  for (long step = 0; step != last && !simulator.finished() && received_signal() == 0; ++step) {
     simulator.step();
     warnings.tell();
     recorder.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
@@ -46,6 +49,9 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
     if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));
   }
   console.progress(1);
+  if (const int number = received_signal(); number != 0)
+    console.warn(fmt::format("ended by {} after {} steps, {:.6g} s: the result holds these only",
+                             name_of_signal(number), cost.steps, cost.simulated));
   cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SensorTimes after = simulator.sensor_times();
   cost.sensors = {after.surfaces - before.surfaces, after.forces - before.forces, after.readings - before.readings};

@@ -16,7 +16,8 @@ struct RunCost {
   double cpu = 0;        ///< the same as processor time: what remains on a machine that is busy otherwise [s]
 };
 
-/// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due.
+/// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due. A signal
+/// (signals.h) ends the run as well.
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost);
 
 }  // namespace taxel::cli

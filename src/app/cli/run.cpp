@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/recording_report.h"
+#include "app/cli/signals.h"
 #include "core/base/output_folder.h"
 #include "core/layout/formats/layout_format.h"
 #include "core/sim/plugin/plugin_folder.h"
@@ -60,6 +61,7 @@ int run(const Options& options, Console& console) {
     std::erase_if(problems, [](const Problem& p) { return p.code.starts_with("repair_"); });
     console.tell(problems);
   }
+  const FinishOnSignal finish;
   RunCost cost;
   const Recording recording = record(*simulator, options.seconds, console, cost);
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();
@@ -75,7 +77,7 @@ int run(const Options& options, Console& console) {
     report.files = folder->commit();
   }
   console.result(console.json() ? recording_json(report) : recording_text(report));
-  return kDone;
+  return FinishOnSignal::exit_status(kDone);
 }
 
 }  // namespace

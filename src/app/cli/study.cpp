@@ -6,10 +6,13 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <set>
 
 #include "app/cli/command.h"
 #include "app/cli/default_layout.h"
+#include "app/cli/signals.h"
 #include "app/cli/study_report.h"
 #include "core/base/output_folder.h"
 #include "core/project/recording/csv.h"
@@ -44,69 +47,134 @@ class Models {
   std::map<std::pair<double, std::optional<std::uint64_t>>, SensorModelPtr> models_;
 };
 
-/// A run that fails is told in its result; the others go on.
-void record_run(Simulator& simulator, StudyResult& result) {
-  Console silent(CommonOptions{.quiet = true});
-  RunCost cost;
-  try {
-    result.recording = record(simulator, 0, silent, cost);
-  } catch (const Error& e) {
-    result.error = e.what();
+/// Records the runs of a study and writes the files of each run as soon as it ends.
+class RecordedStudy {
+ public:
+  RecordedStudy(const Study& study, const Options& options, Console& console)
+      : study_(study), models_(options, console), console_(console) {
+    for (StudyRun& run : runs_of(study)) results_.push_back({std::move(run), {}, {}});
+    if (!options.out.empty()) folder_.emplace(options.out);
   }
-}
 
-/// Null where the run cannot be made, which is told in its result.
-std::unique_ptr<Simulator> make_run(Models& models, StudyResult& result) {
-  const SensorModelPtr model = models.of(result.run);
-  try {
-    return Simulator::make_scenario(model, result.run.scenario);
-  } catch (const Error& e) {
-    result.error = e.what();
-    return nullptr;
+  /// Makes and records all runs, or those that have ended when a signal is received.
+  void record_all() {
+    Progress progress;
+    run_side_by_side(
+        static_cast<int>(results_.size()),
+        [&](int i) {
+          console_.progress(std::min(0.99, progress.fraction()));
+          return make_run(results_[static_cast<std::size_t>(i)]);
+        },
+        [&](int i, Simulator& simulator) { record_run(simulator, static_cast<std::size_t>(i)); }, progress);
+    console_.progress(1);
+    if (write_failure_) throw Error(*write_failure_);
   }
-}
 
-void write(OutputFolder& folder, const Study& study, const std::vector<StudyResult>& results) {
-  folder.write("study.json", study_to_json(study));
-  folder.write("summary.csv", study_summary_csv(study, results));
-  folder.write("runs.csv", study_runs_csv(study, results));
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!results[i].error.empty()) continue;
-    folder.write(study_run_name(i) + ".csv", recording_to_csv(results[i].recording));
-    folder.write(study_run_name(i) + ".npz", recording_to_npz(results[i].recording));
+  [[nodiscard]] const std::vector<StudyResult>& results() const { return results_; }
+
+  /// Writes the tables of all recorded runs. Returns the names of all files that were written.
+  std::vector<std::string> write_tables() {
+    if (!folder_) return {};
+    folder_->write("study.json", study_to_json(study_));
+    folder_->write("summary.csv", study_summary_csv(study_, results_));
+    folder_->write("runs.csv", study_runs_csv(study_, results_));
+    commit();
+    return {files_.begin(), files_.end()};
   }
-}
+
+ private:
+  /// Null if the run cannot be made; its result says why.
+  std::unique_ptr<Simulator> make_run(StudyResult& result) {
+    if (is_interrupted(result)) return nullptr;
+    SensorModelPtr model;
+    try {
+      model = models_.of(result.run);
+    } catch (const Cancelled&) {
+      is_interrupted(result);
+      return nullptr;
+    }
+    try {
+      return Simulator::make_scenario(model, result.run.scenario);
+    } catch (const Error& e) {
+      result.error = e.what();
+      return nullptr;
+    }
+  }
+
+  /// The result of a run that fails says why. The other runs continue.
+  void record_run(Simulator& simulator, std::size_t index) {
+    Console silent(CommonOptions{.quiet = true});
+    StudyResult& result = results_[index];
+    RunCost cost;
+    try {
+      Recording recording = record(simulator, 0, silent, cost);
+      if (is_interrupted(result)) return;
+      result.recording = std::move(recording);
+    } catch (const Error& e) {
+      result.error = e.what();
+      return;
+    }
+    if (folder_) write_run(index);
+  }
+
+  void write_run(std::size_t index) {
+    const std::string name = study_run_name(index);
+    const std::string csv = recording_to_csv(results_[index].recording);
+    const std::string npz = recording_to_npz(results_[index].recording);
+    const std::scoped_lock lock(mutex_);
+    if (write_failure_) return;
+    try {
+      folder_->leave_out("summary.csv");  // tables of an older study would be taken for tables of these runs
+      folder_->leave_out("runs.csv");
+      folder_->write("study.json", study_to_json(study_));
+      folder_->write(name + ".csv", csv);
+      folder_->write(name + ".npz", npz);
+      commit();
+    } catch (const Error& e) {
+      write_failure_ = e;
+    }
+  }
+
+  void commit() {
+    for (std::string& name : folder_->commit()) files_.insert(std::move(name));
+  }
+
+  /// Whether a signal ends the study before the run of `result` has ended.
+  static bool is_interrupted(StudyResult& result) {
+    if (received_signal() == 0) return false;
+    result.error = fmt::format("was ended by {}", name_of_signal(received_signal()));
+    return true;
+  }
+
+  const Study& study_;
+  Models models_;
+  Console& console_;
+  std::optional<OutputFolder> folder_;
+  std::vector<StudyResult> results_;
+  std::mutex mutex_;  // of the members below and folder_
+  std::set<std::string> files_;
+  std::optional<Error> write_failure_;
+};
 
 int run(const Options& options, Console& console) {
   const Study study = read_study(options.study);
-  const std::vector<StudyRun> runs = runs_of(study);
-  std::optional<OutputFolder> folder;
-  if (!options.out.empty()) folder.emplace(options.out);
-  Models models(options, console);
-  std::vector<StudyResult> results(runs.size());
-  for (std::size_t i = 0; i < runs.size(); ++i) results[i].run = runs[i];
+  const FinishOnSignal finish;
+  RecordedStudy recorded(study, options, console);
   const auto start = std::chrono::steady_clock::now();
-  Progress progress;
-  run_side_by_side(
-      static_cast<int>(runs.size()),
-      [&](int i) {
-        console.progress(std::min(0.99, progress.fraction()));
-        return make_run(models, results[static_cast<std::size_t>(i)]);
-      },
-      [&](int i, Simulator& simulator) { record_run(simulator, results[static_cast<std::size_t>(i)]); }, progress);
-  console.progress(1);
-  if (std::all_of(results.begin(), results.end(), [](const StudyResult& r) { return !r.error.empty(); }))
-    throw Error("no run could be made: " + results.front().error);
+  recorded.record_all();
+  const std::vector<StudyResult>& results = recorded.results();
+  if (std::all_of(results.begin(), results.end(), [](const StudyResult& r) { return !r.error.empty(); })) {
+    if (received_signal() == 0) throw Error("no run could be made: " + results.front().error);
+    console.warn(fmt::format("no run had ended: {}", results.front().error));
+    return FinishOnSignal::exit_status(kDone);
+  }
   StudyReport report{
       study, results, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}, options.out};
-  if (folder) {
-    write(*folder, study, results);
-    report.files = folder->commit();
-  }
+  report.files = recorded.write_tables();
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].error.empty()) console.warn(fmt::format("{}: {}", study_run_name(i), results[i].error));
   console.result(console.json() ? study_report_json(report) : study_report_text(report));
-  return kDone;
+  return FinishOnSignal::exit_status(kDone);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// Signals that end a command: SIGINT, SIGTERM and SIGHUP.
+#pragma once
+
+namespace taxel::cli {
+
+/// Starts a thread that receives the signals. Call this before any other thread starts. A signal that the parent
+/// process ignores, as nohup does with SIGHUP, stays ignored.
+///
+/// A signal removes all temporary files and ends the process with status 128 + its number. While a FinishOnSignal
+/// exists, the first signal only sets received_signal(); a second one ends the process.
+void handle_signals();
+
+/// Number of the signal that the command has received, or 0.
+int received_signal();
+/// "SIGTERM", for messages.
+const char* name_of_signal(int number);
+
+/// A command that checks received_signal() regularly and then writes what it has computed.
+class FinishOnSignal {
+ public:
+  FinishOnSignal();
+  ~FinishOnSignal();
+  FinishOnSignal(const FinishOnSignal&) = delete;
+  FinishOnSignal& operator=(const FinishOnSignal&) = delete;
+
+  /// `status`, or 128 + the number of the received signal.
+  [[nodiscard]] static int exit_status(int status);
+};
+
+}  // namespace taxel::cli

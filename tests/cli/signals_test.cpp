@@ -1,0 +1,144 @@
+// Signals while a command computes and writes: it finishes or leaves nothing, and its status names the signal.
+#include <csignal>
+#include <thread>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// taxel in the background. Its stdout and stderr go to files in `folder`.
+class Running {
+ public:
+  Running(const std::vector<std::string>& arguments, const fs::path& folder) : folder_(folder) {
+    child_ = ::fork();
+    if (child_ != 0) return;
+    if (::chdir(folder.c_str()) != 0) ::_exit(125);
+    ::dup2(::open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
+    ::dup2(::open("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(TAXEL_PROGRAM)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::execv(TAXEL_PROGRAM, argv.data());
+    ::_exit(126);
+  }
+  void send(int signal) const { ::kill(child_, signal); }
+  Outcome wait() const {
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), file_text(folder_ / "stdout.txt"),
+            file_text(folder_ / "stderr.txt")};
+  }
+
+ private:
+  fs::path folder_;
+  pid_t child_ = 0;
+};
+
+/// Waits until `condition` holds, at most a minute.
+template <class Condition>
+bool wait_until(const Condition& condition) {
+  for (int i = 0; i < 6000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+/// Files below `folder` with a temporary name.
+std::vector<std::string> temporary_paths(const fs::path& folder) {
+  std::vector<std::string> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".part") found.push_back(entry.path().string());
+  return found;
+}
+
+void write_slow_study(const fs::path& file) {
+  Json depths = Json::array();
+  for (int i = 0; i < 200; ++i) depths.push_back(0.0005 + 1e-6 * i);
+  const Json press{{"kind", "press"}, {"hold", 0.1}, {"clearance", 0.0002}, {"tilt_deg", 20}, {"shape", "plate"}};
+  write_text(file, Json{{"format", "taxel-study"},
+                        {"version", 1},
+                        {"scenario", press},
+                        {"parameters", {{{"parameter", "depth"}, {"values", depths}}}}}
+                       .dump());
+}
+
+class Signals : public testing::TestWithParam<int> {};
+
+TEST_P(Signals, StudyKeepsRunsThatHaveEnded) {
+  const fs::path folder = test_folder();
+  write_slow_study(folder / "study.json");
+  const Running study({"study", "study.json", "--density", "1e5", "--out", "out"}, folder);
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder / "out/run_001.npz"); }));
+  study.send(GetParam());
+  const Outcome outcome = study.wait();
+  EXPECT_EQ(outcome.status, 128 + GetParam()) << outcome.err;
+  EXPECT_TRUE(temporary_paths(folder).empty());
+  const std::string runs = file_text(folder / "out/runs.csv");
+  std::size_t files = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "out")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("run_") || !name.ends_with(".csv")) continue;
+    ++files;
+    EXPECT_NE(runs.find(name), std::string::npos) << name;
+    EXPECT_TRUE(fs::exists(folder / "out" / (entry.path().stem().string() + ".npz")));
+  }
+  EXPECT_GE(files, 2U);
+  EXPECT_LT(files, 200U);
+  EXPECT_EQ(read_csv(folder / "out/summary.csv").at("peak").size(), 12 * files);
+}
+
+TEST_P(Signals, SweepWritesRecordedRows) {
+  const fs::path folder = test_folder();
+  const Running sweep({"sweep", "--density", "1e5", "--timestep", "1e-5", "--out", "out"}, folder);
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder / "out"); }));
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  sweep.send(GetParam());
+  const Outcome outcome = sweep.wait();
+  EXPECT_EQ(outcome.status, 128 + GetParam()) << outcome.err;
+  EXPECT_TRUE(temporary_paths(folder).empty());
+  if (!fs::exists(folder / "out")) return;  // the signal came before the first step
+  EXPECT_NE(outcome.err.find("ended by SIG"), std::string::npos) << outcome.err;
+  const std::size_t rows = read_csv(folder / "out/readings.csv").at("time").size();
+  EXPECT_GE(rows, 1U);
+  EXPECT_LT(rows, 501U);
+  EXPECT_EQ(parse_npz(file_text(folder / "out/readings.npz")).at("time").shape.at(0), rows);
+}
+
+TEST_P(Signals, LeaveNothingBeforeTheFirstStep) {
+  const fs::path folder = test_folder();
+  const Running sweep({"sweep", "--density", "4e8", "--out", "deep/out"}, folder);
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder / "deep/out"); }));
+  sweep.send(GetParam());
+  EXPECT_EQ(sweep.wait().status, 128 + GetParam());
+  EXPECT_FALSE(fs::exists(folder / "deep"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+TEST(SignalsToCommands, KilledRunsAreClearedByTheNextRun) {
+  const fs::path folder = test_folder();
+  const Running killed({"sweep", "--density", "1e5", "--timestep", "1e-5", "--out", "out"}, folder);
+  ASSERT_TRUE(wait_until([&] { return !temporary_paths(folder).empty(); }));
+  killed.send(SIGKILL);
+  EXPECT_EQ(killed.wait().status, 128 + SIGKILL);
+  EXPECT_FALSE(temporary_paths(folder).empty());
+  const Outcome next = taxel({"sweep", "--object", "box", "--density", "1e5", "--out", "out", "--quiet"}, folder);
+  EXPECT_EQ(next.status, 0) << next.err;
+  EXPECT_TRUE(temporary_paths(folder).empty());
+}
+
+TEST(SignalsToCommands, IgnoredSignalsStayIgnored) {
+  const fs::path folder = test_folder();
+  const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
+  const Running sweep({"sweep", "--object", "box", "--density", "1e5", "--out", "out"}, folder);
+  std::signal(SIGHUP, before);
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder / "out"); }));
+  sweep.send(SIGHUP);
+  EXPECT_EQ(sweep.wait().status, 0);
+}
+
+}  // namespace
+}  // namespace taxel::test
