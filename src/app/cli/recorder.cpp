@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/cli/signals.h"
+#include "core/base/limits.h"
 #include "core/sim/recording/run_recorder.h"
 
 namespace taxel::cli {
@@ -29,10 +30,31 @@ class WarningsOfSensors {
   std::set<std::string> told_;
 };
 
+/// Throws Error if the run or its recording would be too large; announces a large recording. `seconds`: 0 for a
+/// scenario, of which every step has a pose of the mocap body and few steps have a row.
+void check_cost(const SimScene& scene, double seconds, Console& console) {
+  constexpr double kAnnounced = 0.25 * static_cast<double>(kMaxRecordingBytes);
+  const double steps = std::ceil((seconds > 0 ? seconds : scene.duration) / scene.timestep);
+  check_steps(steps, fmt::format("{} s in steps of {} s", seconds, scene.timestep));
+  const auto bytes_per_step = static_cast<double>(seconds > 0 ? recorded_row_bytes(scene) : sizeof(Pose));
+  check_recording_bytes(steps, bytes_per_step, seconds > 0 ? "give fewer --seconds" : "choose a longer time step");
+  if (steps * bytes_per_step > kAnnounced)
+    console.note(fmt::format("records {:.3g} steps, which take {:.0f} MiB of memory", steps,
+                             steps * bytes_per_step / (1U << 20U)));
+}
+
+/// Throws Error if the recording has outgrown its limit, which check_cost() cannot foresee for rows of a scenario.
+void check_size(const RunRecorder& recorder) {
+  if (recorder.bytes() <= kMaxRecordingBytes) return;
+  throw Error(fmt::format("the recording takes more than {} GiB of memory after {} rows: record fewer rows",
+                          kMaxRecordingBytes >> 30U, recorder.recording().rows.size()));
+}
+
 }  // namespace
 
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost) {
   const SimScene& scene = *simulator.scene();
+  check_cost(scene, seconds, console);
   RunRecorder recorder(scene);
   const double limit = seconds > 0 ? seconds : scene.duration;
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
@@ -44,6 +66,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
     simulator.step();
     warnings.tell();
     recorder.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
+    check_size(recorder);
     cost.steps = step + 1;
     cost.simulated = static_cast<double>(cost.steps) * scene.timestep;
     if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));

@@ -1,5 +1,7 @@
 #include "core/sim/recording/run_recorder.h"
 
+#include <algorithm>
+
 #include "core/layout/layout_json.h"
 #include "core/layout/words.h"
 
@@ -61,6 +63,20 @@ Recording describe_recording(const SimScene& scene) {
   for (const SceneGeom& geom : scene.geoms)
     if (geom.sensor < 0) recording.objects.push_back(geom.name);
   return recording;
+}
+
+std::size_t recorded_row_bytes(const SimScene& scene) {
+  RecordedRow row;
+  row.objects.resize(static_cast<std::size_t>(std::count_if(scene.geoms.begin(), scene.geoms.end(),
+                                                            [](const SceneGeom& geom) { return geom.sensor < 0; })));
+  for (const SensorModelPtr& model : scene.sensors) {
+    const Layout& layout = model->layout;
+    SensorRecord& record = row.sensors.emplace_back();
+    record.readings.resize(layout.taxels.size());
+    if (layout.calibration) record.calibrated.resize(layout.taxels.size());
+    if (layout.readout.shear) record.shear.resize(layout.taxels.size());
+  }
+  return bytes_of(row) + sizeof(Pose);
 }
 
 RunRecorder::RunRecorder(const SimScene& scene) : recording_(describe_recording(scene)), sensors_(scene.sensors) {

@@ -13,6 +13,9 @@ namespace taxel {
 /// What the columns of a scene's recording mean; no rows yet.
 Recording describe_recording(const SimScene& scene);
 
+/// Memory that one row of a scene's recording takes [bytes].
+std::size_t recorded_row_bytes(const SimScene& scene);
+
 /// Collects rows of one scene, one step after the other. Calibrations begin with the first step: a loop or a held value
 /// depends on all that was felt since.
 class RunRecorder {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/limits.h"
 #include "core/project/path_curve.h"
 #include "core/project/recording/npz.h"
 #include "core/sim/scene/paper_demo.h"
@@ -46,12 +47,7 @@ dvec3 lead_point(const TriMesh& skin, const Pose& X_WM) {
 }
 
 std::uint64_t last_step_of(double steps) {
-  constexpr double kMost = 1e8;  // hours
-  if (!(steps <= kMost))
-    throw Error(
-        "", "",
-        fmt::format("the scenario would take {:.3g} steps, at most {:.0e} are made: is the time step too small?", steps,
-                    kMost));
+  check_steps(steps, "the scenario");
   return static_cast<std::uint64_t>(std::ceil(whole(steps)));
 }
 

@@ -1,0 +1,36 @@
+// Limits of what one run or recording may take: one place, so that every reader and writer refuses the same.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace taxel {
+
+/// Steps of one simulation. A step of the smallest scene takes about 20 microseconds: this number takes half an hour.
+inline constexpr double kMaxSteps = 1e8;
+
+/// Memory for the rows of a recording. Writing a recording takes about twice as much in addition.
+inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30U;
+
+/// Throws Error if a simulation would take more than kMaxSteps steps, or a number of steps that is not finite.
+/// `simulation` is the subject of the sentence: "the scenario".
+inline void check_steps(double steps, const std::string& simulation) {
+  if (steps <= kMaxSteps) return;
+  throw Error(fmt::format("{} would take {:.3g} steps, at most {:.0e} are made: is the time step too small?",
+                          simulation, steps, kMaxSteps));
+}
+
+/// Throws Error if the recording of `steps` steps would take more than kMaxRecordingBytes.
+inline void check_recording_bytes(double steps, double bytes_per_step, const std::string& remedy) {
+  const double bytes = steps * bytes_per_step;
+  if (bytes <= static_cast<double>(kMaxRecordingBytes)) return;
+  throw Error(fmt::format("the recording of {:.3g} steps would take {:.3g} GiB of memory, at most {} GiB are taken: {}",
+                          steps, bytes / (1U << 30U), kMaxRecordingBytes >> 30U, remedy));
+}
+
+}  // namespace taxel

@@ -1,0 +1,31 @@
+// Values of options that are not valid: each is refused before anything is computed.
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+
+TEST(OptionValues, RunsThatAreTooLongAreRefused) {
+  const std::filesystem::path folder = test_folder();
+  const auto scene = [](const char* timestep) {
+    return std::string("<mujoco><option timestep=\"") + timestep +
+           "\"/><worldbody><geom name=\"ball\" size=\"0.02\"/></worldbody></mujoco>";
+  };
+  write_text(folder / "fast.xml", scene("1e-8"));
+  write_text(folder / "slow.xml", scene("1e-3"));
+  const auto refused = [&](const char* file, const char* seconds, const std::string& line) {
+    const Outcome outcome = taxel({"run", file, "--layout", fingertip_layout().string(), "--geom", "ball", "--seconds",
+                                   seconds, "--out", "out", "--quiet"},
+                                  folder);
+    expect_refusal(outcome, "taxel: " + line);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  };
+  refused("slow.xml", "1e308",
+          "1e+308 s in steps of 0.001 s would take inf steps, at most 1e+08 are made: is the time step too small?");
+  refused("fast.xml", "2",
+          "2 s in steps of 1e-08 s would take 2e+08 steps, at most 1e+08 are made: is the time step too small?");
+  refused("slow.xml", "50000",
+          "the recording of 5e+07 steps would take 19.4 GiB of memory, at most 1 GiB are taken: give fewer --seconds");
+}
+
+}  // namespace
+}  // namespace taxel::test
