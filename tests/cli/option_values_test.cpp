@@ -4,6 +4,35 @@
 namespace taxel::test {
 namespace {
 
+TEST(OptionValues, EmptyValuesAreRefused) {
+  const std::filesystem::path folder = test_folder();
+  const std::string layout = fingertip_layout().string();
+  const std::string rule = ": must not be empty; leave the option out for its default";
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& option) {
+    expect_refusal(taxel(arguments, folder), "taxel: " + arguments[0] + ": " + option + rule);
+  };
+  for (const char* option : {"--out", "--layout", "--mesh", "--sensor", "--scenario", "--object"})
+    refused({"sweep", option, ""}, option);
+  for (const char* option : {"--out", "--layout", "--mesh"}) {
+    refused({"play", "press.json", option, ""}, option);
+    refused({"study", "study.json", option, ""}, option);
+    refused({"run", "scene.xml", option, ""}, option);
+  }
+  refused({"run", "scene.xml", "--plugins", ""}, "--plugins");
+  refused({"samples", layout, "--out", ""}, "--out");
+  refused({"mesh", "", "--out", "m.stl"}, "FILE");
+  refused({"check", layout, ""}, "FILE");
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST(OptionValues, SeedsAreWholeNumbersOf64Bits) {
+  const std::string layout = fingertip_layout().string();
+  for (const char* seed : {"-1", "18446744073709551616", "1.5", "1e3", "0x10", "seven", " 1"})
+    expect_refusal(taxel({"samples", layout, "--seed", seed}),
+                   std::string("taxel: samples: --seed: must be a whole number from 0 to 2^64 - 1, is ") + seed);
+  EXPECT_EQ(taxel({"samples", layout, "--density", "1e4", "--seed", "18446744073709551615"}).status, 0);
+}
+
 TEST(OptionValues, RunsThatAreTooLongAreRefused) {
   const std::filesystem::path folder = test_folder();
   const auto scene = [](const char* timestep) {

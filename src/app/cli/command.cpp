@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 
 #include "core/layout/words.h"
@@ -46,11 +47,24 @@ CLI::Validator finite() {
   return checked("a finite number", [](double) { return true; });
 }
 
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool is_whole = error == std::errc() && end == text.data() + text.size();
+        return is_whole ? std::string() : fmt::format("must be a whole number from 0 to 2^64 - 1, is {}", text);
+      },
+      "");
+}
+
 void add_sampling(CLI::App& app, LayoutOptions& options) {
   app.add_option("--density", options.density, "Samples per square metre (default: the layout's)")
       ->check(positive())
       ->type_name("PER_M2");
-  app.add_option("--seed", options.seed, "Seed of the samples (default: the layout's)")->type_name("N");
+  app.add_option("--seed", options.seed, "Seed of the samples (default: the layout's)")
+      ->check(whole_number())
+      ->type_name("N");
 }
 
 dvec3 parse_scale(const std::string& command, const std::string& text) {

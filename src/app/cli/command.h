@@ -48,6 +48,8 @@ CLI::App* add_command(CLI::App& parent, CommonOptions& common, const std::string
 CLI::Validator positive();
 CLI::Validator not_negative();
 CLI::Validator finite();
+/// Option values must be whole numbers that 64 bits hold, without a sign.
+CLI::Validator whole_number();
 
 /// What goes over the values of a layout.
 struct LayoutOptions {

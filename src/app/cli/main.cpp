@@ -25,6 +25,15 @@ std::string usage_message(const CLI::App& app, const CLI::App& program, const CL
   return e.what();
 }
 
+/// Throws Error for the first option or argument whose value is empty, as an unset shell variable leaves it: such a
+/// value must not have the meaning of an option that is not given.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty())
+        throw Error(command.get_name(), option->get_name(), "must not be empty; leave the option out for its default");
+}
+
 /// Runs the command that was asked for. Throws Error, or CLI::ParseError for bad usage.
 int run(int argc, char** argv) {
   CLI::App app("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
@@ -56,6 +65,7 @@ int run(int argc, char** argv) {
     if (chosen() == commands.end()) throw Error(usage_message(app, app, e));
     throw Error(chosen()->app->get_name(), usage_message(*chosen()->app, app, e));
   }
+  refuse_empty_values(*chosen()->app);
   std::optional<tbb::global_control> limit;
   if (common.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
