@@ -20,6 +20,9 @@ namespace taxel {
 /// Deeper documents are refused, for printing and dumping walk recursively: levels of a layout or a case.
 inline constexpr int kMaxJsonNesting = 64;
 
+/// Objects of more keys are refused: the library that keeps the order of keys searches all of them for each new one.
+inline constexpr std::size_t kMaxJsonKeys = 10'000;
+
 /// A key as part of a JSON pointer (RFC 6901).
 inline std::string escaped_key(std::string_view key) {
   std::string out;
@@ -47,7 +50,6 @@ inline std::pair<int, int> line_and_column(const std::string& text, std::size_t 
   return {line, column};
 }
 
-/// Parses a whole text, refusing what would be read ambiguously (a key twice) or could not be printed again (endless
 /// What a message quotes of a file: its begin and end where it is long, cut between the characters of UTF-8.
 inline std::string short_quote(const std::string& text) {
   constexpr std::size_t kMost = 240, kHead = 150, kTail = 70;
@@ -59,7 +61,8 @@ inline std::string short_quote(const std::string& text) {
   return text.substr(0, boundary(kHead)) + " ... " + text.substr(boundary(text.size() - kTail));
 }
 
-/// nesting). Throws Error with line and column where it is not JSON.
+/// Parses a whole text. Throws Error if it would be read ambiguously (a key twice), could not be printed again (endless
+/// nesting) or would take quadratic time (objects of many keys), and with line and column where it is not JSON.
 template <class Json>
 Json parse_json(const std::string& text, const std::string& file, int max_nesting = kMaxJsonNesting) {
   std::vector<std::set<std::string>> keys;
@@ -67,6 +70,8 @@ Json parse_json(const std::string& text, const std::string& file, int max_nestin
     if (depth > max_nesting) throw Error(file, fmt::format("is nested deeper than {} levels", max_nesting));
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && keys.back().size() >= kMaxJsonKeys)
+      throw Error(file, fmt::format("has an object of more than {} keys", kMaxJsonKeys));
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.template get<std::string>()).second)
       throw Error(file, fmt::format("has the key {} twice in one object", short_quote(parsed.dump())));
     return true;

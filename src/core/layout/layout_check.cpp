@@ -119,19 +119,26 @@ void check_places(const std::vector<Taxel>& taxels, Check& check) {
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::pair(taxels[a].center.x, a) < std::pair(taxels[b].center.x, b);
   });
-  std::map<std::size_t, std::size_t> twin_of;
+  const std::size_t none = taxels.size();
+  std::vector<std::size_t> twin_of(taxels.size(), none);  // a taxel with a lower number at the same place
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Taxel& a = taxels[order[i]];
+    const std::size_t twin = twin_of[order[i]];
+    // A taxel at exactly the place of its twin, and not larger, has no other neighbours than the twin: many taxels in
+    // one place cost one pass.
+    if (twin != none && taxels[twin].center == a.center && taxels[twin].radius >= a.radius) continue;
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const Taxel& b = taxels[order[j]];
       if (b.center.x - a.center.x > same * a.radius) break;
       if (glm::distance(a.center, b.center) > same * a.radius) continue;
-      twin_of.emplace(std::max(order[i], order[j]), std::min(order[i], order[j]));
+      std::size_t& earlier = twin_of[std::max(order[i], order[j])];
+      if (earlier == none) earlier = std::min(order[i], order[j]);
     }
   }
-  for (const auto& [later, earlier] : twin_of)
-    check.warning(fmt::format("/taxels/{}/center", later), "duplicate_place",
-                  fmt::format("is the same place as /taxels/{}", earlier), "move or delete one of the two");
+  for (std::size_t i = 0; i < twin_of.size(); ++i)
+    if (twin_of[i] != none)
+      check.warning(fmt::format("/taxels/{}/center", i), "duplicate_place",
+                    fmt::format("is the same place as /taxels/{}", twin_of[i]), "move or delete one of the two");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ void check_shells(const Layout& layout, const TriMesh& mesh, const TriMesh& skin
   int inner = mesh.face_count() - skin.face_count();
   if (all) {
     const std::vector<int> outer = outer_shells(mesh);
-    for (const int shell : mesh.shell_of_face()) inner += std::find(outer.begin(), outer.end(), shell) == outer.end();
+    for (const int shell : mesh.shell_of_face()) inner += std::binary_search(outer.begin(), outer.end(), shell) ? 0 : 1;
   }
   if (inner == 0) return;
   out.push_back(problem(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -69,7 +70,7 @@ void check_shells(const TriMesh& mesh, const std::string& file, Problems& proble
   std::vector<int> faces(at(mesh.shell_count()), 0);
   for (const int s : mesh.shell_of_face()) ++faces[at(s)];
   for (int s = 0; s < mesh.shell_count(); ++s) {
-    if (std::find(outer.begin(), outer.end(), s) != outer.end()) continue;
+    if (std::binary_search(outer.begin(), outer.end(), s)) continue;
     problems.push_back({file, "", Severity::note, "mesh_cavity",
                         fmt::format("shell {} of {} ({} faces) is a closed cavity inside another shell", s,
                                     mesh.shell_count(), faces[at(s)]),

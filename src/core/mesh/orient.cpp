@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "core/mesh/edge_sides.h"
+#include "core/mesh/enclosed_shells.h"
 #include "core/mesh/mesh_check.h"
 
 namespace taxel {
@@ -25,6 +26,20 @@ std::vector<std::vector<Link>> links(const TriMesh& mesh) {
     result[at(sides[1].face)].push_back({sides[0].face, alike});
   });
   return result;
+}
+
+/// Signed volume of each shell [m^3] (divergence theorem; the apex is a vertex of the shell).
+std::vector<double> shell_volumes(const TriMesh& mesh) {
+  std::vector<double> volumes(at(mesh.shell_count()), 0);
+  std::vector<int> first(volumes.size(), -1);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const std::size_t shell = at(mesh.shell_of_face()[at(f)]);
+    if (first[shell] < 0) first[shell] = f;
+    const dvec3& apex = mesh.vertex(first[shell], 0);
+    const dvec3 a = mesh.vertex(f, 0) - apex, b = mesh.vertex(f, 1) - apex, c = mesh.vertex(f, 2) - apex;
+    volumes[shell] += glm::dot(a, glm::cross(b, c)) / 6.0;
+  }
+  return volumes;
 }
 
 }  // namespace
@@ -53,8 +68,9 @@ TriMesh oriented(const TriMesh& mesh) {
   if (!alike.closed()) return alike;
   // A closed shell encloses a positive volume, a cavity a negative one.
   std::vector<char> flip(at(alike.shell_count()), 0);
-  for (int s = 0; s < alike.shell_count(); ++s)
-    flip[at(s)] = (extract_shells(alike, {s}).volume() < 0) != shell_is_enclosed(alike, s) ? 1 : 0;
+  const std::vector<double> volumes = shell_volumes(alike);
+  const std::vector<char> enclosed = enclosed_shells(alike);
+  for (std::size_t s = 0; s < flip.size(); ++s) flip[s] = (volumes[s] < 0) != (enclosed[s] != 0) ? 1 : 0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (flip[at(alike.shell_of_face()[f])] != 0) std::swap(faces[f].y, faces[f].z);
   }

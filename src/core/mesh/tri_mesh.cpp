@@ -63,52 +63,6 @@ bool is_closed(const std::vector<ivec3>& faces) {
   });
 }
 
-/// Solid angle of the triangle (a, b, c) seen from the origin, signed (van Oosterom, Strackee 1983).
-double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
-  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-  const double numerator = glm::dot(a, glm::cross(b, c));
-  const double denominator = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
-  return 2.0 * std::atan2(numerator, denominator);
-}
-
-Aabb shell_bounds(const TriMesh& mesh, int shell) {
-  Aabb box;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.shell_of_face()[at(f)] != shell) continue;
-    for (int c = 0; c < 3; ++c) box.include(mesh.vertex(f, c));
-  }
-  return box;
-}
-
-bool contains(const Aabb& outer, const Aabb& inner) {
-  return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi));
-}
-
-/// How often `shell` winds around p: 1 or -1 inside of a closed shell, 0 outside.
-double winding_number(const TriMesh& mesh, int shell, const dvec3& p) {
-  double sum = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.shell_of_face()[at(f)] != shell) continue;
-    sum += solid_angle(mesh.vertex(f, 0) - p, mesh.vertex(f, 1) - p, mesh.vertex(f, 2) - p);
-  }
-  return sum / (4.0 * kPi);
-}
-
-/// Centres of some faces of a shell, spread over its face list.
-std::vector<dvec3> probe_points(const TriMesh& mesh, int shell) {
-  std::vector<int> faces;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.shell_of_face()[at(f)] == shell) faces.push_back(f);
-  }
-  constexpr std::size_t kProbes = 8;
-  std::vector<dvec3> points;
-  for (std::size_t i = 0; i < std::min(kProbes, faces.size()); ++i) {
-    const int f = faces[i * faces.size() / std::min(kProbes, faces.size())];
-    points.push_back((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0);
-  }
-  return points;
-}
-
 }  // namespace
 
 TriMesh::TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces, std::vector<ivec3> flat_faces)
@@ -198,26 +152,6 @@ TriMesh extract_faces(const TriMesh& mesh, const std::vector<int>& wanted) {
     faces.push_back(face);
   }
   return {std::move(vertices), std::move(faces)};
-}
-
-bool shell_is_enclosed(const TriMesh& mesh, int shell) {
-  const Aabb box = shell_bounds(mesh, shell);
-  const std::vector<dvec3> probes = probe_points(mesh, shell);
-  for (int other = 0; other < mesh.shell_count(); ++other) {
-    if (other == shell || !contains(shell_bounds(mesh, other), box)) continue;
-    double mean = 0;
-    for (const dvec3& p : probes) mean += std::abs(winding_number(mesh, other, p)) / static_cast<double>(probes.size());
-    if (mean > 0.5) return true;
-  }
-  return false;
-}
-
-std::vector<int> outer_shells(const TriMesh& mesh) {
-  std::vector<int> outer;
-  for (int s = 0; s < mesh.shell_count(); ++s) {
-    if (!shell_is_enclosed(mesh, s)) outer.push_back(s);
-  }
-  return outer;
 }
 
 }  // namespace taxel

@@ -21,7 +21,19 @@ struct PolygonSoup {
   void add_polygon(std::span<const int> corners) {
     if (corners.size() < 3) ++skipped;
     if (corners.size() > 3) ++fanned;
+    constexpr std::size_t kMaxFan = 64;
+    if (corners.size() > kMaxFan) return halve_polygon(corners);
     for (std::size_t i = 2; i < corners.size(); ++i) triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
+  }
+
+  /// Cuts a polygon of many corners in two, again and again. In a fan every triangle would overlap every other one's
+  /// box, and a search for cuts would take quadratic time.
+  void halve_polygon(std::span<const int> corners) {
+    if (corners.size() < 3) return;
+    const std::size_t middle = corners.size() / 2;
+    halve_polygon(corners.subspan(0, middle + 1));
+    triangles.emplace_back(corners.front(), corners[middle], corners.back());
+    halve_polygon(corners.subspan(middle));
   }
 };
 
