@@ -64,9 +64,11 @@ Json verdict_object(const Verdict& v) {
   Json json{{"cause", to_word(v.cause)}, {"text", v.text},       {"change", v.change}, {"noise", v.noise},
             {"field", v.field},          {"contact", v.contact}, {"limit", v.limit},   {"force_stays", v.force_stays}};
   if (v.needed)
-    json["samples_needed"] = {
-        {"samples", v.needed->samples}, {"factor", v.needed->factor}, {"measured", v.needed->measured}};
-  if (v.voronoi_noise) json["voronoi_noise"] = *v.voronoi_noise;
+    json["samples_needed"] = {{"samples", v.needed->samples},
+                              {"factor", v.needed->factor},
+                              {"change", v.needed->change},
+                              {"cures", v.needed->cures}};
+  if (v.voronoi_change) json["voronoi_change"] = *v.voronoi_change;
   return json;
 }
 

@@ -6,23 +6,24 @@
 
 namespace taxel {
 
-ConvergenceModels make_convergence_models(const SensorModelPtr& model, SensorCache& cache, Progress* progress) {
-  const double most = Convergence::kFactors.back() * model->layout.sampling.density * model->sampled_area;
-  if (!(most <= kMaxSamples))
+SensorModelPtr with_samples_times(double factor, const SensorModelPtr& model, SensorCache& cache, Progress* progress) {
+  const double samples = factor * model->layout.sampling.density * model->sampled_area;
+  if (!(samples <= kMaxSamples))
     throw Error("", "/sampling/density",
-                fmt::format("{} times the samples are {:.4g}, the limit is {}", Convergence::kFactors.back(), most,
-                            kMaxSamples));
-  ConvergenceModels models;
+                fmt::format("{} times the samples are {:.4g}, the limit is {}", factor, samples, kMaxSamples));
   SensorBuild how(progress);
   how.cache = &cache;
   how.quality = model->quality;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    models[i] = model;
-    if (i == Convergence::kAsked) continue;
-    Layout layout = model->layout;
-    layout.sampling.density *= Convergence::kFactors[i];
-    models[i] = build_sensor_model(layout, model->loaded, "", layout.name, how);
-  }
+  Layout layout = model->layout;
+  layout.sampling.density *= factor;
+  return build_sensor_model(layout, model->loaded, "", layout.name, how);
+}
+
+ConvergenceModels make_convergence_models(const SensorModelPtr& model, SensorCache& cache, Progress* progress) {
+  ConvergenceModels models;
+  models[Convergence::kAsked] = model;
+  for (std::size_t i = models.size(); i-- > 0;)  // the largest first: it is the one that can be refused
+    if (i != Convergence::kAsked) models[i] = with_samples_times(Convergence::kFactors[i], model, cache, progress);
   return models;
 }
 

@@ -26,6 +26,12 @@ struct Convergence {
 /// The same sensor with fewer and with more samples, by factor; that of kAsked is `model` itself.
 using ConvergenceModels = std::array<SensorModelPtr, Convergence::kFactors.size()>;
 
+/// The model with a multiple of its samples: only samples, receptive fields and rays are made; skin and body come from
+/// the cache that `model` was built with. Throws Error where there would be more than kMaxSamples, Cancelled through
+/// `progress`.
+SensorModelPtr with_samples_times(double factor, const SensorModelPtr& model, SensorCache& cache,
+                                  Progress* progress = nullptr);
+
 /// Only samples, receptive fields and rays are made; skin and body, and samples that are known already, come from the
 /// cache that `model` was built with. Throws Error where there would be more than kMaxSamples, Cancelled through
 /// `progress`.

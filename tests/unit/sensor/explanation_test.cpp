@@ -7,7 +7,6 @@
 
 #include "core/base/error.h"
 #include "core/sensor/explain/counterfactual.h"
-#include "core/sensor/explain/samples_needed.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {
@@ -101,44 +100,6 @@ TEST(Explanation, DoesNotDependOnWhatWasAskedBefore) {
   EXPECT_EQ(a.change->verdict.text, b.change->verdict.text);
   EXPECT_EQ(*a.exact.value, *b.exact.value);
   EXPECT_EQ(a.levels->now, b.levels->now);
-}
-
-// Errors of n^-1 reach a tenth at ten times the last number.
-TEST(SamplesNeeded, FollowsTheMeasuredRate) {
-  SampleLevels levels{{100, 400, 1600}, {16, 4, 1}, {0, 0, 0}};
-  const Readings exact{0, 0};
-  SamplesNeeded needed = samples_needed(levels, exact, 0.1);
-  EXPECT_FALSE(needed.measured);
-  EXPECT_NEAR(needed.samples, 16000, 1);
-  EXPECT_NEAR(needed.factor, 40, 0.01);
-  needed = samples_needed(levels, exact, 2.0);
-  EXPECT_TRUE(needed.measured);
-  EXPECT_EQ(needed.samples, 1600);
-  EXPECT_EQ(samples_needed(levels, exact, 20.0).samples, 100);
-  levels.now = {4, 4, 4};  // it does not fall: held at n^-1/4
-  EXPECT_NEAR(samples_needed(levels, exact, 2.0).samples, 1600 * 16, 1);
-  EXPECT_EQ(samples_needed(levels, exact, 1e-6).samples, 0.0);
-}
-
-// So many samples as it says do what it says.
-TEST(SamplesNeeded, KeepsItsWord) {
-  const TriMeshPtr mesh = test::finger_mesh();
-  Layout layout = test::layout_of(FieldKind::pad, 1e6, SampleWeights::equal, 1);
-  test::add_row(layout, mesh);
-  test::LabelledCase c;
-  c.model = test::preview_model(layout, mesh);
-  c.other = test::rigid_ball(0.0015);
-  c.path = test::along_finger(0.0015, 0.0004, -0.008, 0.0001, 160);
-  const Explanation e = c.explain_largest_jump();
-  const Verdict& v = e.change->verdict;
-  ASSERT_EQ(v.cause, Cause::sampling_noise);
-  ASSERT_TRUE(v.needed && v.needed->measured);
-  layout.sampling.density *= v.needed->factor;
-  c.model = test::preview_model(layout, mesh);
-  const auto at = [&](double time) { return c.sense(c.path[static_cast<std::size_t>(std::lround(time * 1000))]); };
-  const auto before = at(e.change->time_before), now = at(e.time);
-  const auto k = static_cast<std::size_t>(e.taxel);
-  EXPECT_LT(std::abs(now->reading.values[k] - before->reading.values[k]), v.limit);
 }
 
 // Under even stiffness a sphere of a star, whose depth is even already, reads as before, to the order of its facets.

@@ -4,9 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/hydro/traction.h"
+#include "core/sensor/explain/advice.h"
 #include "core/sensor/explain/counterfactual.h"
 #include "core/sensor/explain/polygons_behind.h"
-#include "core/sensor/explain/samples_needed.h"
 
 namespace taxel {
 namespace {
@@ -55,21 +55,6 @@ void count_samples(const Explanation& e, StepChange& change) {
   }
 }
 
-/// The same samples, each counted by the part of the skin that is nearest to it.
-SensorModelPtr with_voronoi_weights(const SensorModel& model) {
-  auto other = std::make_shared<SensorModel>(model);
-  other->layout.sampling.weights = SampleWeights::voronoi;
-  other->fields = make_receptive_fields(other->layout, other->samples, *other->skin);
-  other->readout_table = make_readout_table(*other);
-  return other;
-}
-
-double reading_of(const SensorModel& model, int taxel, Surfaces surfaces) {
-  SensorReading reading;
-  read_sensor(model, surfaces, reading);
-  return reading.values[index(taxel)];
-}
-
 /// What polygons that inverted tets concern bring to an exact reading.
 double inverted_part(const ExactReading& exact, const SensorStep& step, const InvertedTets& inverted) {
   double sum = 0;
@@ -94,6 +79,7 @@ struct Explainer::Kept {
   SensorModelPtr model;
   std::optional<ConvergenceModels> levels;
   std::string no_levels;
+  DenserModels denser;
   InvertedTets inverted;
 
   /// The other numbers of samples of a model, as far as they can be made.
@@ -101,9 +87,11 @@ struct Explainer::Kept {
     if (wanted == model) return;
     levels.reset();
     no_levels.clear();
+    denser.clear();
     inverted = InvertedTets(*wanted);
     try {
       levels = make_convergence_models(wanted, cache, progress);
+      denser[Convergence::kFactors.back()] = levels->back();
     } catch (const Error& e) {
       no_levels = e.what();
     }
@@ -129,8 +117,8 @@ struct Explainer::Kept {
   }
   void add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
                 VerdictInput& in) const;
-  void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
-             Explanation& out) const;
+  void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits, Explanation& out,
+             Progress* progress);
 };
 
 /// What the two contacts would read under even stiffness, and the parts that inverted tets concern.
@@ -146,7 +134,7 @@ void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorSte
 
 /// The verdict, by what the same two contacts would read otherwise.
 void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
-                            Explanation& out) const {
+                            Explanation& out, Progress* progress) {
   StepChange& change = *out.change;
   VerdictInput in;
   in.limits = limits, in.sampled = change.reading, in.force = change.force;
@@ -158,20 +146,9 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
   Verdict& verdict = change.verdict;
   verdict = decide(in);
   if (verdict.cause == Cause::sampling_noise) {
-    // What the noise may be for the whole change to stay below the limit, or half of that where the rest is as large.
-    const double allowed = std::max(verdict.limit - std::abs(in.exact->change()), 0.5 * verdict.limit);
-    if (out.levels) verdict.needed = samples_needed(*out.levels, *in.exact, allowed);
-    // With the number that is asked for it jumped: errors that were opposite before and now add up to more than their
-    // rms.
-    if (verdict.needed && verdict.needed->samples > 0 && !(verdict.needed->factor > 1)) {
-      const double more = out.levels->samples[Convergence::kAsked + 1];
-      verdict.needed = SamplesNeeded{more, more / out.levels->samples[Convergence::kAsked], true};
-    }
-    if (model->layout.sampling.weights == SampleWeights::equal) {
-      const SensorModelPtr voronoi = with_voronoi_weights(*model);
-      verdict.voronoi_noise = std::abs(reading_of(*voronoi, taxel, now.surfaces) -
-                                       reading_of(*voronoi, taxel, before.surfaces) - in.exact->change());
-    }
+    verdict.needed = samples_that_cure(model, taxel, before, now, verdict.limit, denser, cache, progress);
+    if (model->layout.sampling.weights == SampleWeights::equal)
+      verdict.voronoi_change = change_with_voronoi_weights(*model, taxel, before, now);
   }
   verdict.text = verdict_text(verdict, in);
 }
@@ -201,7 +178,7 @@ Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const Sen
   change.reading = {before->readings[index(taxel)], out.reading};
   change.force = {force_of(*before), force_of(now)};
   count_samples(out, change);
-  kept_->judge(taxel, now, *before, limits, out);
+  kept_->judge(taxel, now, *before, limits, out, progress);
   return out;
 }
 

@@ -25,15 +25,25 @@ std::string moved(double change, const ExplainLimits& limits) {
   return fmt::format("{} by {}", change < 0 ? "fell" : "rose", percent(change, limits));
 }
 
+/// What leaves more than this part of a change is no help.
+constexpr double kHelps = 0.9;
+
+/// What other samples would do about the change, as measured on the same two contacts.
 std::string cure(const Verdict& v, const ExplainLimits& limits) {
+  const auto instead = [&](double change) {
+    return fmt::format("it would be {} instead of {}", percent(change, limits), percent(v.change, limits));
+  };
   std::string text;
-  if (v.needed && v.needed->samples > 0)
-    text = fmt::format(" {} {:.0f} samples, {:.3g} times as many, it stays below the limit.",
-                       v.needed->measured ? "Read with" : "With about", v.needed->samples, v.needed->factor);
-  else if (v.needed)
-    text = " By the rate at which it falls, more samples would be needed than can be made.";
-  if (v.voronoi_noise)
-    text += fmt::format(" The same samples with Voronoi weights leave {} of it.", percent(*v.voronoi_noise, limits));
+  if (v.needed)
+    text = fmt::format(" {} {:.0f} samples, {:.3g} times as many, {}{}.", v.needed->cures ? "With" : "Even with",
+                       v.needed->samples, v.needed->factor, instead(v.needed->change),
+                       v.needed->cures ? ", below the limit" : ", not safely below the limit");
+  if (v.voronoi_change) {
+    const bool helps = std::abs(*v.voronoi_change) < kHelps * std::abs(v.change);
+    text += fmt::format(" {} the same samples, {}.",
+                        helps ? "With Voronoi weights of" : "Voronoi weights do not help: with them on",
+                        instead(*v.voronoi_change));
+  }
   return text;
 }
 

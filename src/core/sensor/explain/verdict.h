@@ -36,11 +36,12 @@ struct Readings {
   [[nodiscard]] double change() const { return now - before; }
 };
 
-/// How many samples keep the change within the limits.
+/// A number of samples with which the same two contacts were read again.
 struct SamplesNeeded {
-  double samples = 0;     ///< on what is sampled; 0: none that the program can make
-  double factor = 0;      ///< of those the layout asks for
-  bool measured = false;  ///< read with so many; otherwise from the rate at which the error fell
+  double samples = 0;  ///< number on the sampled faces
+  double factor = 0;   ///< multiple of the layout's density, exactly
+  double change = 0;   ///< of the reading with so many samples [its unit]
+  bool cures = false;  ///< the change stays below the limit, with a margin
 };
 
 /// The change of a reading, taken apart: noise + field + contact = change.
@@ -52,9 +53,11 @@ struct Verdict {
   double contact = 0;  ///< what remains
   double limit = 0;    ///< of a jump
   bool force_stays = false;
-  std::optional<SamplesNeeded> needed;  ///< for sampling_noise
-  std::optional<double> voronoi_noise;  ///< likewise: that of the same samples with Voronoi weights
-  std::string text;                     ///< one or two sentences
+  /// For sampling_noise: the least number of samples that cures, or the largest that was tried in vain.
+  std::optional<SamplesNeeded> needed;
+  /// For sampling_noise: change of the reading of the same samples with Voronoi weights [its unit].
+  std::optional<double> voronoi_change;
+  std::string text;  ///< one to three sentences
 };
 
 /// What a verdict is made of.
@@ -69,7 +72,7 @@ struct VerdictInput {
   Readings force;             ///< magnitude, of the whole sensor [N]
 };
 
-/// Decides, without `needed` and `voronoi_noise`. The part of the change that is largest in its direction names the
+/// Decides, without `needed` and `voronoi_change`. The part of the change that is largest in its direction names the
 /// cause. The change under even stiffness is scaled so that the mean of both its readings is that of the exact ones:
 /// only how a field differs from place to place counts against it.
 Verdict decide(const VerdictInput& input);

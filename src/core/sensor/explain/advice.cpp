@@ -1,0 +1,53 @@
+#include "core/sensor/explain/advice.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace taxel {
+namespace {
+
+double reading_of(const SensorModel& model, int taxel, const SensorStep& step) {
+  SensorReading reading;
+  read_sensor(model, step.surfaces, reading);
+  return reading.values[static_cast<std::size_t>(taxel)];
+}
+
+double change_of(const SensorModel& model, int taxel, const SensorStep& before, const SensorStep& now) {
+  return reading_of(model, taxel, now) - reading_of(model, taxel, before);
+}
+
+}  // namespace
+
+std::optional<SamplesNeeded> samples_that_cure(const SensorModelPtr& model, int taxel, const SensorStep& before,
+                                               const SensorStep& now, double limit, DenserModels& made,
+                                               SensorCache& cache, Progress* progress) {
+  std::optional<SamplesNeeded> tried;
+  const double asked = static_cast<double>(model->samples.size());
+  for (const double factor : kTriedFactors) {
+    if (factor * asked > kMaxTriedSamples) break;
+    SensorModelPtr& denser = made[factor];
+    try {
+      if (!denser) denser = with_samples_times(factor, model, cache, progress);
+    } catch (const Error&) {
+      break;  // so many samples cannot be made
+    }
+    const double samples = static_cast<double>(denser->samples.size());
+    double change = change_of(*denser, taxel, before, now);
+    if (model->layout.readout.aggregate == Aggregate::weighted_sum && samples > 0) change *= asked / samples;
+    tried = SamplesNeeded{samples, factor, change, std::abs(change) <= kCureMargin * limit};
+    if (tried->cures) break;
+  }
+  return tried;
+}
+
+double change_with_voronoi_weights(const SensorModel& model, int taxel, const SensorStep& before,
+                                   const SensorStep& now) {
+  SensorModel other(model);
+  other.layout.sampling.weights = SampleWeights::voronoi;
+  other.fields = make_receptive_fields(other.layout, other.samples, *other.skin);
+  other.readout_table = make_readout_table(other);
+  return change_of(other, taxel, before, now);
+}
+
+}  // namespace taxel

@@ -1,0 +1,119 @@
+// Advice against sampling noise, carried out: it does what it said.
+#include "core/sensor/explain/advice.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "unit/sensor/labelled_case.h"
+
+namespace taxel {
+namespace {
+
+constexpr int kCases = 200;
+
+/// A ball led along a finger that has few samples, a dozen steps of a tenth of a millimetre.
+struct NoisyCase {
+  Layout layout;
+  TriMeshPtr mesh = test::finger_mesh();
+  test::LabelledCase touch;
+
+  explicit NoisyCase(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    layout =
+        test::layout_of(FieldKind::pad, std::exp(between(std::log(3e5), std::log(3e6))), SampleWeights::equal, seed);
+    layout.readout.aggregate = seed % 2 == 0 ? Aggregate::weighted_mean : Aggregate::mean;
+    test::add_row(layout, mesh);
+    const double ball = between(0.001, 0.0025);
+    touch.other = test::rigid_ball(ball);
+    touch.path = test::along_finger(ball, between(0.0003, 0.0006), between(-0.011, 0.009), 0.0001, 12);
+    touch.limits.jump = between(0.02, 0.1);
+    touch.model = test::preview_model(layout, mesh);
+  }
+  /// Change of the explained reading if the sensor is built from `changed` instead.
+  [[nodiscard]] double change_with(const Layout& changed, const Explanation& e) const {
+    test::LabelledCase other = touch;
+    other.model = test::preview_model(changed, mesh);
+    const auto reading = [&](double time) {
+      const auto step = static_cast<std::size_t>(std::lround(1000 * time));
+      return other.sense(touch.path[step])->reading.values[static_cast<std::size_t>(e.taxel)];
+    };
+    return reading(e.time) - reading(e.change->time_before);
+  }
+};
+
+void carry_out(const NoisyCase& noisy, const Explanation& e) {
+  const Verdict& v = e.change->verdict;
+  if (v.needed) {
+    Layout layout = noisy.layout;
+    layout.sampling.density *= v.needed->factor;
+    const double change = noisy.change_with(layout, e);
+    EXPECT_EQ(change, v.needed->change) << v.text;
+    if (v.needed->cures) {
+      EXPECT_LT(std::abs(change), v.limit) << v.text;
+    }
+    EXPECT_EQ(v.text.find("Even with ") == std::string::npos, v.needed->cures) << v.text;
+  }
+  ASSERT_TRUE(v.voronoi_change);
+  Layout layout = noisy.layout;
+  layout.sampling.weights = SampleWeights::voronoi;
+  const double change = noisy.change_with(layout, e);
+  EXPECT_NEAR(change, *v.voronoi_change, 1e-9 * std::abs(v.change)) << v.text;
+  const bool recommended = v.text.find("With Voronoi weights") != std::string::npos;
+  EXPECT_EQ(recommended, std::abs(change) < 0.9 * std::abs(v.change)) << v.text;
+}
+
+TEST(Advice, KeepsItsWordInRandomCases) {
+  int noise = 0, cured = 0, helped = 0;
+  for (unsigned seed = 1; noise < kCases; ++seed) {
+    ASSERT_LT(seed, 4U * kCases) << "too few jumps by sampling noise";
+    const NoisyCase noisy(seed);
+    const Explanation e = noisy.touch.explain_largest_jump();
+    if (e.change->verdict.cause != Cause::sampling_noise) continue;
+    ++noise;
+    SCOPED_TRACE(seed);
+    carry_out(noisy, e);
+    const Verdict& v = e.change->verdict;
+    cured += v.needed && v.needed->cures ? 1 : 0;
+    helped += std::abs(*v.voronoi_change) < std::abs(v.change) ? 1 : 0;
+    if (std::getenv("TAXEL_SHOW_VERDICTS") != nullptr) fmt::print("{}: {}\n", seed, v.text);
+  }
+  EXPECT_GT(cured, kCases / 2) << "most noise is cured by some number of samples";
+  EXPECT_LT(helped, kCases) << "the cases include some in which Voronoi weights do not help";
+  RecordProperty("cured", cured);
+  RecordProperty("helped", helped);
+}
+
+TEST(Advice, SaysBothChangesInPercentOfTheSameReading) {
+  Verdict v;
+  v.cause = Cause::sampling_noise;
+  v.change = 0.106, v.limit = 0.1;
+  v.needed = SamplesNeeded{1704, 4, -0.031, true};
+  v.voronoi_change = 0.125;
+  VerdictInput in;
+  in.limits = {.jump = 0.1, .equal_force = 0.02, .largest = 1};
+  const std::string text = verdict_text(v, in);
+  EXPECT_NE(text.find("With 1704 samples, 4 times as many, it would be 3.1 % instead of 10.6 %, below the limit."),
+            std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("Voronoi weights do not help: with them on the same samples, it would be 12.5 % instead of 10.6 %."),
+      std::string::npos)
+      << text;
+  v.needed = SamplesNeeded{27264, 64, 0.099, false};
+  v.voronoi_change = -0.02;
+  const std::string other = verdict_text(v, in);
+  EXPECT_NE(
+      other.find("Even with 27264 samples, 64 times as many, it would be 9.9 % instead of 10.6 %, not safely below"),
+      std::string::npos)
+      << other;
+  EXPECT_NE(other.find("With Voronoi weights of the same samples, it would be 2 % instead of 10.6 %."),
+            std::string::npos)
+      << other;
+}
+
+}  // namespace
+}  // namespace taxel
