@@ -64,6 +64,10 @@ std::pair<std::string, std::string> read_origin(const fs::path& file) {
 
 }  // namespace
 
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 Autosave::~Autosave() {
   stop();
 }
@@ -129,11 +133,25 @@ std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, 
   return std::exchange(failure_, "");
 }
 
+std::optional<double> Autosave::seconds_until_due(double now) const {
+  if (!started() || !unkept_since_) return std::nullopt;
+  return std::max(0.0, *unkept_since_ + every_ - now);
+}
+
+void Autosave::leave(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
+                     const std::string& origin) {
+  if (!started()) return;
+  if (unsaved && (revision != kept_ || taken_over_)) send({unsaved, name, origin, taken_over_});
+  if (!unsaved) send({});
+  stop();
+  if (!unsaved) forget({file_, "", "", ""});
+}
+
 void Autosave::run() {
   std::unique_lock lock(mutex_);
   while (true) {
     asked_.wait(lock, [this] { return next_ || ending_; });
-    if (ending_) return;
+    if (!next_) return;  // it ends, and the last job is done
     const Job job = *std::exchange(next_, std::nullopt);
     lock.unlock();
     std::string failure;

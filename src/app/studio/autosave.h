@@ -25,6 +25,9 @@ struct LostDocument {
   std::string when;            ///< "2026-11-22 13:05:09", local time
 };
 
+/// Time of the steady clock [s], which goes on at rest and never jumps.
+[[nodiscard]] double steady_seconds();
+
 class Autosave {
  public:
   /// Keeps nothing before start().
@@ -37,10 +40,16 @@ class Autosave {
   void start(const std::filesystem::path& folder);
   [[nodiscard]] bool started() const { return lock_ >= 0; }
 
-  /// To be called often. Unsaved: keeps the project soon, at the latest when so many seconds of edits are not kept.
-  /// Saved, or none: what was kept is thrown away. Never waits. Returns why the last writing failed, once.
+  /// To be called often, at the latest after seconds_until_due(). A project with unsaved edits is written as soon as
+  /// its oldest unwritten edit is as old as the interval; without one the written file is removed. `now` is the time of
+  /// a steady clock [s], which runs while the window rests too. Never waits. Returns why the last writing failed, once.
   std::string update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
                      const std::string& origin, double now);
+  /// Seconds from `now` until update() has something to write, at least 0; empty while nothing is unwritten.
+  [[nodiscard]] std::optional<double> seconds_until_due(double now) const;
+  /// Writes the unsaved edits at once, unless they are written already, waits until they are on disk, and leaves them
+  /// for the next start. The program is about to end without being asked to.
+  void leave(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name, const std::string& origin);
 
   /// The program ends as it should: what is kept is thrown away.
   void end();

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/studio/end_signal.h"
 #include "app/studio/options.h"
 #include "app/studio/studio.h"
 #include "app/version/version.h"
@@ -26,8 +27,12 @@ int main(int argc, char** argv) {
   }
   try {
     if (!options.plugins.empty()) taxel::load_plugin_folder(options.plugins);
+    taxel::studio::record_end_signals();
     taxel::studio::Studio studio(options);
-    return studio.run() ? 0 : 2;
+    const bool good = studio.run();
+    constexpr int kEndedBySignal = 128;  // added to its number, as shells report it
+    if (const int number = taxel::studio::end_signal(); number != 0) return kEndedBySignal + number;
+    return good ? 0 : 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "taxelstudio: {}\n", error.what());
     return 2;

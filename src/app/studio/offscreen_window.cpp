@@ -1,5 +1,8 @@
 #include <epoxy/gl.h>
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <optional>
 
 #include "app/studio/window.h"
@@ -13,7 +16,17 @@ class OffscreenWindow final : public Window {
  public:
   OffscreenWindow(int width, int height) { resize(width, height); }
 
-  std::vector<InputEvent> take_events(double) override { return {}; }
+  std::vector<InputEvent> take_events(double seconds) override {
+    std::unique_lock lock(mutex_);
+    if (seconds > 0) woken_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return is_woken_; });
+    is_woken_ = false;
+    return {};
+  }
+  void wake() override {
+    const std::lock_guard lock(mutex_);
+    is_woken_ = true;
+    woken_.notify_all();
+  }
   [[nodiscard]] int width() const override { return picture_->width(); }
   [[nodiscard]] int height() const override { return picture_->height(); }
   void resize(int width, int height) final { picture_.emplace(width, height); }
@@ -33,6 +46,9 @@ class OffscreenWindow final : public Window {
   gl::OffscreenContext context_;
   std::optional<gl::Framebuffer> picture_;
   std::string clipboard_;
+  std::mutex mutex_;  // guards is_woken_
+  std::condition_variable woken_;
+  bool is_woken_ = false;
 };
 
 }  // namespace

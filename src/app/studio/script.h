@@ -92,11 +92,16 @@ struct ExpectCommand {
 struct WaitForCommand {
   ExpectCommand expect;
 };  ///< until the state is so, at most a minute: for what happens outside of the program
+/// Leaves the window alone for a while of real time [s]: unless something moves, no frame is drawn. With --live only.
+struct RestCommand {
+  double seconds = 0;
+};
 struct QuitCommandLine {};
 
-using ScriptStep = std::variant<MouseMoveEvent, MouseButtonEvent, ClickEvent, WheelEvent, KeyEvent, TextEvent,
-                                DropEvent, ResizeEvent, CloseEvent, ScreenshotCommand, DumpStateCommand,
-                                WaitIdleCommand, WaitTimeCommand, ExpectCommand, WaitForCommand, QuitCommandLine>;
+using ScriptStep =
+    std::variant<MouseMoveEvent, MouseButtonEvent, ClickEvent, WheelEvent, KeyEvent, TextEvent, DropEvent, ResizeEvent,
+                 CloseEvent, ScreenshotCommand, DumpStateCommand, WaitIdleCommand, WaitTimeCommand, ExpectCommand,
+                 WaitForCommand, RestCommand, QuitCommandLine>;
 
 struct ScriptLine {
   int number = 0;  ///< in the file, from 1

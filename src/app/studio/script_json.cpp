@@ -157,6 +157,7 @@ ScriptStep parse_command(const std::string& name, Line& line) {
   if (name == "wait_time") return WaitTimeCommand{line.get<double>("time")};
   if (name == "expect") return parse_expect(line);
   if (name == "wait_for") return WaitForCommand{parse_expect(line)};
+  if (name == "rest") return RestCommand{line.get<double>("seconds")};
   if (name == "quit") return QuitCommandLine{};
   throw Error(fmt::format("does not know the command \"{}\"", name));
 }

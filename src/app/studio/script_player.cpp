@@ -120,12 +120,24 @@ bool ScriptPlayer::is_so(const ExpectCommand& expect, const ScriptStage& stage) 
   return true;
 }
 
+bool ScriptPlayer::rests() const {
+  if (finished() || !waits_since_) return false;
+  const auto* rest = std::get_if<RestCommand>(&script_.lines[next_].step);
+  return rest != nullptr &&
+         std::chrono::steady_clock::now() - *waits_since_ < std::chrono::duration<double>(rest->seconds);
+}
+
 bool ScriptPlayer::run_command(const ScriptStage& stage) {
   const ScriptStep& step = script_.lines[next_].step;
   if (const auto* shot = std::get_if<ScreenshotCommand>(&step)) stage.save_screenshot(shot->file);
   if (const auto* dump = std::get_if<DumpStateCommand>(&step)) stage.save_state(dump->file);
   if (const auto* expect = std::get_if<ExpectCommand>(&step)) check_expectation(*expect, stage.state());
   if (const auto* wait = std::get_if<WaitForCommand>(&step)) return is_so(wait->expect, stage);
+  if (std::holds_alternative<RestCommand>(step)) {
+    if (!waits_since_) waits_since_ = std::chrono::steady_clock::now();
+    if (rests()) return false;
+    waits_since_.reset();
+  }
   if (std::holds_alternative<QuitCommandLine>(step)) stage.quit();
   if (std::holds_alternative<WaitIdleCommand>(step)) return idle_frames_ >= kIdleFrames;
   if (const auto* wait = std::get_if<WaitTimeCommand>(&step)) {

@@ -32,6 +32,8 @@ class ScriptPlayer {
   /// Commands after the picture. Throws Error naming file and line.
   void after_frame(const ScriptStage& stage);
   [[nodiscard]] bool finished() const { return next_ >= script_.lines.size(); }
+  /// A rest has begun and is not over.
+  [[nodiscard]] bool rests() const;
 
  private:
   template <class Body>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/end_signal.h"
 #include "app/studio/file_listing.h"
 #include "app/studio/settings.h"
 #include "app/version/version.h"
@@ -104,7 +105,7 @@ Studio::~Studio() = default;
 bool Studio::run() {
   options_.by_clock() ? run_by_clock() : run_by_frames();
   if (options_.keeps_state()) save_settings();
-  autosave_.end();
+  end_signal() != 0 ? keep_unsaved_at_end() : autosave_.end();
   finish_outputs();
   return !(options_.headless && argument_refused_);
 }
@@ -112,15 +113,21 @@ bool Studio::run() {
 double Studio::waiting_time() const {
   if (pictures_due_ > 0) return 0;
   if (session_.playing() || session_.replaying() || video_) return kBusyWait;
-  return !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
+  const double wait = !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
+  return std::min(wait, autosave_.seconds_until_due(steady_seconds()).value_or(wait));
+}
+
+bool Studio::is_over() const {
+  return quit_ || end_signal() != 0;
 }
 
 void Studio::run_by_clock() {
   const ScriptStage stage = script_stage();
   bool drew = false;
-  for (int frame = 0; !quit_ && (options_.frames == 0 || frame < options_.frames);) {
+  for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
     const bool newer = std::exchange(drew, false) && session_.playing();  // a frame is likely to lie ready
-    std::vector<InputEvent> events = window_->take_events(newer || script_ ? 0 : waiting_time());
+    const bool scripted = script_ && !script_->rests();
+    std::vector<InputEvent> events = window_->take_events(newer || scripted ? 0 : waiting_time());
     if (script_) events = script_->before_frame(stage);  // instead of the window's own
     if (!events.empty()) pictures_due_ = kSettlingPictures;
     take(events);
@@ -131,7 +138,7 @@ void Studio::run_by_clock() {
     const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
     if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
     // Pictures were asked for, whether anything moves or not.
-    const bool counted = options_.frames > 0 || script_ || video_;
+    const bool counted = options_.frames > 0 || scripted || video_;
     if (news.new_frame || news.new_reading || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
     if (pictures_due_ == 0) {
       last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
@@ -156,7 +163,7 @@ void Studio::run_by_frames() {
   }
   pace_ = {};
   draws_at_dump_ = ui_.view.draws;
-  for (int frame = 0; !quit_; ++frame) {
+  for (int frame = 0; !is_over(); ++frame) {
     window_->take_events(0);  // keeps a real window alive; its own input does not count here
     act_on(session_.update());
     take_preview();

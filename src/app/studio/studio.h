@@ -102,6 +102,8 @@ class Studio {
   void paste_taxels();
   void start_autosave();
   void keep_unsaved();
+  /// Writes unsaved edits for the next start: a signal ends the program.
+  void keep_unsaved_at_end();
   void offer_recovery();
   void answer_recovery(bool recover);
   [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
@@ -117,6 +119,8 @@ class Studio {
   [[nodiscard]] ImVec2 locate(const Target& target) const;
   [[nodiscard]] bool input_taken() const;
   [[nodiscard]] double waiting_time() const;
+  /// The user, the script or a signal ends the program.
+  [[nodiscard]] bool is_over() const;
   ScriptStage script_stage();
 
   Options options_;

@@ -175,12 +175,18 @@ void Studio::start_autosave() {
   offer_recovery();
 }
 
+void Studio::keep_unsaved_at_end() {
+  const bool dirty = session_.edits().dirty();
+  autosave_.leave(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0, input_.name,
+                  session_.file());
+}
+
 void Studio::keep_unsaved() {
   if (!autosave_.started()) return;
   const bool dirty = session_.edits().dirty();
   const std::string failure =
       autosave_.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
-                       input_.name, session_.file(), ImGui::GetTime());
+                       input_.name, session_.file(), steady_seconds());
   if (!failure.empty()) ui::add_message(ui_, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
 }
 

@@ -1,12 +1,7 @@
-// Saving, exporting, leaving unsaved edits, and getting them back after a crash.
+// Saving, exporting and leaving unsaved edits.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cmath>
-#include <csignal>
-#include <thread>
 
 #include "script_lines.h"
 
@@ -126,105 +121,6 @@ TEST(StateFolder, KeepsSettingsUnderScripts) {
   studio.play({kIdle, key("w"), kIdle}, {"--empty", "--state-dir", "state"});
   studio.play({kIdle, dump("again.json")}, {"--empty", "--state-dir", "state"});
   EXPECT_TRUE(studio.state("again.json")["overlays"]["wireframe"]);
-}
-
-/// A script that goes on for ever is played until `enough`; then the program is killed. Edits are to be kept every so
-/// many seconds of the script.
-template <class Done>
-void play_and_kill(const StudioProgram& studio, const Lines& lines, const char* every, const Done& enough) {
-  std::string script;
-  for (const std::string& line : lines) script += line + "\n";
-  script += R"({"frame": 100000000, "do": "quit"})";
-  write_text(studio.folder() / "endless.jsonl", script + "\n");
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    if (::chdir(studio.folder().c_str()) != 0) ::_exit(125);
-    ::execl(STUDIO_PROGRAM, STUDIO_PROGRAM, "--script", "endless.jsonl", "--state-dir", "state", "--autosave-every",
-            every, kLayoutFile.c_str(), in_a_window() ? nullptr : "--headless", nullptr);
-    ::_exit(126);
-  }
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-  bool done = false;
-  while (!done && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    done = enough();
-  }
-  ::kill(child, SIGKILL);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  EXPECT_TRUE(done) << "it did not get so far";
-  EXPECT_TRUE(WIFSIGNALED(status));
-}
-
-bool is_kept(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".taxelproj") return true;
-  return false;
-}
-
-/// Killed as soon as its edit is kept.
-void edit_and_kill(const StudioProgram& studio, const std::string& kept) {
-  play_and_kill(studio, kEdit, "0.02", [&] { return is_kept(studio.folder() / kept); });
-}
-
-TEST(Recovery, AfterAKillTheEditsAreOfferedAndCanBeHadBack) {
-  const StudioProgram studio;
-  edit_and_kill(studio, "state/autosave");
-  const std::vector<std::string> arguments{"--empty", "--state-dir", "state"};
-  studio.play({kIdle, dump("offered.json"), press("Recover"), kIdle, dump("recovered.json"),
-               R"({"do": "screenshot", "file": "recovered.png"})"},
-              arguments);
-  EXPECT_FALSE(studio.state("offered.json")["recovery"].get<std::string>().empty());
-  const Json recovered = studio.state("recovered.json");
-  EXPECT_EQ(radius_of_3(recovered["document"]["layout"]), 0.003);
-  EXPECT_TRUE(recovered["history"]["dirty"]);
-  EXPECT_EQ(recovered["document"]["file"], kLayoutFile);
-  EXPECT_TRUE(recovered["recovery"].get<std::string>().empty());
-  studio.play({kIdle, dump("again.json")}, arguments);
-  EXPECT_TRUE(studio.state("again.json")["recovery"].get<std::string>().empty()) << "the program ended as it should";
-}
-
-/// Edits one after the other, and a kill in the middle of them: of what was done, only the last interval's may be lost.
-TEST(Recovery, AKillLosesNoMoreThanOneInterval) {
-  const StudioProgram studio;
-  constexpr int kFrom = 100, kEdits = 400, kKilledAfter = 120;  // frames; edits
-  constexpr int kFramesPerEdit = 10;                            // a fifth of a second
-  constexpr double kEvery = 2;                                  // seconds: ten edits
-  Lines lines = kEdit;
-  for (int i = 1; i <= kEdits; ++i) {
-    const int frame = kFrom + kFramesPerEdit * i;
-    const auto at = [&](int shift, const std::string& line) {
-      return R"({"frame": )" + std::to_string(frame + shift) + ", " + line.substr(1);
-    };
-    lines.push_back(at(0, key("f")));
-    lines.push_back(at(1, type("1." + std::to_string(1000 + i).substr(1))));  // millimetres
-    lines.push_back(at(3, key("Enter")));
-    lines.push_back(at(6, dump("edit_" + std::to_string(i) + ".json")));
-  }
-  int done = 0;  // edits
-  play_and_kill(studio, lines, std::to_string(kEvery).c_str(), [&] {
-    while (std::filesystem::exists(studio.folder() / ("edit_" + std::to_string(done + 1) + ".json"))) ++done;
-    return done >= kKilledAfter;
-  });
-  ASSERT_EQ(radius_of_3(studio.state("edit_" + std::to_string(kKilledAfter) + ".json")["document"]["layout"]),
-            (1000 + kKilledAfter) * 1e-6);
-  studio.play({kIdle, press("Recover"), kIdle, dump("recovered.json")}, {"--empty", "--state-dir", "state"});
-  const double radius = radius_of_3(studio.state("recovered.json")["document"]["layout"]);
-  const double kept = std::round(radius * 1e6 - 1000);
-  const double interval = kEvery / (0.02 * kFramesPerEdit);
-  EXPECT_GE(kept, done - interval - 3) << "of " << done << " edits; writing takes a moment";
-  EXPECT_LE(kept, kEdits);
-}
-
-TEST(Recovery, CanBeThrownAway) {
-  const StudioProgram studio;
-  edit_and_kill(studio, "state/autosave");
-  const std::vector<std::string> arguments{"--empty", "--state-dir", "state"};
-  studio.play({kIdle, press("Throw away"), kIdle}, arguments);
-  studio.play({kIdle, dump("again.json")}, arguments);
-  EXPECT_TRUE(studio.state("again.json")["recovery"].get<std::string>().empty());
 }
 
 }  // namespace
