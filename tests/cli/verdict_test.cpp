@@ -129,7 +129,7 @@ TEST(Verdict, TheSamplesThatItNamesCureTheNoise) {
   const Json noisy = taxel_json(explain_jump(few, jump)), &needed = noisy["verdict"]["samples_needed"],
              &strip = noisy["convergence"];
   ASSERT_TRUE(needed.is_object());
-  ASSERT_TRUE(needed["measured"].get<bool>());
+  ASSERT_TRUE(needed["cures"].get<bool>());
   EXPECT_EQ(needed["samples"], strip["samples"][2]);
   EXPECT_NEAR(needed["factor"].get<double>(), strip["factors"][2].get<double>(), 0.01) << "samples are whole";
   touch.layout.sampling.density *= strip["factors"][2].get<double>();
