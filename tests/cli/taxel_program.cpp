@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
+
+#include "core/base/hash.h"
 
 namespace taxel::test {
 namespace fs = std::filesystem;
@@ -10,18 +13,37 @@ namespace {
 
 const fs::path kScratch = fs::path(TAXEL_BINARY_DIR) / "tests" / "cli" / "scratch";
 
-/// Changes whenever the program is built anew.
+/// Changes with all that every sweep depends on: the program, its libraries' versions, and the environment that decides
+/// how numbers are written.
 std::string program_stamp() {
-  const auto time = fs::last_write_time(TAXEL_PROGRAM).time_since_epoch().count();
-  return std::to_string(fs::file_size(TAXEL_PROGRAM)) + "-" + std::to_string(time);
+  static const std::string stamp = [] {
+    std::string inputs = file_text(TAXEL_PROGRAM) + run_program(TAXEL_PROGRAM, {"--version"}, kScratch).out;
+    for (const char* variable : {"LC_ALL", "LC_NUMERIC", "LANG"}) {
+      const char* value = std::getenv(variable);
+      inputs += std::string("\n") + variable + "=" + (value != nullptr ? value : "");
+    }
+    return sha256_hex(inputs);
+  }();
+  return stamp;
 }
 
+/// The bytes of a file, and those of the mesh that it names if it is a layout.
+std::string file_inputs(const fs::path& file) {
+  std::string inputs = file_text(file);
+  const Json layout = Json::parse(inputs, nullptr, false);
+  if (!layout.is_object() || !layout.contains("mesh")) return inputs;
+  const fs::path mesh = file.parent_path() / layout["mesh"].value("file", "");
+  return fs::is_regular_file(mesh) ? inputs + file_text(mesh) : inputs;
+}
+
+/// Changes with the options and with the content of the files that they name.
 std::string folder_name(const std::vector<std::string>& options) {
-  std::string name = "default";
-  for (const std::string& option : options) name += "_" + option;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
-  return name;
+  std::string inputs;
+  for (const std::string& option : options) {
+    inputs += option + '\n';
+    if (fs::is_regular_file(option)) inputs += file_inputs(option);
+  }
+  return sha256_hex(inputs);
 }
 
 }  // namespace
@@ -105,6 +127,7 @@ RecordedJump largest_jump(const fs::path& run) {
 }
 
 fs::path shared_sweep(const std::vector<std::string>& options) {
+  fs::create_directories(kScratch);
   const fs::path all = kScratch / "sweeps";
   const fs::path mine = all / program_stamp();
   const fs::path folder = mine / folder_name(options);
