@@ -1,0 +1,82 @@
+// The machine around the program: full disks, folders that cannot be written, no home, a locale with decimal commas.
+#include <unistd.h>
+
+#include <clocale>
+
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// Runs taxel in a shell after `setup`.
+Outcome taxel_after(const std::string& setup, const std::string& arguments, const fs::path& folder) {
+  return run_program("/bin/sh", {"-c", setup + "; exec " TAXEL_PROGRAM " " + arguments}, folder);
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  return names;
+}
+
+TEST(Surroundings, FilesThatDoNotFitAreNamedAndLeaveNothing) {
+  const fs::path folder = test_folder();
+  // A limit of 4 kB for each file, as a stand-in for a full disk: writing ends with an error in the same place.
+  const std::string full = "trap '' XFSZ; ulimit -f 8";
+  const Outcome sweep = taxel_after(full, "sweep --object box --density 1e5 --out out --quiet", folder);
+  EXPECT_EQ(sweep.status, 2);
+  EXPECT_EQ(sweep.err.find(".part"), std::string::npos) << sweep.err;
+  EXPECT_NE(sweep.err.find("/out/"), std::string::npos) << sweep.err;
+  EXPECT_NE(sweep.err.find("writing failed: File too large"), std::string::npos) << sweep.err;
+  const Outcome samples =
+      taxel_after(full, "samples " + fingertip_layout().string() + " --density 1e6 --out s.csv --quiet", folder);
+  EXPECT_EQ(samples.err, "taxel: s.csv: writing failed: File too large\n");
+  EXPECT_TRUE(names_in(folder).empty()) << names_in(folder).front();
+}
+
+TEST(Surroundings, FoldersInThePlaceOfFilesLeaveTheOldSet) {
+  const fs::path folder = test_folder();
+  fs::create_directories(folder / "out/scene.xml");
+  write_text(folder / "out/readings.csv", "old");
+  const Outcome sweep = taxel({"sweep", "--object", "box", "--density", "1e5", "--out", "out", "--quiet"}, folder);
+  EXPECT_EQ(sweep.status, 2);
+  EXPECT_NE(sweep.err.find("out/scene.xml: is a folder, a file is needed; no file was written"), std::string::npos)
+      << sweep.err;
+  EXPECT_EQ(file_text(folder / "out/readings.csv"), "old");
+  EXPECT_EQ(names_in(folder / "out").size(), 2U);
+}
+
+TEST(Surroundings, ReadOnlyFoldersAreRefusedFirst) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const fs::path folder = test_folder();
+  fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
+  const Outcome sweep = taxel({"sweep", "--out", "out"}, folder);
+  fs::permissions(folder, fs::perms::owner_all);
+  expect_refusal(sweep, "taxel: out: folder cannot be made: Permission denied");
+}
+
+TEST(Surroundings, NeedNoHomeAndNoEnvironment) {
+  const fs::path folder = test_folder();
+  const Outcome bare = run_program("/usr/bin/env", {"-i", TAXEL_PROGRAM, "check", fingertip_layout().string()}, folder);
+  EXPECT_EQ(bare.status, 0) << bare.err;
+  EXPECT_EQ(bare.out, taxel({"check", fingertip_layout().string()}, folder).out);
+}
+
+TEST(Surroundings, DecimalCommasChangeNoNumber) {
+  const char* const before = std::setlocale(LC_ALL, nullptr);
+  const std::string kept = before != nullptr ? before : "C";
+  const bool has_locale = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+  std::setlocale(LC_ALL, kept.c_str());
+  if (!has_locale) GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+  const fs::path folder = test_folder();
+  const std::string arguments = "sweep --object box --depth 0.0012 --density 1e5 --quiet --out ";
+  ASSERT_EQ(taxel_after("export LC_ALL=de_DE.UTF-8", arguments + "comma", folder).status, 0);
+  ASSERT_EQ(taxel_after("export LC_ALL=C", arguments + "point", folder).status, 0);
+  for (const char* file : {"readings.csv", "scene.xml"})
+    EXPECT_EQ(file_text(folder / "comma" / file), file_text(folder / "point" / file)) << file;
+}
+
+}  // namespace
+}  // namespace taxel::test
