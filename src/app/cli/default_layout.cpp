@@ -1,5 +1,7 @@
 #include "app/cli/default_layout.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <future>
 #include <numeric>
@@ -7,7 +9,9 @@
 
 #include "app/cli/signals.h"
 #include "core/base/hash.h"
+#include "core/base/limits.h"
 #include "core/layout/layout_json.h"
+#include "core/layout/poisson_disk.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
 #include "core/project/paper_setting.h"
@@ -44,6 +48,17 @@ Source read_source(const std::string& layout_file, const SkinChoice& skin) {
   return {std::move(read.source.layout), std::move(read.source.mesh), layout_file, std::move(read.notes)};
 }
 
+/// Says what many samples cost before they are made. The area of the loaded mesh is an upper limit of the sampled area.
+void announce_samples(const Source& source, Console& console) {
+  constexpr double kMany = 1e6;
+  const double count = source.layout.sampling.density * source.mesh.mesh->area();
+  if (count > kMany && count <= kMaxSamples)
+    console.note(
+        fmt::format("{}: /sampling/density: {} per square metre makes up to {:.3g} samples, which take about "
+                    "{:.1f} GiB of memory",
+                    source.name, source.layout.sampling.density, count, count * kBytesPerSample / (1U << 30U)));
+}
+
 /// Builds in another thread while this one moves the progress bar.
 SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, SensorCache* cache, Console& console) {
   Progress progress;
@@ -70,6 +85,7 @@ SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& o
   source.layout.sampling.density = over.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = over.seed.value_or(source.layout.sampling.seed);
   source.layout.readout.aggregate = over.aggregate.value_or(source.layout.readout.aggregate);
+  announce_samples(source, console);
   const SensorModelPtr model =
       build_with_progress(source, over.preview ? SampleQuality::preview : SampleQuality::polished, cache, console);
   for (const std::string& note : source.notes) console.note(source.name + ": " + note);

@@ -1,5 +1,8 @@
 #include "app/cli/played_scenario.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -13,6 +16,26 @@
 
 namespace taxel::cli {
 
+bool warn_of_depth(const Scenario& scenario, const SensorModel& model, Console& console) {
+  for (const ScenarioParameter& parameter : scenario_parameters())
+    if (parameter.value == &Scenario::depth && !parameter.used_by(scenario)) return false;
+  const dvec3 size = model.mesh->bounds().extent();
+  const double smallest = std::min({size.x, size.y, size.z});
+  const Material& material = model.layout.material;
+  // The default thickness of a pad is an eighth of the smallest extent (hydro_body.cpp).
+  const double pad = material.thickness > 0 ? material.thickness : 0.125 * smallest;
+  const bool is_pad = material.compliant() && material.field == FieldKind::pad;
+  if (scenario.depth > smallest)
+    console.warn(fmt::format("/depth: {} m is deeper than the sensor is thick, {:.3g} m: the readings mean nothing",
+                             scenario.depth, smallest));
+  else if (is_pad && scenario.depth > pad)
+    console.warn(
+        fmt::format("/depth: {} m is deeper than the pad is thick, {:.3g} m: beyond the pad the pressure goes "
+                    "on with p = (E/H) x depth, which no material does",
+                    scenario.depth, pad));
+  return scenario.depth > smallest || (is_pad && scenario.depth > pad);
+}
+
 int play(const PlayedScenario& played, Console& console) {
   std::optional<OutputFolder> folder;
   if (!played.out.empty()) folder.emplace(played.out);
@@ -20,6 +43,7 @@ int play(const PlayedScenario& played, Console& console) {
   const auto start = std::chrono::steady_clock::now();
   const SensorModelPtr model = load_model(played.layout, played.over, console);
   check_has_taxels(*model, played.layout);
+  warn_of_depth(played.scenario, *model, console);
   const std::unique_ptr<Simulator> simulator = Simulator::make_scenario(model, played.scenario);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const FinishOnSignal finish;

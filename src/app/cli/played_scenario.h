@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "core/project/scenario.h"
+#include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {
 
@@ -20,5 +21,8 @@ struct PlayedScenario {
 
 /// Records it, writes the recording, and prints what was recorded. The exit status; throws Error for bad input.
 int play(const PlayedScenario& played, Console& console);
+
+/// Warns of a depth beyond the pad of the sensor, where no pad model is valid. Returns whether it did.
+bool warn_of_depth(const Scenario& scenario, const SensorModel& model, Console& console);
 
 }  // namespace taxel::cli

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -50,6 +51,42 @@ void check_size(const RunRecorder& recorder) {
                           kMaxRecordingBytes >> 30U, recorder.recording().rows.size()));
 }
 
+/// Throws Error if a number of the last recorded row is not finite.
+void check_row(const Recording& recording, long step) {
+  if (recording.rows.empty()) return;
+  const std::vector<SensorRecord>& sensors = recording.rows.back().sensors;
+  for (std::size_t s = 0; s < sensors.size(); ++s) {
+    const auto refuse = [&](const std::string& what) {
+      throw Error(fmt::format("{}: {} is not finite at step {}: a modulus, velocity or size is too large",
+                              recording.sensors[s].geom, what, step));
+    };
+    if (!is_finite(sensors[s].force_W)) refuse("the contact force");
+    for (std::size_t k = 0; k < sensors[s].readings.size(); ++k)
+      if (!std::isfinite(sensors[s].readings[k]))
+        refuse(fmt::format("the reading of taxel {}", recording.sensors[s].taxel_ids[k]));
+  }
+}
+
+/// Warns of sensors that have no contact in any row.
+void warn_of_no_contact(const Recording& recording, Console& console) {
+  for (std::size_t s = 0; s < recording.sensors.size(); ++s) {
+    const bool touched = std::any_of(recording.rows.begin(), recording.rows.end(),
+                                     [s](const RecordedRow& row) { return row.sensors[s].polygons > 0; });
+    const bool read = std::any_of(recording.rows.begin(), recording.rows.end(), [s](const RecordedRow& row) {
+      const std::vector<double>& readings = row.sensors[s].readings;
+      return std::any_of(readings.begin(), readings.end(), [](double reading) { return reading != 0; });
+    });
+    const std::string& geom = recording.sensors[s].geom;
+    if (!touched)
+      console.warn(fmt::format("{}: touches nothing in all {} rows", geom, recording.rows.size()));
+    else if (!read && !recording.sensors[s].taxel_ids.empty())
+      console.warn(
+          fmt::format("{}: is in contact, but every taxel reads 0 in all {} rows: no receptive field is where "
+                      "it touches",
+                      geom, recording.rows.size()));
+  }
+}
+
 }  // namespace
 
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost) {
@@ -67,6 +104,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
     warnings.tell();
     recorder.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
     check_size(recorder);
+    check_row(recorder.recording(), step + 1);
     cost.steps = step + 1;
     cost.simulated = static_cast<double>(cost.steps) * scene.timestep;
     if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));
@@ -79,7 +117,9 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   const SensorTimes after = simulator.sensor_times();
   cost.sensors = {after.surfaces - before.surfaces, after.forces - before.forces, after.readings - before.readings};
   cost.cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-  return recorder.take();
+  Recording recording = recorder.take();
+  warn_of_no_contact(recording, console);
+  return recording;
 }
 
 }  // namespace taxel::cli

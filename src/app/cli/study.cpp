@@ -12,6 +12,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/default_layout.h"
+#include "app/cli/played_scenario.h"
 #include "app/cli/signals.h"
 #include "app/cli/study_report.h"
 #include "core/base/output_folder.h"
@@ -93,6 +94,7 @@ class RecordedStudy {
       is_interrupted(result);
       return nullptr;
     }
+    has_warned_ = has_warned_ || warn_of_depth(result.run.scenario, *model, console_);  // of the first such depth
     try {
       return Simulator::make_scenario(model, result.run.scenario);
     } catch (const Error& e) {
@@ -151,6 +153,7 @@ class RecordedStudy {
   Console& console_;
   std::optional<OutputFolder> folder_;
   std::vector<StudyResult> results_;
+  bool has_warned_ = false;
   std::mutex mutex_;  // of the members below and folder_
   std::set<std::string> files_;
   std::optional<Error> write_failure_;

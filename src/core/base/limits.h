@@ -17,6 +17,12 @@ inline constexpr double kMaxSteps = 1e8;
 /// Memory for the rows of a recording. Writing a recording takes about twice as much in addition.
 inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30U;
 
+/// Elastic modulus of a material [Pa]. Diamond has 1.2e12.
+inline constexpr double kMaxModulus = 1e15;
+
+/// Memory that one sample takes while a sensor model is built, about [bytes].
+inline constexpr double kBytesPerSample = 500;
+
 /// Throws Error if a simulation would take more than kMaxSteps steps, or a number of steps that is not finite.
 /// `simulation` is the subject of the sentence: "the scenario".
 inline void check_steps(double steps, const std::string& simulation) {

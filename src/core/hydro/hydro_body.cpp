@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/limits.h"
 #include "core/hydro/medial_field.h"
 #include "core/hydro/round_mesh.h"
 #include "core/mesh/primitives.h"
@@ -58,6 +59,8 @@ void check_shape(const Shape& shape, const Material& material) {
     if (!(value >= 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be 0 or more, not {}", what, value));
   };
   check_not_negative(material.modulus, "modulus");
+  if (material.modulus > kMaxModulus)
+    throw Error(fmt::format("modulus must be at most {:g} Pa, is {}", kMaxModulus, material.modulus));
   check_not_negative(material.thickness, "thickness");
   check_not_negative(material.dissipation, "dissipation");
   check_not_negative(material.friction, "friction");

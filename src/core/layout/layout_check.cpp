@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/angle.h"
+#include "core/base/limits.h"
 #include "core/layout/value_check.h"
 #include "core/layout/words.h"
 
@@ -59,7 +60,10 @@ void check_settings(const Layout& layout, Check& check) {
 }
 
 void check_material(const Material& material, Check& check) {
-  check.not_negative("/material/modulus", material.modulus, "modulus_negative");
+  if (check.not_negative("/material/modulus", material.modulus, "modulus_negative") && material.modulus > kMaxModulus)
+    check.error("/material/modulus", "modulus_too_large",
+                fmt::format("must be at most {:g} Pa, is {}", kMaxModulus, material.modulus),
+                "in pascals: silicone has 1e5 to 1e6");
   check.not_negative("/material/thickness", material.thickness, "thickness_negative");
   check.not_negative("/material/dissipation", material.dissipation, "dissipation_negative");
   check.not_negative("/material/friction", material.friction, "friction_negative");

@@ -18,6 +18,9 @@ constexpr std::string_view kPrefix = "cs::";
 constexpr double kPitch = 0.025;            // [m]
 constexpr double kSamplesPerTaxel = 100.0;  // in a square of the pitch
 
+/// Taxels of one box. Each takes kSamplesPerTaxel samples.
+constexpr int kMaxFieldTaxels = 4096;
+
 /// What a numeric says, the rest zero.
 std::vector<double> numbers_of(const mjModel& m, int numeric) {
   const mjtNum* first = m.numeric_data + m.numeric_adr[numeric];
@@ -130,6 +133,12 @@ SensorModelPtr old_sensor(const mjModel& m, int geom, const OldField& field) {
   const dvec3 half = vec3(m.geom_size + 3 * geom);
   Layout layout;
   layout.name = geom_name(m, geom);
+  const double taxels = std::ceil(2 * half.x / kPitch) * std::ceil(2 * half.y / kPitch);
+  if (taxels > kMaxFieldTaxels)
+    throw Error("", fmt::format("field \"cs::{}\"", layout.name),
+                fmt::format("a box of {} m by {} m would get {:.3g} taxels, one for each {} m, at most {} are made: is "
+                            "the size in metres?",
+                            2 * half.x, 2 * half.y, taxels, kPitch, kMaxFieldTaxels));
   layout.mesh.file = layout.name;
   layout.frame = {{1, 0, 0}, {0, 0, 1}};
   layout.material = {FieldKind::pad, field.modulus, std::min({half.x, half.y, half.z}), field.dissipation,
