@@ -119,7 +119,7 @@ bool Session::run_scenario(const Scenario& scenario) {
     return false;
   }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
-  const bool elsewhere = scenario.kind != scenario_.kind || scenario.place != scenario_.place;
+  const bool elsewhere = !simulates_document_ || scenario.kind != scenario_.kind || scenario.place != scenario_.place;
   build_scene({.document = *document_, .in_scenario = true, .scenario = scenario, .play = true, .framed = elsewhere});
   return true;
 }

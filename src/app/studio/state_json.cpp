@@ -18,6 +18,7 @@
 #include "core/layout/layout_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/sensor_in_view.h"
 
 namespace taxel::studio {
 
@@ -52,6 +53,22 @@ struct Projector {
     return json;
   }
 };
+
+/// Pixels of the corners of each sensor's box, and whether all of them are inside the view.
+Json sensor_boxes_json(const ui::UiState& ui, const ui::UiInput& input) {
+  Json json = Json::array();
+  for (const ui::BoxCorners& box : ui::sensor_boxes(ui, input)) {
+    Json corners = Json::array();
+    for (const dvec3& p_W : box) {
+      const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
+      corners.push_back({pixel.x, pixel.y, pixel.z});
+    }
+    json.push_back({{"corners", std::move(corners)},
+                    {"inside", ui::is_inside_view(box, ui.camera(), ui.view.width, ui.view.height)},
+                    {"outside", ui::is_outside_view(box, ui.camera(), ui.view.width, ui.view.height)}});
+  }
+  return json;
+}
 
 Json camera_json(const ui::Camera& camera) {
   return {{"target", numbers<Json>(camera.target)},
@@ -312,6 +329,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["study"] = Json::parse(study_to_state(ui, input));
   json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
+  json["sensor_boxes"] = sensor_boxes_json(ui, input);
   json["clicks"] = {{"left", ui.clicks.left},
                     {"left_double", ui.clicks.left_double},
                     {"right", ui.clicks.right},

@@ -224,7 +224,7 @@ void Studio::act_on(const SessionNews& news) {
     ui_.path.recording.reset();
     ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
-  if (news.resized) turn_cameras_ = true;
+  if (news.resized) turns_cameras_ = {true, true};
   if (news.reloaded) {
     session_.after_edit(ui_.mode == ui::Mode::simulate);
     ui_.notices.clear();  // what they were about was read again
@@ -238,13 +238,11 @@ void Studio::act_on(const SessionNews& news) {
     ui_.mode = *news.opened;
     ui::let_go_of_way_points(ui_);
     if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
-    if (news.framed) {
-      turn_cameras_ = true;
-      saved_cameras_ = {camera_of_project(), camera_of_state(news.saved_state)};
-    }
+    if (news.framed) turns_cameras_ = {news.another_document || turns_cameras_[0], true};
+    if (news.framed && news.another_document) saved_cameras_ = {camera_of_project(), camera_of_state(news.saved_state)};
+    checks_view_ = true;
   }
-  const bool framable = !ui::scene_box(ui_, input_).empty();
-  if (turn_cameras_ && framable) frame_cameras();
+  frame_cameras();
   update_range();
   update_title();
   keep_unsaved();
@@ -255,19 +253,6 @@ void Studio::act_on(const SessionNews& news) {
     tell_other_mesh();
   }
   watch_files();
-}
-
-/// Turns each mode's camera to what it will show.
-void Studio::frame_cameras() {
-  turn_cameras_ = false;
-  const ui::Mode mode = ui_.mode;
-  for (const ui::Mode each : {ui::Mode::layout, ui::Mode::simulate}) {
-    ui_.mode = each;
-    if (!ui::scene_box(ui_, input_).empty()) ui::frame_scene(ui_, input_);
-  }
-  ui_.mode = mode;
-  for (std::size_t i = 0; i < saved_cameras_.size(); ++i)
-    if (saved_cameras_[i]) ui_.cameras[i] = *std::exchange(saved_cameras_[i], std::nullopt);
 }
 
 void Studio::update_range() {

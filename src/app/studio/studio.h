@@ -51,6 +51,7 @@ class Studio {
   void run_by_frames();
   void take(const std::vector<InputEvent>& events);
   void act_on(const SessionNews& news);
+  /// Frames each camera that waits for it, and the present one if it does not show the sensor after a change of mode.
   void frame_cameras();
   void update_range();
   void draw_picture(double seconds);
@@ -67,6 +68,8 @@ class Studio {
   void begin_video(const std::string& path);
   void make_video();  ///< one picture of it, if one is ready
   void set_mode(ui::Mode mode);
+  /// Runs the document's scenario. Otherwise a message in the view says what is missing, and the result is false.
+  bool run_or_say_why_not();
   bool carry_out_edit(const ui::Request& request);
   bool carry_out_save(const ui::Request& request);
   bool carry_out_generate(const ui::Request& request);
@@ -133,7 +136,10 @@ class Studio {
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;
   InputQueue input_queue_;
-  bool quit_ = false, screenshot_wanted_ = false, turn_cameras_ = false;
+  bool quit_ = false, screenshot_wanted_ = false;
+  /// Cameras, one per mode, that are to be framed as soon as their mode has something to show.
+  std::array<bool, 2> turns_cameras_{};
+  bool checks_view_ = false;  ///< the mode has changed: a sensor outside the view is to be framed
   /// Of the project (of LAYOUT) or step (of SIMULATE) that was opened: what the cameras turn to.
   std::array<std::optional<ui::Camera>, 2> saved_cameras_;
   bool anything_opened_ = false, argument_refused_ = false;

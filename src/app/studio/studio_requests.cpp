@@ -52,7 +52,7 @@ void Studio::carry_out(const ui::Request& request) {
   } else if (const auto* run = std::get_if<ui::RunScenario>(&request)) {
     session_.run_scenario(run->scenario);
   } else if (std::holds_alternative<ui::PlayOrPause>(request)) {
-    if (!session_.shows_scene() && !session_.run_scenario(session_.scenario())) return;
+    if (!session_.shows_scene() && !run_or_say_why_not()) return;
     session_.hand_over();
     session_.set_playing(!session_.moves());
   } else if (std::holds_alternative<ui::StepOnce>(request)) {
@@ -110,11 +110,21 @@ bool Studio::carry_out_in_scene(const ui::Request& request) {
   return true;
 }
 
+bool Studio::run_or_say_why_not() {
+  if (session_.run_scenario(session_.scenario())) return true;
+  if (input_.model && input_.model->taxel_count() == 0)
+    ui::add_message(ui_, Severity::warning,
+                    "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G "
+                    "generates a pattern.",
+                    ImGui::GetTime());
+  return false;
+}
+
 void Studio::set_mode(ui::Mode mode) {
   const bool runs = session_.shows_scene() || session_.frame() != nullptr;
-  if (mode == ui::Mode::simulate && !session_.shows_scene() && !session_.run_scenario(session_.scenario()) && !runs)
-    return;
+  if (mode == ui::Mode::simulate && !session_.shows_scene() && !run_or_say_why_not() && !runs) return;
   if (mode == ui::Mode::simulate) session_.hand_over();
+  checks_view_ = checks_view_ || ui_.mode != mode;
   ui_.mode = mode;
 }
 

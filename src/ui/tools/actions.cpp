@@ -265,6 +265,7 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
   if (const std::optional<bool> view = is_view_enabled(action, ui, input)) return *view;
   switch (action) {
     case Action::play_pause:
+      return input.frame != nullptr || input.model != nullptr;  // without taxels a message says what is missing
     case Action::step_forward:
     case Action::reset_simulation:
       return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
@@ -284,7 +285,7 @@ bool is_enabled(Action action, const UiState& ui, const UiInput& input) {
     case Action::close_document:
       return input.model != nullptr || input.frame != nullptr;
     case Action::mode_simulate:
-      return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+      return input.frame != nullptr || input.model != nullptr;
     case Action::probe:
     case Action::measure:
       return can_probe(ui, input);

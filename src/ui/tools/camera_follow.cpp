@@ -5,6 +5,7 @@
 
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/perturb_tool.h"
+#include "ui/tools/sensor_in_view.h"
 
 namespace taxel::ui {
 
@@ -13,6 +14,8 @@ namespace {
 constexpr double kAzimuthDeg = -108, kElevationDeg = 15, kLayoutAzimuthDeg = -60;
 /// The box around a whole path is larger than what there is to see at any time.
 constexpr double kSweepCloseness = 0.7;
+/// Most notches of the wheel by which the camera moves back: 170 times as far.
+constexpr int kMaxStepsBack = 40;
 /// MuJoCo's free camera stands this many extents away, and sees its own angle [degrees].
 constexpr double kExtents = 1.5;
 /// Nearest that a camera of the scene is taken to be to its middle, in sizes of the scene.
@@ -57,8 +60,18 @@ Camera first_camera(Mode mode) {
 }
 
 void frame_scene(UiState& ui, const UiInput& input) {
-  ui.camera().frame(scene_box(ui, input));
-  if (ui.mode == Mode::simulate && input.runs_scenario) ui.camera().distance *= kSweepCloseness;
+  Camera& camera = ui.camera();
+  camera.frame(scene_box(ui, input));
+  if (ui.mode == Mode::simulate && input.runs_scenario) camera.distance *= kSweepCloseness;
+  if (ui.view.width <= 0 || ui.view.height <= 0) return;
+  // A narrow view, or a sensor far from the middle of its path: the camera moves back until all of it is shown.
+  const std::vector<BoxCorners> sensors = sensor_boxes(ui, input);
+  const auto shows_all = [&] {
+    return std::all_of(sensors.begin(), sensors.end(), [&](const BoxCorners& box) {
+      return is_inside_view(box, camera, ui.view.width, ui.view.height);
+    });
+  };
+  for (int i = 0; i < kMaxStepsBack && !shows_all(); ++i) camera.zoom(-1);
 }
 
 void align_camera(UiState& ui, const UiInput& input) {
