@@ -11,6 +11,7 @@
 #include "app/studio/shown_model.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/layout/frame_guess.h"
 #include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_check.h"
@@ -156,6 +157,7 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   Layout& layout = project.layout;
   layout.name = short_name(file);
   layout.mesh = {std::filesystem::absolute(file).lexically_normal().string(), dvec3(unit.scale), mesh.sha256};
+  layout.frame = guess_frame(*mesh.mesh).value_or(layout.frame);
   layout.sampling.density = density_for(mesh.mesh->area());
   layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
   const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {

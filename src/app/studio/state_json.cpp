@@ -18,6 +18,7 @@
 #include "core/layout/layout_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/frame_tool.h"
 #include "ui/tools/sensor_in_view.h"
 
 namespace taxel::studio {
@@ -329,6 +330,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   json["study"] = Json::parse(study_to_state(ui, input));
   json["explain"] = Json::parse(explain_to_json(ui, input));
   json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
+  json["frame_guess"] = {{"is_guess", ui.mesh.frame_is_guess}, {"arrows", ui::frame_arrows(ui, input).size()}};
   json["sensor_boxes"] = sensor_boxes_json(ui, input);
   json["clicks"] = {{"left", ui.clicks.left},
                     {"left_double", ui.clicks.left_double},

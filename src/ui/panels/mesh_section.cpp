@@ -8,6 +8,7 @@
 
 #include "ui/panels/repair_section.h"
 #include "ui/theme.h"
+#include "ui/tools/frame_tool.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 
@@ -79,7 +80,25 @@ void draw_frame_choices(UiState& ui, const SensorFrame& frame) {
   // One that would lie along the other is exchanged with it: the two stay at right angles.
   if (tip >= 0 && std::abs(glm::dot(chosen.distal, chosen.pad)) > 0.5) chosen.pad = frame.distal;
   if (pad >= 0 && std::abs(glm::dot(chosen.distal, chosen.pad)) > 0.5) chosen.distal = frame.pad;
-  if (tip >= 0 || pad >= 0) ui.ask(EditProject{SetFrame{chosen}, {}});
+  if (tip >= 0 || pad >= 0) set_frame(ui, chosen);
+}
+
+/// Says that tip and pad are a guess, and how they are set by clicks.
+void draw_frame_buttons(UiState& ui) {
+  MeshState& mesh = ui.mesh;
+  if (mesh.frame_is_guess) {
+    ImGui::TextWrapped("Tip and pad are a guess: see the arrows.");
+    if (ImGui::Button("Confirm tip and pad", ImVec2(-1, 0))) mesh.frame_is_guess = false;
+    ui.widgets.note_item("Confirm tip and pad");
+  }
+  const auto pick = [&](const char* label, FramePick what, const char* explanation) {
+    if (ImGui::Button(label, ImVec2(-1, 0))) mesh.pick = what;
+    ui.widgets.note_item(label);
+    tooltip(explanation);
+  };
+  pick("Click the tip", FramePick::tip,
+       "The next click on a face makes its outward direction the tip's (frame/distal)");
+  pick("Click the pad", FramePick::pad, "The next click on a face makes its outward direction the pad's (frame/pad)");
 }
 
 }  // namespace
@@ -101,6 +120,7 @@ void draw_mesh_section(UiState& ui, const UiInput& input, const SensorModel& mod
   draw_repair_rows(ui, input, model);
   draw_frame_choices(ui, layout.frame);
   end_properties();
+  draw_frame_buttons(ui);
   draw_repair_steps(ui, input, model);
   if (!input.editing.mesh_findings) return;
   const std::string found = count_findings(*input.editing.mesh_findings);

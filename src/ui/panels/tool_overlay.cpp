@@ -10,6 +10,7 @@
 #include "ui/panels/generate_panel.h"
 #include "ui/theme.h"
 #include "ui/tools/camera_tool.h"
+#include "ui/tools/frame_tool.h"
 #include "ui/tools/gesture.h"
 #include "ui/widgets/format.h"
 
@@ -80,6 +81,22 @@ void draw_measure_label(const UiState& ui, const UiInput& input, ImDrawList& lis
   list.AddRectFilled({corner.x - 6, corner.y - 4}, {corner.x + size.x + 6, corner.y + size.y + 4},
                      to_u32(colors.panel, 0.9f), 3);
   list.AddText(corner, to_u32(colors.text), text.c_str());
+}
+
+/// Where the finger points and on which side it touches, as long as that is a guess or is being set.
+void draw_frame_arrows(const UiState& ui, const UiInput& input, ImDrawList& list) {
+  for (const FrameArrow& arrow : frame_arrows(ui, input)) {
+    const ImVec2 from = on_screen(ui, arrow.from_W), to = on_screen(ui, arrow.to_W);
+    const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy), unit = ImGui::GetFontSize();
+    const ImU32 color = to_u32(palette(ui.saved.dark).accent);
+    if (length > 1) {
+      const ImVec2 ahead(dx / length, dy / length), base(to.x - 0.8f * unit * ahead.x, to.y - 0.8f * unit * ahead.y);
+      list.AddLine(from, base, color, 0.2f * unit);
+      list.AddTriangleFilled(to, {base.x - 0.35f * unit * ahead.y, base.y + 0.35f * unit * ahead.x},
+                             {base.x + 0.35f * unit * ahead.y, base.y - 0.35f * unit * ahead.x}, color);
+    }
+    list.AddText({to.x + 0.4f * unit, to.y - 0.5f * unit}, color, arrow.name);
+  }
 }
 
 void draw_area(const UiState& ui, ImDrawList& list) {
@@ -156,6 +173,7 @@ int draw_tool_overlay(const UiState& ui, const UiInput& input) {
     if (!hint.empty()) draw_view_line(ui, list, 0, hint, colors.text);
     return hint.empty() ? 0 : 1;
   }
+  draw_frame_arrows(ui, input, list);
   draw_ghost(ui, input, list);
   draw_area(ui, list);
   draw_brush_ring(ui, input);
@@ -163,6 +181,10 @@ int draw_tool_overlay(const UiState& ui, const UiInput& input) {
   draw_probe_handle(ui, input, list);
   draw_measure_label(ui, input, list);
   int row = 0;
+  if (ui.mesh.pick != FramePick::none) {
+    const char* which = ui.mesh.pick == FramePick::tip ? "tip" : "pad";
+    draw_view_line(ui, list, row++, fmt::format("Click a face of the {}   Esc ends", which), colors.text);
+  }
   if (ui.measure.on) {
     const char* which = ui.measure.points.size() == 1 ? "second" : "first";
     draw_view_line(ui, list, row++, fmt::format("Measure: click on the {} point   Esc ends", which), colors.text);

@@ -75,6 +75,8 @@ void escape(UiState& ui) {
     close_generate(ui);
   } else if (ui.saved.panels.help) {
     ui.saved.panels.help = false;
+  } else if (ui.mesh.pick != FramePick::none) {
+    ui.mesh.pick = FramePick::none;
   } else if (ui.measure.on) {
     leave_measure(ui);
   } else if (ui.probe.on) {

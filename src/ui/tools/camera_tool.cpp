@@ -10,6 +10,7 @@
 #include "ui/tools/brush.h"
 #include "ui/tools/camera_follow.h"
 #include "ui/tools/explain_tool.h"
+#include "ui/tools/frame_tool.h"
 #include "ui/tools/generate.h"
 #include "ui/tools/gesture.h"
 #include "ui/tools/measure_tool.h"
@@ -215,6 +216,7 @@ void handle_view_mouse(UiState& ui, const UiInput& input) {
     if (left) free_camera(ui), look_from_axis(ui.camera(), axis);
     return;
   }
+  if (left && pick_frame(ui, input, x, y)) return;
   if (left && (io.KeyCtrl || ui.tool.tool == Tool::place) && can_edit(ui, input)) {
     return place_taxel(ui, input, x, y);
   }

@@ -1,6 +1,9 @@
-// What the cameras show when a scene first exists and after a change of mode, and what a start without taxels says.
+// What the cameras show when a scene first exists and after a change of mode, what a start without taxels says, and
+// where the window takes a finger to point.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/mesh/mesh_io.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -53,6 +56,40 @@ TEST(Simulate, SaysThatTaxelsAreMissing) {
     EXPECT_EQ(state["mode"], "layout");
     EXPECT_NE(state["messages"].dump().find("the layout has no taxels"), std::string::npos) << start;
   }
+}
+
+/// The fingertip turned so that it points along +y and touches with +z.
+std::string turned_finger(const std::filesystem::path& folder) {
+  const TriMesh finger = *load_mesh(kMeshFile).mesh;
+  std::vector<dvec3> vertices = finger.vertices();
+  for (dvec3& v : vertices) v = dvec3(v.x, v.z, -v.y);
+  const std::string file = (folder / "turned.obj").string();
+  save_mesh(file, TriMesh(vertices, finger.faces()));
+  return file;
+}
+
+TEST(TipAndPad, AreGuessedShownAndSetByAClick) {
+  const StudioProgram studio;
+  studio.play({kIdle, dump("guess.json"), R"({"do": "screenshot", "file": "arrows.png"})", press("Click the tip"),
+               kIdle, click(R"({"world": [0, -0.0075, 0.015]})"), kIdle, dump("clicked.json")},
+              {"--state-dir", "state", "--size", "1500x1800", kMeshFile});
+  const Json guess = studio.state("guess.json"), clicked = studio.state("clicked.json");
+  EXPECT_TRUE(guess["frame_guess"]["is_guess"]);
+  EXPECT_EQ(guess["frame_guess"]["arrows"], 2);
+  EXPECT_EQ(guess["document"]["layout"]["frame"]["distal"], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(guess["document"]["layout"]["frame"]["pad"], Json({0.0, -1.0, 0.0}));
+  EXPECT_FALSE(clicked["frame_guess"]["is_guess"]);
+  EXPECT_EQ(clicked["frame_guess"]["arrows"], 0);
+  EXPECT_EQ(clicked["document"]["layout"]["frame"]["distal"], Json({0.0, -1.0, 0.0}));
+  EXPECT_EQ(clicked["document"]["layout"]["frame"]["pad"], Json({0.0, 0.0, 1.0})) << "exchanged";
+  EXPECT_TRUE(clicked["document"]["layout"]["taxels"].empty());
+
+  studio.play({kIdle, dump("turned.json"), press("Confirm tip and pad"), kIdle, dump("confirmed.json")},
+              {"--state-dir", "state", "--size", "1500x1800", turned_finger(studio.folder())});
+  const Json frame = studio.state("turned.json")["document"]["layout"]["frame"];
+  EXPECT_EQ(frame["distal"], Json({0.0, 1.0, 0.0}));
+  EXPECT_EQ(frame["pad"], Json({0.0, 0.0, 1.0}));
+  EXPECT_FALSE(studio.state("confirmed.json")["frame_guess"]["is_guess"]);
 }
 
 }  // namespace
