@@ -243,6 +243,42 @@ TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
   EXPECT_EQ(taxel({"check", (shared_box_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
 }
 
+TEST(Check, RefusesScenariosThatPlayRefuses) {
+  const fs::path folder = test_folder();
+  const auto refused = [&](const std::string& scenario, const std::string& message) {
+    write_text(folder / "s.json", R"({"format": "taxel-scenario", "version": 1, "scenario": )" + scenario + "}");
+    const Outcome check = taxel({"check", "s.json"}, folder), play = taxel({"play", "s.json"}, folder);
+    EXPECT_EQ(check.status, 2);
+    EXPECT_EQ(play.status, 2);
+    EXPECT_NE(check.err.find(message), std::string::npos) << check.err;
+    EXPECT_NE(play.err.find(message), std::string::npos) << play.err;
+  };
+  refused(R"({"object": "gone.obj"})", "gone.obj: no such file");
+  refused(R"({"kind": "replay", "source": "gone.npz"})", "gone.npz: no such file");
+  refused(R"({"timestep": 1e-9})", "is the time step too small?");
+  write_text(folder / "study.json", R"({"format": "taxel-study", "version": 1, "scenario": {"object": "gone.obj"},
+      "parameters": [{"parameter": "depth", "values": [0.001, 0.002]}]})");
+  EXPECT_NE(taxel({"check", "study.json"}, folder).err.find("gone.obj: no such file"), std::string::npos);
+  write_text(folder / "part.json", R"({"format": "taxel-study", "version": 1, "scenario": {},
+      "parameters": [{"parameter": "timestep", "values": [0.001, 1e-9]}]})");
+  const Outcome part = taxel({"check", "part.json"}, folder);
+  EXPECT_EQ(part.status, 1);
+  EXPECT_NE(part.out.find("warning: run 2 of 2 cannot be made"), std::string::npos) << part.out;
+}
+
+TEST(Check, ReportsUnknownKeys) {
+  const fs::path folder = test_folder();
+  const fs::path layout = changed_layout(folder, Json::parse(R"([
+      {"op": "add", "path": "/taxels/3/centre", "value": [0, 0, 0]},
+      {"op": "add", "path": "/sampling/colour_of_the_skin", "value": 7}])"));
+  const Outcome text = taxel({"check", layout.string()});
+  EXPECT_EQ(text.status, 1);
+  const std::string unknown = "warning: is an unknown key: it is kept and has no effect";
+  EXPECT_NE(text.out.find("/taxels/3/centre: " + unknown + " (taxel 3); is \"center\" meant?"), std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("/sampling/colour_of_the_skin: " + unknown + "\n"), std::string::npos) << text.out;
+}
+
 TEST(Check, ListsTheProblemsOfAProject) {
   const fs::path folder = test_folder();
   const fs::path layout = changed_layout(folder, Json::parse(R"([

@@ -1,8 +1,11 @@
 #include "app/cli/check_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
+#include "app/cli/default_layout.h"
 #include "core/base/files.h"
 #include "core/hydro/field_report.h"
 #include "core/layout/layout_json.h"
@@ -81,14 +84,6 @@ Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
   return problems;
 }
 
-/// The layout, with pointers from the project's root.
-Problems check_project_file(const std::string& text, const std::string& file) {
-  const Project project = parse_project(text, file);
-  Problems problems = check_layout(project.layout, file);
-  for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
-  return problems;
-}
-
 Problems check_mesh_file(const std::string& file) {
   const LoadedMesh loaded = load_mesh(file);
   Problems problems = check_mesh(*loaded.mesh, file);
@@ -132,6 +127,59 @@ Problems check_case(const ContactCase& contact_case) {
   return problems;
 }
 
+/// A sensor to try scenarios with: the built-in fingertip, as `taxel play` without --layout takes it.
+SensorModelPtr trial_sensor() {
+  Console silent(CommonOptions{.quiet = true});
+  LayoutOptions quick;
+  quick.preview = true;
+  return load_model("", quick, silent);
+}
+
+/// Throws Error if the scenario cannot be made: a file it names is missing, or it would take too many steps.
+void expect_playable(const SensorModelPtr& sensor, const Scenario& scenario, const std::string& file) {
+  try {
+    (void)Simulator::make_scenario(sensor, scenario);
+  } catch (const Error& e) {
+    if (!e.file().empty()) throw;
+    throw Error(file, e.where(), e.message());
+  }
+}
+
+/// Tries some of the runs. Throws Error if none can be made, as `taxel study` does; lists those that cannot otherwise.
+Problems check_runs(const Study& study, const std::string& file) {
+  constexpr std::size_t kMaxTried = 16;  // spread over all runs, with the first and the last
+  const std::vector<StudyRun> runs = runs_of(study);
+  const std::size_t tried = std::min(runs.size(), kMaxTried);
+  const SensorModelPtr sensor = trial_sensor();
+  Problems problems;
+  for (std::size_t i = 0; i < tried; ++i) {
+    const std::size_t run = tried > 1 ? i * (runs.size() - 1) / (tried - 1) : 0;
+    try {
+      expect_playable(sensor, runs[run].scenario, file);
+    } catch (const Error& e) {
+      if (problems.size() + 1 == tried) throw;
+      problems.push_back({file, "", Severity::warning, "run_not_made",
+                          fmt::format("run {} of {} cannot be made: {}", run + 1, runs.size(), e.what()), ""});
+    }
+  }
+  return problems;
+}
+
+/// The layout, with pointers from the project's root, then the files that its scenario names.
+Problems check_project_file(const std::string& text, const std::string& file) {
+  const Project project = parse_project(text, file);
+  Problems problems = check_layout(project.layout, file);
+  for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
+  const Scenario scenario = with_absolute_files(project.scenario, file);
+  if (scenario.object.empty() && scenario.source.empty()) return problems;
+  try {
+    expect_playable(trial_sensor(), scenario, file);
+  } catch (const Error& e) {
+    problems.push_back({file, "/scenario", Severity::error, "scenario_not_made", e.what(), ""});
+  }
+  return problems;
+}
+
 /// The value of the top-level key "format", found without a full reading; empty where there is none.
 std::string format_of(const std::string& text) {
   const std::size_t key = text.find("\"format\"");
@@ -155,12 +203,13 @@ Problems check_file(const std::string& file, const SkinChoice& skin) {
   const std::string format = format_of(text);
   if (format == "contact-case") return check_case(parse_contact_case(text, file));
   if (format == "taxel-sweep" || format == "taxel-play" || format == "taxel-scenario") {
-    parse_scenario(text, file);
+    expect_playable(trial_sensor(), with_absolute_files(parse_scenario(text, file), path), file);
     return {};
   }
   if (format == "taxel-study") {
-    parse_study(text, file);
-    return {};
+    Study study = parse_study(text, file);
+    study.scenario = with_absolute_files(study.scenario, path);
+    return check_runs(study, file);
   }
   if (format == "taxel-project") return check_project_file(text, file);
   if (!format.empty() && format != "taxel-layout") {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <numeric>
@@ -102,6 +103,61 @@ void check_taxel(const Taxel& taxel, std::size_t index, Check& check) {
   }
 }
 
+/// Number of letters to insert, delete or replace to get from one word to the other (Levenshtein 1966).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The key of a layout file that is at most two letters away; empty if there is none.
+std::string_view similar_key(std::string_view key) {
+  constexpr std::size_t kMostLetters = 2, kLongest = 24;
+  constexpr std::string_view kKeys[] = {"name",        "mesh",          "file",         "scale",
+                                        "sha256",      "repair",        "frame",        "distal",
+                                        "pad",         "sampling",      "density",      "seed",
+                                        "weights",     "shells",        "region",       "receptive_field",
+                                        "metric",      "max_angle_deg", "readout",      "aggregate",
+                                        "misses",      "ray",           "max_depth",    "shear",
+                                        "material",    "field",         "modulus",      "thickness",
+                                        "dissipation", "friction",      "taxels",       "id",
+                                        "center",      "normal",        "radius",       "subtaxels",
+                                        "hysteresis",  "crosstalk",     "quantisation", "dead",
+                                        "calibration", "unit",          "tare",         "gain",
+                                        "curve",       "noise",         "range",        "rate"};
+  if (key.size() > kLongest) return {};
+  std::string_view best;
+  std::size_t nearest = std::min(kMostLetters, key.size() / 2) + 1;
+  for (const std::string_view known : kKeys) {
+    const std::size_t distance = edit_distance(key, known);
+    if (distance < nearest) best = known, nearest = distance;
+  }
+  return best;
+}
+
+/// Keys that no reader takes: kept in the file, without effect. A misspelt key leaves a value at its default.
+void check_unknown_keys(const Layout& layout, Check& check) {
+  constexpr std::size_t kMostListed = 50;
+  std::size_t listed = 0;
+  for (const auto& [pointer, value] : layout.unknown) {
+    if (listed++ == kMostListed) break;
+    const std::string_view similar = similar_key(std::string_view(pointer).substr(pointer.rfind('/') + 1));
+    check.warning(pointer, "unknown_key", "is an unknown key: it is kept and has no effect",
+                  similar.empty() ? "" : fmt::format("is \"{}\" meant?", similar));
+  }
+  if (layout.unknown.size() > kMostListed)
+    check.warning("", "unknown_key", fmt::format("has {} more unknown keys", layout.unknown.size() - kMostListed));
+}
+
 void check_ids(const std::vector<Taxel>& taxels, Check& check) {
   std::map<int, std::size_t> first_with;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
@@ -172,6 +228,7 @@ Problems check_layout_values(const Layout& layout, const std::string& file) {
   check_ids(layout.taxels, check);
   check_places(layout.taxels, check);
   if (layout.calibration) check_calibration(layout, check);
+  check_unknown_keys(layout, check);
   name_taxels(layout, check.problems);
   return std::move(check.problems);
 }
