@@ -1,4 +1,6 @@
 // taxel run: any MuJoCo scene with its tactile sensors.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -61,6 +63,10 @@ int run(const Options& options, Console& console) {
     std::erase_if(problems, [](const Problem& p) { return p.code.starts_with("repair_"); });
     console.tell(problems);
   }
+  if (!(options.seconds >= 0.5 * scene.timestep))  // record() rounds to whole steps
+    throw Error("run", fmt::format("--seconds: must be at least half of the time step, {} s, is {} s: no row would be "
+                                   "recorded",
+                                   scene.timestep, options.seconds));
   const FinishOnSignal finish;
   RunCost cost;
   const Recording recording = record(*simulator, options.seconds, console, cost);
