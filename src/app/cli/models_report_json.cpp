@@ -34,7 +34,8 @@ std::string models_json(const ModelsReport& report) {
     }
     taxels.push_back({{"id", layout.taxels[k].id}, {"name", layout.taxels[k].name}, {"models", std::move(of)}});
   }
-  return Json{{"sensor", report.geom}, {"rows", report.rows.size()}, {"models", models}, {"taxels", taxels}}.dump(1) +
+  return Json{{"sensor", report.geom}, {"rows", report.rows.size()}, {"models", models}, {"taxels", taxels}}.dump(
+             1, ' ', false, Json::error_handler_t::replace) +
          "\n";
 }
 

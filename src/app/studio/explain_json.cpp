@@ -17,7 +17,7 @@ std::string explain_to_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["ghost"] = ui.view.input.before != nullptr;
   json["selected_polygon"] = nullptr;
   if (ui.explain.polygon) json["selected_polygon"] = {ui.explain.polygon->surface, ui.explain.polygon->polygon};
-  return json.dump();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace taxel::studio

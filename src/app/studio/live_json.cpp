@@ -112,7 +112,7 @@ std::string live_to_json(const ui::UiState& ui, const ui::UiInput& input) {
               {"skin", skin_json(ui, input)},
               {"map", map_json(ui, input)},
               {"models", models_json(ui, input)}}
-      .dump();
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace taxel::studio

@@ -36,7 +36,7 @@ std::string real_to_json(const ui::UiState& ui, const ui::UiInput& input) {
                {"curves", Json::array()}};
   for (const ui::RealCurves::Curve& curve : ui.real.curves.curves)
     json["curves"].push_back({{"taxel", curve.taxel}, {"points", curve.x.size()}});
-  return json.dump();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace taxel::studio

@@ -95,7 +95,7 @@ std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
             {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)}}});
     }
   }
-  return json.dump();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string study_to_state(const ui::UiState& ui, const ui::UiInput& input) {
@@ -112,7 +112,7 @@ std::string study_to_state(const ui::UiState& ui, const ui::UiInput& input) {
               {"cancelled", ui.study.cancelled},
               {"problem", curves ? curves->problem : ""},
               {"runs", runs}}
-      .dump();
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace taxel::studio

@@ -134,7 +134,7 @@ void write_settings(const std::filesystem::path& file, const ui::SavedState& sav
   Json json = Json::object();
   visit_settings(saved, [&](const char* key, const auto& value) { json[key] = value; });
   make_folder(file.parent_path());
-  write_file_atomically(file, json.dump(2) + "\n");
+  write_file_atomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void remember_recent(ui::SavedState& saved, const std::string& file) {

@@ -376,10 +376,12 @@ void check_expectation(const ExpectCommand& expect, const std::string& state_jso
   if (!state.contains(pointer)) throw Error(fmt::format("expected {}, which the state does not have", expect.pointer));
   const Json& value = state.at(pointer);
   const auto fail = [&](const std::string& wanted) {
-    throw Error(fmt::format("expected {} {}, is {}", expect.pointer, wanted, value.dump()));
+    throw Error(fmt::format("expected {} {}, is {}", expect.pointer, wanted,
+                            value.dump(-1, ' ', false, Json::error_handler_t::replace)));
   };
   if (!expect.equals.empty() && value != Json::parse(expect.equals)) fail("to be " + expect.equals);
-  if (!expect.contains.empty() && value.dump().find(expect.contains) == std::string::npos)
+  if (!expect.contains.empty() &&
+      value.dump(-1, ' ', false, Json::error_handler_t::replace).find(expect.contains) == std::string::npos)
     fail("to contain " + expect.contains);
   if ((expect.least || expect.most) && !value.is_number()) fail("to be a number");
   if (expect.least && value.get<double>() < *expect.least) fail(fmt::format("to be at least {}", *expect.least));

@@ -73,7 +73,7 @@ std::string steps_to_json(const ui::UiInput& input) {
   json["breakpoints"] = breakpoints_json(input.frame->breakpoints);
   json["stop"] = stop_json(*input.frame);
   json["events"] = history.lanes ? events_json(*history.lanes) : Json::array();
-  return json.dump();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string timeline_to_json(const ui::UiState& ui) {
@@ -81,7 +81,7 @@ std::string timeline_to_json(const ui::UiState& ui) {
   const Json json = {{"lanes", {t.lanes.x0, t.lanes.y0, t.lanes.x1, t.lanes.y1}},
                      {"steps", {t.steps.first, t.steps.last}},
                      {"marks", t.marks}};
-  return json.dump();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace taxel::studio

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,29 @@ inline constexpr int kMaxJsonNesting = 64;
 
 /// Objects of more keys are refused: the library that keeps the order of keys searches all of them for each new one.
 inline constexpr std::size_t kMaxJsonKeys = 10'000;
+
+/// True if a text is well-formed UTF-8 (RFC 3629), the only text that a JSON file can hold.
+inline bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = lead < 0x80         ? 1
+                               : lead >> 5 == 0x6  ? 2
+                               : lead >> 4 == 0xE  ? 3
+                               : lead >> 3 == 0x1E ? 4
+                                                   : 0;
+    if (length == 0 || i + length > text.size()) return false;
+    char32_t point = length == 1 ? lead : lead & (0x7FU >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+      const auto next = static_cast<unsigned char>(text[i + k]);
+      if (next >> 6 != 0x2) return false;
+      point = (point << 6) | (next & 0x3FU);
+    }
+    constexpr char32_t kFirst[] = {0, 0, 0x80, 0x800, 0x10000};  // of each length: shorter forms are not allowed
+    if (point < kFirst[length] || point > 0x10FFFF || (point >= 0xD800 && point <= 0xDFFF)) return false;
+    i += length;
+  }
+  return true;
+}
 
 /// A key as part of a JSON pointer (RFC 6901).
 inline std::string escaped_key(std::string_view key) {

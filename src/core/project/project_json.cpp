@@ -47,15 +47,28 @@ int whole_number(const Node& node) {
   return static_cast<int>(v);
 }
 
+/// A number that a camera can use: pixels are computed from it, and 1e308 makes them infinite.
+double bounded_number(const Node& node, double largest) {
+  const double value = node.number();
+  if (!(std::abs(value) <= largest)) node.wrong(fmt::format("between -{0} and {0}", largest));
+  return value;
+}
+
 View read_view(const Node& node) {
+  constexpr double kFarthest = 1e6;      // [m]: the camera keeps 1 mm apart there
+  constexpr double kNearest = 1e-6;      // [m]
+  constexpr double kLargestTurn = 36e6;  // degrees
   node.only({"target", "azimuth_deg", "elevation_deg", "distance", "fov_deg"});
   View view;
-  view.target = node.at("target").vector3();
-  view.azimuth_deg = node.at("azimuth_deg").number();
+  const Node target = node.at("target");
+  view.target = target.vector3();
+  for (std::size_t i = 0; i < 3; ++i) bounded_number(target.item(i), kFarthest);
+  view.azimuth_deg = bounded_number(node.at("azimuth_deg"), kLargestTurn);
   view.elevation_deg = node.at("elevation_deg").number();
   if (!(std::abs(view.elevation_deg) <= 90.0)) node.at("elevation_deg").wrong("between -90 and 90");
-  view.distance = node.at("distance").number();
+  view.distance = bounded_number(node.at("distance"), kFarthest);
   node.at("distance").must_be_positive(view.distance);
+  if (!(view.distance >= kNearest)) node.at("distance").wrong(fmt::format("at least {}", kNearest));
   view.fov_deg = node.at("fov_deg").number();
   if (!(view.fov_deg > 0.0 && view.fov_deg < 180.0)) node.at("fov_deg").wrong("between 0 and 180");
   return view;
@@ -91,6 +104,13 @@ Json mirror_json(const Mirror& mirror, const std::string& pointer) {
           {"links", links}};
 }
 
+/// Throws Error if a path cannot be kept in a JSON file: it would be another path when it is read again.
+void expect_utf8(const fs::path& file, const std::string& pointer, const std::string& path) {
+  if (!is_utf8(path))
+    throw Error(file.string(), pointer,
+                "the path is not UTF-8, which a JSON file cannot hold: rename the folder or file");
+}
+
 /// A path of the document as it is written into a file of this folder.
 std::string relative_to(const fs::path& folder, const std::string& file) {
   const fs::path path(file);
@@ -122,12 +142,12 @@ Project parse_project(const std::string& text, const std::string& file) {
   read_head(root);
   Project project;
   root.at("layout").must_be_object();
-  project.layout = read_part(file, "/layout", [&] { return parse_layout(json["layout"].dump()); });
+  project.layout = read_part(file, "/layout", [&] { return parse_layout(json_line(json["layout"])); });
   project.scenario = parse_scenario("{}");
   if (const auto node = root.find("scenario")) {
     node->must_be_object();
     if (node->find("scenario")) node->fail_at("scenario", "unknown key");
-    project.scenario = read_part(file, "/scenario", [&] { return parse_scenario(json["scenario"].dump()); });
+    project.scenario = read_part(file, "/scenario", [&] { return parse_scenario(json_line(json["scenario"])); });
   }
   if (const auto node = root.find("view")) project.view = read_view(*node);
   if (const auto node = root.find("mirrors"))
@@ -173,12 +193,16 @@ void write_project(const fs::path& path, const Project& project) {
   written.layout.mesh.file = relative_to(folder_of(path), project.layout.mesh.file);
   for (std::string* file : {&written.scenario.object, &written.scenario.source})
     *file = relative_to(folder_of(path), *file);
+  expect_utf8(path, "/layout/mesh/file", written.layout.mesh.file);
+  expect_utf8(path, "/scenario/object", written.scenario.object);
+  expect_utf8(path, "/scenario/source", written.scenario.source);
   write_text(path, [&] { return project_to_json(written); });
 }
 
 void export_layout(const fs::path& path, const Project& project) {
   Layout layout = project.layout;
   layout.mesh.file = relative_to(folder_of(path), layout.mesh.file);
+  expect_utf8(path, "/mesh/file", layout.mesh.file);
   write_layout(path, layout);
 }
 

@@ -134,7 +134,7 @@ Node scenario_of(const Node& root) {
 }  // namespace
 
 std::string scenario_to_json(const Scenario& scenario) {
-  return to_object(scenario).dump();
+  return json_line(to_object(scenario));
 }
 
 std::string scenario_file_json(const Scenario& scenario) {
@@ -187,6 +187,9 @@ void check_scenario(const Scenario& scenario) {
   if (scenario.kind == ScenarioKind::replay && scenario.source.empty())
     node.fail_at("source", "a replay needs a recording: a folder or its .npz");
   if (scenario.kind == ScenarioKind::path) check_points(scenario.points);
+  for (const auto& [key, path] : {std::pair("object", &scenario.object), std::pair("source", &scenario.source)})
+    if (!is_utf8(*path))
+      node.fail_at(key, "the path is not UTF-8, which a JSON file cannot hold: rename the folder or file");
 }
 
 }  // namespace taxel

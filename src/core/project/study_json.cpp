@@ -46,7 +46,7 @@ Study parse_study(const std::string& text, const std::string& file) {
   root.at("scenario").must_be_object();
   Study study;
   try {
-    study.scenario = parse_scenario(json["scenario"].dump());
+    study.scenario = parse_scenario(json_line(json["scenario"]));
   } catch (const Error& e) {
     throw Error(file, "/scenario" + e.where(), e.message());
   }

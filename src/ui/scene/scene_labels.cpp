@@ -29,6 +29,11 @@ bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W,
   return !input.overlays.sensor_transparent && view.model->skin->cast(in_frame(view.X_WM, ray)).has_value();
 }
 
+/// False as well if the pixel is not finite: a pixel becomes an index (class Room), which only this check bounds.
+bool is_inside(const dvec2& pixel, const dvec2& size) {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x <= size.x && pixel.y <= size.y;
+}
+
 /// A taxel that could have a label.
 struct Candidate {
   const SensorView* view = nullptr;
@@ -50,11 +55,11 @@ std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, 
   if (clip && clip->hides(center)) return std::nullopt;
   const dvec3 base = camera.project(center, width, height);
   const dvec3 tip = camera.project(center + arrow * normal, width, height);
-  if (base.z <= 0 || tip.z <= 0) return std::nullopt;
+  if (!(base.z > 0 && tip.z > 0)) return std::nullopt;  // NaN fails every comparison
   const dvec2 along(tip - base);
   const double pixels = glm::length(along);
   const dvec2 at = dvec2(tip) + kPastTip * (pixels > 1 ? along / pixels : dvec2(0, -1));
-  if (at.x < 0 || at.y < 0 || at.x > size.x || at.y > size.y) return std::nullopt;
+  if (!is_inside(at, size)) return std::nullopt;
   const bool facing = glm::dot(normal, camera.eye() - center) > 0;
   return Candidate{&view, k, center, at, tip.z, facing, view.selected(k)};
 }
@@ -143,8 +148,7 @@ std::vector<NamedPixel> named_pixels(const SceneInput& input, const Camera& came
   for (const NamedPlace& place : labelled_places(input)) {
     if (input.clip && input.clip->hides(place.p_W)) continue;
     const dvec3 pixel = camera.project(place.p_W, static_cast<int>(size.x), static_cast<int>(size.y));
-    const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x <= size.x && pixel.y <= size.y;
-    if (inside) found.push_back({place.name, dvec2(pixel), pixel.z});
+    if (pixel.z > 0 && is_inside(dvec2(pixel), size)) found.push_back({place.name, dvec2(pixel), pixel.z});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const NamedPixel& a, const NamedPixel& b) { return a.depth < b.depth; });

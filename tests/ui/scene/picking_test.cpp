@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ui/scene/finger_scene.h"
 #include "ui/scene/gizmo.h"
 #include "ui/scene/sample_use.h"
@@ -115,6 +117,16 @@ TEST_F(PickingTest, FindsOtherBodiesAndNothingOnTheBackground) {
   EXPECT_NEAR(box->position_W.z, 0, 1e-12);
   EXPECT_NEAR(glm::length(box->position_W - dvec3(0.02, -0.024, 0)), 0, 1e-9);
   EXPECT_FALSE(pick(input, camera, 5, 5, kWidth, kHeight));
+}
+
+TEST_F(PickingTest, OmitsLabelsWhosePixelIsNotFinite) {
+  for (const double coordinate : {1e308, std::nan("")}) {
+    Camera camera = layout_camera();
+    camera.target = dvec3(coordinate);
+    camera.distance = coordinate;
+    EXPECT_TRUE(scene_labels(layout_input(), camera, kWidth, kHeight).empty()) << coordinate;
+    EXPECT_TRUE(scene_labels(test::finger_input(frame_), camera, kWidth, kHeight).empty()) << coordinate;
+  }
 }
 
 TEST_F(PickingTest, LabelsStandPastTheArrowsAndKnowWhatHidesThem) {

@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/base/rng.h"
 #include "core/layout/layout_json.h"
+#include "core/project/scenario_json.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 
@@ -64,6 +65,26 @@ TEST(ProjectJson, NeedsOnlyALayout) {
   EXPECT_FALSE(project.view);
 }
 
+TEST(ProjectJson, RefusesPathsThatAreNotUtf8) {
+  const test::TempFolder folder;
+  Project project = full_project();
+  project.layout.mesh.file =
+      "na\xef"
+      "ve.obj";
+  const auto said = test::complaint_of([&] { write_project(folder / "p.taxelproj", project); });
+  EXPECT_EQ(said, (folder / "p.taxelproj").string() +
+                      ": /layout/mesh/file: the path is not UTF-8, which a JSON file cannot hold: rename the folder or "
+                      "file");
+  EXPECT_FALSE(std::filesystem::exists(folder / "p.taxelproj"));
+  Scenario scenario;
+  scenario.shape = ObjectShape::box;
+  scenario.object =
+      "na\xef"
+      "ve.obj";
+  EXPECT_EQ(test::complaint_of([&] { check_scenario(scenario); }).rfind("/object: the path is not UTF-8", 0), 0U);
+  EXPECT_FALSE(scenario_to_json(scenario).empty());
+}
+
 struct Broken {
   const char* what;
   const char* with;
@@ -87,6 +108,11 @@ const Broken kBroken[] = {
     {"\"azimuth_deg\": -200", "\"azimuth_deg\": null", "/view/azimuth_deg: must be a number, is null"},
     {"\"elevation_deg\": 89.5", "\"elevation_deg\": 90.5", "/view/elevation_deg: must be between -90 and 90, is 90.5"},
     {"\"distance\": 0.001", "\"distance\": 0", "/view/distance: must be greater than 0, is 0"},
+    {"\"distance\": 0.001", "\"distance\": 1e308", "/view/distance: must be between -1000000 and 1000000, is 1e+308"},
+    {"\"distance\": 0.001", "\"distance\": 1e-308", "/view/distance: must be at least 1e-06, is 1e-308"},
+    {"\"azimuth_deg\": -200", "\"azimuth_deg\": 1e308",
+     "/view/azimuth_deg: must be between -36000000 and 36000000, is 1e+308"},
+    {"\"target\": [1, 2,", "\"target\": [1, 1e308,", "/view/target/1: must be between -1000000 and 1000000, is 1e+308"},
     {"\"fov_deg\": 35", "\"fov_deg\": 180", "/view/fov_deg: must be between 0 and 180, is 180"},
     {"\"fov_deg\": 35", "\"fow_deg\": 35", "/view/fow_deg: unknown key"},
     {"\"target\": [1, 2,", "\"target\": [2,", "/view/target: must be an array of 3 numbers, is an array of 2"},
