@@ -68,6 +68,25 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
   return scene;
 }
 
+/// Throws Error if a mesh, height field or skin of the scene is a pipe or a device: MuJoCo, which opens them itself,
+/// would wait for ever. Files that are missing are left to MuJoCo's message.
+void expect_regular_assets(mjSpec* spec, const fs::path& folder, const std::string& name) {
+  const fs::path meshes = folder / mjs_getString(spec->compiler.meshdir);
+  const auto check = [&](const mjString* file) {
+    const std::string text = mjs_getString(file);
+    std::error_code ignored;
+    const fs::path path = meshes / text;
+    if (!text.empty() && fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+      throw Error(name, fmt::format("{}: is not a regular file", text));
+  };
+  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_MESH); e != nullptr; e = mjs_nextElement(spec, e))
+    check(mjs_asMesh(e)->file);
+  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_HFIELD); e != nullptr; e = mjs_nextElement(spec, e))
+    check(mjs_asHField(e)->file);
+  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_SKIN); e != nullptr; e = mjs_nextElement(spec, e))
+    check(mjs_asSkin(e)->file);
+}
+
 std::string spec_body_name(mjSpec* spec, int body) {
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_BODY); e != nullptr; e = mjs_nextElement(spec, e)) {
     if (mjs_getId(e) != body) continue;
@@ -291,12 +310,14 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   const std::string name = scene_file.string();
   std::error_code ignored;
   const fs::path file = fs::absolute(scene_file, ignored).lexically_normal();
-  if (!fs::is_regular_file(file, ignored)) throw Error(name, "no such file");
+  if (!fs::exists(file, ignored)) throw Error(name, "no such file");
+  if (!fs::is_regular_file(file, ignored)) throw Error(name, "is not a regular file");
   std::vector<AddedSensor> added = attached_sensors(name, attachments);
   std::vector<std::string> notes;
   Vfs vfs;
   for (const CurrentMjcf& current : current_mjcf(file, notes)) vfs.add(current.file.string(), current.text);
   CompiledScene scene = parsed(file.string(), vfs.get(), name);
+  expect_regular_assets(scene.spec.get(), file.parent_path(), name);
   scene.notes = std::move(notes);
   const bool old = has_old_fields(scene.spec.get());
   if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
