@@ -30,7 +30,9 @@ const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.j
 
 /// What a gesture in the view may not touch.
 Json untouched(Json state) {
-  for (const char* part : {"camera", "clicks", "taxels", "samples", "polygons", "labels", "pace", "profile"})
+  // `sensor_boxes` are in pixels of the view.
+  for (const char* part :
+       {"camera", "clicks", "taxels", "samples", "polygons", "labels", "pace", "profile", "sensor_boxes"})
     state.erase(part);
   return state;
 }
