@@ -1,18 +1,12 @@
 #include "core/mesh/repair/winding_number.h"
 
+#include "core/mesh/solid_angle.h"
+
 namespace taxel {
 namespace {
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-/// Solid angle of the triangle (a, b, c) seen from the origin, signed (van Oosterom, Strackee 1983).
-double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
-  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-  const double numerator = glm::dot(a, glm::cross(b, c));
-  const double denominator = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
-  return 2.0 * std::atan2(numerator, denominator);
 }
 
 }  // namespace
