@@ -9,6 +9,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/limits.h"
+#include "core/layout/disc_overlap.h"
 #include "core/layout/value_check.h"
 #include "core/layout/words.h"
 
@@ -201,6 +202,19 @@ void check_places(const std::vector<Taxel>& taxels, Check& check) {
                     fmt::format("is the same place as /taxels/{}", twin_of[i]), "move or delete one of the two");
 }
 
+/// One warning for all: an array may be dense on purpose.
+void check_overlaps(const std::vector<Taxel>& taxels, Check& check) {
+  const std::vector<OverlappingTaxels> pairs = overlapping_taxels(taxels);
+  if (pairs.empty()) return;
+  const OverlappingTaxels& first = pairs.front();
+  const std::string others =
+      pairs.size() > 1 ? fmt::format("; so do {} more with an earlier one", pairs.size() - 1) : "";
+  check.warning(fmt::format("/taxels/{}/center", first.taxel), "large_overlap",
+                fmt::format("shares {:.0f} % of the larger disc with /taxels/{}: both read nearly the same{}",
+                            100 * first.part, first.earlier, others),
+                "move them apart, make them smaller, or delete one of the two");
+}
+
 }  // namespace
 
 std::optional<std::size_t> taxel_of_pointer(std::string_view pointer) {
@@ -227,6 +241,7 @@ Problems check_layout_values(const Layout& layout, const std::string& file) {
   for (std::size_t i = 0; i < layout.taxels.size(); ++i) check_taxel(layout.taxels[i], i, check);
   check_ids(layout.taxels, check);
   check_places(layout.taxels, check);
+  check_overlaps(layout.taxels, check);
   if (layout.calibration) check_calibration(layout, check);
   check_unknown_keys(layout, check);
   name_taxels(layout, check.problems);

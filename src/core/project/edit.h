@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/mesh/closest_point.h"
 #include "core/project/project.h"
 
 namespace taxel {
@@ -53,12 +54,16 @@ struct ReorderTaxels {
 };
 
 /// Adds the mirror images of these taxels and links each pair. Where a taxel already lies within `tolerance` [m] of an
-/// image, it is linked instead; taxels in the plane and those already linked across it stay as they are. Images get
-/// unused_ids in the order given, and with_mirror_images' names.
+/// image, it is linked instead; taxels in the plane and those already linked across it stay as they are. One that would
+/// overlap with its own image by more than kLargeOverlap is moved into the plane instead, and its normal turned into
+/// it. Images get unused_ids in the order given, and with_mirror_images' names.
 struct MirrorTaxels {
   std::vector<int> ids;
   MirrorPlane plane;
   double tolerance = 1e-6;
+  /// The skin that the taxels are on. Where it is not symmetric, the image of a taxel that lies on it and looks along
+  /// its normal is put onto it as well. Null: images are where the mirror puts them.
+  std::shared_ptr<const MeshIndex> skin = nullptr;
 };
 
 /// Links pairs that are there; moves nothing.

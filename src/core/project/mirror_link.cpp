@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/layout/disc_overlap.h"
+#include "core/layout/generators/onto_skin.h"
 #include "core/layout/generators/place.h"
 #include "core/layout/point_grid.h"
 
@@ -46,6 +50,37 @@ Mirror& mirror_of(Project& project, const MirrorPlane& plane) {
   for (Mirror& mirror : project.mirrors)
     if (mirror.plane == plane) return mirror;
   return project.mirrors.emplace_back(Mirror{plane, {}});
+}
+
+/// A taxel that nearly covers its own image: the one taxel that both are, in the plane. Empty for any other.
+std::optional<Taxel> in_plane_of(const Taxel& taxel, const MirrorPlane& plane) {
+  const dvec3 n = glm::normalize(plane.normal);
+  const double away = glm::dot(taxel.center - plane.point, n);
+  if (!(disc_overlap(taxel.radius, taxel.radius, 2.0 * std::abs(away)) > kLargeOverlap)) return std::nullopt;
+  const dvec3 along = taxel.normal - glm::dot(taxel.normal, n) * n;
+  const double least = 0.5 * std::numbers::sqrt2 * glm::length(taxel.normal);  // 45 degrees from the plane
+  if (!(glm::length(along) > least)) return std::nullopt;                      // looks across the plane: a pair
+  Taxel moved = taxel;
+  moved.center -= away * n;
+  moved.normal = glm::normalize(along);
+  for (Subtaxel& subtaxel : moved.subtaxels) subtaxel.center -= away * n;
+  return moved;
+}
+
+/// Whether a taxel lies on the skin and looks along its normal, but for what nobody sees: 1 micrometre, 0.1 degrees.
+bool is_on(const MeshIndex& skin, const Taxel& taxel) {
+  constexpr double kNear = 1e-6, kCosine = 1 - 1.5e-6;
+  const Taxel put = onto_skin({taxel}, skin).front();
+  return glm::distance(put.center, taxel.center) <= kNear &&
+         glm::dot(put.normal, glm::normalize(taxel.normal)) >= kCosine;
+}
+
+/// A taxel made of another one, on the skin if the other one is and the skin is there for it.
+Taxel as_on(const MeshIndex* skin, const Taxel& of, Taxel made) {
+  if (skin == nullptr || !is_on(*skin, of) || is_on(*skin, made)) return made;
+  Taxel put = onto_skin({made}, *skin).front();
+  // Further away than its radius there is no skin on that side: the mirror's word counts.
+  return glm::distance(put.center, made.center) <= made.radius ? put : made;
 }
 
 void check_plane(const MirrorPlane& plane) {
@@ -132,6 +167,7 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit) {
   FreeTaxels free(project.layout, mirror, edit.tolerance);
   std::vector<Taxel> images;
   std::vector<std::size_t> links_of_images;
+  std::vector<std::pair<std::size_t, Taxel>> into_plane;  // index of the taxel, and what becomes of it
   for (const int id : edit.ids) {
     const auto found = indices.find(id);
     if (found == indices.end()) throw Error("", fmt::format("taxel {}", id), "is not in the layout");
@@ -139,15 +175,25 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit) {
     const bool in_plane = 2.0 * std::abs(glm::dot(taxel.center - edit.plane.point, n)) <= edit.tolerance;
     if (in_plane || free.linked(id)) continue;
     Taxel image = mirror_images({taxel}, edit.plane).front();
-    free.link(id);
     if (const Taxel* there = free.at(image.center, id)) {
+      free.link(id);
       mirror.links.push_back({id, there->id});
       free.link(there->id);
       continue;
     }
-    images.push_back(std::move(image));
+    if (std::optional<Taxel> moved = in_plane_of(taxel, edit.plane)) {
+      into_plane.emplace_back(found->second, as_on(edit.skin.get(), taxel, std::move(*moved)));
+      continue;
+    }
+    free.link(id);
+    images.push_back(as_on(edit.skin.get(), taxel, std::move(image)));
     links_of_images.push_back(mirror.links.size());
     mirror.links.push_back({id, -1});
+  }
+  std::vector<ChangedFields> moved;
+  for (auto& [index, taxel] : into_plane) {
+    moved.push_back({taxel.id, true, true, false, true});
+    project.layout.taxels[index] = std::move(taxel);
   }
   const std::vector<int> ids = unused_ids(project.layout, images.size());
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -157,6 +203,7 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit) {
     project.layout.taxels.push_back(std::move(images[i]));
   }
   drop_links(project.mirrors, [](int) { return false; });
+  follow_links(project, moved);
 }
 
 void link_taxels(Project& project, const LinkTaxels& edit) {

@@ -210,7 +210,8 @@ bool perform_edit(Action action, UiState& ui, const UiInput& input) {
           EditProject{ReorderTaxels{moved_by_one(input.editing.project->layout, ids, action == Action::move_up)}, {}});
       return true;
     case Action::mirror:
-      ui.ask(EditProject{MirrorTaxels{ids, mirror_plane_of(input.editing.project->layout, input.model->mesh->bounds())},
+      ui.ask(EditProject{MirrorTaxels{ids, mirror_plane_of(input.editing.project->layout, input.model->mesh->bounds()),
+                                      MirrorTaxels{}.tolerance, input.model->skin},
                          {}});
       return true;
     case Action::hide:

@@ -16,7 +16,7 @@ namespace {
 const dvec3 kHalf{0.03, 0.02, 0.01};
 
 /// A box whose top is the sensor: 60 x 40 x 20 mm.
-const MeshIndex& box() {
+const MeshIndex& box_skin() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_box(kHalf)));
   return index;
 }
@@ -34,7 +34,7 @@ PatternSource on_top() {
 }
 
 std::string complaint(const Pattern& pattern, const PatternSource& source = on_top()) {
-  return test::complaint_of([&] { make_pattern(pattern, source, box()); });
+  return test::complaint_of([&] { make_pattern(pattern, source, box_skin()); });
 }
 
 TEST(Pattern, AGridLiesAroundTheFrameAndTurnsWithIt) {
@@ -44,7 +44,7 @@ TEST(Pattern, AGridLiesAroundTheFrameAndTurnsWithIt) {
   pattern.row_pitch = 0.004;
   pattern.column_pitch = 0.006;
   pattern.turn_deg = 90;
-  const PatternTaxels made = make_pattern(pattern, on_top(), box());
+  const PatternTaxels made = make_pattern(pattern, on_top(), box_skin());
   ASSERT_EQ(made.taxels.size(), 6U);
   EXPECT_EQ(made.left_out, 0);
   for (int row = 0; row < 2; ++row) {
@@ -64,14 +64,14 @@ TEST(Pattern, WhatMissesIsLeftOutOrRefused) {
   pattern.rows = 1;
   pattern.columns = 21;  // 100 mm, over a box of 60
   pattern.column_pitch = 0.005;
-  const PatternTaxels made = make_pattern(pattern, on_top(), box());
+  const PatternTaxels made = make_pattern(pattern, on_top(), box_skin());
   EXPECT_EQ(made.taxels.size() + static_cast<std::size_t>(made.left_out), 21U);
   for (const Taxel& taxel : made.taxels) EXPECT_LE(std::abs(taxel.center.x), kHalf.x);
   EXPECT_EQ(made.taxels.size(), 12U) << "x = 2 mm + 5 mm k within 30 mm: k = -6 ... 5";
   pattern.leave_out = false;
   EXPECT_NE(complaint(pattern).find("misses the mesh"), std::string::npos);
   pattern.projected = false;  // a plane needs no skin below
-  EXPECT_EQ(make_pattern(pattern, on_top(), box()).taxels.size(), 21U);
+  EXPECT_EQ(make_pattern(pattern, on_top(), box_skin()).taxels.size(), 21U);
   Pattern beside;
   PatternSource away = on_top();
   away.frame.center.x = 1.0;
@@ -125,9 +125,9 @@ TEST(Pattern, ASpreadStaysInThePaintedFaces) {
   pattern.count = 10;
   source.painted = true;
   EXPECT_EQ(complaint(pattern, source), "Region: none of the painted faces is on the skin: paint it again");
-  for (int face = 0; face < box().mesh().face_count(); ++face)
-    if (box().mesh().face_normals()[static_cast<std::size_t>(face)].z > 0.5) source.faces.push_back(face);
-  const PatternTaxels made = make_pattern(pattern, source, box());
+  for (int face = 0; face < box_skin().mesh().face_count(); ++face)
+    if (box_skin().mesh().face_normals()[static_cast<std::size_t>(face)].z > 0.5) source.faces.push_back(face);
+  const PatternTaxels made = make_pattern(pattern, source, box_skin());
   ASSERT_EQ(made.taxels.size(), 10U);
   EXPECT_GT(made.least_distance, 0.008);
   for (const Taxel& taxel : made.taxels) EXPECT_NEAR(taxel.center.z, kHalf.z, 1e-12);
@@ -140,7 +140,7 @@ TEST(Pattern, ATableComesInItsUnitOntoTheSkin) {
   EXPECT_EQ(complaint(pattern, source), "choose a CSV file with columns x, y and z");
   source.table_file = "points.csv";
   source.table = "x,y,z\n1,2,11\n-3,4,10.5\n";
-  const PatternTaxels made = make_pattern(pattern, source, box());
+  const PatternTaxels made = make_pattern(pattern, source, box_skin());
   ASSERT_EQ(made.taxels.size(), 2U);
   EXPECT_LT(glm::distance(made.taxels[1].center, dvec3(-0.003, 0.004, kHalf.z)), 1e-12);
   EXPECT_EQ(made.taxels[1].radius, pattern.radius);
@@ -163,7 +163,7 @@ TEST(Pattern, DotsOfAPictureLieOverTheSkin) {
     image.grey[static_cast<std::size_t>(pixel)] = 0;
   source.image = std::make_shared<const GreyImage>(image);
   pattern.width = 0.02;  // a millimetre a pixel
-  const PatternTaxels made = make_pattern(pattern, source, box());
+  const PatternTaxels made = make_pattern(pattern, source, box_skin());
   ASSERT_EQ(made.taxels.size(), 1U);
   // Centre at pixel (4, 3), of a picture whose middle is (10, 5): 6 to the left, 2 up.
   EXPECT_LT(glm::distance(made.taxels[0].center, source.frame.center + dvec3(-0.006, 0.002, 0)), 1e-12);
@@ -176,10 +176,10 @@ TEST(Pattern, PresetsComeOntoAnySkin) {
   for (const std::string& name : sensor_preset_names()) {
     pattern.preset = name;
     const SensorPreset preset = make_sensor_preset(name);
-    const PatternTaxels made = make_pattern(pattern, source, box());
+    const PatternTaxels made = make_pattern(pattern, source, box_skin());
     EXPECT_EQ(made.taxels.size() + static_cast<std::size_t>(made.left_out), preset.layout.taxels.size()) << name;
     for (const Taxel& taxel : made.taxels)
-      EXPECT_LT(box().closest_point(taxel.center).distance, 1e-9) << name << " " << taxel.id;
+      EXPECT_LT(box_skin().closest_point(taxel.center).distance, 1e-9) << name << " " << taxel.id;
   }
   // On its own mesh a sensor that goes round lies where it lies.
   const SensorPreset biotac = make_sensor_preset("biotac");

@@ -18,7 +18,7 @@ std::vector<Taxel> two() {
           {2, "", dvec3(0.1), dvec3(1e20, 0, 0), 5e-324, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
 }
 
-std::string complaint(const std::string& text) {
+std::string refusal_of(const std::string& text) {
   return test::complaint_of([&] { parse_taxels(text); });
 }
 
@@ -39,22 +39,22 @@ TEST(TaxelClipboard, TakesPartsOfFilesToo) {
 
 TEST(TaxelClipboard, NamesNonsense) {
   const std::string expected = "taxels as JSON: copied ones, a layout, an array of taxels, or one taxel";
-  EXPECT_EQ(complaint(""), "clipboard: is empty; needed are " + expected);
-  EXPECT_EQ(complaint("Dear Sir or Madam,"), "clipboard: holds no " + expected);
-  EXPECT_EQ(complaint("{}"), "clipboard: holds no " + expected);
-  EXPECT_EQ(complaint("[]"), "clipboard: holds no taxel");
-  EXPECT_EQ(complaint("{\"taxels\": []}"), "clipboard: holds no taxel");
-  EXPECT_EQ(complaint("[1]"), "clipboard: /0: must be an object, is 1");
-  EXPECT_EQ(complaint("{\"taxels\": 3}"), "clipboard: /taxels: must be an array, is 3");
-  EXPECT_EQ(complaint("{\"format\": \"x\", \"taxels\": []}"),
+  EXPECT_EQ(refusal_of(""), "clipboard: is empty; needed are " + expected);
+  EXPECT_EQ(refusal_of("Dear Sir or Madam,"), "clipboard: holds no " + expected);
+  EXPECT_EQ(refusal_of("{}"), "clipboard: holds no " + expected);
+  EXPECT_EQ(refusal_of("[]"), "clipboard: holds no taxel");
+  EXPECT_EQ(refusal_of("{\"taxels\": []}"), "clipboard: holds no taxel");
+  EXPECT_EQ(refusal_of("[1]"), "clipboard: /0: must be an object, is 1");
+  EXPECT_EQ(refusal_of("{\"taxels\": 3}"), "clipboard: /taxels: must be an array, is 3");
+  EXPECT_EQ(refusal_of("{\"format\": \"x\", \"taxels\": []}"),
             "clipboard: /format: must be \"taxels\" or \"taxel-layout\", is \"x\"");
-  EXPECT_EQ(complaint("{\"version\": 2, \"taxels\": []}"),
+  EXPECT_EQ(refusal_of("{\"version\": 2, \"taxels\": []}"),
             "clipboard: /version: must be 1, the version that this program reads, is 2");
-  EXPECT_EQ(complaint(R"([{"center": [0, 0], "normal": [0, 0, 1], "radius": 1}])"),
+  EXPECT_EQ(refusal_of(R"([{"center": [0, 0], "normal": [0, 0, 1], "radius": 1}])"),
             "clipboard: /0/center: must be an array of 3 numbers, is [0,0]");
-  EXPECT_EQ(complaint(R"({"center": [0, 0, 0], "radius": 1})"), "clipboard: /normal: is missing");
-  EXPECT_EQ(complaint("{\"taxels\": [").substr(0, 44), "clipboard: line 1, column 13: is not JSON: s");
-  EXPECT_EQ(complaint(std::string(100000, '[')), "clipboard: is nested deeper than 64 levels");
+  EXPECT_EQ(refusal_of(R"({"center": [0, 0, 0], "radius": 1})"), "clipboard: /normal: is missing");
+  EXPECT_EQ(refusal_of("{\"taxels\": [").substr(0, 44), "clipboard: line 1, column 13: is not JSON: s");
+  EXPECT_EQ(refusal_of(std::string(100000, '[')), "clipboard: is nested deeper than 64 levels");
 }
 
 TEST(TaxelClipboard, SaysLittleOfMuchNonsense) {
@@ -65,7 +65,7 @@ TEST(TaxelClipboard, SaysLittleOfMuchNonsense) {
   }();
   for (const std::string& text : {"[" + huge + "]", "[\"" + umlauts + "\"]", "[\"" + umlauts, "{" + huge,
                                   "{\"" + umlauts + "\": 1, \"" + umlauts + "\": 2}"}) {
-    const std::string said = complaint(text);
+    const std::string said = refusal_of(text);
     EXPECT_NE(said, "accepted");
     EXPECT_LT(said.size(), 400U);
     EXPECT_EQ(std::count(said.begin(), said.end(), '\xc3'), std::count(said.begin(), said.end(), '\xbc'))
@@ -81,7 +81,7 @@ TEST(TaxelClipboard, NothingPastedBreaksIt) {
     std::string wrong = text;
     for (std::uint64_t k = 0; k < 1 + rng.bits(8 * i) % 3; ++k)
       wrong[rng.bits(8 * i + 2 * k + 1) % wrong.size()] = static_cast<char>(rng.bits(8 * i + 2 * k + 2));
-    refused += complaint(wrong) != "accepted";
+    refused += refusal_of(wrong) != "accepted";
   }
   EXPECT_GT(refused, 1000);
 }

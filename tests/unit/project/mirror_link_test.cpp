@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/base/rng.h"
+#include "core/layout/generators/onto_skin.h"
+#include "core/mesh/primitives.h"
 #include "core/project/edit.h"
 #include "fixtures/complaint.h"
 
@@ -59,6 +61,58 @@ TEST(MirrorLink, LinksATwinThatIsThereAndLeavesThePlaneAlone) {
   EXPECT_EQ(project.layout.taxels.size(), 6U);
   EXPECT_EQ(project.mirrors[0].links, (std::vector<MirrorLink>{{0, 1}}));
   EXPECT_TRUE(apply_edit(six(), MirrorTaxels{{}, kX}).mirrors.empty());
+}
+
+/// A taxel of 6 mm whose image would be 0.2 mm away, as one that was placed by hand near the middle.
+Project near_the_plane(const dvec3& normal) {
+  Project project;
+  project.layout.mesh.file = "/m.obj";
+  project.layout.taxels.push_back({3, "", dvec3(1e-4, -0.006, 0.02), glm::normalize(normal), 0.006, {}});
+  return project;
+}
+
+TEST(MirrorLink, ATaxelThatCoversItsImageIsMovedIntoThePlane) {
+  const Project before = near_the_plane(dvec3(0.1, -1, 0.2));
+  const Project project = apply_edit(before, MirrorTaxels{{3}, kX});
+  ASSERT_EQ(project.layout.taxels.size(), 1U);
+  EXPECT_TRUE(project.mirrors.empty());
+  EXPECT_EQ(project.layout.taxels[0].center, dvec3(0, -0.006, 0.02));
+  EXPECT_NEAR(glm::distance(project.layout.taxels[0].normal, glm::normalize(dvec3(0, -1, 0.2))), 0, 1e-15);
+  EXPECT_EQ(apply_edit(project, MirrorTaxels{{3}, kX}), project) << "twice is once";
+  // At half the radius from the plane the two discs share 39 %: a pair.
+  Project apart = before;
+  apart.layout.taxels[0].center.x = 0.003;
+  EXPECT_EQ(apply_edit(apart, MirrorTaxels{{3}, kX}).layout.taxels.size(), 2U);
+  // The two sides of a thin tongue look away from each other.
+  EXPECT_EQ(apply_edit(near_the_plane(dvec3(1, 0.1, 0)), MirrorTaxels{{3}, kX}).layout.taxels.size(), 2U);
+}
+
+TEST(MirrorLink, TwinsAcrossAnotherPlaneFollowOneThatIsMovedIntoThePlane) {
+  Project project = apply_edit(near_the_plane(dvec3(0.1, -1, 0.2)), MirrorTaxels{{3}, kY});
+  ASSERT_EQ(project.layout.taxels.size(), 2U);
+  project = apply_edit(project, MirrorTaxels{{3}, kX});
+  EXPECT_EQ(project.layout.taxels[1].center, dvec3(0, 0.006, 0.02));
+}
+
+TEST(MirrorLink, PutsImagesOntoASkinThatIsNotSymmetric) {
+  // A ball whose middle is 0.3 mm beside the plane: the mirror's image of a place on it is up to 0.6 mm off.
+  std::vector<dvec3> vertices = make_icosphere(0.02, 4).vertices();
+  for (dvec3& v : vertices) v.x += 3e-4;
+  const auto mesh = std::make_shared<const TriMesh>(std::move(vertices), make_icosphere(0.02, 4).faces());
+  const auto skin = std::make_shared<const MeshIndex>(mesh);
+  Project project = near_the_plane(dvec3(1, -1, 0.2));
+  project.layout.taxels[0].center = dvec3(0.015, -0.014, 0.002);
+  project.layout.taxels = onto_skin(project.layout.taxels, *skin);
+  project.layout.taxels[0].radius = 0.003;
+  const Taxel free = apply_edit(project, MirrorTaxels{{3}, kX}).layout.taxels[1];
+  EXPECT_GT(skin->closest_point(free.center).distance, 1e-4);
+  const Taxel put = apply_edit(project, MirrorTaxels{{3}, kX, 1e-6, skin}).layout.taxels[1];
+  EXPECT_LT(skin->closest_point(put.center).distance, 1e-12);
+  EXPECT_EQ(put.center, onto_skin({free}, *skin)[0].center);
+  EXPECT_EQ(put.normal, onto_skin({free}, *skin)[0].normal);
+  // A taxel that is not on the skin on purpose has an image that is not either.
+  project.layout.taxels[0].center *= 0.9;
+  EXPECT_EQ(apply_edit(project, MirrorTaxels{{3}, kX, 1e-6, skin}), apply_edit(project, MirrorTaxels{{3}, kX}));
 }
 
 TEST(MirrorLink, EitherTwinLeadsAndOnlyWhatChanged) {
