@@ -104,12 +104,23 @@ Document compiled(DocumentKind kind, const std::filesystem::path& file, Project 
   return document;
 }
 
+/// What was not in the file of a document, before what there is to say of its mesh.
+void add_notes_of(const ImportedSource& read, Document& document) {
+  const std::string name = std::filesystem::path(document.file).filename().string();
+  std::vector<std::string> notes;
+  for (const std::string& note : read.notes) notes.push_back(name + ": " + note);
+  document.notes.insert(document.notes.begin(), notes.begin(), notes.end());
+  document.frame_is_guess = read.frame_is_guess;
+}
+
 Document load_layout(const std::filesystem::path& file, const SensorBuild& how) {
-  SensorSource source = read_sensor_source(file);
+  ImportedSource read = read_any_source(file, {});
   Project project;
-  project.layout = std::move(source.layout);
+  project.layout = std::move(read.source.layout);
   project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
-  return compiled(DocumentKind::layout, file, std::move(project), std::move(source.mesh), how);
+  Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  add_notes_of(read, document);
+  return document;
 }
 
 /// A layout of another program on the mesh that was chosen.
@@ -119,9 +130,7 @@ Document load_foreign_layout(const std::filesystem::path& file, const SkinChoice
   Project project;
   project.layout = std::move(read.source.layout);
   Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
-  std::vector<std::string> notes;
-  for (const std::string& note : read.notes) notes.push_back(file.filename().string() + ": " + note);
-  document.notes.insert(document.notes.begin(), notes.begin(), notes.end());
+  add_notes_of(read, document);
   document.skin = skin;
   return document;
 }
@@ -168,6 +177,7 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   Document document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
   // What a mesh that cannot be simulated has wrong is shown by its report.
   const bool repaired = document.model->mesh != document.model->loaded;
+  document.frame_is_guess = true;
   const std::string found = document.problem.empty() && !repaired ? findings_text(document.mesh->findings) : "";
   document.notes.push_back(fmt::format(
       "{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),

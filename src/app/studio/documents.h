@@ -36,6 +36,7 @@ struct Document {
   std::string repair = {};      ///< what a repair did to its mesh; empty: nothing
   std::string state = {};       ///< of the window when it was saved (state.json); empty: unknown
   SkinChoice skin = {};         ///< on which a layout of another program was put
+  bool frame_is_guess = false;  ///< tip and pad are not from a file: shown as arrows until they are confirmed
 
   /// Shows samples that are yet to be polished.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }

@@ -82,6 +82,8 @@ class Session {
   void saved_as(const std::string& file);  ///< a project
   /// File of the open document; empty: none, or built in.
   [[nodiscard]] std::string file() const { return document_ ? document_->file : ""; }
+  /// Tip and pad of the document are a guess.
+  [[nodiscard]] bool frame_is_guess() const { return document_ && document_->frame_is_guess; }
   [[nodiscard]] DocumentKind kind() const { return document_ ? document_->kind : DocumentKind::layout; }
 
   /// False: there is nothing to simulate, or it cannot be, which is told.

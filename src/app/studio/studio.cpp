@@ -214,7 +214,7 @@ void Studio::act_on(const SessionNews& news) {
     ui::leave_measure(ui_);
     ui_.clip.reset();
     ui_.mesh = {};
-    ui_.mesh.frame_is_guess = session_.kind() == DocumentKind::mesh;
+    ui_.mesh.frame_is_guess = session_.frame_is_guess();
     ui_.probe.sized = false;
     ui_.perturb = {};
     ui_.real = {};

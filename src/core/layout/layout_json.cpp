@@ -194,10 +194,7 @@ Calibration read_calibration(const Value& value, const std::string& file) {
   return calibration;
 }
 
-}  // namespace
-
-Layout parse_layout(const std::string& text, const std::string& file) {
-  const Json json = parse_json<Json>(text, file);
+Layout layout_of(const Json& json, const std::string& file) {
   Document document{file, {}};
   Object root(Value(json, "", document));
   read_head(root, file);
@@ -215,8 +212,19 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   return layout;
 }
 
+}  // namespace
+
+Layout parse_layout(const std::string& text, const std::string& file) {
+  return layout_of(parse_json<Json>(text, file), file);
+}
+
 Layout read_layout(const std::filesystem::path& path) {
-  return parse_layout(read_file(path), path.string());
+  return read_layout_of_file(path).layout;
+}
+
+LayoutOfFile read_layout_of_file(const std::filesystem::path& path) {
+  const Json json = parse_json<Json>(read_file(path), path.string());
+  return {layout_of(json, path.string()), json.contains("frame")};
 }
 
 std::filesystem::path mesh_path(const Layout& layout, const std::filesystem::path& layout_file) {

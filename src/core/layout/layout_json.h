@@ -15,6 +15,14 @@ Layout parse_layout(const std::string& text, const std::string& file = "");
 /// parse_layout of a file; mesh.file stays as written (see mesh_path).
 Layout read_layout(const std::filesystem::path& path);
 
+/// A layout, and whether its file gives the directions of the finger. Without them `layout.frame` is the default.
+struct LayoutOfFile {
+  Layout layout;
+  bool has_frame = true;
+};
+/// read_layout with the news of the frame.
+LayoutOfFile read_layout_of_file(const std::filesystem::path& path);
+
 /// Deterministic: fixed key order, shortest round-trip numbers, two-space indent, newline at the end.
 std::string layout_to_json(const Layout& layout);
 

@@ -14,10 +14,10 @@ std::string absolute_name(const std::filesystem::path& file) {
 
 /// A layout of our own, on its own mesh or another one.
 ImportedSource read_own_source(const std::filesystem::path& file, const SkinChoice& choice) {
-  if (choice.mesh.empty() && !choice.scale) return {read_sensor_source(file), {}};
+  LayoutOfFile own = read_layout_of_file(file);
   ImportedSource read;
   SensorSource& source = read.source;
-  source = {file.string(), read_layout(file), {}};
+  source = {file.string(), std::move(own.layout), {}};
   if (!choice.mesh.empty()) {
     source.layout.mesh = {absolute_name(choice.mesh), source.layout.mesh.scale, "", source.layout.mesh.repair};
     read.notes.push_back("another mesh than the layout's is taken: " + choice.mesh);
@@ -25,6 +25,10 @@ ImportedSource read_own_source(const std::filesystem::path& file, const SkinChoi
   source.layout.mesh.scale = choice.scale.value_or(source.layout.mesh.scale);
   throw_first_error(check_layout_values(source.layout, source.file));
   source.mesh = load_mesh(mesh_path(source.layout, file), source.layout.mesh.scale);
+  if (!own.has_frame) {
+    read.notes.push_back(take_frame_of(*source.mesh.mesh, source.layout));
+    read.frame_is_guess = true;
+  }
   return read;
 }
 
@@ -33,6 +37,7 @@ ImportedSource read_own_source(const std::filesystem::path& file, const SkinChoi
 ImportedSource put_on_mesh(ImportedLayout imported, LoadedMesh mesh, const std::string& mesh_file, const dvec3& scale,
                            const std::string& layout_file) {
   put_on_skin(imported, mesh.mesh, layout_file);
+  const bool frame_is_guess = !imported.has_frame && !imported.layout.taxels.empty();
   const Material& m = imported.layout.material;
   if (!imported.has_material)
     imported.notes.push_back(fmt::format(
@@ -40,7 +45,7 @@ ImportedSource put_on_mesh(ImportedLayout imported, LoadedMesh mesh, const std::
         m.modulus, m.thickness, m.dissipation, m.friction));
   imported.layout.mesh = {mesh_file, scale, mesh.sha256};
   throw_first_error(check_layout_values(imported.layout, layout_file));
-  return {{layout_file, std::move(imported.layout), std::move(mesh)}, std::move(imported.notes)};
+  return {{layout_file, std::move(imported.layout), std::move(mesh)}, std::move(imported.notes), frame_is_guess};
 }
 
 ImportedSource put_on_mesh_file(ImportedLayout imported, const std::filesystem::path& mesh_file,

@@ -16,6 +16,7 @@ struct ImportedSource {
   SensorSource source;
   /// Values that were not in the file, and keys that could not be carried over: a sentence each.
   std::vector<std::string> notes;
+  bool frame_is_guess = false;  ///< the file does not say where the sensor points
 };
 
 /// Reads a layout of any format and its mesh. `choice.mesh` replaces the mesh of a layout that has one. Throws Error

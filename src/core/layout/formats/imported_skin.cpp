@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/error.h"
+#include "core/layout/frame_guess.h"
 #include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_check.h"
 
@@ -58,30 +60,23 @@ void add_cells(ImportedLayout& imported, const MeshIndex& skin, const std::strin
     imported.notes.push_back(fmt::format("{} of {} cells are not above the skin: left out", missed, columns * rows));
 }
 
-/// A planar array points along its longer side and touches along its normal. The defaults are those of a fingertip.
-void guess_frame(ImportedLayout& imported) {
-  Layout& layout = imported.layout;
-  const dvec3 n = glm::normalize(layout.taxels.front().normal);
-  const bool flat = layout.taxels.size() > 1 &&
-                    std::all_of(layout.taxels.begin(), layout.taxels.end(),
-                                [&](const Taxel& taxel) { return glm::dot(glm::normalize(taxel.normal), n) > 0.9999; });
-  if (flat) {
-    Aabb box;
-    for (const Taxel& taxel : layout.taxels) box.include(taxel.center);
-    int best = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::abs(n[axis]) > 0.5) continue;
-      if (best < 0 || box.extent()[axis] > box.extent()[best] * (1 + 1e-9)) best = axis;
-    }
-    dvec3 along(0);
-    along[best] = 1;
-    layout.frame = {glm::normalize(along - glm::dot(along, n) * n), n};
+/// A planar array points along its longer side and touches along its normal. Empty where the taxels look elsewhere.
+std::optional<SensorFrame> frame_of_array(const std::vector<Taxel>& taxels) {
+  if (taxels.size() < 2) return std::nullopt;
+  const dvec3 n = glm::normalize(taxels.front().normal);
+  Aabb box;
+  for (const Taxel& taxel : taxels) {
+    if (!(glm::dot(glm::normalize(taxel.normal), n) > 0.9999)) return std::nullopt;
+    box.include(taxel.center);
   }
-  const dvec3 &d = layout.frame.distal, &p = layout.frame.pad;
-  imported.notes.push_back(
-      fmt::format("the file does not say where the sensor points: distal is [{:.3g}, {:.3g}, {:.3g}], pad is [{:.3g}, "
-                  "{:.3g}, {:.3g}]",
-                  d.x, d.y, d.z, p.x, p.y, p.z));
+  int best = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(n[axis]) > 0.5) continue;
+    if (best < 0 || box.extent()[axis] > box.extent()[best] * (1 + 1e-9)) best = axis;
+  }
+  dvec3 along(0);
+  along[best] = 1;
+  return SensorFrame{glm::normalize(along - glm::dot(along, n) * n), n};
 }
 
 /// At most kMaxSamples, with one significant digit.
@@ -114,12 +109,23 @@ double guess_scale(const ImportedLayout& imported, const TriMesh& unscaled) {
   return best;
 }
 
+std::string take_frame_of(const TriMesh& skin, Layout& layout) {
+  std::optional<SensorFrame> guess = frame_of_array(layout.taxels);
+  if (!guess) guess = guess_frame(skin, layout.taxels);
+  layout.frame = guess.value_or(layout.frame);
+  const dvec3 &d = layout.frame.distal, &p = layout.frame.pad;
+  return fmt::format(
+      "the file does not say where the sensor points: distal is [{:.3g}, {:.3g}, {:.3g}], pad is "
+      "[{:.3g}, {:.3g}, {:.3g}]{}",
+      d.x, d.y, d.z, p.x, p.y, p.z, guess ? ", guessed from its shape" : "");
+}
+
 void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file) {
   const MeshIndex index(skin);
   if (imported.cell > 0) add_cells(imported, index, file);
   if (!imported.has_normals) take_normals(imported.layout, index);
   if (imported.layout.taxels.empty()) return;
-  guess_frame(imported);
+  if (!imported.has_frame) imported.notes.push_back(take_frame_of(*skin, imported.layout));
   limit_density(imported, skin->area());
 }
 

@@ -1,6 +1,7 @@
 // Values that the skin adds to a layout of another program: scale, normals, cells, frame and density.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/layout/formats/layout_format.h"
@@ -16,5 +17,9 @@ double guess_scale(const ImportedLayout& imported, const TriMesh& unscaled);
 /// cells of a flat array over the top (+z) of the skin, the frame, and a density of at most 100000 samples.
 /// `skin`: the scaled mesh. Throws Error naming `file` if no cell of an array is on the skin.
 void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file);
+
+/// Guesses where the sensor points and where it touches: a planar array by its taxels, a finger by its shape and its
+/// taxels (guess_frame). Keeps the layout's frame where neither tells. Returns the note that says so.
+std::string take_frame_of(const TriMesh& skin, Layout& layout);
 
 }  // namespace taxel

@@ -22,7 +22,9 @@ void refuse_choice(const std::filesystem::path& path, const std::string& sensor)
 ImportedLayout read_own(const std::filesystem::path& path, const std::string& sensor) {
   refuse_choice(path, sensor);
   ImportedLayout imported;
-  imported.layout = read_layout(path);
+  LayoutOfFile read = read_layout_of_file(path);
+  imported.layout = std::move(read.layout);
+  imported.has_frame = read.has_frame;
   return imported;
 }
 std::vector<std::string> write_own(const std::filesystem::path& path, const Layout& layout) {
@@ -37,7 +39,7 @@ ImportedLayout read_table(const std::filesystem::path& path, const std::string& 
   imported.layout.name = path.stem().string();
   imported.layout.taxels = std::move(table.taxels);
   imported.has_normals = table.normals;
-  imported.has_density = imported.has_material = false;
+  imported.has_density = imported.has_material = imported.has_frame = false;
   imported.notes = {"a table holds taxels only: mesh and settings are to be chosen"};
   if (!table.normals) imported.notes.emplace_back("the table has no normals: those of the mesh are taken");
   if (!table.radii) imported.notes.push_back(fmt::format("the table has no radii: they are {} m", Taxel().radius));

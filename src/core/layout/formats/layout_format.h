@@ -22,6 +22,7 @@ struct ImportedLayout {
   double cell = 0;
   bool has_density = true;   ///< the file gives layout.sampling.density
   bool has_material = true;  ///< the file gives layout.material
+  bool has_frame = true;     ///< the file gives layout.frame
 };
 
 struct LayoutFormat {

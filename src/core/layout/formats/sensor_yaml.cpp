@@ -135,7 +135,7 @@ class SensorReader {
   explicit SensorReader(const Found& sensor) : sensor_(sensor) {
     imported_.layout.name = sensor.name;
     imported_.geom = sensor.geom;
-    imported_.has_density = imported_.has_material = false;
+    imported_.has_density = imported_.has_material = imported_.has_frame = false;
     if (const YamlValue* geom = find(sensor.entries, "geomName")) imported_.geom_place = geom->place();
   }
   ImportedLayout read() {
