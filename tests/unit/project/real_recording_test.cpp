@@ -1,4 +1,5 @@
 // Tables of real sensors: read as the mapping says, guessed from their names, refused by line and column.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -132,6 +133,44 @@ TEST(GuessMapping, NumbersAloneAreTakenInOrder) {
   EXPECT_EQ(m.time, "#1");
   EXPECT_EQ(m.time_unit, TimeUnit::ms);
   EXPECT_EQ(m.taxels, (std::vector<TaxelColumn>{{5, "#2", {}, {}}, {4, "#3", {}, {}}}));
+}
+
+/// A table of two taxels whose first column is `name` and ascends from 0 by `interval`.
+std::string table_with_times(const std::string& name, double interval) {
+  std::string text = name + ",taxel_1,taxel_2\n";
+  for (int row = 0; row < 5; ++row) text += fmt::format("{:.12g},{},2\n", row * interval, row);
+  return text;
+}
+
+TEST(GuessMapping, ReadsTheSameTimesFromEachUnit) {
+  struct Unit {
+    const char* word;
+    TimeUnit unit;
+    double per_second;
+  };
+  for (const Unit& unit :
+       {Unit{"s", TimeUnit::s, 1}, {"ms", TimeUnit::ms, 1e3}, {"us", TimeUnit::us, 1e6}, {"ns", TimeUnit::ns, 1e9}}) {
+    // 100 rows per second: the unit is in the column's name, or the numbers alone tell the unit
+    for (const std::string& name : {std::string("time"), fmt::format("t [{}]", unit.word)}) {
+      const std::string text = table_with_times(name, 0.01 * unit.per_second);
+      const ColumnMapping mapping = guess_mapping(text, {1, 2});
+      EXPECT_EQ(mapping.time_unit, unit.unit) << name << " in " << unit.word;
+      const std::vector<double> times = parse_real_recording(text, mapping, "real.csv").series.time;
+      ASSERT_EQ(times.size(), 5U);
+      for (int row = 0; row < 5; ++row)
+        EXPECT_NEAR(times[static_cast<std::size_t>(row)], 0.01 * row, 1e-15) << name << " in " << unit.word;
+    }
+  }
+}
+
+TEST(GuessMapping, ChangesTheUnitOfTimeAtItsLimits) {
+  const auto unit = [](double interval) { return guess_mapping(table_with_times("time", interval), {1, 2}).time_unit; };
+  EXPECT_EQ(unit(0.999), TimeUnit::s);
+  EXPECT_EQ(unit(1), TimeUnit::ms);
+  EXPECT_EQ(unit(499), TimeUnit::ms);
+  EXPECT_EQ(unit(500), TimeUnit::us);
+  EXPECT_EQ(unit(99999), TimeUnit::us);
+  EXPECT_EQ(unit(100000), TimeUnit::ns);
 }
 
 TEST(GuessMapping, DecimalCommasAndSeveralHeaderLines) {
