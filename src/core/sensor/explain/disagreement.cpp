@@ -39,6 +39,10 @@ bool in_reach(const SensorModel& model, const Taxel& taxel, std::span<const Aabb
 
 }  // namespace
 
+double gap_of(double sampled, double exact, double error) {
+  return std::max(0.0, std::abs(sampled - exact) - error);
+}
+
 std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
                                             std::span<const double> readings, std::span<const double> scales) {
   if (model.layout.readout.aggregate == Aggregate::force || readings.size() != model.layout.taxels.size())
@@ -54,8 +58,7 @@ std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<
     if (readings[k] != 0 || in_reach(model, model.layout.taxels[k], boxes))
       exact = exact_reading(model, taxel, surfaces, kAccuracy);
     if (!exact.value) return;
-    const double gap = std::max(0.0, std::abs(readings[k] - *exact.value) - exact.error);
-    gaps[k] = SampleGap{taxel, readings[k], *exact.value, gap};
+    gaps[k] = SampleGap{taxel, readings[k], *exact.value, gap_of(readings[k], *exact.value, exact.error)};
   });
   std::optional<SampleGap> largest;
   double largest_part = 0;

@@ -15,6 +15,9 @@ struct SampleGap {
   double gap = 0;  ///< between them, less what the quadrature may leave
 };
 
+/// Distance of two readings, less the error that the quadrature of the exact one may leave; at least 0.
+double gap_of(double sampled, double exact, double error);
+
 /// The taxel whose gap is the largest fraction of its entry in `scales`, of equal ones the first; taxels with an
 /// infinite scale are left out. Without scales the taxel with the largest gap. None where no reading comes from samples
 /// (Aggregate::force) or no taxel has an exact one. `readings` by taxel, as read on these surfaces (frame M, null ones

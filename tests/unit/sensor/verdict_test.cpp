@@ -1,0 +1,112 @@
+// What a verdict is made of, by made-up numbers: each limit from both sides.
+#include "core/sensor/explain/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/sensor/explain/disagreement.h"
+
+namespace taxel {
+namespace {
+
+/// A reading that rises from 100 by `noise` + `field` + `contact` Pa; a change above 5 Pa is a jump.
+VerdictInput risen(double noise, double field, double contact) {
+  VerdictInput in;
+  in.limits = {.jump = 0.05, .equal_force = 0.02, .largest = 100};
+  in.sampled = {100, 100 + noise + field + contact};
+  in.exact = Readings{100, 100 + field + contact};
+  // under even stiffness, in the proportion that gives the mean of both exact readings: scale is 1
+  const double sum = 200 + field + contact;
+  in.even = Readings{0.5 * (sum - contact), 0.5 * (sum + contact)};
+  in.force = {2, 3};
+  return in;
+}
+
+TEST(Verdict, TakesTheChangeApart) {
+  const Verdict v = decide(risen(3, 20, -1));
+  EXPECT_NEAR(v.noise, 3, 1e-12);
+  EXPECT_NEAR(v.field, 20, 1e-12);
+  EXPECT_NEAR(v.contact, -1, 1e-12);
+  EXPECT_NEAR(v.limit, 5, 1e-12);
+  EXPECT_EQ(v.change, 22);
+}
+
+TEST(Verdict, ScalesEvenReadingsToTheMeanOfTheExactOnes) {
+  VerdictInput in = risen(0, 20, 10);
+  const Verdict before = decide(in);
+  in.even->before *= 7, in.even->now *= 7;
+  EXPECT_NEAR(decide(in).field, before.field, 1e-12);
+  EXPECT_NEAR(decide(in).contact, 10, 1e-12);
+}
+
+TEST(Verdict, IsAJumpOnlyAboveTheLimit) {
+  EXPECT_EQ(decide(risen(4.999, 0, 0)).cause, Cause::none);
+  EXPECT_EQ(decide(risen(5, 0, 0)).cause, Cause::none) << "a jump is more than the limit";
+  EXPECT_EQ(decide(risen(5.001, 0, 0)).cause, Cause::sampling_noise);
+  EXPECT_EQ(decide(risen(-5.001, 0, 0)).cause, Cause::sampling_noise) << "a fall is as much of a jump";
+  EXPECT_EQ(decide(risen(-4.999, 0, 0)).cause, Cause::none);
+}
+
+TEST(Verdict, NamesTheLargestPartInTheDirectionOfTheChange) {
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(decide(risen(sign * 10.1, sign * 10, 0)).cause, Cause::sampling_noise) << sign;
+    EXPECT_EQ(decide(risen(sign * 9.9, sign * 10, 0)).cause, Cause::star_field) << sign;
+    EXPECT_EQ(decide(risen(0, sign * 10.1, sign * 10)).cause, Cause::star_field) << sign;
+    EXPECT_EQ(decide(risen(0, sign * 9.9, sign * 10)).cause, Cause::contact) << sign;
+    EXPECT_EQ(decide(risen(sign * 10.1, 0, sign * 10)).cause, Cause::sampling_noise) << sign;
+    EXPECT_EQ(decide(risen(sign * 9.9, 0, sign * 10)).cause, Cause::contact) << sign;
+    EXPECT_EQ(decide(risen(-sign * 20, 0, sign * 30)).cause, Cause::contact) << "noise in the other direction";
+  }
+}
+
+TEST(Verdict, IsInvertedTetsFromHalfOfTheFieldsPart) {
+  for (const double sign : {1.0, -1.0}) {
+    VerdictInput in = risen(0, sign * 20, 0);
+    const auto with = [&](double part) {
+      in.exact_inverted = Readings{40, 40 + sign * part};
+      in.even_inverted = Readings{40, 40};
+      return decide(in).cause;
+    };
+    EXPECT_EQ(with(9.99), Cause::star_field) << sign;
+    EXPECT_EQ(with(10.01), Cause::inverted_tets) << sign;
+    EXPECT_EQ(with(-15), Cause::star_field) << "against the direction of the change";
+    in.even_inverted.reset();
+    EXPECT_EQ(decide(in).cause, Cause::star_field) << "unknown";
+  }
+}
+
+TEST(Verdict, ScalesTheInvertedPartOfEvenReadings) {
+  VerdictInput in = risen(0, 20, 0);
+  in.even->before *= 0.5, in.even->now *= 0.5;  // their scale is 2
+  in.exact_inverted = Readings{40, 60};
+  in.even_inverted = Readings{20, 24.9};
+  EXPECT_EQ(decide(in).cause, Cause::inverted_tets) << "20 - 2 x 4.9 is more than half of 20";
+  in.even_inverted = Readings{20, 25.1};
+  EXPECT_EQ(decide(in).cause, Cause::star_field);
+}
+
+TEST(Verdict, CallsAForceEqualUpToItsPartOfTheLargerOne) {
+  VerdictInput in = risen(0, 0, 30);
+  const auto cause = [&](double before, double now) {
+    in.force = {before, now};
+    const Verdict v = decide(in);
+    EXPECT_EQ(v.force_stays, v.cause == Cause::redistribution) << before << " to " << now;
+    return v.cause;
+  };
+  EXPECT_EQ(cause(100, 98), Cause::redistribution) << "2 % of the larger, which is the one before";
+  EXPECT_EQ(cause(100, 97.99), Cause::contact);
+  EXPECT_EQ(cause(98, 100), Cause::redistribution) << "2 % of the larger, which is the one now";
+  EXPECT_EQ(cause(97.99, 100), Cause::contact);
+  EXPECT_EQ(cause(0, 0), Cause::redistribution);
+}
+
+TEST(SampleGap, IsTheDifferenceLessTheErrorOfTheExactReading) {
+  EXPECT_EQ(gap_of(10, 7, 0.5), 2.5) << "samples read more";
+  EXPECT_EQ(gap_of(7, 10, 0.5), 2.5) << "samples read less";
+  EXPECT_EQ(gap_of(7, 7.5, 0.5), 0) << "as large as the error";
+  EXPECT_EQ(gap_of(7, 7.4, 0.5), 0) << "smaller than the error";
+}
+
+}  // namespace
+}  // namespace taxel
