@@ -7,6 +7,7 @@
 #include "ui/scene/finger_scene.h"
 #include "ui/scene/gizmo.h"
 #include "ui/scene/sample_use.h"
+#include "ui/scene/scene_cast.h"
 #include "ui/scene/scene_labels.h"
 
 namespace taxel::ui {
@@ -104,6 +105,37 @@ TEST_F(PickingTest, FindsThePolygonAndItsPressure) {
   const auto below = pick(input, camera, pixel.x, pixel.y, kWidth, kHeight);
   ASSERT_TRUE(below);
   EXPECT_EQ(below->polygon, -1);
+}
+
+TEST_F(PickingTest, SkipsTaxelsBehindABody) {
+  SceneInput input = test::finger_input(frame_);
+  Camera below = test::finger_camera();  // the box is between the eye and the fingertip
+  below.azimuth_deg = 0;
+  below.elevation_deg = -60;
+  below.target = {0, 0, -0.02};
+  below.distance = 0.2;
+  const Pose& X_WM = frame_->sensors[0].X_WM;
+  int behind = 0;
+  for (int k = 0; k < model_->taxel_count(); ++k) {
+    const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
+    const dvec3 center = X_WM * taxel.center, pixel = below.project(center, kWidth, kHeight);
+    if (glm::dot(X_WM.rotate(taxel.normal), below.eye() - center) <= 0) continue;
+    const auto body = cast_geoms(input, below.pixel_ray(pixel.x, pixel.y, kWidth, kHeight));
+    if (!body || body->t > 0.98 * glm::distance(center, below.eye())) continue;
+    ++behind;
+    const auto hidden = pick(input, below, pixel.x, pixel.y, kWidth, kHeight);
+    ASSERT_TRUE(hidden);
+    EXPECT_EQ(hidden->taxel, -1) << "taxel " << taxel.id;
+    EXPECT_EQ(hidden->geom_name, "box");
+    SceneInput alone = input;  // the same taxel without the box
+    auto frame = std::make_shared<SimFrame>(*frame_);
+    frame->geom_poses[0].p.x += 1;
+    alone.frame = frame;
+    const auto seen = pick(alone, below, pixel.x, pixel.y, kWidth, kHeight);
+    ASSERT_TRUE(seen);
+    EXPECT_GE(seen->taxel, 0);
+  }
+  EXPECT_GE(behind, 1);
 }
 
 TEST_F(PickingTest, FindsOtherBodiesAndNothingOnTheBackground) {

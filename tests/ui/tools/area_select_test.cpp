@@ -1,11 +1,14 @@
-// What lies in a lasso.
+// Selection by a box or a lasso: its area, the side that faces the eye, hidden taxels, modifiers.
 #include "ui/tools/area_select.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/rng.h"
+#include "ui/tools/interface_frames.h"
+#include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
 namespace {
@@ -42,6 +45,68 @@ TEST(AreaSelect, LessThanATriangleHoldsNothing) {
   EXPECT_FALSE(in_polygon({}, {0, 0}));
   EXPECT_FALSE(in_polygon({{0, 0}}, {0, 0}));
   EXPECT_FALSE(in_polygon({{0, 0}, {1, 1}}, {0.5, 0.5}));
+}
+
+/// Taxels 1 to 3 face the eye, from left to right; taxel 4 is behind taxel 2, on the far side of the ball.
+struct BallOfFour {
+  test::InterfaceFrames interface;
+  test::ToolScene scene{{dvec3(1, -0.6, 0), dvec3(1, 0, 0), dvec3(1, 0.6, 0), dvec3(-1, 0, 0)}};
+
+  /// Draws a box over the view, or around it as a lasso. Returns the selected taxels.
+  std::vector<int> drawn(Tool tool, const dvec2& from = {1, 1}, const dvec2& to = {798, 598}) {
+    scene.ui.tool.tool = tool;
+    const std::vector<dvec2> corners{from, {to.x, from.y}, to, {from.x, to.y}};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      interface.move(corners[i].x, corners[i].y);
+      if (i == 0) interface.button(true);
+      interface.frame([&] { EXPECT_FALSE(draw_area(scene.ui, scene.input, corners[i], true)); });
+    }
+    // a box ends opposite to where it began, a lasso next to it
+    const dvec2 end = tool == Tool::lasso ? corners[3] : corners[2];
+    interface.move(end.x, end.y);
+    interface.button(false);
+    interface.frame([&] { EXPECT_TRUE(draw_area(scene.ui, scene.input, end, true)); });
+    scene.ui.tool.area.clear();
+    std::vector<int> ids = scene.ui.selection.taxels;
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  }
+};
+
+TEST(AreaSelect, LeavesOutTheFarSideOfAnOpaqueSkin) {
+  for (const Tool tool : {Tool::box, Tool::lasso}) {
+    BallOfFour ball;
+    EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 2, 3}));
+    ball.scene.ui.saved.overlays.sensor_transparent = true;
+    EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 2, 3, 4})) << "the far side is seen";
+    ball.scene.ui.camera().azimuth_deg = 180;
+    ball.scene.ui.saved.overlays.sensor_transparent = false;
+    EXPECT_EQ(ball.drawn(tool), (std::vector<int>{4})) << "from behind";
+  }
+}
+
+TEST(AreaSelect, LeavesOutHiddenTaxels) {
+  for (const Tool tool : {Tool::box, Tool::lasso}) {
+    BallOfFour ball;
+    ball.scene.project.hidden = {2};
+    ball.scene.publish();
+    EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 3}));
+  }
+}
+
+TEST(AreaSelect, SelectsWhatIsInsideAndKeepsToItsModifiers) {
+  for (const Tool tool : {Tool::box, Tool::lasso}) {
+    BallOfFour ball;
+    EXPECT_EQ(ball.drawn(tool, {1, 1}, {399, 598}), (std::vector<int>{1})) << "left half";
+    EXPECT_EQ(ball.drawn(tool, {401, 1}, {798, 598}), (std::vector<int>{3})) << "right half, alone";
+    ball.interface.key(ImGuiMod_Shift, true);
+    EXPECT_EQ(ball.drawn(tool, {1, 1}, {399, 598}), (std::vector<int>{1, 3})) << "Shift adds";
+    ball.interface.key(ImGuiMod_Shift, false);
+    ball.interface.key(ImGuiMod_Ctrl, true);
+    EXPECT_EQ(ball.drawn(tool, {401, 1}, {798, 598}), (std::vector<int>{1})) << "Ctrl takes out";
+    ball.interface.key(ImGuiMod_Ctrl, false);
+    EXPECT_EQ(ball.drawn(tool, {1, 1}, {798, 200}), std::vector<int>{}) << "above all of them";
+  }
 }
 
 }  // namespace

@@ -1,0 +1,60 @@
+// A ball that has taxels, as tools see it, without a window.
+#pragma once
+
+#include <utility>
+
+#include "core/mesh/primitives.h"
+#include "core/sensor/sensor_model.h"
+#include "ui/ui_state.h"
+
+namespace taxel::ui::test {
+
+inline constexpr double kBallRadius = 0.01;  // [m]
+
+/// A ball about the origin, seen along -x from 80 mm away, z up: y runs to the right of the view.
+struct ToolScene {
+  UiState ui;
+  UiInput input;
+  Project project;
+
+  explicit ToolScene(const std::vector<dvec3>& directions) {
+    const auto mesh = std::make_shared<const TriMesh>(make_sphere(kBallRadius, 0.001));
+    const MeshIndex skin(mesh);
+    Layout& layout = project.layout;
+    layout.mesh.file = "ball.obj";
+    layout.sampling.density = 1e5;
+    for (const dvec3& direction : directions) {
+      const SurfacePoint on_skin = skin.closest_point(kBallRadius * glm::normalize(direction));
+      Taxel taxel;
+      taxel.id = static_cast<int>(layout.taxels.size()) + 1;
+      taxel.center = on_skin.position;
+      taxel.normal = glm::normalize(direction);
+      taxel.radius = 0.002;
+      layout.taxels.push_back(taxel);
+    }
+    input.model = build_sensor_model(layout, mesh, "", "ball.taxels.json");
+    ui.mode = Mode::layout;
+    ui.saved.overlays.sensor_transparent = false;
+    ui.view.rect = {0, 0, 800, 600};
+    ui.view.width = 800, ui.view.height = 600;
+    for (Camera& camera : ui.cameras) {
+      camera = Camera{};
+      camera.azimuth_deg = 0, camera.elevation_deg = 0, camera.distance = 0.08;
+    }
+    publish();
+  }
+  /// The project as it is now becomes the one that is edited.
+  void publish() { input.editing.project = std::make_shared<const Project>(project); }
+  [[nodiscard]] dvec2 pixel(const dvec3& p) const {
+    return dvec2(ui.camera().project(p, ui.view.width, ui.view.height));
+  }
+  /// The newest request of a kind; null: there is none.
+  template <class Kind>
+  [[nodiscard]] const Kind* asked() const {
+    for (auto request = ui.requests.rbegin(); request != ui.requests.rend(); ++request)
+      if (const Kind* kind = std::get_if<Kind>(&*request)) return kind;
+    return nullptr;
+  }
+};
+
+}  // namespace taxel::ui::test
