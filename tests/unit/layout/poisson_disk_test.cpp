@@ -152,6 +152,11 @@ TEST(PoissonDisk, CountsBeyondTheLimitsAreRefused) {
   EXPECT_THROW(sample_surface(mesh, kMaxSamples + 1, 1), Error);
   EXPECT_EQ(sample_count(1e7, 1.7e-3), 17000);
   EXPECT_EQ(sample_count(1.0, 0.4), 0);
+  EXPECT_EQ(sample_count(1.0, 0.5), 1) << "a half is rounded up";
+  EXPECT_EQ(sample_count(100, 0.1249), 12);
+  EXPECT_EQ(sample_count(100, 0.1251), 13);
+  EXPECT_EQ(sample_count(1e7, 1.00000004), kMaxSamples) << "the limit itself";
+  EXPECT_THROW(sample_count(1e7, 1.00000006), Error) << "one more than the limit";
   EXPECT_THROW(sample_count(1e12, 1.0), Error);
   EXPECT_THROW(sample_count(std::numeric_limits<double>::quiet_NaN(), 1.0), Error);
   EXPECT_THROW(sample_count(-1.0, 1.0), Error);
