@@ -171,6 +171,33 @@ TEST_F(PluginState, ASleepingBallStaysAsItIsAndATouchedOneStaysAwake) {
   EXPECT_NEAR(s.data->qfrc_passive[2], weight, 1e-3 * weight);
 }
 
+/// A sensor that a mocap body leads over a box at rest on the floor, back and forth. The box has MuJoCo's contact with
+/// the floor and the plugin's with the sensor; nothing touches the second box.
+TEST(SleepingBodies, ABoxUnderAMovingSensorStaysAwake) {
+  SensorScene s;
+  s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
+  s.compile("<mujoco><option timestep='0.001'><flag sleep='enable'/></option>" +
+            sensor_extension("ball", key("others", "box")) +
+            R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='2 2 1'/>
+      <body name='hand' mocap='true' pos='0 0 0.059'><geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body>
+      <body name='box' pos='0 0 0.02'><freejoint/><geom name='box' type='box' size='0.05 0.05 0.02' mass='1'/></body>
+      <body name='other' pos='1 0 0.02'><freejoint/><geom name='other' type='box' size='0.05 0.05 0.02' mass='1'/></body>
+      </worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  const int box = mj_name2id(s.model.get(), mjOBJ_BODY, "box"), other = mj_name2id(s.model.get(), mjOBJ_BODY, "other");
+  bool slept = false;
+  for (int n = 0; n < 1500; ++n) {
+    s.data->mocap_pos[0] = 0.005 * std::sin(0.005 * n);
+    s.step();
+    ASSERT_GT(s.sensor().reading().values[0], 0);
+    ASSERT_EQ(s.data->body_awake[box], mjS_AWAKE) << "step " << n;
+    slept = slept || s.data->body_awake[other] == mjS_ASLEEP;
+  }
+  EXPECT_TRUE(slept) << "without a touch a box at rest falls asleep";
+  EXPECT_LT(s.data->qfrc_passive[2], -0.01) << "the box feels the sensor";
+}
+
 TEST(SeveralSensors, EachReadsItsOwnAndTheFirstMovesAll) {
   SensorScene s;
   for (const char* name : {"a", "b"}) s.add_sensor(name, make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});

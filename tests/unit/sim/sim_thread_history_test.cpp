@@ -8,8 +8,8 @@
 #include "core/sensor/explain/disagreement.h"
 #include "core/sim/history/breakpoints.h"
 #include "core/sim/simulator.h"
-#include "fixtures/box_sweep.h"
 #include "fixtures/asked_thread.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
@@ -78,6 +78,49 @@ TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
   EXPECT_NE(again->trace->edition, middle->trace->edition) << "others took the place of the last rows";
   EXPECT_EQ(again->runs, middle->runs) << "the same run";
   EXPECT_EQ(ask(StepCommand{70})->sensors[0].readings, later->sensors[0].readings) << "and so on";
+}
+
+TEST_F(ThreadHistory, RowsOfThePlotAreTheSameFromWhateverStepARunGoesOn) {
+  run_to(1250);
+  const SimFramePtr straight = ask(StepCommand{60});
+  ASSERT_GT(straight->trace->rows.size(), 125U);
+  for (std::uint64_t from = 1290; from < 1302; ++from) {  // rows are 10 steps apart: each place between two rows
+    ask(ScrubCommand{from});
+    const SimFramePtr again = ask(StepCommand{static_cast<int>(1310 - from)});
+    ASSERT_EQ(again->step, 1310u);
+    ASSERT_EQ(again->trace->rows.size(), straight->trace->rows.size()) << "from step " << from;
+    for (std::size_t i = 0; i < straight->trace->rows.size(); ++i) {
+      const TraceRow &one = straight->trace->rows[i], &other = again->trace->rows[i];
+      EXPECT_EQ(one.time, other.time) << "row " << i << " from step " << from;
+      EXPECT_EQ(one.travel, other.travel);
+      EXPECT_EQ(one.readings, other.readings) << "row " << i << " from step " << from;
+    }
+  }
+}
+
+TEST_F(ThreadHistory, StopsAtTheSameJumpAfterGoingBack) {
+  Breakpoints limits;
+  limits.jump = 0.03;
+  limits.on_jump = true;
+  const SimFramePtr first = sweep_until_stopped(limits);
+  ASSERT_TRUE(first->stop.has_value());
+  const Jump jump = std::get<Jump>(*first->stop);
+  const SimFramePtr after = ask(StepCommand{300});  // to the next jump, or 300 steps
+  for (const std::uint64_t back : {first->step - 1, first->step - 40}) {
+    EXPECT_FALSE(ask(ScrubCommand{back})->playing);
+    ask(PlayCommand{});
+    const SimFramePtr again = ask(StepCommand{300});
+    EXPECT_EQ(again->step, first->step) << "from " << back;
+    ASSERT_TRUE(again->stop.has_value());
+    const Jump& same = std::get<Jump>(*again->stop);
+    EXPECT_EQ(same.step, jump.step);
+    EXPECT_EQ(same.taxel, jump.taxel);
+    EXPECT_EQ(same.before, jump.before);
+    EXPECT_EQ(same.part, jump.part);
+    EXPECT_EQ(same.force_before, jump.force_before);
+    EXPECT_EQ(same.at_equal_force, jump.at_equal_force);
+  }
+  EXPECT_EQ(ask(StepCommand{300})->step, after->step) << "and at the one after it";
 }
 
 TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {

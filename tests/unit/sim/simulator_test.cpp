@@ -79,6 +79,31 @@ TEST_F(Sweep, FingerFollowsTheMocapBody) {
   EXPECT_NEAR(rows_.back().force_W[0].x, -0.5 * rows_.back().force_W[0].z, 0.02 * rows_.back().force_W[0].z);
 }
 
+TEST(MocapBody, HasThePoseOfTheMotionInEachStep) {
+  const SensorModelPtr model = test::fingertip_model(1e5);
+  for (const ScenarioKind kind : {ScenarioKind::roll, ScenarioKind::twist, ScenarioKind::slide}) {
+    Scenario scenario = default_scenario(kind);
+    const Motion motion = build_scenario_scene(*model, scenario).motion;
+    const auto simulator = Simulator::make_scenario(model, scenario);
+    SimState state;
+    double turned = 0;
+    for (std::uint64_t step = 0; step <= 300; ++step) {
+      const Pose expected = motion.pose(step);
+      simulator->step();
+      simulator->save_state(state);
+      const Pose X = simulator->controls_of(state).mocaps.at(0);
+      ASSERT_EQ(X.p, expected.p) << "step " << step;
+      ASSERT_EQ(X.q, expected.q) << "step " << step;
+      EXPECT_EQ(simulator->mocap_pos(), expected.p);
+      EXPECT_EQ(simulator->mocap_quat(), expected.q);
+      turned = std::max(turned, glm::length(X.q - motion.X_start.q));
+    }
+    EXPECT_NE(motion.pose(0).q, dquat(1, 0, 0, 0));
+    if (kind == ScenarioKind::slide) continue;
+    EXPECT_GT(turned, 0.01) << to_word(kind);
+  }
+}
+
 TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
   simulator_->reset();
   EXPECT_FALSE(simulator_->finished());

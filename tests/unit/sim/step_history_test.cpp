@@ -96,6 +96,47 @@ TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
   EXPECT_TRUE(simulator.row().readings[0] == frames.back().sensors[0].readings);
 }
 
+void expect_same_rows(const HistoryLanes& a, const HistoryLanes& b) {
+  ASSERT_EQ(a.rows(), b.rows());
+  for (std::size_t row = 0; row < a.rows(); ++row) {
+    const SensorSummary &one = a.sensor(row, 0), &other = b.sensor(row, 0);
+    ASSERT_EQ(a.steps[row].step, b.steps[row].step);
+    EXPECT_EQ(a.steps[row].events, b.steps[row].events) << "step " << a.steps[row].step;
+    EXPECT_EQ(one.force, other.force);
+    EXPECT_EQ(one.area, other.area);
+    EXPECT_EQ(one.polygons, other.polygons);
+    EXPECT_EQ(one.largest_jump, other.largest_jump) << "step " << a.steps[row].step;
+    EXPECT_EQ(one.jumped_taxel, other.jumped_taxel) << "step " << a.steps[row].step;
+    EXPECT_EQ(one.largest_reading, other.largest_reading) << "step " << a.steps[row].step;
+  }
+}
+
+/// The rows of a run that goes back are those of a run that does not: largest readings, jumps and events are of the
+/// steps before alone, also of those that are forgotten already.
+TEST_F(History, RowsAfterGoingBackAreThoseOfAStraightRun) {
+  for (const std::size_t limit : {std::size_t{2000}, std::size_t{350}}) {
+    RecordedSimulation run = sweep();
+    Breakpoints breakpoints;
+    breakpoints.jump = 0.03;
+    run.history.set_breakpoints(breakpoints);
+    run.history.set_limits({limit, std::size_t{1} << 30});
+    for (int i = 0; i < 600; ++i) run.step();
+    const auto straight = run.history.lanes();
+    const std::uint64_t from = run.history.last() - 280;
+    const double peak_there = straight->sensor(straight->row_of(from), 0).largest_reading;
+    ASSERT_LT(peak_there, straight->sensor(straight->rows() - 1, 0).largest_reading) << "the peak comes later";
+    ASSERT_GT(peak_there, 0);
+    int events = 0;
+    for (std::size_t row = straight->row_of(from); row < straight->rows(); ++row)
+      events += straight->steps[row].events != 0 ? 1 : 0;
+    ASSERT_GT(events, 0) << "something happens after it";
+    run.simulator->restore_state(run.history.state(from));
+    run.history.cut_after(from);
+    for (int i = 0; i < 280; ++i) run.step();
+    expect_same_rows(*run.history.lanes(), *straight);
+  }
+}
+
 TEST_F(History, AStateOfAnotherSceneIsRefused) {
   RecordedSimulation run = sweep(0);
   SimState other;
