@@ -1,0 +1,131 @@
+// Settings: each value is kept from one start to the next, also values that are added later.
+#include "app/studio/settings.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <span>
+
+#include "fixtures/temp_folder.h"
+
+namespace taxel::studio {
+namespace {
+
+using ui::Overlays;
+using ui::PanelsShown;
+using ui::PlotOptions;
+using ui::SavedState;
+
+ui::SavedState written_and_read(const SavedState& saved) {
+  const test::TempFolder folder;
+  const std::filesystem::path file = folder.path() / "deep" / "settings.json";
+  write_settings(file, saved);
+  return read_settings(file);
+}
+
+/// The bytes of a struct that consists of bools.
+template <class Struct>
+std::span<bool> switches(Struct& values) {
+  static_assert(sizeof(bool) == 1 && std::is_trivially_copyable_v<Struct>);
+  return {reinterpret_cast<bool*>(&values), sizeof(Struct)};
+}
+
+/// All values, so that two states are compared as a whole. A member that is added to SavedState does not compile here:
+/// add it to this list, and to the tests below.
+std::string all_values(SavedState saved) {
+  auto& [dark, scale, overlays, panels, plot, tour_seen, recent] = saved;
+  std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, static_cast<int>(overlays.frames),
+                                 static_cast<int>(overlays.labels));
+  for (const bool on : switches(overlays).first(offsetof(Overlays, frames))) text += on ? '1' : '0';
+  for (const bool on : switches(panels)) text += on ? '1' : '0';
+  for (const bool on : switches(plot)) text += on ? '1' : '0';
+  for (const std::string& file : recent) text += " " + file;
+  return text;
+}
+
+void expect_kept(const SavedState& saved, const std::string& what) {
+  ASSERT_NE(all_values(saved), all_values(SavedState{})) << what << " differs from its default";
+  EXPECT_EQ(all_values(written_and_read(saved)), all_values(saved)) << what;
+}
+
+TEST(Settings, KeepEachOverlay) {
+  static_assert(sizeof(Overlays) == offsetof(Overlays, labels) + sizeof(ui::LabelsShown), "labels are the last member");
+  const std::size_t count = offsetof(Overlays, site_groups) + sizeof(GroupsShown);
+  for (std::size_t i = 0; i < count; ++i) {
+    SavedState saved;
+    bool& value = switches(saved.overlays)[i];
+    value = !value;
+    expect_kept(saved, fmt::format("overlay {}", i));
+  }
+  for (std::size_t i = 1; i < ui::kFramesWords.size(); ++i) {
+    SavedState saved;
+    saved.overlays.frames = static_cast<ui::FramesShown>(i);
+    expect_kept(saved, "frames");
+  }
+  for (std::size_t i = 1; i < ui::kLabelsWords.size(); ++i) {
+    SavedState saved;
+    saved.overlays.labels = static_cast<ui::LabelsShown>(i);
+    expect_kept(saved, "labels");
+  }
+}
+
+TEST(Settings, KeepEachPanelButHelp) {
+  for (std::size_t i = 0; i < sizeof(PanelsShown); ++i) {
+    SavedState saved;
+    bool& value = switches(saved.panels)[i];
+    value = !value;
+    if (i == offsetof(PanelsShown, help))
+      EXPECT_FALSE(written_and_read(saved).panels.help) << "help closes with the window";
+    else
+      expect_kept(saved, fmt::format("panel {}", i));
+  }
+}
+
+TEST(Settings, KeepAllOtherValues) {
+  for (std::size_t i = 0; i < sizeof(PlotOptions); ++i) {
+    SavedState saved;
+    bool& value = switches(saved.plot)[i];
+    value = !value;
+    expect_kept(saved, fmt::format("plot option {}", i));
+  }
+  SavedState saved;
+  saved.dark = !saved.dark;
+  expect_kept(saved, "dark");
+  saved = {};
+  saved.scale = 1.375f;
+  expect_kept(saved, "scale");
+  saved = {};
+  saved.tour_seen = !saved.tour_seen;
+  expect_kept(saved, "tour_seen");
+  saved = {};
+  saved.recent = {"/b", "/a"};
+  expect_kept(saved, "recent");
+}
+
+TEST(Settings, RememberEightRecentFilesNewestFirst) {
+  SavedState saved;
+  for (int i = 1; i <= 9; ++i) remember_recent(saved, fmt::format("/{}", i));
+  EXPECT_EQ(saved.recent, (std::vector<std::string>{"/9", "/8", "/7", "/6", "/5", "/4", "/3", "/2"}));
+  remember_recent(saved, "/5");
+  EXPECT_EQ(saved.recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
+}
+
+TEST(Settings, AreDefaultsIfTheFileIsBroken) {
+  const test::TempFolder folder;
+  const std::filesystem::path file = folder.path() / "settings.json";
+  EXPECT_EQ(all_values(read_settings(file)), all_values({})) << "no file";
+  for (const char* text : {"", "{", "[]", R"({"dark": 3})", R"({"dark": false, "geom_groups": "all"})"}) {
+    std::ofstream(file) << text;
+    EXPECT_EQ(all_values(read_settings(file)), all_values({})) << text;
+  }
+  std::ofstream(file) << R"({"dark": false, "frames": "no such word", "unknown": 7})";
+  SavedState light;
+  light.dark = false;
+  EXPECT_EQ(all_values(read_settings(file)), all_values(light));
+}
+
+}  // namespace
+}  // namespace taxel::studio
