@@ -71,7 +71,14 @@ void place_range_button(UiState& ui, const LegendPlace& place) {
                              : "The range is locked. Click to let it follow the largest pressure.");
 }
 
-void draw_pressure_legend(const UiState& ui, const LegendPlace& place) {
+std::vector<std::string> legend_texts(const PressureRange& range, int ticks) {
+  std::vector<std::string> texts;
+  for (int i = 0; i <= ticks; ++i)
+    texts.push_back(fmt::format("{:.4g}", 1e-3 * (range.lo + (range.hi - range.lo) * i / ticks)));
+  return texts;
+}
+
+void draw_pressure_legend(UiState& ui, const LegendPlace& place) {
   const Palette& colors = palette(ui.saved.dark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetFontSize(), pad = 0.5f * line;
@@ -83,12 +90,15 @@ void draw_pressure_legend(const UiState& ui, const LegendPlace& place) {
   const ImVec2 bar_lo(lo.x + pad, lo.y + 3.0f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.5f * line);
   draw_color_bar(list, bar_lo, bar_hi);
   const int ticks = tick_count(bar_hi.y - bar_lo.y, line);
+  const std::vector<std::string> texts = legend_texts(ui.range, ticks);
   for (int i = 0; i <= ticks; ++i) {
-    const double t = static_cast<double>(i) / ticks;
-    const float y = bar_hi.y + (bar_lo.y - bar_hi.y) * static_cast<float>(t);
+    const float y = bar_hi.y + (bar_lo.y - bar_hi.y) * static_cast<float>(i) / static_cast<float>(ticks);
     list.AddLineH(bar_hi.x, bar_hi.x + 0.3f * line, std::floor(y), to_u32(colors.dim));
-    const std::string text = fmt::format("{:.4g}", 1e-3 * (ui.range.lo + t * (ui.range.hi - ui.range.lo)));
-    list.AddText({bar_hi.x + 0.5f * line, std::round(y - 0.5f * line)}, to_u32(colors.text), text.c_str());
+    const ImVec2 at(bar_hi.x + 0.5f * line, std::round(y - 0.5f * line));
+    const std::string& text = texts[static_cast<std::size_t>(i)];
+    list.AddText(at, to_u32(colors.text), text.c_str());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ui.widgets.note("Pressure legend", text, {at.x, at.y, at.x + size.x, at.y + size.y});
   }
   draw_range_state(ui, list, range_button(place));
 }

@@ -36,11 +36,31 @@ std::vector<std::string> at_mid_sweep(const std::vector<std::string>& to_switch_
   return script;
 }
 
+/// The legend's numbers in kPa go evenly from the lower to the upper end of the range, and upward in the picture.
+void expect_legend_of_range(const Json& state) {
+  std::vector<double> shown, places;
+  for (const Json& widget : state["widgets"]) {
+    if (widget["panel"] != "Pressure legend") continue;
+    shown.push_back(std::stod(widget["label"].get<std::string>()));
+    places.push_back(widget["rect"][1]);
+  }
+  ASSERT_GE(shown.size(), 2U);
+  const double lo = state["range"]["least"], hi = state["range"]["largest"];
+  ASSERT_GT(hi, 1000) << "Pa";
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(shown.size() - 1);
+    EXPECT_NEAR(1e3 * shown[i], lo + part * (hi - lo), 1e-3 * hi) << "number " << i;
+    EXPECT_NEAR(places[i], places.front() + part * (places.back() - places.front()), 1.5) << "number " << i;
+  }
+  EXPECT_LT(places.back(), places.front());
+}
+
 TEST(Bars, HaveTheHeightAndTheColourOfTheReadings) {
   const StudioProgram studio;
   studio.play(at_mid_sweep({}));
   const Json state = studio.state("state.json");
   const Picture picture = studio.picture("picture.png");
+  expect_legend_of_range(state);
   const Json& bars = state["bars"];
   const Json& readings = state["simulation"]["readings"];
   ASSERT_EQ(bars.size(), readings.size());
