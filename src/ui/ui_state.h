@@ -130,7 +130,8 @@ struct Loading {
 /// The samples of the document are polished in the worker, while their preview is shown.
 struct Polishing {
   bool active = false;
-  double fraction = 0;  ///< 0 in pictures that follow a script: those are the same every time
+  double fraction = 0;     ///< 0 in pictures that follow a script: those are the same every time
+  bool holds_run = false;  ///< whether the run starts as soon as the samples are polished
 };
 
 /// A bar as it was drawn in the last frame: the picture as numbers.

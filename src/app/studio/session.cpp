@@ -106,7 +106,7 @@ void Session::drop_scene() {
   frame_.reset();
   settled_.reset();
   explain_wish_.reset();
-  playing_ = runs_scenario_ = simulates_document_ = still_ = false;
+  playing_ = runs_scenario_ = simulates_document_ = still_ = held_ = false;
   attached_.clear();
   replay_.stop();
   loop_.reset();
@@ -119,6 +119,7 @@ bool Session::run_scenario(const Scenario& scenario) {
     return false;
   }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
+  hand_over_wanted_ = hand_over_wanted_ || document_->previewed();
   const bool elsewhere = !simulates_document_ || scenario.kind != scenario_.kind || scenario.place != scenario_.place;
   build_scene({.document = *document_, .in_scenario = true, .scenario = scenario, .play = true, .framed = elsewhere});
   return true;
@@ -159,6 +160,7 @@ SessionNews Session::update(bool hurry) {
   replay_by_clock();
   SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
   if (frame) accept_frame(std::move(frame), news);
+  start_held_run();
   take_fields(news);
   take_explanation(news);
   take_models(news);
@@ -264,7 +266,7 @@ void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
   tell_saved(*frame, news);
   tell_written(*frame, news);
   if (!frame->recorded) note_pressures(*frame);
-  if (answered(*frame) && (frame->finished || frame->failed || frame->stop)) playing_ = false;
+  if (!held_ && answered(*frame) && (frame->finished || frame->failed || frame->stop)) playing_ = false;
   frame_ = std::move(frame);
   news.new_frame = true;
 }
@@ -304,7 +306,8 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   news.opened_file = document_->file;
   news.framed = pending.framed;
   playing_ = pending.play;
-  if (by_clock_) send_playing();
+  held_ = true;  // until the end of update(), or longer
+  held_steps_ = 0;
 }
 
 void Session::note_pressures(const SimFrame& frame) {
@@ -357,6 +360,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
     input.polishing = {true, by_clock_ ? loader_.fraction() : 0};
   }
   edits_.fill(input.editing, input.polishing, by_clock_);
+  input.polishing.holds_run = holds_run();
   if (loader_.loading()) {
     const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
     const bool timed = by_clock_;  // pictures that follow a script are the same every time

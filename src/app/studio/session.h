@@ -125,9 +125,13 @@ class Session {
   }
   /// Whether the simulation runs; while it has not answered yet, whether it is to.
   [[nodiscard]] bool playing() const {
-    if (!by_clock_) return playing_;
+    if (!by_clock_ || holds_run()) return playing_;
     return frame_ && (answered(*frame_) ? frame_->playing : playing_);
   }
+  /// Whether a run waits until the samples that it reads by are polished.
+  [[nodiscard]] bool holds_run() const { return held_ && playing_; }
+  /// Whether the simulation makes steps by itself.
+  [[nodiscard]] bool steps() const { return playing() && !held_; }
   [[nodiscard]] bool replaying() const { return replay_.direction() != 0; }
   /// Whether one step follows another by itself.
   [[nodiscard]] bool moves() const { return (playing() && !(frame_ && frame_->finished)) || replaying(); }
@@ -184,6 +188,8 @@ class Session {
   /// The simulation took notice of the last command that plays or pauses.
   [[nodiscard]] bool answered(const SimFrame& frame) const { return frame.commands >= play_command_; }
   void step_once();
+  [[nodiscard]] bool samples_will_change() const;
+  void start_held_run();
   void show_step(std::uint64_t step);
   [[nodiscard]] std::uint64_t shown_step() const;
   void advance_replay(double seconds);
@@ -248,6 +254,8 @@ class Session {
   std::uint64_t told_recording_ = 0;       ///< likewise of the written recording
   bool runs_scenario_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
+  bool held_ = false;               ///< runs and steps wait for polished samples
+  int held_steps_ = 0;              ///< number of single steps that wait
   std::uint64_t play_command_ = 0;  ///< the number of the last one that plays or pauses
   double speed_ = 1;
   double unspent_ = 0;  ///< simulated time that did not fill a step [s]

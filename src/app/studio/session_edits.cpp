@@ -68,7 +68,7 @@ void Session::after_edit(bool simulated) {
   if (probe_wish_) edited_at_ = std::chrono::steady_clock::now();
   // The samples of what was loaded are not wanted any more; those of the edited layout are polished where it is built.
   if (loader_.polishing() && !pending_) loader_.close();
-  hand_over_wanted_ = hand_over_wanted_ || simulated;
+  hand_over_wanted_ = hand_over_wanted_ || simulated || holds_run();
 }
 
 void Session::press(std::optional<ui::ProbeWish> wish) {

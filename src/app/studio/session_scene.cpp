@@ -10,7 +10,7 @@ void Session::send(SimCommand command) {
   const bool pauses = std::holds_alternative<LoadKeyframeCommand>(command);
   if (pauses) {
     replay_.stop();
-    playing_ = false;
+    playing_ = held_ = false;
     unspent_ = 0;
   }
   if (!frame_) return;

@@ -1,7 +1,9 @@
 // The simulation run and paused, recorded steps shown again, and where it stops by itself.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/studio/session.h"
 #include "ui/widgets/format.h"
@@ -25,6 +27,9 @@ void Session::set_playing(bool playing) {
   replay_.stop();
   if (playing && frame_->finished) reset();
   playing_ = playing;
+  held_steps_ = 0;
+  held_ = playing && samples_will_change();
+  if (held_) return;
   if (!by_clock_ && playing && frame_->failed) tell(PlayCommand{});  // from an earlier step, or the start
   if (!by_clock_) return;
   send_playing();
@@ -37,9 +42,27 @@ void Session::send_playing() {
 void Session::reset() {
   if (!runs_or_refuses()) return;
   replay_.stop();
-  playing_ = false;
+  playing_ = held_ = false;
   unspent_ = 0;
   play_command_ = tell(ResetCommand{});  // which pauses
+}
+
+/// Whether the simulation reads by a preview's samples that are about to be replaced. When they are depends on the load
+/// of the machine, so a step that is made before reads differently from one start to the next.
+bool Session::samples_will_change() const {
+  if (!simulates_document_ || !frame_ || !frame_->simulated) return false;
+  const auto is_preview = [](const SensorModelPtr& model) { return model && model->quality == SampleQuality::preview; };
+  const std::vector<SensorModelPtr>& sensors = frame_->simulated->sensors;
+  if (std::none_of(sensors.begin(), sensors.end(), is_preview)) return false;
+  return loader_.busy() || pending_ || polished_ || edits_.building() || hand_over_wanted_;
+}
+
+/// Starts the run, or makes the single steps, that waited for polished samples.
+void Session::start_held_run() {
+  if (!held_ || samples_will_change()) return;
+  held_ = false;
+  if (by_clock_) send_playing();
+  if (const int steps = std::exchange(held_steps_, 0); steps > 0) tell(StepCommand{steps});
 }
 
 void Session::set_speed(double factor) {
@@ -49,7 +72,7 @@ void Session::set_speed(double factor) {
 
 void Session::advance(double seconds) {
   advance_replay(seconds);
-  if (!playing_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
+  if (!playing_ || held_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
   const double timestep = frame_->scene->timestep;
   unspent_ += seconds * speed_;
   const auto steps = static_cast<int>(std::floor(unspent_ / timestep * (1 + 1e-12)));  // 20 ms are twenty steps of 1 ms
@@ -72,7 +95,7 @@ void Session::show_step(std::uint64_t step) {
 void Session::scrub(std::uint64_t step) {
   if (!runs_or_refuses()) return;
   replay_.stop();
-  playing_ = false;
+  playing_ = held_ = false;
   unspent_ = 0;
   show_step(step);
   play_command_ = scrub_command_;
@@ -90,8 +113,14 @@ void Session::step_by(int steps) {
 void Session::step_once() {
   const SimFramePtr now = settled_ ? settled_ : frame_;
   if (!now || (now->finished && !now->recorded)) return;
+  const int waiting = held_steps_;
   set_playing(false);
-  tell(StepCommand{1});
+  held_ = samples_will_change();
+  if (held_) {
+    held_steps_ = waiting + 1;
+  } else {
+    tell(StepCommand{1});
+  }
 }
 
 void Session::replay(int direction) {

@@ -112,7 +112,7 @@ bool Studio::run() {
 
 double Studio::waiting_time() const {
   if (pictures_due_ > 0) return 0;
-  if (session_.playing() || session_.replaying() || video_) return kBusyWait;
+  if (session_.steps() || session_.replaying() || video_) return kBusyWait;
   const double wait = !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
   return std::min(wait, autosave_.seconds_until_due(steady_seconds()).value_or(wait));
 }
@@ -125,7 +125,7 @@ void Studio::run_by_clock() {
   const ScriptStage stage = script_stage();
   bool drew = false;
   for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
-    const bool newer = std::exchange(drew, false) && session_.playing();  // a frame is likely to lie ready
+    const bool newer = std::exchange(drew, false) && session_.steps();  // a frame is likely to lie ready
     const bool scripted = script_ && !script_->rests();
     std::vector<InputEvent> events = window_->take_events(newer || scripted ? 0 : waiting_time());
     if (script_) events = script_->before_frame(stage);  // instead of the window's own

@@ -115,7 +115,7 @@ void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& ma
   begin_run();
   step_time = record_time = {};
   costs = {};
-  pacing.restart(seconds_since_epoch(), speed);
+  set_playing(false);  // no step is made before somebody asks for one
 }
 
 void SimThread::Impl::replace_model(const ReplaceModelCommand& command) {

@@ -71,12 +71,14 @@ void draw_samples(UiState& ui, const UiInput& input, Flow& flow) {
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   ui.widgets.note_item(text);
-  tooltip("Readings are of quickly made samples, which are less even, until they are polished");
+  tooltip(input.polishing.holds_run
+              ? "The run starts when its samples are polished: from then on its readings do not change"
+              : "Readings are of quickly made samples, which are less even, until they are polished");
   ImGui::SameLine(0, 5);
   if (input.polishing.active) {
     if (ImGui::SmallButton("Cancel##polishing")) ui.ask(CancelLoading{});
     ui.widgets.note_item("Cancel polishing");
-    tooltip("Keep the preview's samples");
+    tooltip("Keep the preview's samples, and run with them");
   } else {
     if (ImGui::SmallButton("Polish")) ui.ask(PolishSamples{});
     ui.widgets.note_item("Polish");
@@ -125,6 +127,7 @@ void draw_message_counter(UiState& ui, const UiInput& input, Flow& flow) {
 
 std::string pace_text(const UiInput& input) {
   if (!input.frame || !input.frame->scene) return "";
+  if (input.polishing.holds_run) return "starts when polished";
   if (input.frame->finished) return "ended";
   if (!input.playing) return "paused";
   return input.performance.by_clock ? fmt::format("{:.2f} x real time", input.performance.simulation_speed) : "";
