@@ -1,4 +1,5 @@
 // Signals while a command computes and writes: it finishes or leaves nothing, and its status names the signal.
+#include <algorithm>
 #include <csignal>
 #include <thread>
 
@@ -63,6 +64,51 @@ void write_slow_study(const fs::path& file) {
                         {"scenario", press},
                         {"parameters", {{{"parameter", "depth"}, {"values", depths}}}}}
                        .dump());
+}
+
+/// A kill at several phases: the rows that were on disk are found by the next run into the same folder.
+void expect_rows_after_a_kill(const std::vector<std::string>& command, const std::string& file) {
+  const fs::path folder = test_folder();
+  if (!file.empty()) write_text(folder / "scenario.json", file);
+  const auto with_out = [&](const std::string& out) {
+    std::vector<std::string> all = command;
+    all.insert(all.end(), {"--out", out});
+    return all;
+  };
+  ASSERT_EQ(taxel(with_out("whole"), folder).status, 0);
+  EXPECT_FALSE(fs::exists(folder / "whole/unfinished.rows"));
+  const std::string whole = file_text(folder / "whole/readings.csv");
+  for (const std::uintmax_t bytes : {1000, 20000}) {
+    const std::string out = "out" + std::to_string(bytes);
+    const fs::path rows = folder / out / "unfinished.rows";
+    const Running run(with_out(out), folder);
+    std::error_code missing;
+    ASSERT_TRUE(wait_until([&] { return fs::exists(rows) && fs::file_size(rows, missing) >= bytes; }));
+    run.send(SIGKILL);
+    EXPECT_EQ(run.wait().status, 128 + SIGKILL);
+    const Outcome next = taxel(with_out(out), folder);
+    EXPECT_EQ(next.status, 0);
+    const fs::path found = folder / (out + "-recovered");
+    EXPECT_NE(next.err.find("an earlier run was killed"), std::string::npos) << next.err;
+    EXPECT_NE(next.err.find(found.string()), std::string::npos) << next.err;
+    const std::string recovered = file_text(found / "readings.csv");
+    EXPECT_GT(std::count(recovered.begin(), recovered.end(), '\n'), 2);
+    EXPECT_EQ(recovered, whole.substr(0, recovered.size()));
+    EXPECT_EQ(recovered.back(), '\n');
+    EXPECT_EQ(file_text(folder / out / "readings.csv"), whole);
+    EXPECT_TRUE(temporary_paths(folder).empty());
+    EXPECT_FALSE(fs::exists(rows));
+  }
+}
+
+TEST(Kill, LosesNoRowOfARun) {
+  expect_rows_after_a_kill({"run", TAXEL_SOURCE_DIR "/assets/scenes/press.xml", "--seconds", "0.2"}, "");
+}
+
+TEST(Kill, LosesNoRowOfAScenario) {
+  expect_rows_after_a_kill({"play", "scenario.json", "--density", "1e5"},
+                           R"({"format": "taxel-scenario", "version": 1, "scenario":
+                               {"kind": "sweep", "shape": "box", "before": 0.002, "speed": 0.02}})");
 }
 
 class Signals : public testing::TestWithParam<int> {};

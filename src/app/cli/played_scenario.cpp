@@ -48,7 +48,8 @@ int play(const PlayedScenario& played, Console& console) {
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const FinishOnSignal finish;
   RunCost cost;
-  const Recording recording = record(*simulator, 0, console, cost);
+  KeptRun kept(played.out, console);
+  const Recording recording = record(*simulator, 0, console, cost, &kept);
   RecordingReport report{played.command, played.scenario, "", 0,         {model}, recording,
                          cost,           model_seconds,   {}, played.out};
   if (folder) {

@@ -89,7 +89,7 @@ void warn_of_no_contact(const Recording& recording, Console& console) {
 
 }  // namespace
 
-Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost) {
+Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept) {
   const SimScene& scene = *simulator.scene();
   check_cost(scene, seconds, console);
   RunRecorder recorder(scene);
@@ -105,6 +105,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
     recorder.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
     check_size(recorder);
     check_row(recorder.recording(), step + 1);
+    if (kept != nullptr) kept->follow(recorder.recording());
     cost.steps = step + 1;
     cost.simulated = static_cast<double>(cost.steps) * scene.timestep;
     if (limit > 0) console.progress(std::min(0.99, cost.simulated / limit));

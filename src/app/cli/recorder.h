@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/console.h"
+#include "app/cli/kept_run.h"
 #include "core/project/recording/recording.h"
 #include "core/sim/simulator.h"
 
@@ -18,6 +19,7 @@ struct RunCost {
 
 /// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due. A signal
 /// (signals.h) ends the run as well.
-Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost);
+/// `kept` (may be null) keeps the rows on disk meanwhile.
+Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept = nullptr);
 
 }  // namespace taxel::cli

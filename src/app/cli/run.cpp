@@ -69,7 +69,8 @@ int run(const Options& options, Console& console) {
                                    scene.timestep, options.seconds));
   const FinishOnSignal finish;
   RunCost cost;
-  const Recording recording = record(*simulator, options.seconds, console, cost);
+  KeptRun kept(options.out, console);
+  const Recording recording = record(*simulator, options.seconds, console, cost, &kept);
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();
   RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
                          cost,  model_seconds, {},         options.out};

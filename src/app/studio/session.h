@@ -108,6 +108,8 @@ class Session {
   /// Every step is kept from now on, until it is switched off or the run ends; then it is written to `file`.
   void record(bool on, const std::string& file);
   void write_recording(const std::string& file);   ///< that could not be written where it was to be
+  /// Rows are kept in journals of this folder while they are recorded.
+  void keep_recordings_in(const std::string& folder) { simulation_.set_journal_folder(folder); }
   void export_recording(const std::string& file);  ///< of what is recorded, or of the loop
 
   /// Takes what worker and simulation have ready. Not by clock it waits for them, but shows a preview for some

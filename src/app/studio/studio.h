@@ -22,6 +22,7 @@
 #include "app/studio/video_maker.h"
 #include "app/studio/window.h"
 #include "app/studio/window_painter.h"
+#include "core/sim/recording/recording_journal.h"
 #include "ui/ui_state.h"
 
 namespace taxel::studio {
@@ -108,7 +109,9 @@ class Studio {
   /// Writes unsaved edits for the next start: a signal ends the program.
   void keep_unsaved_at_end();
   void offer_recovery();
+  void offer_recording();
   void answer_recovery(bool recover);
+  void answer_left_recording(bool recover);
   [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
   void answer_unsaved(ui::UnsavedAnswer answer);
   [[nodiscard]] Project project_to_save() const;
@@ -156,8 +159,9 @@ class Studio {
   RealOverlay real_;
   std::optional<VideoMaker> video_;
   MeshComparison comparison_;
-  std::optional<ComparedMesh> compared_;  ///< that a notice offers
-  std::vector<LostDocument> lost_;        ///< to be offered, the first one now
+  std::optional<ComparedMesh> compared_;        ///< that a notice offers
+  std::vector<LostDocument> lost_;              ///< to be offered, the first one now
+  std::vector<LeftRecording> left_recordings_;  ///< to be offered after lost_
   Pace pace_;
   int draws_at_dump_ = 0;
   std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;

@@ -169,6 +169,8 @@ void Studio::start_autosave() {
   try {
     autosave_.start(folder / "autosave");
     lost_ = autosave_.lost();
+    left_recordings_ = left_recordings(folder / "recordings");
+    session_.keep_recordings_in((folder / "recordings").string());
   } catch (const Error& error) {
     ui::add_message(ui_, Severity::warning, error.what(), 0);
   }
@@ -192,14 +194,46 @@ void Studio::keep_unsaved() {
 
 void Studio::offer_recovery() {
   ui_.recovery.clear();
-  if (lost_.empty()) return;
+  if (lost_.empty()) return offer_recording();
   const LostDocument& lost = lost_.front();
-  ui_.recovery = lost.name;
+  ui_.recovery = lost.name + " was edited and not saved when the program ended.";
   ui_.recovery_detail = fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
 }
 
+void Studio::offer_recording() {
+  if (left_recordings_.empty()) return;
+  const LeftRecording& left = left_recordings_.front();
+  ui_.recovery =
+      fmt::format("A recording of {} steps was not written when the program ended.", left.recording.rows.size());
+  ui_.recovery_detail = fmt::format("{:.6g} s to {:.6g} s, to be written as {}", left.recording.rows.front().time,
+                                    left.recording.rows.back().time, left.target);
+}
+
+/// A recording that cannot be written stays for the next start.
+void Studio::answer_left_recording(bool recover) {
+  if (left_recordings_.empty()) return;
+  const LeftRecording left = std::move(left_recordings_.front());
+  left_recordings_.erase(left_recordings_.begin());
+  try {
+    if (recover) {
+      const std::string file = write_left_recording(left).string();
+      ui::add_message(ui_, Severity::note,
+                      fmt::format("Recorded {} steps in {}, without the scene", left.recording.rows.size(), file),
+                      ImGui::GetTime());
+    } else {
+      remove_recording_journal(left.base);
+    }
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, fmt::format("{} (offered again at the next start)", error.what()),
+                    ImGui::GetTime());
+  }
+}
+
 void Studio::answer_recovery(bool recover) {
-  if (lost_.empty()) return;
+  if (lost_.empty()) {
+    answer_left_recording(recover);
+    return offer_recovery();
+  }
   const LostDocument lost = lost_.front();
   lost_.erase(lost_.begin());
   if (recover) {

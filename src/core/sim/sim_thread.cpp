@@ -174,6 +174,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
     if (scrubbed) frame->controls = simulator->controls_of(history.state(*scrubbed));
     frame->simulated = simulator->scene();
     frame->warnings = simulator->warnings();
+    if (!journal_failure.empty()) frame->warnings.push_back(journal_failure);
   }
   frame->recorded = scrubbed.has_value();
   frame->history = {history.empty() ? 0 : history.first(),
@@ -217,6 +218,11 @@ std::uint64_t SimThread::send(SimCommand command) {
 
 SimFramePtr SimThread::newest_frame() {
   return impl_->mailbox.take();
+}
+
+void SimThread::set_journal_folder(const std::string& folder) {
+  const std::scoped_lock lock(impl_->mutex);
+  impl_->journal_folder = folder;
 }
 
 void SimThread::set_clock_driven(bool on) {

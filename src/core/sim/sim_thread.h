@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "core/sim/sim_command.h"
 #include "core/sim/sim_frame.h"
@@ -21,6 +22,9 @@ class SimThread {
   SimFramePtr newest_frame();  ///< newest since the last call, or null
   /// For headless pictures and tests: steps exactly when told (StepCommand), never by the clock.
   void set_clock_driven(bool on);
+  /// Recordings are kept in journals (recording_journal.h) of this folder while they run, so that a killed process
+  /// loses none of their rows. Without it they are in memory only.
+  void set_journal_folder(const std::string& folder);
 
  private:
   struct Impl;

@@ -24,12 +24,13 @@ inline double seconds_since_epoch() {
 
 /// Everything but the queue and the mailbox belongs to the simulation's thread.
 struct SimThread::Impl {
-  std::mutex mutex;  // guards the next five
+  std::mutex mutex;  // guards the next six
   std::condition_variable wake;
   std::vector<SimCommand> queue;
   std::uint64_t posted = 0;
   bool clock_driven = true;
   bool clock_changed = false;
+  std::string journal_folder;  // empty: recordings are kept in memory only
 
   Mailbox<SimFrame> mailbox;
 
@@ -44,6 +45,8 @@ struct SimThread::Impl {
   std::optional<LiveRecording> recording;   // runs
   std::optional<EndedRecording> unwritten;  // ended, and could not be written
   WrittenRecording written;
+  std::string journal_failure;  // why the newest recording is not kept on disk; empty: it is
+  int journals = 0;             // number of journals begun
   StepHistory history;
   std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
   bool follows_before = false;            // frames carry the step before
@@ -94,6 +97,7 @@ struct SimThread::Impl {
   bool execute_on_recording(const SimCommand& command);
   void begin_recording(const std::string& file);
   void end_recording(const std::string& why);
+  void begin_journal();
   void record_step();
   void write(EndedRecording ended, const std::string& file);
   void export_history(const ExportHistoryCommand& command);

@@ -1,7 +1,11 @@
 // What the simulation's thread records: every step from one command to another, and what its history holds.
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/sim/recording/write_recording.h"
 #include "core/sim/sim_thread_impl.h"
 
@@ -41,8 +45,28 @@ void SimThread::Impl::begin_recording(const std::string& file) {
     expect_polished(*simulator->scene(), file);
     unwritten.reset();
     recording.emplace(simulator->scene(), file);
+    begin_journal();
   } catch (const Error& refusal) {
     written = {written.number + 1, file, refusal.what(), 0, "", false};
+  }
+}
+
+/// Where no journal can be written the recording goes on in memory, with a warning.
+void SimThread::Impl::begin_journal() {
+  journal_failure.clear();
+  std::string folder;
+  {
+    const std::scoped_lock lock(mutex);
+    folder = journal_folder;
+  }
+  if (folder.empty()) return;
+  const std::string target = std::filesystem::absolute(recording->file()).string();
+  const std::string name = fmt::format("{}-{}", ::getpid(), ++journals);
+  try {
+    make_folder(folder);
+    recording->keep_in(std::make_unique<RecordingJournal>(std::filesystem::path(folder) / name, target));
+  } catch (const Error& failure) {
+    journal_failure = fmt::format("The recording is in memory only: {}", failure.what());
   }
 }
 
@@ -58,6 +82,8 @@ void SimThread::Impl::end_recording(const std::string& why) {
 void SimThread::Impl::record_step() {
   if (!recording) return;
   recording->follow(view, {simulator->mocap_quat(), simulator->mocap_pos()});
+  if (const std::string why = recording->consume_failure(); !why.empty())
+    journal_failure = fmt::format("The recording is in memory only: {}", why);
   if (recording->full()) end_recording(fmt::format("it takes {} MiB of memory", kMostRecordedBytes >> 20U));
 }
 
@@ -68,10 +94,12 @@ void SimThread::Impl::write(EndedRecording ended, const std::string& file) {
     if (ended.recording.rows.empty()) throw Error(file, "is not written: no step was made while it was recorded");
     const bool of_this_scene = simulator != nullptr && simulator->scene() == ended.scene;
     write_recording(file, ended.recording, of_this_scene ? simulator.get() : nullptr);
+    if (ended.journal) ended.journal->remove();
     unwritten.reset();
   } catch (const std::exception& e) {
     written.error = e.what();
     written.kept = !ended.recording.rows.empty();
+    if (!written.kept && ended.journal) ended.journal->remove();
     if (written.kept) unwritten = std::move(ended);
   }
 }

@@ -105,14 +105,14 @@ void draw_unsaved_question(UiState& ui, const UiInput& input) {
 }
 
 void draw_recovery_card(UiState& ui) {
-  constexpr const char* kTitle = "Unsaved edits were kept";
+  constexpr const char* kTitle = "Unsaved work was kept";
   if (ui.recovery.empty()) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize;
   if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
-  ImGui::Text("%s was edited and not saved when the program ended.", ui.recovery.c_str());
+  ImGui::Text("%s", ui.recovery.c_str());
   ImGui::TextDisabled("%s", ui.recovery_detail.c_str());
   ImGui::Spacing();
   const ImVec2 size(9 * ImGui::GetFontSize(), 0);

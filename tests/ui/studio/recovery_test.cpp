@@ -3,10 +3,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <functional>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -190,6 +192,61 @@ TEST(Recovery, ASignalLeavesNothingWhereNothingWasEdited) {
   ASSERT_TRUE(EndlessRun::wait_for([&] { return std::filesystem::exists(studio.folder() / "idle.json"); }));
   run.end(SIGTERM);
   EXPECT_TRUE(std::filesystem::is_empty(studio.folder() / "state/autosave"));
+}
+
+/// Number of lines of a file, and whether each has as many commas as the first.
+int complete_rows(const std::filesystem::path& file) {
+  std::istringstream lines(file_text(file));
+  std::string line;
+  std::ptrdiff_t commas = -1;
+  int rows = -1;
+  for (; std::getline(lines, line); ++rows) {
+    const std::ptrdiff_t here = std::count(line.begin(), line.end(), ',');
+    EXPECT_EQ(std::exchange(commas, here), rows < 0 ? -1 : here) << "row " << rows;
+  }
+  return rows;
+}
+
+// A kill at many phases of a recording, also while the window rests: all steps that the window has counted are found.
+TEST(Recovery, AKillLosesNoRecordedStep) {
+  for (const int phase : {1, 40, 400, 0}) {
+    const StudioProgram studio;
+    Lines lines{kIdle, R"({"do": "wait_for", "pointer": "/simulation/step", "least": 20})", key("r", kCtrl),
+                R"({"do": "wait_for", "pointer": "/simulation/history/recording/steps", "least": )" +
+                    std::to_string(std::max(phase, 60 * (phase == 0))) + "}"};
+    if (phase == 0) lines = joined({lines, {key("Space"), kIdle, kIdle}});
+    lines.push_back(dump("counted.json"));
+    if (phase == 0) lines.push_back(R"({"do": "rest", "seconds": 600})");
+    {
+      EndlessRun run(studio, lines, "30", true);
+      ASSERT_TRUE(EndlessRun::wait_for([&] { return std::filesystem::exists(studio.folder() / "counted.json"); }));
+      EXPECT_TRUE(WIFSIGNALED(run.end(SIGKILL)));
+    }
+    EXPECT_FALSE(std::filesystem::exists(studio.folder() / "recording-1"));
+    const Json counted = studio.state("counted.json")["simulation"]["history"]["recording"];
+    studio.play({kIdle, dump("offered.json"), R"({"do": "screenshot", "file": "offered.png"})", press("Recover"), kIdle,
+                 dump("written.json")},
+                kNextStart);
+    EXPECT_NE(studio.state("offered.json")["recovery"].get<std::string>().find("steps was not written"),
+              std::string::npos);
+    EXPECT_EQ(studio.state("written.json")["recovery"], "");
+    const int rows = complete_rows(studio.folder() / "recording-1/readings.csv");
+    EXPECT_GE(rows, counted["steps"].get<int>()) << "phase " << phase;
+    EXPECT_TRUE(phase > 0 || rows == counted["steps"].get<int>()) << "at rest";
+    EXPECT_TRUE(std::filesystem::exists(studio.folder() / "recording-1/readings.npz"));
+    EXPECT_TRUE(std::filesystem::is_empty(studio.folder() / "state/recordings"));
+  }
+}
+
+TEST(Recovery, ARecordingThatIsWrittenIsNotOffered) {
+  const StudioProgram studio;
+  const std::vector<std::string> live{"--live", "--state-dir", "state"};
+  studio.play(
+      {kIdle, key("r", kCtrl), R"({"do": "wait_for", "pointer": "/simulation/history/recording/steps", "least": 9})",
+       key("r", kCtrl), R"({"do": "wait_for", "pointer": "/messages", "contains": "Recorded "})", kIdle},
+      live);
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "recording-1/readings.npz"));
+  EXPECT_TRUE(std::filesystem::is_empty(studio.folder() / "state/recordings"));
 }
 
 TEST(Recovery, CanBeThrownAway) {

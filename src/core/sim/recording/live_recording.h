@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "core/sim/recording/recording_journal.h"
 #include "core/sim/recording/run_recorder.h"
 
 namespace taxel {
@@ -16,13 +18,19 @@ inline constexpr std::size_t kMostRecordedBytes = std::size_t{1} << 29;
 struct EndedRecording {
   Recording recording;
   std::shared_ptr<const SimScene> scene;
-  std::string note;  ///< what the user should know of it; may be empty
+  std::string note;                                     ///< what the user should know of it; may be empty
+  std::unique_ptr<RecordingJournal> journal = nullptr;  ///< to be removed when the rows are written; may be null
 };
 
 class LiveRecording {
  public:
   LiveRecording(std::shared_ptr<const SimScene> scene, std::string file)
       : scene_(std::move(scene)), file_(std::move(file)), recorder_(*scene_) {}
+
+  /// Keeps the rows on disk from now on.
+  void keep_in(std::unique_ptr<RecordingJournal> journal) { journal_ = std::move(journal); }
+  /// Returns why the journal could not be written, once; empty if it could. It is given up then.
+  [[nodiscard]] std::string consume_failure() { return std::exchange(failure_, ""); }
 
   void follow(const StepView& view, const Pose& mocap);
   /// The simulation goes on from `step`: what was recorded after it has not been.
@@ -31,12 +39,19 @@ class LiveRecording {
   [[nodiscard]] bool empty() const { return recorder_.recording().rows.empty(); }
   [[nodiscard]] RecordingState state() const;
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] EndedRecording end(const std::string& why) { return {recorder_.take(), scene_, why}; }
+  [[nodiscard]] EndedRecording end(const std::string& why) {
+    return {recorder_.take(), scene_, why, std::move(journal_)};
+  }
 
  private:
+  template <class Write>
+  void keep(const Write& write);
+
   std::shared_ptr<const SimScene> scene_;
   std::string file_;
   RunRecorder recorder_;
+  std::unique_ptr<RecordingJournal> journal_;
+  std::string failure_;
   std::uint64_t first_step_ = 0;  ///< recorded, where it is not empty()
 };
 
