@@ -116,5 +116,7 @@ struct Script {
 
 /// Throws Error(file, "line N", message) for anything that is not exactly this format.
 Script read_script(const std::filesystem::path& file);
+/// The same of the file's text.
+Script parse_script(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace taxel::studio

@@ -182,11 +182,15 @@ ScriptLine parse_line(const std::string& text, int number, int frame_before, con
 }  // namespace
 
 Script read_script(const std::filesystem::path& file) {
+  return parse_script(read_file(file), file);
+}
+
+Script parse_script(const std::string& text, const std::filesystem::path& file) {
   Script script;
   script.file = file.string();
-  std::istringstream text(read_file(file));
+  std::istringstream lines(text);
   std::string line;
-  for (int number = 1; std::getline(text, line); ++number) {
+  for (int number = 1; std::getline(lines, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const int frame_before = script.lines.empty() ? 0 : script.lines.back().frame;
     try {

@@ -15,6 +15,10 @@ std::filesystem::path state_folder();
 
 /// What the file says; defaults for what it does not say. A broken file counts as none: settings are no reason to stop.
 ui::SavedState read_settings(const std::filesystem::path& file);
+/// The same of the file's text.
+ui::SavedState parse_settings(const std::string& text);
+/// The text that write_settings() writes.
+std::string settings_text(const ui::SavedState& saved);
 /// Throws Error when the folder cannot be written.
 void write_settings(const std::filesystem::path& file, const ui::SavedState& saved);
 

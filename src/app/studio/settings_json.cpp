@@ -117,10 +117,17 @@ std::filesystem::path state_folder() {
 }
 
 ui::SavedState read_settings(const std::filesystem::path& file) {
+  try {
+    return std::filesystem::exists(file) ? parse_settings(read_file(file)) : ui::SavedState{};
+  } catch (const std::exception&) {
+    return ui::SavedState{};
+  }
+}
+
+ui::SavedState parse_settings(const std::string& text) {
   ui::SavedState saved;
   try {
-    if (!std::filesystem::exists(file)) return saved;
-    const Json json = Json::parse(read_file(file));
+    const Json json = Json::parse(text);
     visit_settings(saved, [&](const char* key, auto& value) {
       if (json.contains(key)) json.at(key).get_to(value);
     });
@@ -130,11 +137,15 @@ ui::SavedState read_settings(const std::filesystem::path& file) {
   return saved;
 }
 
-void write_settings(const std::filesystem::path& file, const ui::SavedState& saved) {
+std::string settings_text(const ui::SavedState& saved) {
   Json json = Json::object();
   visit_settings(saved, [&](const char* key, const auto& value) { json[key] = value; });
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_settings(const std::filesystem::path& file, const ui::SavedState& saved) {
   make_folder(file.parent_path());
-  write_file_atomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file_atomically(file, settings_text(saved));
 }
 
 void remember_recent(ui::SavedState& saved, const std::string& file) {

@@ -44,6 +44,10 @@ Reader reader_for(const fs::path& path) {
   return nullptr;
 }
 
+[[noreturn]] void throw_unknown(const fs::path& path) {
+  throw Error(path.string(), "unknown mesh format; known are .obj .stl .ply .off .gltf .glb");
+}
+
 std::string off_text(const TriMesh& mesh) {
   std::string text = fmt::format("OFF\n{} {} 0\n", mesh.vertex_count(), mesh.face_count());
   for (const dvec3& v : mesh.vertices()) text += fmt::format("{} {} {}\n", v.x, v.y, v.z);
@@ -70,13 +74,17 @@ std::string stl_bytes(const TriMesh& mesh) {
 }  // namespace
 
 LoadedMesh load_mesh(const fs::path& path, const dvec3& scale, const Progress* progress) {
+  if (!is_mesh_file(path)) throw_unknown(path);
+  return read_mesh(read_file(path), path, scale, progress);
+}
+
+LoadedMesh read_mesh(std::string_view bytes, const fs::path& path, const dvec3& scale, const Progress* progress) {
   const std::string file = path.string();
   const Reader reader = reader_for(path);
-  if (reader == nullptr) throw Error(file, "unknown mesh format; known are .obj .stl .ply .off .gltf .glb");
+  if (reader == nullptr) throw_unknown(path);
   const auto stop_if_cancelled = [&] {
     if (progress != nullptr) progress->stop_if_cancelled();
   };
-  const std::string bytes = read_file(path);
   stop_if_cancelled();
   if (bytes.empty()) throw Error(file, "is empty");
   LoadedMesh loaded;

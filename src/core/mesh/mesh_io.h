@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -26,6 +27,11 @@ struct LoadedMesh {
 /// Throws Error naming the file: missing, unknown extension, broken, NaN vertex, no triangles; Cancelled through
 /// `progress`, which is asked between the parts of the work and told nothing.
 LoadedMesh load_mesh(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0),
+                     const Progress* progress = nullptr);
+
+/// The same of the bytes of a file; `path` gives the format, names the file in messages, and its folder has the buffers
+/// of a .gltf.
+LoadedMesh read_mesh(std::string_view bytes, const std::filesystem::path& path, const dvec3& scale = dvec3(1.0),
                      const Progress* progress = nullptr);
 
 /// True for the extensions that load_mesh reads.

@@ -40,6 +40,7 @@ class NpzReader {
   using Shape = NpzWriter::Shape;
   /// Throws Error if the file cannot be read or is not a zip archive.
   explicit NpzReader(const std::filesystem::path& path) : archive_(path) {}
+  explicit NpzReader(ZipArchive archive) : archive_(std::move(archive)) {}
   [[nodiscard]] bool has(const std::string& name) const { return archive_.has(name + ".npy"); }
   [[nodiscard]] Shape shape(const std::string& name) const { return at(name).shape; }
   /// `shape` as it must be; a dimension of any size is kAny.
@@ -80,6 +81,8 @@ std::string recording_to_npz(const Recording& recording);
 /// Throws Error naming file and array, also if there are no rows, times or steps do not ascend, a step has no mocap
 /// pose, a number is not finite, a quaternion is not of length 1, or a number does not fit.
 Recording read_recording(const std::filesystem::path& path);
+/// The same of an archive that is open.
+Recording read_recording(const NpzReader& npz);
 
 /// The archive that read_recording() reads.
 std::filesystem::path recording_file(const std::filesystem::path& path);

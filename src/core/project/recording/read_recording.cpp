@@ -134,7 +134,10 @@ std::filesystem::path recording_file(const std::filesystem::path& path) {
 }
 
 Recording read_recording(const std::filesystem::path& path) {
-  const NpzReader npz(recording_file(path));
+  return read_recording(NpzReader(recording_file(path)));
+}
+
+Recording read_recording(const NpzReader& npz) {
   Recording recording;
   read_mocap(npz, recording);
   read_rows(npz, recording);

@@ -19,10 +19,13 @@ namespace {
 
 }  // namespace
 
-ZipArchive::ZipArchive(const std::filesystem::path& path) : file_(path.string()), bytes_(read_file(path)) {
+ZipArchive::ZipArchive(const std::filesystem::path& path) : ZipArchive(path.string(), read_file(path)) {}
+
+ZipArchive::ZipArchive(std::string file, std::string bytes)
+    : file_(std::move(file)), bytes_(std::make_shared<const std::string>(std::move(bytes))) {
   zip_error_t error;
   zip_error_init(&error);
-  zip_source_t* source = zip_source_buffer_create(bytes_.data(), bytes_.size(), 0, &error);
+  zip_source_t* source = zip_source_buffer_create(bytes_->data(), bytes_->size(), 0, &error);
   if (source == nullptr) fail(file_, error);
   // ZIP_CHECKCONS compares each member's own head with the archive's directory: a name that a flipped bit changed in
   // one of them would otherwise hide an array.
@@ -56,11 +59,11 @@ std::string ZipArchive::read(const std::string& name) const {
   const Member& member = found->second;
   std::uint64_t others = 0;
   for (const auto& [other, size] : unpacked_) others += other == name ? 0 : size;
-  const std::uint64_t most = kFreeBytes + kMaxRatio * bytes_.size();
+  const std::uint64_t most = kFreeBytes + kMaxRatio * bytes_->size();
   if (member.size > most || others > most - member.size)
     throw Error(file_, name,
                 fmt::format("announces {} bytes; of an archive of {} bytes at most {} are unpacked, {} are already",
-                            member.size, bytes_.size(), most, others));
+                            member.size, bytes_->size(), most, others));
   unpacked_[name] = member.size;
   std::string bytes(member.size, '\0');
   char beyond = 0;

@@ -21,6 +21,8 @@ class ZipArchive {
 
   /// Throws Error if the file cannot be read, or is not a consistent zip archive.
   explicit ZipArchive(const std::filesystem::path& path);
+  /// The same of bytes in memory; `file` names them in messages.
+  ZipArchive(std::string file, std::string bytes);
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] bool has(const std::string& name) const { return members_.contains(name); }
   /// Returns a member's bytes. Throws Error if there is no such member, its announced size is above the limit, or its
@@ -33,7 +35,8 @@ class ZipArchive {
   };
   void list_members();
 
-  std::string file_, bytes_;
+  std::string file_;
+  std::shared_ptr<const std::string> bytes_;
   std::shared_ptr<zip> archive_;  ///< reads `bytes_`
   std::map<std::string, Member> members_;
   mutable std::map<std::string, std::uint64_t> unpacked_;  ///< sizes of the members that were read

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/project/recording/npz.h"
 #include "core/sim/sim_frame.h"
 
 namespace taxel {
@@ -37,5 +38,7 @@ std::string frame_to_bundle(const SimFrame& frame, const BundledFiles& files = {
 /// array for what is missing, of another shape or out of range, and for samples that this version makes in another
 /// number; Cancelled through `how.progress`.
 SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBuild& how = {});
+/// The same of an archive that is open.
+SimFramePtr read_frame_bundle(const NpzReader& in, const SensorBuild& how = {});
 
 }  // namespace taxel

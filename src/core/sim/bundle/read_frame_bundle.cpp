@@ -199,7 +199,10 @@ void remember(SimFrame& frame) {
 }  // namespace
 
 SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBuild& how) {
-  const NpzReader in(path);
+  return read_frame_bundle(NpzReader(path), how);
+}
+
+SimFramePtr read_frame_bundle(const NpzReader& in, const SensorBuild& how) {
   if (!in.has("format") || in.text("format") != "taxel-frame")
     throw Error(in.file(), "is no frame of a simulation (.taxelframe)");
   if (const std::int64_t version = in.integers("version", {})[0]; version != 1)
