@@ -45,6 +45,11 @@ std::string complaint(const std::string& text) {
   return test::complaint_of([&] { parse_sensor_yaml(text, "s.yaml"); });
 }
 
+TEST(SensorYaml, RefusesACommaOutsideOfBrackets) {
+  for (const char* text : {",", "a: 1\n,\n", "]\n", "- 1\n}\n"})
+    EXPECT_NE(complaint(text).find("is no YAML"), std::string::npos) << text << ": " << complaint(text);
+}
+
 TEST(SensorYaml, ReadsACurvedSensor) {
   const ImportedLayout read = parse_sensor_yaml(yaml_of(kCurved), "s.yaml");
   EXPECT_EQ(read.layout.name, "tip");

@@ -1,9 +1,11 @@
 #include "core/layout/formats/yaml_value.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "core/base/error.h"
 
@@ -16,6 +18,36 @@ constexpr std::size_t kMaxBytes = 2u << 20;
 
 std::string line_text(const YAML::Mark& mark) {
   return mark.line >= 0 ? fmt::format("line {}", mark.line + 1) : "";
+}
+
+/// Refuses a text at which the parser stands still: of a comma outside of brackets yaml-cpp makes one empty document
+/// after another, without end, because the comma is never consumed.
+class StandstillCheck : public YAML::EventHandler {
+ public:
+  explicit StandstillCheck(const std::string& file) : file_(file) {}
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (mark.pos == last_) throw Error(file_, line_text(mark), "is no YAML: a document cannot begin here");
+    last_ = mark.pos;
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+ private:
+  const std::string& file_;
+  int last_ = -1;  ///< place of the document before, in the text
+};
+
+void check_for_standstill(const std::string& text, const std::string& file) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  StandstillCheck check(file);
+  while (parser.HandleNextDocument(check)) continue;
 }
 
 }  // namespace
@@ -94,6 +126,7 @@ std::vector<YamlValue> parse_yaml(const std::string& text, const std::string& fi
   if (text.size() > kMaxBytes)
     throw Error(file, fmt::format("has {} bytes: a sensor description has at most {}", text.size(), kMaxBytes));
   try {
+    check_for_standstill(text, file);
     std::vector<YamlValue> documents;
     for (const YAML::Node& document : YAML::LoadAll(text)) documents.emplace_back(document, file, "");
     return documents;
