@@ -174,6 +174,40 @@ TEST(ReadRecording, RefusesTaxelIdsThatDoNotFit) {
             file.string() + ": taxel_ids: value 1 must be from -2147483648 to 2147483647, is 1099511627779");
 }
 
+/// The message of reading the texts of an array in NPY 1.0.
+std::string complaint_of_texts(const std::string& dictionary, const std::string& data) {
+  std::string npy("\x93NUMPY\x01\x00", 8);
+  npy += static_cast<char>(dictionary.size());
+  npy += '\0';
+  NpzWriter npz;
+  npz.add_file("names.npy", npy + dictionary + data);
+  const NpzReader in(ZipArchive("a.npz", npz.bytes()));
+  try {
+    return fmt::format("accepted: {}", fmt::join(in.texts("names"), ","));
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(NpzReader, RefusesTextsThatHoldNoCharacters) {
+  const std::string head = "{'descr': '<U1', 'fortran_order': False, 'shape': (2,), }";
+  const auto texts = [&](const std::string& second) {
+    return complaint_of_texts(head, std::string("P\0\0\0", 4) + second);
+  };
+  EXPECT_EQ(texts(std::string("\xe9\0\0\0", 4)), "accepted: P,\xc3\xa9");
+  EXPECT_EQ(texts(std::string("P\0\0\n", 4)),
+            "a.npz: names: text 1 must hold characters of Unicode, holds number 0xa000050");
+  EXPECT_EQ(texts(std::string("\0\xd8\0\0", 4)),
+            "a.npz: names: text 1 must hold characters of Unicode, holds number 0xd800");
+}
+
+TEST(NpzReader, RefusesAnOrderThatIsNotByRows) {
+  for (const char* order : {"True", "1e30", ""})
+    EXPECT_EQ(complaint_of_texts(fmt::format("{{'descr': '<U1', 'fortran_order': {}, 'shape': (1,), }}", order),
+                                 std::string("P\0\0\0", 4)),
+              "a.npz: names: lies in memory column by column, which is not read");
+}
+
 /// A zip archive with one deflated member: `size` zeros under this name.
 std::string zip_of_zeros(const std::string& name, std::size_t size) {
   zip_error_t error;

@@ -83,7 +83,7 @@ NpzReader::Array NpzReader::at(const std::string& name) const {
   array.type = type.substr(0, type.find('\''));
   if (element_size(array.type) == 0)
     throw Error(file, name, fmt::format("has elements of type \"{}\", which are not read", array.type));
-  if (after(dictionary, "'fortran_order': ").starts_with("True"))
+  if (!after(dictionary, "'fortran_order': ").starts_with("False"))
     throw Error(file, name, "lies in memory column by column, which is not read");
   if (!parse_shape(after(dictionary, "'shape': ("), array.shape)) throw Error(file, name, "has no shape");
   bytes.erase(0, kPrefix + header);
@@ -129,6 +129,10 @@ std::vector<std::string> NpzReader::texts(const std::string& name) const {
     for (std::size_t k = 0; k < length; ++k) {
       char32_t c = 0;
       std::memcpy(&c, array.data.data() + 4 * (i * length + k), 4);
+      if (c > 0x10FFFF || (c >= 0xD800 && c <= 0xDFFF))
+        throw Error(file(), name,
+                    fmt::format("text {} must hold characters of Unicode, holds number {:#x}", i,
+                                static_cast<std::uint32_t>(c)));
       if (c != 0) append_utf8(texts[i], c);
     }
   }
