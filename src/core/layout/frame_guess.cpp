@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace taxel {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 constexpr double kAlikeSpread = 0.85;
 /// A smaller skewness says nothing about an end or a side.
 constexpr double kMinSkewness = 0.02;
+/// A smaller one leaves the end to the file's origin: links of robots have their joint there, which is at the base.
+constexpr double kClearSkewness = 0.1;
 /// A flat body is no finger if its smallest spread is below this part of the largest.
 constexpr double kMinThickness = 0.2;
 constexpr double kSnapCosine = 0.906;  // of 25 degrees
@@ -57,6 +60,16 @@ struct Shell {
   [[nodiscard]] double skewness(const dvec3& axis) const {
     const double s = spread(axis);
     return s > 0 ? moment(axis, 3) / (s * s * s) : 0.0;
+  }
+  /// 1: the file's origin is beyond the middle half along the axis, -1: before it, 0: in it.
+  [[nodiscard]] int side_of_origin(const dvec3& axis) const {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const dvec3& point : points) {
+      least = std::min(least, glm::dot(point, axis));
+      most = std::max(most, glm::dot(point, axis));
+    }
+    const double part = -least / (most - least);
+    return part > 0.75 ? 1 : part < 0.25 ? -1 : 0;
   }
   [[nodiscard]] dmat3 covariance() const {
     dmat3 sum(0);
@@ -128,9 +141,11 @@ std::optional<dvec3> tip_of(const Shell& shell, std::array<dvec3, 2>& across) {
     if (shell.spread(axes[i]) > kAlikeSpread * longest &&
         std::abs(shell.skewness(axes[i])) > std::abs(shell.skewness(axes[tip])))
       tip = i;
-  const double towards = shell.skewness(axes[tip]);
-  if (std::abs(towards) < kMinSkewness) return std::nullopt;
   across = {axes[(tip + 1) % 3], axes[(tip + 2) % 3]};
+  const double towards = shell.skewness(axes[tip]);
+  if (std::abs(towards) < kClearSkewness && shell.spread(axes[1]) < kAlikeSpread * longest)
+    if (const int side = shell.side_of_origin(axes[tip]); side != 0) return -static_cast<double>(side) * axes[tip];
+  if (std::abs(towards) < kMinSkewness) return std::nullopt;
   return towards < 0 ? -axes[tip] : axes[tip];
 }
 

@@ -64,6 +64,18 @@ TEST(FrameGuess, SaysNothingAboutABodyWithoutATip) {
   EXPECT_FALSE(guess_frame(make_sphere(0.01, 0.002)));
 }
 
+TEST(FrameGuess, ARodPointsAwayFromTheOriginOfItsFile) {
+  const TriMesh rod = make_box(dvec3(0.02, 0.006, 0.007));
+  const auto moved = [&](double x) {
+    std::vector<dvec3> vertices = rod.vertices();
+    for (dvec3& v : vertices) v.x += x;
+    return TriMesh(std::move(vertices), rod.faces());
+  };
+  EXPECT_EQ(guess_frame(moved(0.02))->distal, dvec3(1, 0, 0));
+  EXPECT_EQ(guess_frame(moved(-0.03))->distal, dvec3(-1, 0, 0));
+  EXPECT_FALSE(guess_frame(moved(0.001))) << "the origin is in the middle";
+}
+
 TEST(FrameGuess, IsRightOnRealFingers) {
   const std::filesystem::path folder = TAXEL_REAL_DATA;
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
@@ -81,6 +93,10 @@ TEST(FrameGuess, IsRightOnRealFingers) {
   }
   EXPECT_EQ(guess_frame(*load_mesh(folder / "skins/allegro_tip.stl").mesh)->distal, dvec3(0, 0, 1));
   EXPECT_EQ(guess_frame(*load_mesh(folder / "skins/dclaw_tip.obj").mesh)->distal, dvec3(1, 0, 0));
+  // Thumbs that lie obliquely in the frames of their links; that of the Ability hand tapers at neither end.
+  for (const auto& [file, distal] : {std::pair("skins/inspire_thumb.obj", dvec3(0.730, 0.683, -0.001)),
+                                     std::pair("skins/ability_thumb.glb", dvec3(-0.867, -0.498, -0.013))})
+    EXPECT_GT(glm::dot(guess_frame(*load_mesh(folder / file).mesh)->distal, distal), 0.99) << file;
   EXPECT_FALSE(guess_frame(*load_mesh(folder / "meshes/plate_8in_col.stl").mesh));
 }
 
