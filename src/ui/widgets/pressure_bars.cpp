@@ -80,6 +80,12 @@ void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, f
 
 }  // namespace
 
+double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit) {
+  double peak = 0;
+  for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
+  return axis_top(peak, unit);
+}
+
 int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size) {
   ui.bars.clear();
   const Palette& colors = palette(ui.saved.dark);
@@ -89,10 +95,8 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const R
   ui.widgets.note_item("Bars");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   if (values.empty()) return -1;
-  double peak = 0;
-  for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
-  const Axis axis{origin.x + 2.6f * line, origin.x + size.x,    origin.y + size.y - 2.6f * line,
-                  origin.y + 0.6f * line, axis_top(peak, unit), unit};
+  const Axis axis{origin.x + 2.6f * line, origin.x + size.x,      origin.y + size.y - 2.6f * line,
+                  origin.y + 0.6f * line, bars_top(values, unit), unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors);
   const float step = (axis.x1 - axis.x0) / static_cast<float>(values.size());

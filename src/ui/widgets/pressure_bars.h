@@ -17,6 +17,9 @@ struct BarValue {
   int color = 0;     ///< of the taxel
 };
 
+/// The upper end of the bars' axis: a round number above the largest value and peak [unit of the readings].
+[[nodiscard]] double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit);
+
 /// Draws bars into `size` at the cursor; heights from 0 to a round number above the largest peak, colours from the
 /// shared range, or from the bars' own where readings are no pressures. Those of selected taxels stand out. Returns the
 /// bar that was clicked, or -1; leaves in ui.bars what was drawn.

@@ -153,13 +153,6 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
   p.label(y0, y1, "taxels", in_unit(most, p.unit));
 }
 
-ImVec4 event_color(const StepMark& mark, const Palette& colors) {
-  if (mark.has(StepEvent::jump_at_equal_force)) return colors.error;
-  if (mark.has(StepEvent::jump) || mark.has(StepEvent::disagreement)) return colors.warning;
-  if (mark.has(StepEvent::other_layout)) return colors.layout_mode;
-  return mark.has(StepEvent::contact_begins) ? colors.run : colors.dim;
-}
-
 std::string event_names(const StepMark& mark) {
   std::string names;
   const auto add = [&](StepEvent event, const char* name) {
@@ -238,6 +231,13 @@ void take_pointer(UiState& ui, const UiInput& input, const HistoryLanes& lanes) 
 }
 
 }  // namespace
+
+ImVec4 event_color(const StepMark& mark, const Palette& colors) {
+  if (mark.has(StepEvent::jump_at_equal_force)) return colors.error;
+  if (mark.has(StepEvent::jump) || mark.has(StepEvent::disagreement)) return colors.warning;
+  if (mark.has(StepEvent::other_layout)) return colors.layout_mode;
+  return mark.has(StepEvent::contact_begins) ? colors.run : colors.dim;
+}
 
 std::uint64_t step_at(const Timeline& timeline, float x) {
   const double count = static_cast<double>(timeline.steps.last - timeline.steps.first + 1);

@@ -3,12 +3,16 @@
 
 #include <imgui.h>
 
+#include "ui/theme.h"
 #include "ui/ui_state.h"
 
 namespace taxel::ui {
 
 /// Fills `size`. Notes ui.timeline.lanes, which may then be clicked.
 void draw_timeline_lanes(UiState& ui, const UiInput& input, const ImVec2& size);
+
+/// Colour of a step with events; of several events the one that says most about the method decides.
+[[nodiscard]] ImVec4 event_color(const StepMark& mark, const Palette& colors);
 
 /// Step under a pixel column of the lanes, within them.
 [[nodiscard]] std::uint64_t step_at(const Timeline& timeline, float x);
