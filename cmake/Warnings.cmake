@@ -7,6 +7,6 @@ target_compile_options(taxel_options INTERFACE
 if(TAXEL_SANITIZE)
   # g++ warns of uninitialised values inside of OpenMesh that exist only in the sanitizers' own code.
   target_compile_options(taxel_options INTERFACE -fsanitize=${TAXEL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-    -Wno-maybe-uninitialized -O1 -g1)  # more optimisation and full symbols double the time to build
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> -O1 -g1)  # more optimisation and full symbols double the time to build
   target_link_options(taxel_options INTERFACE -fsanitize=${TAXEL_SANITIZE})
 endif()

@@ -1,8 +1,9 @@
-// A reader under test: what a fuzzer calls with bytes of its own, and the ordinary tests with seeds and with inputs
-// that once failed. Each file *_target.cpp of this folder registers one.
+// A reader under test. A fuzzer calls it with bytes of its own, the ordinary tests with seeds and with inputs that once
+// failed. Each file *_target.cpp of this folder registers one.
 #pragma once
 
 #include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ struct Target {
   std::string name;
   void (*run)(const std::string& input);
 };
+
+/// Prints a target in the messages of tests.
+inline void PrintTo(const Target& target, std::ostream* out) {
+  *out << target.name;
+}
 
 /// All targets of this program, in the order in which their files were linked.
 inline std::vector<Target>& targets() {
@@ -55,7 +61,7 @@ void read_and_write_again(const std::string& text, const Parse& parse, const Wri
   const auto value = read_or_refuse([&] { return parse(text); });
   if (!value) return;
   const std::string written = write(*value);
-  require(write(parse(written)) == written, "what was read can be written and read again");
+  require(write(parse(written)) == written, "a value that is read can be written and read again");
 }
 
 }  // namespace taxel::fuzz

@@ -1,0 +1,41 @@
+#include "fuzz/members.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "core/project/recording/npz.h"
+
+namespace taxel::fuzz {
+namespace {
+
+/// Takes up to `count` bytes from the front of `rest`.
+std::string take(std::string_view& rest, std::size_t count) {
+  const std::string bytes(rest.substr(0, count));
+  rest.remove_prefix(bytes.size());
+  return bytes;
+}
+
+/// Takes a number of so many bytes, the lowest first.
+std::size_t take_number(std::string_view& rest, std::size_t count) {
+  std::size_t number = 0, shift = 0;
+  for (const char c : take(rest, count)) {
+    number |= static_cast<std::size_t>(static_cast<unsigned char>(c)) << shift;
+    shift += 8;
+  }
+  return number;
+}
+
+}  // namespace
+
+ZipArchive archive_of(const std::string& input) {
+  if (input.starts_with("PK")) return ZipArchive("input.npz", input);
+  NpzWriter out;
+  std::string_view rest = input;
+  while (!rest.empty()) {
+    const std::string name = take(rest, take_number(rest, 1));
+    out.add_file(name, take(rest, take_number(rest, 2)));
+  }
+  return ZipArchive("input.npz", out.bytes());
+}
+
+}  // namespace taxel::fuzz

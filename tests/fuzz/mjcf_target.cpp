@@ -1,0 +1,26 @@
+// MJCF as far as its text is ours: attributes that MuJoCo has dropped, and attribute values that are changed.
+#include <algorithm>
+
+#include "core/sim/scene/dropped_attributes.h"
+#include "core/sim/scene/xml_attributes.h"
+#include "fuzz/target.h"
+
+namespace taxel::fuzz {
+namespace {
+
+void run(const std::string& input) {
+  std::vector<std::string> notes;
+  const std::string current = without_dropped_attributes(input, "input.xml", notes);
+  require(!notes.empty() || current == input, "text without dropped attributes stays as it is");
+  const std::size_t count = notes.size();
+  require(without_dropped_attributes(current, "input.xml", notes) == current && notes.size() == count,
+          "no attribute is dropped twice");
+  change_attributes(input, [](const XmlAttribute&) { return std::string("a<b"); });
+  require(xml_unescaped(xml_escaped(input)) == input, "escaped text is read back");
+  xml_unescaped(input);
+}
+
+const Registered kTarget("mjcf", run);
+
+}  // namespace
+}  // namespace taxel::fuzz

@@ -1,0 +1,21 @@
+// Meshes as OBJ files.
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_io.h"
+#include "fuzz/target.h"
+
+namespace taxel::fuzz {
+namespace {
+
+void run(const std::string& input) {
+  const auto loaded = read_or_refuse([&] { return read_mesh(input, "input.obj"); });
+  if (!loaded) return;
+  require(loaded->mesh->face_count() > 0, "a mesh that is read has faces");
+  require(loaded->file_face_of.size() == static_cast<std::size_t>(loaded->mesh->face_count()),
+          "each face has its number in the file");
+  check_mesh(*loaded->mesh, "input.obj");
+}
+
+const Registered kTarget("obj", run);
+
+}  // namespace
+}  // namespace taxel::fuzz

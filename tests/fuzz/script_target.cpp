@@ -1,0 +1,15 @@
+// Scripts of the window.
+#include "app/studio/script.h"
+#include "fuzz/target.h"
+
+namespace taxel::fuzz {
+namespace {
+
+void run(const std::string& input) {
+  read_or_refuse([&] { return studio::parse_script(input, "/scripts/input.jsonl"); });
+}
+
+const Registered kTarget("script", run);
+
+}  // namespace
+}  // namespace taxel::fuzz

@@ -1,0 +1,16 @@
+// The window's settings. A file that is broken counts as none.
+#include "app/studio/settings.h"
+#include "fuzz/target.h"
+
+namespace taxel::fuzz {
+namespace {
+
+void run(const std::string& input) {
+  const std::string written = studio::settings_text(studio::parse_settings(input));
+  require(studio::settings_text(studio::parse_settings(written)) == written, "settings can be written and read again");
+}
+
+const Registered kTarget("settings", run);
+
+}  // namespace
+}  // namespace taxel::fuzz
