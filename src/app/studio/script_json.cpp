@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,6 +17,14 @@ namespace taxel::studio {
 namespace {
 
 using Json = nlohmann::json;
+
+/// A whole number that an int holds. Throws Error otherwise: the JSON library would cut off what does not fit.
+int whole_number(const Json& json, const std::string& key) {
+  const double value = json.is_number() ? json.get<double>() : 0.5;
+  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+    throw Error(fmt::format("\"{}\" must be a whole number below 2^31, is {}", key, json.dump()));
+  return static_cast<int>(value);
+}
 
 /// One line's object; every key asked for counts as known, and done() refuses the rest.
 class Line {
@@ -44,6 +54,7 @@ class Line {
  private:
   template <class T>
   T convert(const char* key) {
+    if constexpr (std::is_same_v<T, int>) return whole_number(json_.at(key), key);
     try {
       return json_.at(key).get<T>();
     } catch (const Json::exception&) {
@@ -70,7 +81,8 @@ Target parse_target(const Json& json) {
       const auto p = numbers(json["world"], 3);
       return WorldTarget{{p[0], p[1], p[2]}};
     }
-    if (json.contains("taxel") && json["taxel"].is_number_integer()) return TaxelTarget{json["taxel"].get<int>()};
+    if (json.contains("taxel") && json["taxel"].is_number_integer())
+      return TaxelTarget{whole_number(json["taxel"], "taxel")};
     if (json.contains("widget") && json["widget"].is_string()) return WidgetTarget{json["widget"].get<std::string>()};
   }
   throw Error("\"at\" must be [x, y], {\"world\": [x, y, z]}, {\"taxel\": id} or {\"widget\": \"Label\"}, is " +

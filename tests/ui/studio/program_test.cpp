@@ -87,6 +87,7 @@ TEST(Script, ErrorsNameTheLineAndExitWithTwo) {
       {R"({"event": "click", "do": "quit"})", "line 2: needs either"},
       {R"({"event": "leap"})", "line 2: does not know the event \"leap\""},
       {R"({"do": "leap"})", "line 2: does not know the command"},
+      {R"({"frame": 1e30, "do": "quit"})", "line 2: \"frame\" must be a whole number below 2^31, is 1e+30"},
       {R"({"event": "click", "at": [1]})", "line 2: needs 2 numbers"},
       {R"({"event": "click", "at": {"widget": "No Such Button"}})", "line 2: no widget \"No Such Button\""},
       {R"({"event": "click", "at": {"taxel": 77}})", "line 2: there is no taxel 77"},

@@ -11,7 +11,7 @@ namespace {
 int corner_of(const TextCursor& cursor, std::string_view word, int vertex_count, int total) {
   const long long index = cursor.integer(word.substr(0, word.find('/')));
   if (index > 0 && index <= total) return static_cast<int>(index - 1);
-  if (index < 0 && -index <= vertex_count) return static_cast<int>(vertex_count + index);
+  if (index < 0 && index >= -vertex_count) return static_cast<int>(vertex_count + index);
   cursor.fail(fmt::format("no vertex {} (there are {})", index, total));
 }
 
