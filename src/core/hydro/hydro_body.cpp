@@ -48,6 +48,44 @@ int size_count(ShapeType type) {
   }
 }
 
+/// Target edge length: as asked for, or a tenth of the smallest extent.
+double edge_length(const Shape& shape) {
+  if (shape.resolution > 0) return shape.resolution;
+  double extent = 2.0 * shape.size[0];
+  if (shape.type == ShapeType::cylinder) extent = 2.0 * std::min(shape.size[0], shape.size[1]);
+  if (shape.type == ShapeType::ellipsoid) extent = 2.0 * std::min({shape.size.x, shape.size.y, shape.size.z});
+  return 0.1 * extent;
+}
+
+/// Area of the surface of a round shape [m^2]; 0 for others. That of an ellipsoid is within 10 % (the mean of the areas
+/// of the ellipses of each two axes, times four).
+double round_area(const Shape& shape) {
+  const double r = shape.size[0], half = shape.size[1];
+  const dvec3& e = shape.size;
+  switch (shape.type) {
+    case ShapeType::sphere:
+      return 4 * kPi * r * r;
+    case ShapeType::capsule:
+      return 4 * kPi * r * (r + half);
+    case ShapeType::cylinder:
+      return 2 * kPi * r * (r + 2 * half);
+    case ShapeType::ellipsoid:
+      return 4 * kPi / 3 * (e.x * e.y + e.y * e.z + e.z * e.x);
+    default:
+      return 0;
+  }
+}
+
+/// Throws Error if the tessellation would have too many triangles: a regular one of edge h has the area sqrt(3)/4 h^2.
+void check_triangles(const Shape& shape, double most) {
+  const double edge = edge_length(shape), triangles = round_area(shape) / (0.25 * std::sqrt(3.0) * edge * edge);
+  if (triangles > most)
+    throw Error(
+        fmt::format("a {} would have about {:.2g} triangles with edges of {:g} m, at most {:.0e} are made: "
+                    "resolution must be at least {:.2g} m",
+                    to_string(shape.type), triangles, edge, most, edge * std::sqrt(triangles / most)));
+}
+
 void check_shape(const Shape& shape, const Material& material) {
   for (int i = 0; i < size_count(shape.type); ++i) {
     if (!(shape.size[i] > 0) || !std::isfinite(shape.size[i]))
@@ -55,6 +93,7 @@ void check_shape(const Shape& shape, const Material& material) {
   }
   if (!(shape.resolution >= 0) || !std::isfinite(shape.resolution))
     throw Error(fmt::format("resolution must be 0 or more, not {}", shape.resolution));
+  check_triangles(shape, material.compliant() ? kMaxSoftTriangles : kMaxRigidTriangles);
   const auto check_not_negative = [](double value, const char* what) {
     if (!(value >= 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be 0 or more, not {}", what, value));
   };
@@ -69,15 +108,6 @@ void check_shape(const Shape& shape, const Material& material) {
     throw Error(fmt::format("{} can only be rigid: its modulus must be 0, is {}", shape.rigid_only, material.modulus));
   if (shape.type == ShapeType::mesh && (shape.mesh == nullptr || shape.mesh->face_count() == 0))
     throw Error("a mesh body needs a mesh with triangles");
-}
-
-/// Target edge length: as asked for, or a tenth of the smallest extent.
-double edge_length(const Shape& shape) {
-  if (shape.resolution > 0) return shape.resolution;
-  double extent = 2.0 * shape.size[0];
-  if (shape.type == ShapeType::cylinder) extent = 2.0 * std::min(shape.size[0], shape.size[1]);
-  if (shape.type == ShapeType::ellipsoid) extent = 2.0 * std::min({shape.size.x, shape.size.y, shape.size.z});
-  return 0.1 * extent;
 }
 
 /// The surface of any bounded shape; round ones tessellated.

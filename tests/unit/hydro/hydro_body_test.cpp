@@ -32,6 +32,31 @@ TEST(MakeBody, RoundRigidShapesHaveTheirTrueVolume) {
   EXPECT_EQ(mesh_of(*make_simple_body(ShapeType::box, s)).face_count(), 12);
 }
 
+TEST(MakeBody, AnnouncesTessellationsThatAreTooFine) {
+  Material soft;
+  soft.modulus = 1e5;
+  const auto shape_of = [](ShapeType type, double resolution) {
+    Shape shape;
+    shape.type = type;
+    shape.size = dvec3(1);
+    shape.resolution = resolution;
+    return shape;
+  };
+  // Areas: sphere 4 pi, capsule 8 pi, cylinder 6 pi, ellipsoid 4 pi; a triangle of edge h has sqrt(3)/4 h^2.
+  EXPECT_EQ(message_of(shape_of(ShapeType::sphere, 0.002), soft),
+            "thing: a sphere would have about 7.3e+06 triangles with edges of 0.002 m, at most 2e+05 are made: "
+            "resolution must "
+            "be at least 0.012 m");
+  EXPECT_EQ(
+      message_of(shape_of(ShapeType::cylinder, 0.002), soft),
+      "thing: a cylinder would have about 1.1e+07 triangles with edges of 0.002 m, at most 2e+05 are made: resolution "
+      "must be at least 0.015 m");
+  for (const ShapeType type : {ShapeType::capsule, ShapeType::ellipsoid})
+    EXPECT_NE(message_of(shape_of(type, 0.002), {}).find("at most 2e+06 are made"), std::string::npos);
+  EXPECT_EQ(message_of(shape_of(ShapeType::cylinder, 0.2), soft), "");
+  EXPECT_EQ(message_of(shape_of(ShapeType::box, 1e-9), soft), "");
+}
+
 TEST(MakeBody, ACylinderKeepsItsLength) {
   const HydroBodyPtr body = make_simple_body(ShapeType::cylinder, dvec3(0.01, 0.2, 0));
   const TriMesh& mesh = mesh_of(*body);
