@@ -221,7 +221,7 @@ void Studio::answer_left_recording(bool recover) {
                       fmt::format("Recorded {} steps in {}, without the scene", left.recording.rows.size(), file),
                       ImGui::GetTime());
     } else {
-      remove_recording_journal(left.base);
+      discard_left_recording(left);
     }
   } catch (const Error& error) {
     ui::add_message(ui_, Severity::error, fmt::format("{} (offered again at the next start)", error.what()),

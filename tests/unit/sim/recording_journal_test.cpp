@@ -141,6 +141,29 @@ TEST_F(Journal, IsWrittenAsTheRecordingThatItWas) {
   }
 }
 
+// A process that is killed while it writes the recording leaves a folder with a temporary one inside.
+TEST_F(Journal, ReplacesOrClearsATargetThatWasBegun) {
+  const fs::path target = folder_.path() / "recording-1", part = target / ".taxel-1.part";
+  for (const bool wanted : {false, true}) {
+    fs::create_directories(part);
+    test::write_text(part / "readings.csv", "half");
+    RunRecorder recorder(*scene());
+    {
+      RecordingJournal journal(base(), target.string());
+      follow(recorder, journal, 5, 1);
+    }
+    const LeftRecording left = *read_recording_journal(base());
+    if (wanted) {
+      EXPECT_EQ(write_left_recording(left), target);
+      EXPECT_EQ(read_recording(target).rows.size(), 5U);
+      EXPECT_FALSE(fs::exists(part));
+    } else {
+      discard_left_recording(left);
+      EXPECT_TRUE(fs::is_empty(folder_.path()));
+    }
+  }
+}
+
 TEST_F(Journal, OfTheThreadLivesAsLongAsTheRecording) {
   const fs::path journals = folder_.path() / "journals";
   thread_.set_journal_folder(journals.string());

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/output_folder.h"
 #include "core/project/recording/npz.h"
 #include "core/sim/recording/write_recording.h"
 
@@ -148,6 +149,16 @@ int open_locked(const fs::path& file, int flags) {
   return descriptor;
 }
 
+/// Whether a path cannot take a recording: a file, or a folder that holds more than temporary files of killed
+/// processes.
+bool is_taken(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return fs::exists(path, ignored);
+  const fs::directory_iterator entries(path, ignored);
+  return std::any_of(begin(entries), end(entries),
+                     [](const fs::directory_entry& entry) { return entry.path().extension() != ".part"; });
+}
+
 }  // namespace
 
 RecordingJournal::RecordingJournal(fs::path base, const std::string& target) : base_(std::move(base)) {
@@ -258,11 +269,18 @@ std::vector<LeftRecording> left_recordings(const fs::path& folder) {
   return all;
 }
 
+void discard_left_recording(const LeftRecording& left) {
+  remove_recording_journal(left.base);
+  std::error_code ignored;
+  if (!fs::is_directory(left.target, ignored) || is_taken(left.target)) return;
+  { const OutputFolder cleared(left.target); }
+  fs::remove(left.target, ignored);  // fails unless it is empty
+}
+
 fs::path write_left_recording(const LeftRecording& left) {
   fs::path target = left.target;
   const std::string stem = (target.parent_path() / target.stem()).string(), extension = target.extension().string();
-  std::error_code ignored;
-  for (int number = 1; fs::exists(target, ignored); ++number)
+  for (int number = 1; is_taken(target); ++number)
     target = number == 1 ? fmt::format("{}-recovered{}", stem, extension)
                          : fmt::format("{}-recovered-{}{}", stem, number, extension);
   write_recording(target, left.recording, nullptr);

@@ -58,8 +58,11 @@ std::vector<LeftRecording> left_recordings(const std::filesystem::path& folder);
 /// Removes both files of a journal.
 void remove_recording_journal(const std::filesystem::path& base);
 
-/// Writes a left recording as its target, or as TARGET-recovered, TARGET-recovered-2 and so on if the target exists,
-/// and removes the journal. Returns the path. Throws Error naming the file; then the journal stays.
+/// Removes the journal, and a target that was begun and holds no complete file. Throws Error naming the target.
+void discard_left_recording(const LeftRecording& left);
+
+/// Writes a left recording as its target, or as TARGET-recovered, TARGET-recovered-2 and so on if the target holds
+/// files already, and removes the journal. Returns the path. Throws Error naming the file; then the journal stays.
 std::filesystem::path write_left_recording(const LeftRecording& left);
 
 }  // namespace taxel
