@@ -18,6 +18,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/project/project_json.h"
 #include "core/project/recording/npz.h"
+#include "core/project/scenario_json.h"
 #include "core/sensor/imported_source.h"
 #include "core/sim/bundle/frame_bundle.h"
 
@@ -135,11 +136,29 @@ Document load_foreign_layout(const std::filesystem::path& file, const SkinChoice
   return document;
 }
 
+/// Warnings of files that the project's scenario names and that are missing: the scenario could not run.
+std::vector<std::string> missing_files(const Project& project, const std::filesystem::path& file) {
+  const Scenario scenario = with_absolute_files(project.scenario, file);
+  std::vector<std::string> notes;
+  const auto check = [&](const char* field, const std::filesystem::path& named) {
+    std::error_code ignored;
+    if (!named.empty() && !std::filesystem::exists(named, ignored))
+      notes.push_back(fmt::format("{}: /scenario/{}: {}: no such file: the scenario cannot run", file.string(), field,
+                                  named.string()));
+  };
+  check("object", scenario.object);
+  check("source", scenario.source);
+  return notes;
+}
+
 Document load_project(const std::filesystem::path& file, const SensorBuild& how) {
   Project project = read_project(file);
   throw_first_error(check_layout_values(project.layout, file.string()));
   LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
-  return compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
+  const std::vector<std::string> missing = missing_files(project, file);
+  Document document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
+  document.notes.insert(document.notes.end(), missing.begin(), missing.end());
+  return document;
 }
 
 /// The same mesh as load_mesh gives with this scale.

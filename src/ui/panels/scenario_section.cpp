@@ -7,6 +7,7 @@
 #include "core/project/recorded_path.h"
 #include "ui/panels/scenario_fields.h"
 #include "ui/panels/way_point_table.h"
+#include "ui/tools/actions.h"
 #include "ui/tools/path_recorder.h"
 #include "ui/tools/path_tool.h"
 #include "ui/widgets/choice_field.h"
@@ -122,6 +123,34 @@ void draw_recorder(UiState& ui, const UiInput& input) {
   end_properties();
 }
 
+/// Returns why the scenario cannot run; empty if it can.
+std::string why_not_run(const UiInput& input, ScenarioKind shown, bool complete) {
+  if (!complete)
+    return shown == ScenarioKind::replay ? "Nothing to replay: choose the recording first."
+                                         : "Nothing to run: the scenario of this kind is not complete yet.";
+  if (!input.model) return "Nothing to simulate: the layout is not compiled.";
+  if (input.model->taxel_count() == 0)
+    return "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G generates a "
+           "pattern.";
+  if (!input.editing.problem.empty()) return "The layout cannot be simulated: " + input.editing.problem;
+  return {};
+}
+
+/// A click on the greyed button shows its reason as a message.
+void draw_run_button(UiState& ui, const Scenario& scenario, const std::string& reason) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, reason.empty() ? style.Alpha : style.Alpha * style.DisabledAlpha);
+  const bool pressed = button(ui, "Run scenario", ImVec2(-1, 0));
+  ImGui::PopStyleVar();
+  tooltip(reason.empty() ? "Run the scenario from its start in SIMULATE" : reason.c_str());
+  if (!pressed) return;
+  if (reason.empty()) {
+    ui.ask(RunScenario{scenario});
+  } else {
+    add_message(ui, Severity::warning, reason, ImGui::GetTime());
+  }
+}
+
 }  // namespace
 
 void draw_scenario_section(UiState& ui, const UiInput& input) {
@@ -133,9 +162,7 @@ void draw_scenario_section(UiState& ui, const UiInput& input) {
     draw_kind(ui, input, *scenario, shown);
     end_properties();
   }
-  ImGui::BeginDisabled(!input.simulates_document || !complete);
-  if (button(ui, "Run scenario", ImVec2(-1, 0))) ui.ask(RunScenario{*scenario});
-  ImGui::EndDisabled();
+  draw_run_button(ui, *scenario, why_not_run(input, shown, complete));
   draw_paper_setting(ui, input);
   draw_recorder(ui, input);
   if (complete && *scenario != input.scenario) caption("What runs is the scenario before this change.");

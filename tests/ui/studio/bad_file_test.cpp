@@ -5,6 +5,9 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <sstream>
+#include <utility>
 
 #include "core/layout/layout_json.h"
 #include "core/mesh/mesh_io.h"
@@ -189,6 +192,56 @@ TEST(LargeMesh, OfTwoMillionTrianglesIsCancelledWhileItLoads) {
   ASSERT_EQ(cancelled["messages"].size(), 1U) << cancelled["messages"].dump();
   EXPECT_EQ(cancelled["messages"][0]["text"], "Loading was cancelled.");
   EXPECT_EQ(studio.state("after.json")["document"]["layout"]["taxels"].size(), 12U) << "and it goes on";
+}
+
+/// What the window says of files that it does not open as `taxel check` does.
+std::string windows_message(const std::string& name, const std::string& expected) {
+  const auto ends = [&](const char* end) { return name.ends_with(end); };
+  if (ends(".csv") || ends(".xyz")) return "cannot be opened: it is no project";
+  if (ends(".yaml")) return "holds no mesh: drop or open its mesh file as well";
+  const bool is_json = expected.find("is not JSON") == std::string::npos;
+  if (is_json && ends(".json") && !ends(".taxels.json")) return "/format: must be \"taxel-layout\"";
+  if (name == "layout_format.taxels.json") return "/format: must be \"taxel-layout\", is \"layout\"";
+  if (name == "mesh_buffer_is_folder.gltf") return "is a folder, not a file";  // named with its whole path
+  if (name == "layout_mesh_is_folder.taxels.json") return "unknown mesh format";
+  return expected.substr(0, expected.find("; "));  // without the remedy
+}
+
+// All in one window, one after the other.
+TEST(BrokenFiles, AreRefusedByTheWindowWithTheirMessage) {
+  const StudioProgram studio;
+  const std::filesystem::path broken = TAXEL_SOURCE_DIR "/tests/fixtures/broken";
+  std::istringstream lines(file_text(broken / "expected.tsv"));
+  std::vector<std::pair<std::string, std::string>> files;
+  Lines script;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
+    files.emplace_back(line.substr(0, first), line.substr(second + 1));
+    const std::string number = std::to_string(files.size() - 1);
+    script.push_back(R"({"event": "drop", "files": [")" + (broken / files.back().first).string() + R"("]})");
+    script.push_back(kIdle);
+    script.push_back(dump(number + ".json"));
+  }
+  ASSERT_GE(files.size(), 150U);
+  studio.play(script, {"--empty", "--size", "480x360"});
+  std::size_t known = 0;  // messages
+  std::optional<std::filesystem::file_time_type> before;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    SCOPED_TRACE(files[i].first);
+    const std::string state = std::to_string(i) + ".json";
+    const Json messages = studio.state(state)["messages"];
+    const std::string expected = windows_message(files[i].first, files[i].second);
+    bool said = false;
+    for (std::size_t m = known; m < messages.size(); ++m)
+      said = said || messages[m]["text"].get<std::string>().find(expected) != std::string::npos;
+    EXPECT_TRUE(said) << expected << "\n"
+                      << (messages.size() > known ? messages[messages.size() - 1].dump() : "nothing is said");
+    known = messages.size();
+    const auto at = std::filesystem::last_write_time(studio.folder() / state);
+    EXPECT_LT(at - before.value_or(at), std::chrono::seconds(5));
+    before = at;
+  }
 }
 
 }  // namespace

@@ -177,5 +177,18 @@ TEST(Scenario, ASavedProjectKeepsIt) {
   EXPECT_EQ(file["scenario"]["kind"], "path");
 }
 
+TEST(RunScenario, SaysWhatIsMissing) {
+  const StudioProgram studio;
+  studio.play(
+      {kIdle, kLayoutMode, kIdle, key("a"), kIdle, key("Delete"), kIdle, key("2", kCtrl), kIdle, dump("before.json"),
+       press("Run scenario"), kIdle, dump("refused.json"), R"({"do": "screenshot", "file": "refused.png"})"},
+      tall_window(studio));
+  EXPECT_EQ(studio.state("before.json")["document"]["layout"]["taxels"].size(), 0U);
+  const Json before = studio.state("before.json")["messages"], refused = studio.state("refused.json")["messages"];
+  ASSERT_GT(refused.size(), 0U);
+  EXPECT_NE(refused.dump(), before.dump());
+  EXPECT_NE(refused[refused.size() - 1].dump().find("the layout has no taxels"), std::string::npos) << refused;
+}
+
 }  // namespace
 }  // namespace taxel::test
