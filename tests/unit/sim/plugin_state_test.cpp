@@ -198,6 +198,35 @@ TEST(SleepingBodies, ABoxUnderAMovingSensorStaysAwake) {
   EXPECT_LT(s.data->qfrc_passive[2], -0.01) << "the box feels the sensor";
 }
 
+/// Two boxes that lie on each other are asleep, as one, before the sensor comes down from above.
+TEST(SleepingBodies, ASensorThatComesDownWakesAllThatSleepAsOne) {
+  SensorScene s;
+  s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
+  s.compile("<mujoco><option timestep='0.001'><flag sleep='enable'/></option>" +
+            sensor_extension("ball", key("others", "upper")) +
+            R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='2 2 1'/>
+      <body name='hand' mocap='true' pos='0 0 0.2'><geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body>
+      <body name='lower' pos='0 0 0.02'><freejoint/><geom type='box' size='0.05 0.05 0.02' mass='1'/></body>
+      <body name='upper' pos='0 0 0.06'><freejoint/><geom name='upper' type='box' size='0.05 0.05 0.02' mass='1'/></body>
+      </worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  const int lower = mj_name2id(s.model.get(), mjOBJ_BODY, "lower"),
+            upper = mj_name2id(s.model.get(), mjOBJ_BODY, "upper");
+  s.step(2000);
+  ASSERT_EQ(s.data->body_awake[lower], mjS_ASLEEP);
+  ASSERT_EQ(s.data->body_awake[upper], mjS_ASLEEP);
+  s.data->mocap_pos[2] = 0.099;
+  s.step(2);
+  ASSERT_GT(s.sensor().reading().values[0], 0);
+  EXPECT_EQ(s.data->body_awake[upper], mjS_AWAKE);
+  EXPECT_EQ(s.data->body_awake[lower], mjS_AWAKE) << "it slept with the other";
+  EXPECT_LT(s.data->qfrc_passive[8], -0.01) << "the upper box feels the sensor";
+  s.data->mocap_pos[2] = 0.2;
+  s.step(2000);
+  EXPECT_EQ(s.data->body_awake[upper], mjS_ASLEEP) << "left alone, it falls asleep again";
+}
+
 TEST(SeveralSensors, EachReadsItsOwnAndTheFirstMovesAll) {
   SensorScene s;
   for (const char* name : {"a", "b"}) s.add_sensor(name, make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});

@@ -30,12 +30,24 @@ bool asleep(const mjModel& m, const mjData& d, int body) {
   return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
 }
 
+/// Whether a body may move of itself: an awake one, or one that is fixed to a mocap body.
+bool may_move(const mjModel& m, const mjData& d, int body) {
+  return m.body_mocapid[m.body_rootid[body]] >= 0 || (m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_AWAKE);
+}
+
 /// A tree falls asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. MuJoCo
-/// does not know of our contacts and would let a tree sleep while a moving body touches it.
-void keep_awake(const mjModel& m, mjData& d, int body) {
+/// does not know of our contacts and would let a tree sleep while a moving body touches it. One that sleeps already is
+/// given a velocity that no number of the simulation feels: at the begin of the next step MuJoCo wakes what has one,
+/// with all trees that fell asleep with it.
+void keep_awake(const mjModel& m, mjData& d, int body, int toucher) {
+  constexpr mjtNum kUnfelt = 1e-200;  // m/s or rad/s
   const int tree = m.body_treeid[body];
-  if (tree >= 0 && (m.opt.enableflags & mjENBL_SLEEP) != 0 && d.tree_asleep[tree] < 0)
+  if (tree < 0 || (m.opt.enableflags & mjENBL_SLEEP) == 0) return;
+  if (d.tree_asleep[tree] < 0) {
     d.tree_asleep[tree] = -(1 + mjMINAWAKE);
+  } else if (may_move(m, d, toucher)) {
+    d.qvel[m.tree_dofadr[tree]] = kUnfelt;
+  }
 }
 
 /// J of the relative twist, in frame M at M's origin; A = J M^-1 J^T (6 x 6).
@@ -162,8 +174,8 @@ void apply(const mjModel& m, mjData& d, Active& a) {
   const mjtNum minus_f[3] = {-force.x, -force.y, -force.z}, minus_t[3] = {-torque.x, -torque.y, -torque.z};
   if (!asleep(m, d, first_body(m, a))) mj_applyFT(&m, &d, f, t, origin, first_body(m, a), d.qfrc_passive);
   if (!asleep(m, d, other_body(m, a))) mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
-  keep_awake(m, d, first_body(m, a));
-  keep_awake(m, d, other_body(m, a));
+  keep_awake(m, d, first_body(m, a), other_body(m, a));
+  keep_awake(m, d, other_body(m, a), first_body(m, a));
 }
 
 /// Friction and damping are implicit, stiffness is not. Looks at the first step of a pair and at every eighth: a look
