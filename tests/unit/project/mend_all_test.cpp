@@ -15,13 +15,14 @@ const MeshIndex& box() {
   return index;
 }
 
-/// Taxels on the upper face of a box of 20 x 16 x 10 mm, in rows: neighbours share less than 80 % of their discs.
+/// Taxels on the upper face of a box of 20 x 16 x 10 mm, in rows; neighbours share less than 80 % of their discs.
 Project with_taxels(int count) {
+  const double step = count <= 4 ? 0.004 : 0.0006, radius = count <= 4 ? 0.003 : 0.0008;
   Project project;
   project.layout.mesh = {"/box.obj", dvec3(1), ""};
   for (int i = 0; i < count; ++i)
     project.layout.taxels.push_back(
-        {i, "", dvec3(-0.009 + 0.0006 * (i % 30), -0.007 + 0.0003 * (i / 30), 0.005), dvec3(0, 0, 1), 0.0008, {}});
+        {i, "", dvec3(-0.009 + step * (i % 30), -0.007 + 0.0003 * (i / 30), 0.005), dvec3(0, 0, 1), radius, {}});
   return project;
 }
 
@@ -50,8 +51,8 @@ TEST(MendAll, ATaxelWithSeveralProblemsIsMendedOfAll) {
   Taxel& taxel = project.layout.taxels[1];
   taxel.center.z += 0.002;
   taxel.normal = dvec3(0, 0, -1);
-  taxel.subtaxels = {{taxel.center, dvec3(0, 0, -1), 0.0005}, {taxel.center, dvec3(0, 0, -1), 0.004}};
-  project.layout.taxels[2].radius = -0.0009;
+  taxel.subtaxels = {{taxel.center, dvec3(0, 0, -1), 0.001}, {taxel.center, dvec3(0, 0, -1), 0.004}};
+  project.layout.taxels[2].radius = -0.002;
   project.layout.material.friction = -0.5;
   const Mending mending = mend(project);
   ASSERT_TRUE(mending.edit);
@@ -59,7 +60,7 @@ TEST(MendAll, ATaxelWithSeveralProblemsIsMendedOfAll) {
   EXPECT_EQ(left(mend(mended)), kNone);
   EXPECT_FALSE(mend(mended).edit);
   EXPECT_EQ(left(mending), kNone);
-  EXPECT_EQ(mended.layout.taxels[2].radius, 0.0009);
+  EXPECT_EQ(mended.layout.taxels[2].radius, 0.002);
   EXPECT_EQ(mended.layout.material.friction, 0.5);
   EXPECT_EQ(mended.layout.taxels[0], project.layout.taxels[0]) << "what was right stays";
 }
@@ -92,7 +93,7 @@ TEST(MendAll, RepairsAMeshThatIsToBeKeptAsItIs) {
                                                     std::vector<ivec3>(whole.faces().begin(), whole.faces().end() - 1));
   Project project = with_taxels(2);
   project.layout.mesh.repair.level = RepairLevel::keep;
-  project.layout.taxels[1].radius = -0.0009;
+  project.layout.taxels[1].radius = -0.003;
   const RepairedMeshPtr kept = as_loaded(open);
   const MeshIndex skin(open);
   const Mending mending = mend_all(project, {*open, *kept, skin});
@@ -101,7 +102,7 @@ TEST(MendAll, RepairsAMeshThatIsToBeKeptAsItIs) {
   EXPECT_EQ(left(mending), kNone);
   const Project mended = apply_edit(project, *mending.edit);
   EXPECT_EQ(mended.layout.mesh.repair, RepairRecipe{});
-  EXPECT_EQ(mended.layout.taxels[1].radius, 0.0009);
+  EXPECT_EQ(mended.layout.taxels[1].radius, 0.003);
 }
 
 TEST(MendAll, ThousandsOfTaxelsAreAFewEdits) {
