@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/output_folder.h"
+#include "fixtures/ended_process.h"
 #include "fixtures/temp_folder.h"
 
 namespace taxel {
@@ -103,10 +104,7 @@ TEST(Files, AFailedWriteKeepsTheOldFile) {
 
 TEST(Files, RemovesTemporaryPathsOfEndedProcesses) {
   const TempFolder folder;
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(0);
-  ::waitpid(child, nullptr, 0);
-  const std::string ended = std::to_string(child), running = std::to_string(::getppid());
+  const std::string ended = std::to_string(test::ended_process()), running = std::to_string(::getppid());
   for (const std::string& name : {"a." + ended + ".part", "a." + running + ".part", "b." + ended + ".part",
                                   std::string("a.notes.part"), ".taxel-" + ended + ".part/x"}) {
     fs::create_directories((folder / name).parent_path());

@@ -11,6 +11,7 @@
 #include "core/sim/simulator.h"
 #include "fixtures/asked_thread.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/ended_process.h"
 #include "fixtures/run_program.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
@@ -143,7 +144,8 @@ TEST_F(Journal, IsWrittenAsTheRecordingThatItWas) {
 
 // A process that is killed while it writes the recording leaves a folder with a temporary one inside.
 TEST_F(Journal, ReplacesOrClearsATargetThatWasBegun) {
-  const fs::path target = folder_.path() / "recording-1", part = target / ".taxel-1.part";
+  const fs::path target = folder_.path() / "recording-1",
+                 part = target / (".taxel-" + std::to_string(test::ended_process()) + ".part");
   for (const bool wanted : {false, true}) {
     fs::create_directories(part);
     test::write_text(part / "readings.csv", "half");
