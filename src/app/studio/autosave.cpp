@@ -114,11 +114,14 @@ void Autosave::send(Job job) {
 std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
                              const std::string& origin, double now) {
   if (!started()) return {};
+  const std::string failure = new_failure();
   if (!unsaved) {
     unkept_since_.reset();
-    if (std::exchange(kept_, 0) != 0) send({});
+    kept_ = 0;
+    if (std::exchange(sent_, false)) send({});
   } else if (taken_over_) {
     kept_ = revision;
+    sent_ = true;
     send({unsaved, name, origin, std::exchange(taken_over_, std::nullopt)});
   } else if (revision == kept_) {
     unkept_since_.reset();
@@ -127,10 +130,18 @@ std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, 
   } else if (now - *unkept_since_ >= every_) {
     unkept_since_.reset();
     kept_ = revision;
+    sent_ = true;
     send({unsaved, name, origin, std::nullopt});
   }
+  return failure;
+}
+
+std::string Autosave::new_failure() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(failure_, "");
+  if (!outcome_) return {};
+  const std::string failure = *std::exchange(outcome_, std::nullopt);
+  if (!failure.empty()) kept_ = 0;  // it is not, and is written again
+  return std::exchange(told_, failure) == failure ? "" : failure;
 }
 
 std::optional<double> Autosave::seconds_until_due(double now) const {
@@ -162,7 +173,7 @@ void Autosave::run() {
       failure = error.what();
     }
     lock.lock();
-    if (!failure.empty()) failure_ = failure;
+    outcome_ = failure;
   }
 }
 
@@ -177,7 +188,7 @@ std::vector<LostDocument> Autosave::lost() const {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     const fs::path file = entry.path();
-    if (file.extension() != ".taxelproj" || file == file_) continue;
+    if (file.extension() != ".taxelproj" || file == file_ || !fs::is_regular_file(file, error)) continue;
     const int lock = try_lock(beside(file, ".lock"));
     if (lock < 0) continue;  // its program lives
     ::close(lock);

@@ -42,7 +42,8 @@ class Autosave {
 
   /// To be called often, at the latest after seconds_until_due(). A project with unsaved edits is written as soon as
   /// its oldest unwritten edit is as old as the interval; without one the written file is removed. `now` is the time of
-  /// a steady clock [s], which runs while the window rests too. Never waits. Returns why the last writing failed, once.
+  /// a steady clock [s], which runs while the window rests too. What could not be written is tried again one interval
+  /// later. Never waits. Returns why the last writing failed, once for all that fail alike.
   std::string update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
                      const std::string& origin, double now);
   /// Seconds from `now` until update() has something to write, at least 0; empty while nothing is unwritten.
@@ -67,6 +68,7 @@ class Autosave {
     std::string name, origin;
     std::optional<LostDocument> forget;
   };
+  std::string new_failure();
   void stop();
   void run();
   void write(const Job& job) const;
@@ -77,12 +79,14 @@ class Autosave {
   int lock_ = -1;
   std::optional<double> unkept_since_;
   std::uint64_t kept_ = 0;  ///< revision
+  bool sent_ = false;       ///< something to keep, since the last time that nothing was unsaved
   std::optional<LostDocument> taken_over_;
+  std::string told_;  ///< of the failures
 
   std::mutex mutex_;  // guards the rest
   std::condition_variable asked_;
   std::optional<Job> next_;
-  std::string failure_;
+  std::optional<std::string> outcome_;  ///< of the last writing: why it failed, or nothing; empty: not looked at since
   bool ending_ = false;
   std::thread thread_;
 };

@@ -13,10 +13,15 @@ std::filesystem::path settings_folder();
 /// Of what a program leaves for the next start: $XDG_STATE_HOME/taxelstudio, else ~/.local/state/taxelstudio.
 std::filesystem::path state_folder();
 
-/// What the file says; defaults for what it does not say. A broken file counts as none: settings are no reason to stop.
-ui::SavedState read_settings(const std::filesystem::path& file);
+struct ReadSettings {
+  ui::SavedState saved;
+  std::string problem;  ///< what could not be read, and why; empty: nothing
+};
+/// What the file says; defaults for what it does not say. What cannot be read keeps its default, for settings are no
+/// reason to stop, and is told.
+ReadSettings read_settings(const std::filesystem::path& file);
 /// The same of the file's text.
-ui::SavedState parse_settings(const std::string& text);
+ReadSettings parse_settings(const std::string& text);
 /// The text that write_settings() writes.
 std::string settings_text(const ui::SavedState& saved);
 /// Throws Error when the folder cannot be written.

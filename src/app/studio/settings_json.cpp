@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/studio/settings.h"
+#include "core/base/error.h"
 #include "core/base/files.h"
 
 namespace taxel::ui {
@@ -116,25 +119,35 @@ std::filesystem::path state_folder() {
   return user_folder("XDG_STATE_HOME", ".local/state");
 }
 
-ui::SavedState read_settings(const std::filesystem::path& file) {
+ReadSettings read_settings(const std::filesystem::path& file) {
+  ReadSettings read;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return read;
   try {
-    return std::filesystem::exists(file) ? parse_settings(read_file(file)) : ui::SavedState{};
-  } catch (const std::exception&) {
-    return ui::SavedState{};
+    read = parse_settings(read_file(file));
+  } catch (const Error& error) {
+    read.problem = error.what();
+    return read;
   }
+  if (!read.problem.empty()) read.problem = file.string() + ": " + read.problem;
+  return read;
 }
 
-ui::SavedState parse_settings(const std::string& text) {
-  ui::SavedState saved;
-  try {
-    const Json json = Json::parse(text);
-    visit_settings(saved, [&](const char* key, auto& value) {
-      if (json.contains(key)) json.at(key).get_to(value);
-    });
-  } catch (const std::exception&) {
-    return ui::SavedState{};
-  }
-  return saved;
+ReadSettings parse_settings(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return {{}, json.is_discarded() ? "is not JSON" : "must be an object of settings"};
+  ReadSettings read;
+  visit_settings(read.saved, [&](const char* key, auto& value) {
+    if (!json.contains(key)) return;
+    try {
+      auto kept = value;
+      json.at(key).get_to(kept);
+      value = std::move(kept);
+    } catch (const Json::exception&) {
+      read.problem += fmt::format("{}/{}: has a value that it cannot have", read.problem.empty() ? "" : ", ", key);
+    }
+  });
+  return read;
 }
 
 std::string settings_text(const ui::SavedState& saved) {

@@ -83,11 +83,7 @@ Studio::Studio(const Options& options)
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
   painter_.emplace(!renderer_->software());
   if (options.keeps_state()) {
-    ui_.saved = read_settings(kept_file("settings.json"));
-    std::error_code ignored;
-    if (const auto file = kept_file("window.ini"); std::filesystem::exists(file, ignored)) {
-      ImGui::LoadIniSettingsFromDisk(file.string().c_str());
-    }
+    load_settings();
     start_autosave();
   }
   ui_.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
@@ -348,6 +344,30 @@ bool Studio::input_taken() const {
 
 std::filesystem::path Studio::kept_file(const char* name) const {
   return (options_.state_dir.empty() ? settings_folder() : std::filesystem::path(options_.state_dir)) / name;
+}
+
+void Studio::load_settings() {
+  const auto put_aside = [&](const std::filesystem::path& file, const std::string& problem) {
+    const std::filesystem::path aside = file.string() + ".broken";
+    std::error_code failed;
+    std::filesystem::rename(file, aside, failed);
+    ui::add_message(ui_, Severity::warning,
+                    fmt::format("{}: what could not be read is as in a new installation{}", problem,
+                                failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
+                    ImGui::GetTime());
+  };
+  const ReadSettings settings = read_settings(kept_file("settings.json"));
+  ui_.saved = settings.saved;
+  if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
+  std::error_code ignored;
+  const auto windows = kept_file("window.ini");
+  if (!std::filesystem::exists(windows, ignored)) return;
+  try {
+    const std::string text = read_file(windows);
+    ImGui::LoadIniSettingsFromMemory(text.data(), text.size());
+  } catch (const Error& error) {
+    put_aside(windows, error.what());
+  }
 }
 
 void Studio::save_settings() {

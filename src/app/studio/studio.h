@@ -117,6 +117,7 @@ class Studio {
   [[nodiscard]] Project project_to_save() const;
   [[nodiscard]] std::optional<ui::Camera> camera_of_project() const;  ///< as it was saved; none: it was not
   void update_title();
+  void load_settings();
   void save_settings();
   void finish_outputs();
   void save_screenshot(const std::string& file);

@@ -23,7 +23,7 @@ ui::SavedState written_and_read(const SavedState& saved) {
   const test::TempFolder folder;
   const std::filesystem::path file = folder.path() / "deep" / "settings.json";
   write_settings(file, saved);
-  return read_settings(file);
+  return read_settings(file).saved;
 }
 
 /// The bytes of a struct that consists of bools.
@@ -33,13 +33,16 @@ std::span<bool> switches(Struct& values) {
   return {reinterpret_cast<bool*>(&values), sizeof(Struct)};
 }
 
+/// Bools at the begin of Overlays; bytes without a meaning may follow.
+constexpr std::size_t kSwitches = offsetof(Overlays, site_groups) + sizeof(GroupsShown);
+
 /// All values, so that two states are compared as a whole. A member that is added to SavedState does not compile here:
 /// add it to this list, and to the tests below.
 std::string all_values(SavedState saved) {
   auto& [dark, scale, overlays, panels, plot, tour_seen, recent] = saved;
   std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, static_cast<int>(overlays.frames),
                                  static_cast<int>(overlays.labels));
-  for (const bool on : switches(overlays).first(offsetof(Overlays, frames))) text += on ? '1' : '0';
+  for (const bool on : switches(overlays).first(kSwitches)) text += on ? '1' : '0';
   for (const bool on : switches(panels)) text += on ? '1' : '0';
   for (const bool on : switches(plot)) text += on ? '1' : '0';
   for (const std::string& file : recent) text += " " + file;
@@ -53,8 +56,7 @@ void expect_kept(const SavedState& saved, const std::string& what) {
 
 TEST(Settings, KeepEachOverlay) {
   static_assert(sizeof(Overlays) == offsetof(Overlays, labels) + sizeof(ui::LabelsShown), "labels are the last member");
-  const std::size_t count = offsetof(Overlays, site_groups) + sizeof(GroupsShown);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < kSwitches; ++i) {
     SavedState saved;
     bool& value = switches(saved.overlays)[i];
     value = !value;
@@ -113,18 +115,32 @@ TEST(Settings, RememberEightRecentFilesNewestFirst) {
   EXPECT_EQ(saved.recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
 }
 
-TEST(Settings, AreDefaultsIfTheFileIsBroken) {
+TEST(Settings, ThatCannotBeReadAreDefaultsAndTold) {
   const test::TempFolder folder;
   const std::filesystem::path file = folder.path() / "settings.json";
-  EXPECT_EQ(all_values(read_settings(file)), all_values({})) << "no file";
-  for (const char* text : {"", "{", "[]", R"({"dark": 3})", R"({"dark": false, "geom_groups": "all"})"}) {
+  EXPECT_EQ(all_values(read_settings(file).saved), all_values({})) << "no file";
+  EXPECT_EQ(read_settings(file).problem, "") << "no file";
+  const std::vector<std::pair<const char*, const char*>> cases{
+      {"", "is not JSON"},
+      {"{", "is not JSON"},
+      {"[]", "must be an object of settings"},
+      {R"({"dark": 3})", "/dark: has a value that it cannot have"},
+      {R"({"geom_groups": [false, 1]})", "/geom_groups: has a value that it cannot have"}};
+  for (const auto& [text, problem] : cases) {
     std::ofstream(file) << text;
-    EXPECT_EQ(all_values(read_settings(file)), all_values({})) << text;
+    EXPECT_EQ(all_values(read_settings(file).saved), all_values({})) << text;
+    EXPECT_EQ(read_settings(file).problem, file.string() + ": " + problem);
   }
-  std::ofstream(file) << R"({"dark": false, "frames": "no such word", "unknown": 7})";
   SavedState light;
   light.dark = false;
-  EXPECT_EQ(all_values(read_settings(file)), all_values(light));
+  std::ofstream(file) << R"({"dark": false, "geom_groups": "all", "scale": "2"})";
+  EXPECT_EQ(all_values(read_settings(file).saved), all_values(light)) << "what can be read is kept";
+  EXPECT_EQ(read_settings(file).problem, file.string() +
+                                             ": /scale: has a value that it cannot have, /geom_groups: has a "
+                                             "value that it cannot have");
+  std::ofstream(file) << R"({"dark": false, "frames": "no such word", "unknown": 7})";
+  EXPECT_EQ(all_values(read_settings(file).saved), all_values(light)) << "as a later version may write it";
+  EXPECT_EQ(read_settings(file).problem, "");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // When unsaved edits are written, at made-up times.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <thread>
@@ -44,6 +46,52 @@ TEST_P(AutosaveInterval, IsNeitherLongerNorShorter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seconds, AutosaveInterval, testing::Values(0.01, 2.0, 30.0));
+
+/// Waits for the thread's answer, ten seconds at most.
+std::string answer(Autosave& autosave, const ProjectPtr& project, std::uint64_t revision, double now) {
+  for (int i = 0; i < 1000; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (std::string failure = autosave.update(project, revision, "finger", "", now); !failure.empty()) return failure;
+  }
+  return "";
+}
+
+// A full disk, say, on which there is room again later.
+TEST(AutosaveFailure, IsToldOnceAndTriedAgain) {
+  const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveFailure");
+  const auto file = folder / (std::to_string(::getpid()) + "-1.taxelproj");
+  Autosave autosave(2);
+  autosave.start(folder);
+  std::filesystem::create_directories(file / "in the way");
+  const auto project = std::make_shared<const Project>();
+  autosave.update(project, 1, "finger", "", 100);
+  autosave.update(project, 1, "finger", "", 102);
+  EXPECT_NE(answer(autosave, project, 1, 103).find(file.string()), std::string::npos);
+  ASSERT_TRUE(autosave.seconds_until_due(103)) << "it is tried again";
+  EXPECT_NEAR(*autosave.seconds_until_due(103), 2, 1e-9);
+  autosave.update(project, 1, "finger", "", 105);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(autosave.update(project, 1, "finger", "", 106), "") << "told once";
+  std::filesystem::remove_all(file);
+  autosave.update(project, 1, "finger", "", 108);
+  for (int i = 0; i < 1000 && !std::filesystem::exists(file); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(std::filesystem::is_regular_file(file));
+  autosave.end();
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST(AutosaveFolder, OffersRegularFilesAlone) {
+  const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveFolder");
+  ASSERT_EQ(::mkfifo((folder / "1-1.taxelproj").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", folder / "1-2.taxelproj");
+  write_text(folder / "1-3.taxelproj", "{}");
+  Autosave autosave(2);
+  autosave.start(folder);
+  const auto lost = autosave.lost();
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_EQ(lost.front().file.filename(), "1-3.taxelproj");
+}
 
 }  // namespace
 }  // namespace taxel::test
