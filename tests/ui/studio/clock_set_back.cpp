@@ -1,14 +1,12 @@
-// Loaded before the program: from the 50th time on that somebody asks for the time of day, it is a day earlier.
+// Loaded before the program: while the file edited.json lies in its folder, the time of day is a day earlier.
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <ctime>
 
 extern "C" int clock_gettime(clockid_t clock, timespec* time) noexcept {
-  static std::atomic<int> asked = 0;
-  constexpr int kSetBackAfter = 50, kDay = 86400;
+  constexpr int kDay = 86400;
   const auto status = static_cast<int>(::syscall(SYS_clock_gettime, clock, time));
-  if (clock == CLOCK_REALTIME && ++asked > kSetBackAfter) time->tv_sec -= kDay;
+  if (clock == CLOCK_REALTIME && ::access("edited.json", F_OK) == 0) time->tv_sec -= kDay;
   return status;
 }
