@@ -78,5 +78,23 @@ TEST(Surroundings, DecimalCommasChangeNoNumber) {
     EXPECT_EQ(file_text(folder / "comma" / file), file_text(folder / "point" / file)) << file;
 }
 
+TEST(ManySamples, AreAnnouncedBeforeTheyAreMade) {
+  const fs::path folder = test_folder();
+  const auto samples = [&](const std::string& density) {
+    return run_program(
+        "/usr/bin/timeout",
+        {"1", TAXEL_PROGRAM, "samples", fingertip_layout().string(), "--density", density, "--out", "s.csv"}, folder);
+  };
+  const Outcome many = samples("5e9");
+  EXPECT_EQ(many.status, 124) << "it is ended while they are made";
+  EXPECT_NE(
+      many.err.find("/sampling/density: 5000000000 per square metre makes up to 8.52e+06 samples, which take about "
+                    "12.7 GiB of memory"),
+      std::string::npos)
+      << many.err;
+  EXPECT_TRUE(names_in(folder).empty()) << names_in(folder).front();
+  EXPECT_EQ(samples("1e5").err.find("GiB"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taxel::test

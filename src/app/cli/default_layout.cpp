@@ -50,9 +50,8 @@ Source read_source(const std::string& layout_file, const SkinChoice& skin) {
 
 /// Says what many samples cost before they are made. The area of the loaded mesh is an upper limit of the sampled area.
 void announce_samples(const Source& source, Console& console) {
-  constexpr double kMany = 1e6;
   const double count = source.layout.sampling.density * source.mesh.mesh->area();
-  if (count > kMany && count <= kMaxSamples)
+  if (count > kManySamples && count <= kMaxSamples)
     console.note(
         fmt::format("{}: /sampling/density: {} per square metre makes up to {:.3g} samples, which take about "
                     "{:.1f} GiB of memory",
