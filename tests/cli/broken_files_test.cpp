@@ -103,13 +103,24 @@ TEST(BrokenFiles, MeshesOfLayoutsMustBeRegular) {
   }
 }
 
-TEST(BrokenFiles, MeshesOfScenesMustBeRegular) {
+TEST(BrokenFiles, WhatScenesNameMustBeRegular) {
   const fs::path folder = test_folder();
-  ASSERT_EQ(::mkfifo((folder / "m.obj").c_str(), 0600), 0);
-  write_text(folder / "scene.xml",
-             "<mujoco><asset><mesh name=\"m\" file=\"m.obj\"/></asset><worldbody><geom type=\"mesh\" mesh=\"m\"/>"
-             "</worldbody></mujoco>");
-  expect_refusal(bounded_taxel({"run", "scene.xml"}, folder), "taxel: scene.xml: m.obj: is not a regular file");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const std::string box = "<worldbody><geom type=\"box\" size=\"1 1 1\"/></worldbody></mujoco>";
+  for (const char* part :
+       {"<asset><mesh name=\"m\" file=\"pipe\" content_type=\"model/obj\"/></asset>",
+        "<asset><hfield name=\"h\" file=\"pipe\" size=\"1 1 1 1\"/></asset>",
+        "<asset><skin name=\"s\" file=\"pipe\"/></asset>",
+        "<asset><texture name=\"t\" type=\"2d\" file=\"pipe\"/></asset>",
+        "<asset><texture name=\"t\" type=\"cube\" fileup=\"pipe\"/></asset>", "<include file=\"pipe\"/>"}) {
+    SCOPED_TRACE(part);
+    write_text(folder / "scene.xml", "<mujoco>" + (part + box));
+    for (const char* command : {"run", "check"}) {
+      const Outcome outcome = bounded_taxel({command, "scene.xml"}, folder);
+      EXPECT_NE(outcome.status, 0);
+      EXPECT_NE(outcome.err.find("scene.xml: pipe: is not a regular file"), std::string::npos) << outcome.err;
+    }
+  }
 }
 
 /// A recording with one flipped bit, and those who read recordings.

@@ -68,23 +68,29 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
   return scene;
 }
 
-/// Throws Error if a mesh, height field or skin of the scene is a pipe or a device: MuJoCo, which opens them itself,
-/// would wait for ever. Files that are missing are left to MuJoCo's message.
+/// Throws Error if a mesh, height field, skin or texture of the scene is a pipe or a device: MuJoCo, which opens them
+/// itself, would wait for ever. Files that are missing are left to MuJoCo's message.
 void expect_regular_assets(mjSpec* spec, const fs::path& folder, const std::string& name) {
-  const fs::path meshes = folder / mjs_getString(spec->compiler.meshdir);
-  const auto check = [&](const mjString* file) {
-    const std::string text = mjs_getString(file);
+  const fs::path meshes = folder / mjs_getString(spec->compiler.meshdir),
+                 textures = folder / mjs_getString(spec->compiler.texturedir);
+  const auto check = [&](const fs::path& from, const char* file) {
     std::error_code ignored;
-    const fs::path path = meshes / text;
-    if (!text.empty() && fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
-      throw Error(name, fmt::format("{}: is not a regular file", text));
+    if (file == nullptr || *file == '\0') return;
+    const fs::path path = from / file;
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+      throw Error(name, fmt::format("{}: is not a regular file", file));
   };
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_MESH); e != nullptr; e = mjs_nextElement(spec, e))
-    check(mjs_asMesh(e)->file);
+    check(meshes, mjs_getString(mjs_asMesh(e)->file));
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_HFIELD); e != nullptr; e = mjs_nextElement(spec, e))
-    check(mjs_asHField(e)->file);
+    check(meshes, mjs_getString(mjs_asHField(e)->file));
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_SKIN); e != nullptr; e = mjs_nextElement(spec, e))
-    check(mjs_asSkin(e)->file);
+    check(meshes, mjs_getString(mjs_asSkin(e)->file));
+  constexpr int kSides = 6;  // of a cube, a file for each
+  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_TEXTURE); e != nullptr; e = mjs_nextElement(spec, e)) {
+    check(textures, mjs_getString(mjs_asTexture(e)->file));
+    for (int side = 0; side < kSides; ++side) check(textures, mjs_getInStringVec(mjs_asTexture(e)->cubefiles, side));
+  }
 }
 
 std::string spec_body_name(mjSpec* spec, int body) {

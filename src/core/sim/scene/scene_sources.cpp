@@ -55,7 +55,9 @@ void find_included(const fs::path& file, const fs::path& scene, std::set<fs::pat
   for (const NamedFile& named : names.files()) {
     for (const fs::path& from : {scene, file}) {
       const fs::path path = (from.parent_path() / named.name).lexically_normal();
-      if (!fs::is_regular_file(path, ignored)) continue;
+      if (!fs::exists(path, ignored)) continue;
+      if (!fs::is_regular_file(path, ignored))
+        throw Error(file.string(), fmt::format("{}: is not a regular file", named.name));
       if (path != scene && found.insert(path).second) find_included(path, named.model ? path : scene, found);
       break;
     }

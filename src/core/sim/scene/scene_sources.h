@@ -16,6 +16,7 @@ std::vector<std::string> scene_sources(const std::filesystem::path& scene, const
 
 /// The MJCF of these: named by `<include file="...">` and `<model file="...">`, as MuJoCo looks for it: beside the
 /// scene first, then beside the file that names it. (mju_getXMLDependencies ends the program where a file is gone.)
+/// Throws Error naming the file if a named one is a pipe, a device or a folder.
 std::vector<std::filesystem::path> included_files(const std::filesystem::path& scene);
 
 }  // namespace taxel
