@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Limits of folders, types and functions, and circles of includes.
+
+A room is a header with its source file of the same name. What breaks a limit today stands in offenders.txt with its
+figure: it may not grow, and a line that is no longer needed must go.
+"""
+import collections
+import pathlib
+import sys
+
+from check_house import includes
+from cpp_text import data_members, has_methods, scopes
+
+MAX_FOLDER_FILES = 25
+MAX_FUNCTION_LINES = 60
+MAX_MEMBERS = 20  # of a type with methods
+
+
+def sources(root):
+    return [path for path in sorted((pathlib.Path(root) / "src").rglob("*")) if path.suffix in (".h", ".cpp")]
+
+
+def full_folders(root):
+    """Pairs of the offender and its figure."""
+    source = pathlib.Path(root) / "src"
+    files = collections.Counter(path.parent for path in source.rglob("*") if path.is_file())
+    for folder, count in sorted(files.items()):
+        if count > MAX_FOLDER_FILES:
+            yield f"folder {folder.relative_to(root).as_posix()}", count
+
+
+def long_scopes(root):
+    for path in sources(root):
+        name = path.relative_to(root).as_posix()
+        for scope in scopes(path.read_text()):
+            lines = scope.last_line - scope.first_line + 1
+            if scope.kind == "function" and lines > MAX_FUNCTION_LINES:
+                yield f"function {name} {scope.name}", lines
+            members = data_members(scope) if scope.kind == "type" else 0
+            if members > MAX_MEMBERS and has_methods(scope):
+                yield f"members {name} {scope.name}", members
+
+
+def circles(root):
+    """Groups of rooms that include each other, directly or through others, by Tarjan's algorithm (1972)."""
+    source = pathlib.Path(root) / "src"
+    rooms = collections.defaultdict(set)
+    for path in sources(root):
+        room = path.relative_to(source).with_suffix("").as_posix()
+        for _, header in includes(path):
+            other = pathlib.PurePosixPath(header).with_suffix("").as_posix()
+            if other != room and (source / header).exists():
+                rooms[room].add(other)
+    index, low, stack, found = {}, {}, [], []
+
+    def visit(room):
+        index[room] = low[room] = len(index)
+        stack.append(room)
+        for other in sorted(rooms.get(room, ())):
+            if other not in index:
+                visit(other)
+            if other in stack:
+                low[room] = min(low[room], low[other])
+        if low[room] == index[room]:
+            group = stack[stack.index(room):]
+            del stack[stack.index(room):]
+            if len(group) > 1:
+                found.append(sorted(group))
+
+    sys.setrecursionlimit(10000)
+    for room in sorted(rooms):
+        if room not in index:
+            visit(room)
+    for group in sorted(found):
+        yield f"circle {group[0]}", len(group)
+
+
+def offenders(root):
+    return dict([*full_folders(root), *long_scopes(root), *circles(root)])
+
+
+def listed(root):
+    file = pathlib.Path(root) / "tests/arch/offenders.txt"
+    lines = file.read_text().splitlines() if file.exists() else []
+    return {line.rsplit(" ", 1)[0]: int(line.rsplit(" ", 1)[1]) for line in lines if line}
+
+
+def complaints(root):
+    today, allowed = offenders(root), listed(root)
+    for what, figure in today.items():
+        if figure > allowed.get(what, 0):
+            yield f"{what}: {figure}, " + (f"was {allowed[what]}" if what in allowed else "a new offender")
+    for what, figure in allowed.items():
+        if today.get(what, 0) < figure:
+            yield f"{what}: {today.get(what, 'none')}, offenders.txt says {figure}: lower it there"
+
+
+def main(root, *write):
+    if write == ("--write",):  # after something became smaller
+        text = "".join(f"{what} {figure}\n" for what, figure in offenders(root).items())
+        (pathlib.Path(root) / "tests/arch/offenders.txt").write_text(text)
+    found = list(complaints(root))
+    print("\n".join([*found, f"{len(found)} broken limits"]))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,129 @@
+"""C++ as the checks read it: without comments and texts, in statements and scopes."""
+import re
+
+_IGNORED = re.compile(
+    r'//[^\n]*|/\*.*?\*/|R"(?P<tag>[^()\s\\]{0,16})\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'',
+    re.DOTALL,
+)
+_TYPE = re.compile(r"\b(class|struct|union)\s+(?:\[\[\w+\]\]\s*)?([\w:]+)?[^()=]*$")
+
+
+def bare(text):
+    """The text with comments, literals and preprocessor lines blanked; every line keeps its number."""
+
+    def blank(match):
+        kept = "\n" * match.group(0).count("\n")
+        return kept if match.group(0).startswith("/") else '""' + kept
+
+    # 1'000 is a number, not the begin of a character
+    text = re.sub(r"(?<=[0-9a-fA-F])'(?=[0-9a-fA-F])", "", text)
+    text = _IGNORED.sub(blank, text)
+    lines, goes_on = [], False
+    for line in text.split("\n"):
+        directive = goes_on or line.lstrip().startswith("#")
+        goes_on = directive and line.rstrip().endswith("\\")
+        lines.append("" if directive else line)
+    return "\n".join(lines)
+
+
+class Scope:
+    """A pair of braces outside of functions, or a function's body."""
+
+    def __init__(self, kind, name, head, line):
+        self.kind, self.name, self.head, self.first_line = kind, name, head, line
+        self.last_line = line
+        self.statements = []  # declarations that end in a semicolon, of a type
+
+
+def _name_of_function(head):
+    before = head[: head.index("(")]
+    words = re.findall(r"[\w:~<>]+|operator\S+", before)
+    return words[-1] if words else "?"
+
+
+def _kind(head):
+    if re.search(r"\bnamespace\b|extern\s*\"\"", head):
+        return "namespace", ""
+    if re.search(r"\benum\b", head):
+        return "value", ""
+    found = _TYPE.search(re.sub(r"template\s*<.*?>\s*(?=class|struct|union)", "", head, flags=re.DOTALL))
+    if found:
+        return "type", found.group(2) or "?"
+    outside = re.sub(r"\([^()]*\)", "()", re.sub(r"\([^()]*\)", "()", head))
+    if "(" in head and not re.search(r"(?<![=!<>])=(?!=)", outside.replace("operator=", "")):
+        return "function", _name_of_function(head)
+    return "value", ""
+
+
+def scopes(text):
+    """All types and functions of a file. Bodies of functions are not looked into."""
+    text = bare(text)
+    found, open_scopes, head, line, head_line, inner = [], [], "", 1, 1, 0
+    for character in text:
+        if character == "\n":
+            line += 1
+        top = open_scopes[-1] if open_scopes else None
+        closed = top is not None and top.kind in ("function", "value")
+        if closed:  # only its end matters
+            inner += {"{": 1, "}": -1}.get(character, 0)
+            if inner:
+                continue
+            top.last_line = line
+            open_scopes.pop()
+            if top.kind == "function":
+                found.append(top)
+                head = ""
+            else:
+                head += "{}"
+            continue
+        if character == "{":
+            kind, name = _kind(head)
+            open_scopes.append(Scope(kind, name, head.strip(), head_line))
+            inner = 1
+            if kind != "value":
+                head = ""
+        elif character == "}":
+            if top is not None:
+                top.last_line = line
+                open_scopes.pop()
+                if top.kind == "type":
+                    found.append(top)
+            head = ""
+        elif character == ";":
+            if top is not None and top.kind == "type" and head.strip():
+                top.statements.append(head.strip())
+            head = ""
+        else:
+            if not head.strip() and not character.isspace():
+                head, head_line = "", line
+            head += character
+            if re.search(r"\b(public|private|protected)\s*:$", head):
+                head = ""
+    return found
+
+
+def _top_level(statement):
+    """Without what stands in brackets of any kind, and without values."""
+    for pattern in (r"\{[^{}]*\}", r"\([^()]*\)", r"\[[^\[\]]*\]", r"<[^<>]*>"):
+        before = None
+        while before != statement:
+            before, statement = statement, re.sub(pattern, "", statement)
+    return re.sub(r"=[^,]*", "", statement)
+
+
+def data_members(scope):
+    """Number of data members that a type declares."""
+    count = 0
+    for statement in scope.statements:
+        if re.match(r"(using|typedef|friend|static|template|enum|class|struct|union|constexpr)\b", statement):
+            continue
+        values = re.sub(r"<[^<>]*>", "", re.sub(r"<[^<>]*>", "", re.sub(r"<[^<>]*>", "", statement)))
+        declared = re.split(r"[={]", values)[0]
+        if "(" in declared:
+            continue  # a method
+        count += 1 + _top_level(statement).count(",")
+    return count
+
+
+def has_methods(scope):
+    return any("(" in re.split(r"[={]", re.sub(r"<[^<>]*>", "", s))[0] for s in scope.statements)
