@@ -99,7 +99,7 @@ void add_way_point(UiState& ui, const UiInput& input) {
   const auto at = static_cast<std::size_t>(after + 1);
   double time = after < 0 ? 0 : edited.points[at - 1].time + kMoreSeconds;
   if (after >= 0 && after < last) time = 0.5 * (edited.points[at - 1].time + edited.points[at].time);
-  edited.points.insert(edited.points.begin() + after + 1, WayPoint{time, sensor->X_WM});
+  edited.points.insert(edited.points.begin() + (after + 1), WayPoint{time, sensor->X_WM});
   ui.path.selected = after + 1;
   ui.ask(EditProject{SetScenario{edited}, {}});
 }

@@ -75,9 +75,9 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   EXPECT_EQ(shear["type"], "boolean");
   EXPECT_EQ(repair["properties"]["level"]["default"], std::string(to_word(RepairRecipe{}.level)));
   layout.mesh.repair = {RepairLevel::exact, 1.0, 1.0, 1.0, 1.0, 1.0};
-  for (const auto& [key, value] : Json::parse(layout_to_json(layout))["mesh"]["repair"].items())
-    EXPECT_TRUE(repair["properties"].contains(key)) << key;
-  EXPECT_EQ(Json::parse(layout_to_json(layout))["mesh"]["repair"].size(), repair["properties"].size());
+  const Json recipe = Json::parse(layout_to_json(layout))["mesh"]["repair"];
+  for (const auto& [key, value] : recipe.items()) EXPECT_TRUE(repair["properties"].contains(key)) << key;
+  EXPECT_EQ(recipe.size(), repair["properties"].size());
 
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
   expect_described(Json::parse(layout_to_json(layout))["taxels"][0], schema()["$defs"]["taxel"], "/taxels/0");
