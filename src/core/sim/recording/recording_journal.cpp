@@ -108,6 +108,7 @@ void cut(Recording& recording, std::size_t steps) {
 /// Reads the entries after the head of BASE.rows until the end, or the first that is not complete.
 void read_entries(std::string_view bytes, Recording& recording) {
   std::vector<double> numbers(bytes.size() / sizeof(double));
+  if (numbers.empty()) return;
   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
   const RecordedRow shape = empty_row(recording);
   std::vector<double> one_row;
