@@ -8,7 +8,6 @@
 # | Manifold             | 3.5.4      | PyPI manifold3d, by hash (Manifold.cmake) |
 # | GLM                  | >= 0.9.9.8 | Debian libglm-dev                         |
 # | fmt                  | >= 9       | Debian libfmt-dev                         |
-# | spdlog               | >= 1.10    | Debian libspdlog-dev                      |
 # | CLI11                | >= 2.1     | Debian libcli11-dev                       |
 # | oneTBB               | >= 2021    | Debian libtbb-dev                         |
 # | Highway              | >= 1.0     | Debian libhwy-dev                         |
@@ -40,7 +39,6 @@ find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -1,12 +1,10 @@
 #include "app/cli/console.h"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/stdout_sinks.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
 #include "core/base/error.h"
 
@@ -22,13 +20,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-Console::Console(const CommonOptions& options)
-    : options_(options),
-      log_("taxel", std::make_shared<spdlog::sinks::stderr_sink_st>()),
-      terminal_(::isatty(STDERR_FILENO) == 1) {
-  log_.set_pattern("taxel: %v");
-  log_.set_level(options.quiet ? spdlog::level::off : spdlog::level::info);
-}
+Console::Console(const CommonOptions& options) : options_(options), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 void Console::result(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
@@ -38,17 +30,20 @@ void Console::result(std::string_view text) {
 
 /// A message begins on an empty line; the bar comes back with the next progress.
 void Console::clear_bar() {
-  if (shown_percent_ >= 0) std::fputs(fmt::format("\r{:50}\r", "").c_str(), stderr);
+  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:50}\r", "");
   shown_percent_ = -1;
 }
 
-void Console::note(const std::string& message) {
+void Console::say(std::string_view kind, const std::string& message) {
+  if (options_.quiet) return;
   clear_bar();
-  log_.info("note: {}", one_line(message));
+  fmt::print(stderr, "taxel: {}: {}\n", kind, one_line(message));
+}
+void Console::note(const std::string& message) {
+  say("note", message);
 }
 void Console::warn(const std::string& message) {
-  clear_bar();
-  log_.warn("warning: {}", one_line(message));
+  say("warning", message);
 }
 
 void Console::tell(const Problems& problems) {
@@ -68,12 +63,12 @@ void Console::progress(double fraction) {
   const int filled = kWidth * percent / 100;
   const std::string bar =
       std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kWidth - filled), '.');
-  std::fputs(fmt::format("\r[{}] {:3d} %", bar, percent).c_str(), stderr);
+  fmt::print(stderr, "\r[{}] {:3d} %", bar, percent);
   std::fflush(stderr);
 }
 
 void print_failure(const std::string& message) {
-  std::fputs(fmt::format("taxel: {}\n", one_line(message)).c_str(), stderr);
+  fmt::print(stderr, "taxel: {}\n", one_line(message));
 }
 
 }  // namespace taxel::cli

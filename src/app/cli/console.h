@@ -1,8 +1,6 @@
 // Where a command speaks: results on stdout, messages and progress on stderr.
 #pragma once
 
-#include <spdlog/logger.h>
-
 #include <string>
 #include <string_view>
 
@@ -33,10 +31,10 @@ class Console {
   void progress(double fraction);
 
  private:
+  void say(std::string_view kind, const std::string& message);
   void clear_bar();
 
   CommonOptions options_;
-  spdlog::logger log_;
   bool terminal_ = false;
   int shown_percent_ = -1;  ///< of the bar that stands on the terminal; -1: none
 };
