@@ -17,6 +17,10 @@ inline constexpr double kMaxSteps = 1e8;
 /// Memory for the rows of a recording. Writing a recording takes about twice as much in addition.
 inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30U;
 
+/// Coordinate of a vertex or a taxel [m]. Far above it squares and cubes of lengths overflow, and no place on a mesh is
+/// the nearest.
+inline constexpr double kFarthest = 1e6;
+
 /// Elastic modulus of a material [Pa]. Diamond has 1.2e12.
 inline constexpr double kMaxModulus = 1e15;
 

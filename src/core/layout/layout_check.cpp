@@ -78,7 +78,15 @@ void check_material(const Material& material, Check& check) {
 /// Values that taxels and subtaxels have in common. Returns whether the disc can be placed on a mesh.
 template <class T>
 bool check_disc(const std::string& pointer, const T& disc, Check& check) {
-  const bool center = check.finite(pointer + "/center", disc.center);
+  const dvec3& c = disc.center;
+  bool center = check.finite(pointer + "/center", c);
+  if (center && std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) > kFarthest) {
+    check.error(
+        pointer + "/center", "too_far",
+        fmt::format("must be within {:g} m of the mesh's origin, is [{:g}, {:g}, {:g}]", kFarthest, c.x, c.y, c.z),
+        "in metres: 6 mm is 0.006");
+    center = false;
+  }
   const bool normal = check.direction(pointer + "/normal", disc.normal);
   const bool radius =
       check.positive(pointer + "/radius", disc.radius, "radius_not_positive", "in metres: 6 mm is 0.006");

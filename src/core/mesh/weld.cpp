@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/limits.h"
 
 namespace taxel {
 namespace {
@@ -99,6 +101,10 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   for (const dvec3& v : soup.vertices) {
     points.push_back(v * scale + 0.0);  // -0 becomes 0
     if (!is_finite(points.back())) throw Error(fmt::format("vertex {}: overflows when scaled", points.size() - 1));
+    const dvec3 size = glm::abs(points.back());
+    if (std::max({size.x, size.y, size.z}) > kFarthest)
+      throw Error(fmt::format("vertex {}: a coordinate of {:.3g} m, at most {:g} m: is the scale wrong?",
+                              points.size() - 1, std::max({size.x, size.y, size.z}), kFarthest));
   }
   const std::vector<int> same = first_at_same_place(points);
   int welded = 0;

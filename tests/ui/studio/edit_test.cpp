@@ -346,7 +346,8 @@ TEST(Edit, HiddenTaxelsAreNeitherSeenNorPickedUntilShown) {
   EXPECT_EQ(selected("picked.json"), Json({3}));
   EXPECT_EQ(selected("all.json"), Json({5}));
   EXPECT_EQ(studio.state("hidden.json")["document"], studio.state("before.json")["document"]) << "it stays a taxel";
-  for (const Json& mark : studio.state("before.json")["taxels"]) {
+  const Json marks = studio.state("before.json")["taxels"];
+  for (const Json& mark : marks) {
     if (mark["id"] != 3) continue;
     EXPECT_GT(color_distance(studio.picture("hidden.png").pixel(mark["pixel"][0], mark["pixel"][1]), mark["color"]), 8);
   }
