@@ -155,10 +155,11 @@ TEST(Polish, TwoLiveStartsRecordTheSameCurveAtAnyLoad) {
   }
 }
 
-// A run that is begun again, paused, or made step by step while the samples are polished.
+// A run that is restarted, paused, or advanced step by step while the samples are polished. Polishing this many samples
+// takes seconds, so that the script sees it happen even if a loaded machine rarely lets the script look.
 TEST(Polish, LiveRunsByHandRecordTheSameCurve) {
   const StudioProgram studio;
-  const std::string file = write_layout(studio, 2e6);
+  const std::string file = write_layout(studio, 8e6);
   const std::string polishing = R"({"do": "wait_for", "pointer": "/model/polishing", "equals": true})";
   record_live(studio, "alone", {}, file);
   record_live(studio, "restarted", {polishing, key("Enter", kCtrl)}, file);
