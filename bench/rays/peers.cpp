@@ -1,7 +1,9 @@
 #include "rays/peers.h"
 
+#include <span>
+
+#include "core/mesh/bvh.h"
 #include "core/mesh/ray_triangle.h"
-#include "core/mesh/tlas.h"
 
 namespace taxel::bench {
 namespace {
@@ -22,6 +24,34 @@ class Own final : public RayCaster {
   RayPath path_;
   CastWorkspace workspace_;
   RayHits hits_;
+};
+
+/// A tree over trees: several BVHs (BLAS) in one frame under one top-level BVH (TLAS). Refers to the BLAS, which must
+/// outlive it and stay as they are until the next build.
+class Tlas {
+ public:
+  /// Builds over the root boxes; empty trees are allowed and never hit. Keeps the memory of the last build.
+  void build(std::span<const Bvh* const> blas) {
+    blas_.assign(blas.begin(), blas.end());
+    boxes_.clear();
+    for (const Bvh* tree : blas_) boxes_.push_back(tree->empty() ? Aabb{} : tree->nodes()[0].box);
+    top_.build(boxes_, 1);
+  }
+
+  /// Front-to-back walk through all trees. test(instance, primitive, t_max) returns the new t_max, as for Bvh::cast.
+  template <class Test>
+  double cast(const Ray& ray, const Test& test) const {
+    return top_.cast(ray, [&](int instance, double t_max) {
+      const Ray limited{ray.origin, ray.direction, t_max};
+      return blas_[static_cast<std::size_t>(instance)]->cast(
+          limited, [&](int primitive, double limit) { return test(instance, primitive, limit); });
+    });
+  }
+
+ private:
+  std::vector<const Bvh*> blas_;
+  std::vector<Aabb> boxes_;
+  Bvh top_;
 };
 
 class Paper final : public RayCaster {
