@@ -123,7 +123,7 @@ void SimThread::Impl::add_trace_row() {
   rows.push_back(std::move(traced));
   if (simulator->scene()->duration > 0 || rows.size() < 2 * kEndlessRows) return;
   rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
-  trace.edition = new_trace_edition();
+  ++trace.edition;
 }
 
 /// The rows for plots and timeline, copied only when there are others, and not too often.

@@ -19,7 +19,7 @@ void SimThread::Impl::begin_run() {
   end_recording("the run began anew");
   ++runs;
   error.clear();
-  trace = {};
+  trace = {{}, trace.edition + 1};
   scrubbed.reset();
   stop.reset();
   history.clear();
@@ -34,7 +34,7 @@ void SimThread::Impl::go_on_from_shown() {
   const SimState& from = history.state(*scrubbed);
   simulator->restore_state(from);
   while (!trace.rows.empty() && trace.rows.back().time > from.time) trace.rows.pop_back();
-  trace.edition = new_trace_edition();
+  ++trace.edition;
   history.cut_after(*scrubbed);
   if (recording) recording->go_back_to(*scrubbed);
   scrubbed.reset();

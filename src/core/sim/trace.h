@@ -1,7 +1,6 @@
 // The readings of a run so far, as plots and bars need them. Free of MuJoCo.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -17,18 +16,12 @@ struct TraceRow {
   SampleQuality quality = SampleQuality::polished;
 };
 
-/// Never the same twice in a program; any thread.
-inline std::uint64_t new_trace_edition() {
-  static std::atomic<std::uint64_t> given{0};
-  return ++given;
-}
-
 /// All rows of a run so far.
 struct Trace {
   std::vector<TraceRow> rows;
   /// Copies of one trace have the same until rows are taken away from it: of those, the longer goes on where the
   /// shorter ends.
-  std::uint64_t edition = new_trace_edition();
+  std::uint64_t edition = 0;
 };
 
 }  // namespace taxel

@@ -103,12 +103,12 @@ TEST(PlotCurves, RowsThatAreAddedOrReplacedGiveWhatAllOfThemGive) {
   same(curves, made_of(more));
   ASSERT_TRUE(curves.polished_from);
   EXPECT_EQ(*curves.polished_from, more.rows[1200].time);
-  Trace other{more.rows};
+  Trace other{more.rows, more.edition + 1};
   other.rows[3].readings[1] = 9000;  // far behind the end
   update_curves(curves, other, false);
   same(curves, made_of(other));
   EXPECT_EQ(curves.largest, 9000);
-  const Trace later{{all.rows.begin() + 500, all.rows.end()}}, none;
+  const Trace later{{all.rows.begin() + 500, all.rows.end()}, more.edition + 2}, none{{}, more.edition + 3};
   update_curves(curves, later, false);
   same(curves, made_of(later));
   update_curves(curves, none, false);

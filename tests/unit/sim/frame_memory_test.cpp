@@ -147,7 +147,7 @@ TEST_F(FrameMemoryTest, TheRowsAreAllOfThemAlsoAfterSomeWereTakenAway) {
     for (int k = 0; k < i % 3; ++k) rows.push_back({0.1 * i + k, 0, {1.0 * i, 2.0 * k}, SampleQuality::polished});
     if (i % 17 == 0 && rows.size() > 5) {  // as when it goes on from an earlier step: others take their place
       rows.resize(rows.size() - 5);
-      trace.edition = new_trace_edition();
+      ++trace.edition;
       for (int k = 0; k < 6; ++k) rows.push_back({-1.0 * i, 0, {0, 0}, SampleQuality::preview});
     }
     shown = std::exchange(waiting, memory.copy_of(trace));
