@@ -354,9 +354,9 @@ TEST(HeightFields, AreRigidShapes) {
     bad[Json::json_pointer(pointer)] = value;
     expect_refusal(contact(bad), "taxel: case.json: " + line);
   };
-  refused("/b/shape/elevation/1", {0, 0}, "/b/shape/elevation/1: must be an array of 3 numbers, is an array of 2");
+  refused("/b/shape/elevation/1", {0, 0}, "/b/shape/elevation/1: must be an array of 3 numbers, is [0,0]");
   refused("/b/shape/elevation/1/2", 1.5, "/b/shape/elevation/1: must be between 0 and 1, is 1.5");
-  refused("/b/shape/elevation", {{0, 0}}, "/b/shape/elevation: must be an array of 2 rows or more, is an array of 1");
+  refused("/b/shape/elevation", {{0, 0}}, "/b/shape/elevation: must be an array of 2 rows or more, is [[0,0]]");
   refused("/b/shape/size/3", 0, "/b/shape/size/3: must be greater than 0, is 0");
   refused("/b/material", {{"modulus", 1e5}}, "/b: a height field can only be rigid: its modulus must be 0, is 100000");
 }

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/align_report.h"
-#include "core/base/json_text.h"
+#include "core/base/text/json_text.h"
 
 namespace taxel::cli {
 

@@ -7,23 +7,22 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/json_text.h"
-#include "core/layout/json_value.h"
+#include "core/base/text/json_text.h"
+#include "core/base/text/json_reader.h"
 #include "core/layout/taxel_value.h"
+#include "core/layout/words.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Document = JsonDocument;
-using Value = JsonValue<Json>;
+using Value = JsonNode<Json>;
 using Object = JsonObject<Json>;
 
 constexpr int kVersion = 1;
 void read_head(Object& root, const std::string& file) {
-  const std::string format = root.required("format").text();
-  if (format != "taxel-layout")
-    throw Error(file, "/format", fmt::format("must be \"taxel-layout\", is {}", shown_json(Json(format))));
+  const Value format = root.required("format");
+  if (format.text() != "taxel-layout") format.wrong("\"taxel-layout\"");
   const Value version = root.required("version");
   const double v = version.number();
   if (v != kVersion)
@@ -54,14 +53,14 @@ MeshRef read_mesh(const Value& value) {
 std::vector<int> read_region(const Value& value) {
   constexpr std::int64_t kMostFaces = 100'000'000;  // what would not fit in memory as a mesh is no region either
   std::vector<int> faces;
-  for (std::size_t i = 0; i < value.array_size(); ++i) {
+  for (std::size_t i = 0; i < value.length(); ++i) {
     const Value run = value.item(i);
-    if (run.array_size() != 2) run.fail("an array of 2 faces, the first and the last of a run");
+    if (run.length() != 2) run.wrong("an array of 2 faces, the first and the last of a run");
     const int first = run.item(0).small_integer(), last = run.item(1).small_integer();
-    if (first < 0 || last < first) run.fail("the first and the last of a run of faces, 0 or more and ascending");
-    if (!faces.empty() && first <= faces.back()) run.fail(fmt::format("a run behind face {}", faces.back()));
+    if (first < 0 || last < first) run.wrong("the first and the last of a run of faces, 0 or more and ascending");
+    if (!faces.empty() && first <= faces.back()) run.wrong(fmt::format("a run behind face {}", faces.back()));
     if (static_cast<std::int64_t>(faces.size()) + last - first >= kMostFaces)
-      run.fail(fmt::format("at most {} faces in all", kMostFaces));
+      run.wrong(fmt::format("at most {} faces in all", kMostFaces));
     for (std::int64_t face = first; face <= last; ++face) faces.push_back(static_cast<int>(face));
   }
   return faces;
@@ -110,11 +109,11 @@ void read_settings(Object& root, Layout& layout) {
 }
 
 Curve read_curve(const Value& value) {
-  if (value.array_size() < 2) value.fail("an array of 2 points or more");
+  if (value.length() < 2) value.wrong("an array of 2 points or more");
   Curve curve;
-  for (std::size_t i = 0; i < value.array_size(); ++i) {
+  for (std::size_t i = 0; i < value.length(); ++i) {
     const Value point = value.item(i);
-    if (point.array_size() != 2) point.fail("an array of 2 numbers");
+    if (point.length() != 2) point.wrong("an array of 2 numbers");
     curve.push_back({point.item(0).number(), point.item(1).number()});
   }
   return curve;
@@ -173,7 +172,7 @@ Calibration read_calibration(const Value& value, const std::string& file) {
   object.text("unit", calibration.unit);
   read_calibration_parts(object, calibration);
   object.optional("tare", [&](const Value& v) {
-    if (v.is_text() && v.text() != "first_reading") v.fail("a number or \"first_reading\"");
+    if (v.is_text() && v.text() != "first_reading") v.wrong("a number or \"first_reading\"");
     calibration.tare = v.is_text() ? Tare{true, 0.0} : Tare{false, v.number()};
   });
   object.number("tare_deviation", calibration.tare_deviation);
@@ -182,33 +181,29 @@ Calibration read_calibration(const Value& value, const std::string& file) {
   object.number("gain_deviation", calibration.gain_deviation);
   object.number("noise", calibration.noise);
   object.optional("range", [&](const Value& v) {
-    if (v.array_size() != 2) v.fail("an array of 2 numbers");
+    if (v.length() != 2) v.wrong("an array of 2 numbers");
     calibration.range = {v.item(0).number(), v.item(1).number()};
   });
   object.number("rate", calibration.rate);
   object.optional("taxels", [&](const Value& v) {
-    for (std::size_t i = 0; i < v.array_size(); ++i)
-      calibration.taxels.push_back(read_taxel_calibration(v.item(i), file));
+    for (std::size_t i = 0; i < v.length(); ++i) calibration.taxels.push_back(read_taxel_calibration(v.item(i), file));
   });
   object.keep_unknown();
   return calibration;
 }
 
 Layout layout_of(const Json& json, const std::string& file) {
-  Document document{file, {}};
-  Object root(Value(json, "", document));
-  read_head(root, file);
-
   Layout layout;
+  Object root(Value(json, file, &layout.unknown));
+  read_head(root, file);
   root.text("name", layout.name);
   if (!json.contains("mesh")) throw Error(file, "/mesh/file", "is missing");
   layout.mesh = read_mesh(root.required("mesh"));
   read_settings(root, layout);
   const Value taxels = root.required("taxels");
-  for (std::size_t i = 0; i < taxels.array_size(); ++i) layout.taxels.push_back(read_taxel(taxels.item(i), i));
+  for (std::size_t i = 0; i < taxels.length(); ++i) layout.taxels.push_back(read_taxel(taxels.item(i), i));
   root.optional("calibration", [&](const Value& value) { layout.calibration = read_calibration(value, file); });
   root.keep_unknown();
-  layout.unknown = std::move(document.unknown);
   return layout;
 }
 

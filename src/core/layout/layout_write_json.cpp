@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/json_text.h"
+#include "core/base/text/json_text.h"
 #include "core/layout/layout_json.h"
 #include "core/layout/taxel_value.h"
 #include "core/layout/words.h"

@@ -7,7 +7,7 @@ namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Value = JsonValue<Json>;
+using Value = JsonNode<Json>;
 
 constexpr int kVersion = 1;
 constexpr const char* kExpected = "taxels as JSON: copied ones, a layout, an array of taxels, or one taxel";
@@ -16,10 +16,10 @@ constexpr const char* kExpected = "taxels as JSON: copied ones, a layout, an arr
 void check_head(JsonObject<Json>& root) {
   root.optional("format", [](const Value& format) {
     const std::string word = format.text();
-    if (word != "taxels" && word != "taxel-layout") format.fail("\"taxels\" or \"taxel-layout\"");
+    if (word != "taxels" && word != "taxel-layout") format.wrong("\"taxels\" or \"taxel-layout\"");
   });
   root.optional("version", [](const Value& version) {
-    if (version.number() != kVersion) version.fail("1, the version that this program reads");
+    if (version.number() != kVersion) version.wrong("1, the version that this program reads");
   });
 }
 
@@ -37,11 +37,10 @@ std::vector<Taxel> parse_taxels(const std::string& text, const std::string& sour
   if (begin == std::string::npos) throw Error(source, fmt::format("is empty; needed are {}", kExpected));
   if (text[begin] != '{' && text[begin] != '[') throw Error(source, fmt::format("holds no {}", kExpected));
   const Json json = parse_json<Json>(text, source);
-  JsonDocument document{source, {}};
-  const Value root(json, "", document);
+  const Value root(json, source);
   std::vector<Taxel> taxels;
   const auto read_all = [&](const Value& array) {
-    for (std::size_t i = 0; i < array.array_size(); ++i) taxels.push_back(read_taxel(array.item(i), i));
+    for (std::size_t i = 0; i < array.length(); ++i) taxels.push_back(read_taxel(array.item(i), i));
   };
   if (json.is_array()) {
     read_all(root);

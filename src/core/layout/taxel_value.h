@@ -6,17 +6,17 @@
 #include <string>
 #include <utility>
 
-#include "core/layout/json_value.h"
+#include "core/base/text/json_reader.h"
 #include "core/layout/layout.h"
 
 namespace taxel {
 
 template <class Json>
-Subtaxel read_subtaxel(const JsonValue<Json>& value) {
+Subtaxel read_subtaxel(const JsonNode<Json>& value) {
   JsonObject<Json> object(value);
   Subtaxel subtaxel;
-  subtaxel.center = object.required("center").vector();
-  subtaxel.normal = object.required("normal").vector();
+  subtaxel.center = object.required("center").vector3();
+  subtaxel.normal = object.required("normal").vector3();
   subtaxel.radius = object.required("radius").number();
   object.keep_unknown();
   return subtaxel;
@@ -24,17 +24,17 @@ Subtaxel read_subtaxel(const JsonValue<Json>& value) {
 
 /// `index` is the id where none is given.
 template <class Json>
-Taxel read_taxel(const JsonValue<Json>& value, std::size_t index) {
+Taxel read_taxel(const JsonNode<Json>& value, std::size_t index) {
   JsonObject<Json> object(value);
   Taxel taxel;
   taxel.id = static_cast<int>(index);
-  object.optional("id", [&](const JsonValue<Json>& v) { taxel.id = v.small_integer(); });
+  object.optional("id", [&](const JsonNode<Json>& v) { taxel.id = v.small_integer(); });
   object.text("name", taxel.name);
-  taxel.center = object.required("center").vector();
-  taxel.normal = object.required("normal").vector();
+  taxel.center = object.required("center").vector3();
+  taxel.normal = object.required("normal").vector3();
   taxel.radius = object.required("radius").number();
-  object.optional("subtaxels", [&](const JsonValue<Json>& v) {
-    for (std::size_t i = 0; i < v.array_size(); ++i) taxel.subtaxels.push_back(read_subtaxel(v.item(i)));
+  object.optional("subtaxels", [&](const JsonNode<Json>& v) {
+    for (std::size_t i = 0; i < v.length(); ++i) taxel.subtaxels.push_back(read_subtaxel(v.item(i)));
   });
   object.keep_unknown();
   return taxel;

@@ -3,19 +3,11 @@
 
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <utility>
 
+#include "core/base/text/words.h"
 #include "core/layout/layout.h"
 
 namespace taxel {
-
-template <class E>
-struct Word {
-  E value;
-  std::string_view text;
-};
 
 inline constexpr Word<Metric> kMetricWords[] = {{Metric::euclidean, "euclidean"}, {Metric::geodesic, "geodesic"}};
 inline constexpr Word<Misses> kMissesWords[] = {{Misses::zero, "zero"}, {Misses::omit, "omit"}};
@@ -76,37 +68,10 @@ inline std::span<const Word<RepairLevel>> words_of(RepairLevel) {
   return kRepairLevelWords;
 }
 
-/// The word of a value, as files spell it.
-template <class E>
-std::string_view to_word(E value) {
-  for (const Word<E>& w : words_of(value))
-    if (w.value == value) return w.text;
-  return "";
-}
-
-/// The value of a word, or nothing.
-template <class E>
-std::optional<E> from_word(std::string_view text) {
-  for (const Word<E>& w : words_of(E{}))
-    if (w.text == text) return w.value;
-  return std::nullopt;
-}
-
 /// The SI unit of readings.
 inline const char* reading_unit(Aggregate aggregate) {
   if (aggregate == Aggregate::force) return "N";
   return aggregate == Aggregate::weighted_sum ? "Pa m^2" : "Pa";
-}
-
-/// All words of a choice for messages: "equal", "voronoi".
-template <class E>
-std::string word_list() {
-  std::string list;
-  for (const Word<E>& w : words_of(E{})) {
-    if (!list.empty()) list += ", ";
-    list.append("\"").append(w.text).append("\"");
-  }
-  return list;
 }
 
 }  // namespace taxel

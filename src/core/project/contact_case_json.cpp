@@ -4,15 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
+#include "core/base/text/json_reader.h"
 #include "core/layout/words.h"
 #include "core/project/contact_case.h"
-#include "core/project/strict_json.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::json;
-using Node = StrictNode<Json>;
+using Node = JsonNode<Json>;
 
 struct ShapeWord {
   const char* word;

@@ -5,25 +5,23 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
+#include "core/base/text/json_reader.h"
 #include "core/layout/layout_json.h"
 #include "core/project/edit.h"
 #include "core/project/scenario_json.h"
-#include "core/project/strict_json.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Node = StrictNode<Json>;
+using Node = JsonNode<Json>;
 namespace fs = std::filesystem;
 
 constexpr int kVersion = 1;
 
 void read_head(const Node& root) {
   root.must_be_object();
-  const std::string format = root.at("format").text();
-  if (format != "taxel-project")
-    root.fail_at("format", fmt::format("must be \"taxel-project\", is {}", Json(format).dump()));
+  if (root.at("format").text() != "taxel-project") root.at("format").wrong("\"taxel-project\"");
   const double version = root.at("version").number();
   if (version != kVersion)
     root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kVersion));

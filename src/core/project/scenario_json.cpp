@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
-#include "core/project/strict_json.h"
+#include "core/base/text/json_reader.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Node = StrictNode<Json>;
+using Node = JsonNode<Json>;
 
 constexpr const char* kFormat = "taxel-scenario";
 constexpr int kVersion = 1;
@@ -44,13 +44,6 @@ Json to_object(const Scenario& scenario) {
   return object;
 }
 
-template <class E>
-E read_word(const Node& node) {
-  const std::optional<E> value = from_word<E>(node.text());
-  if (!value) node.wrong("one of " + word_list<E>());
-  return *value;
-}
-
 /// Every key belongs to the scenario's kind and shape.
 void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
   const ScenarioKind kind = scenario.kind;
@@ -80,9 +73,9 @@ WayPoint read_point(const Node& node) {
 
 Scenario read_values(const Node& node, const Json& json) {
   const auto kind = node.find("kind");
-  Scenario scenario = default_scenario(kind ? read_word<ScenarioKind>(*kind) : ScenarioKind::sweep);
+  Scenario scenario = default_scenario(kind ? kind->word<ScenarioKind>() : ScenarioKind::sweep);
   scenario = with_shape(scenario, ObjectShape::box);
-  if (const auto shape = node.find("shape")) scenario = with_shape(scenario, read_word<ObjectShape>(*shape));
+  if (const auto shape = node.find("shape")) scenario = with_shape(scenario, shape->word<ObjectShape>());
   check_keys(node, json, scenario);
   for (const ScenarioParameter& parameter : scenario_parameters()) {
     if (const auto number = node.find(parameter.key)) {

@@ -1,15 +1,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
+#include "core/base/text/json_reader.h"
 #include "core/project/scenario_json.h"
-#include "core/project/strict_json.h"
 #include "core/project/study.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Node = StrictNode<Json>;
+using Node = JsonNode<Json>;
 
 constexpr const char* kFormat = "taxel-study";
 constexpr int kVersion = 1;

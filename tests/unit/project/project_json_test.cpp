@@ -115,11 +115,11 @@ const Broken kBroken[] = {
     {"\"target\": [1, 2,", "\"target\": [1, 1e308,", "/view/target/1: must be between -1000000 and 1000000, is 1e+308"},
     {"\"fov_deg\": 35", "\"fov_deg\": 180", "/view/fov_deg: must be between 0 and 180, is 180"},
     {"\"fov_deg\": 35", "\"fow_deg\": 35", "/view/fow_deg: unknown key"},
-    {"\"target\": [1, 2,", "\"target\": [2,", "/view/target: must be an array of 3 numbers, is an array of 2"},
+    {"\"target\": [1, 2,", "\"target\": [2,", "/view/target: must be an array of 3 numbers, is [2,0.5]"},
     {"\"normal\": [0, 2, 0.3]", "\"normal\": [0, 0, 0]", "/mirrors/0/plane/normal: must be a direction"},
     {"\"point\": [0, 0.1, 0]", "\"point\": [0, 0.1]",
-     "/mirrors/0/plane/point: must be an array of 3 numbers, is an array of 2"},
-    {"[7, 2]", "[7]", "/mirrors/0/links/0: must be an array of 2 ids, is an array of 1"},
+     "/mirrors/0/plane/point: must be an array of 3 numbers, is [2,0.5]"},
+    {"[7, 2]", "[7]", "/mirrors/0/links/0: must be an array of 2 ids, is [7]"},
     {"[7, 2]", "[7, 1.5]", "/mirrors/0/links/0/1: must be a whole number from 0, of at most 31 bits, is 1.5"},
     {"[7, 2]", "[7, 3]", "/mirrors/0/links/0: there is no taxel 3"},
     {"[7, 2]", "[7, 7]", "/mirrors/0/links/0: taxel 7 is linked twice across one plane"},
@@ -140,7 +140,7 @@ TEST(ProjectJson, NamesWhatIsWrong) {
     EXPECT_EQ(complaint_of([&] { parse_project(wrong, "p.taxelproj"); }),
               std::string("p.taxelproj: ") + broken.complaint);
   }
-  EXPECT_EQ(complaint_of([&] { parse_project("[]", "p"); }), "p: must be an object, is an array of 0");
+  EXPECT_EQ(complaint_of([&] { parse_project("[]", "p"); }), "p: must be an object, is []");
   EXPECT_EQ(complaint_of([&] { parse_project("{\"format\": \"taxel-project\", \"version\": 1}", "p"); }),
             "p: /layout: is missing");
   const std::string half = text.substr(0, text.size() / 2);

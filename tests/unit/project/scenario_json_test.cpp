@@ -122,7 +122,7 @@ TEST(ScenarioJson, NamesTheWayPointThatIsWrong) {
   EXPECT_EQ(path(R"({"time": 1, "pos": [0, 0, 1], "quat": [1, 0, 0, 0]})"),
             "s.json: /points/1/time: must be later than that of the way point before, 1, is 1");
   EXPECT_EQ(path(R"({"time": 2, "pos": [0, 0], "quat": [1, 0, 0, 0]})"),
-            "s.json: /points/1/pos: must be an array of 3 numbers, is an array of 2");
+            "s.json: /points/1/pos: must be an array of 3 numbers, is [0,0]");
   EXPECT_EQ(path(R"({"time": 2, "pos": [0, 0, 1], "quat": [1, 1, 0, 0]})"),
             "s.json: /points/1/quat: must be of length 1, is of length 1.4142135623730951");
   EXPECT_EQ(path(R"({"time": 2, "quat": [1, 0, 0, 0]})"), "s.json: /points/1/pos: is missing");

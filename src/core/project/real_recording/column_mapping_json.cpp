@@ -5,14 +5,14 @@
 #include <set>
 
 #include "core/base/files.h"
+#include "core/base/text/json_reader.h"
 #include "core/project/real_recording/column_mapping.h"
-#include "core/project/strict_json.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using MappingNode = StrictNode<Json>;
+using MappingNode = JsonNode<Json>;
 constexpr std::array<const char*, 4> kTimeUnits{"s", "ms", "us", "ns"};  // as TimeUnit has them
 
 int whole(const MappingNode& node) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/base/json_text.h"
+#include "core/base/text/json_text.h"
 #include "core/project/recording/tactile_state.h"
 
 namespace taxel {

@@ -3,15 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/text/json_reader.h"
 #include "core/layout/words.h"
-#include "core/project/strict_json.h"
 #include "core/sim/plugin/sensor_config.h"
 
 namespace taxel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Node = StrictNode<Json>;
+using Node = JsonNode<Json>;
 
 OtherMaterial parse_material(const Node& node) {
   node.only({"field", "modulus", "thickness", "dissipation", "friction", "resolution"});
@@ -29,9 +29,7 @@ OtherMaterial parse_material(const Node& node) {
   read("resolution", other.resolution);
   other.has_friction = read("friction", other.material.friction);
   if (const auto field = node.find("field")) {
-    const auto kind = from_word<FieldKind>(field->text());
-    if (!kind) field->wrong(fmt::format("one of {}", word_list<FieldKind>()));
-    other.material.field = *kind;
+    other.material.field = field->word<FieldKind>();
     other.has_field = true;
   }
   return other;
