@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/sensor/explain/reading_floor.h"
 
 namespace taxel::studio {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 SensorStep step_of(const SensorFrameState& state, double time) {
   SensorStep step;
@@ -26,10 +23,10 @@ SensorStep step_of(const SensorFrameState& state, double time) {
 /// The step before, where the same layout read it.
 const SensorFrameState* state_before(const SimFrame& frame, int sensor) {
   const StepBefore* before = frame.before.get();
-  if (before == nullptr || index(sensor) >= before->sensors.size() ||
-      before->scene->sensors[index(sensor)] != frame.scene->sensors[index(sensor)])
+  if (before == nullptr || at(sensor) >= before->sensors.size() ||
+      before->scene->sensors[at(sensor)] != frame.scene->sensors[at(sensor)])
     return nullptr;
-  return &before->sensors[index(sensor)];
+  return &before->sensors[at(sensor)];
 }
 
 /// The largest reading of the taxel in the run as far as it is recorded, or of the sensor.
@@ -38,8 +35,8 @@ double largest_known(const SimFrame& frame, int sensor, int taxel, const SensorM
   const HistoryLanes* lanes = frame.history.lanes.get();
   if (lanes == nullptr || lanes->rows() == 0) return largest;
   std::size_t first = 0;
-  for (int s = 0; s < sensor; ++s) first += frame.sensors[index(s)].readings.size();
-  const std::size_t count = frame.sensors[index(sensor)].readings.size();
+  for (int s = 0; s < sensor; ++s) first += frame.sensors[at(s)].readings.size();
+  const std::size_t count = frame.sensors[at(sensor)].readings.size();
   for (std::size_t k = 0; k < count && first + k < lanes->reading_count; ++k)
     if (frame.breakpoints.of_sensor || static_cast<int>(k) == taxel)
       largest = std::max(largest, largest_reading(*lanes, first + k));
@@ -59,7 +56,7 @@ ExplainWorker::ExplainWorker(std::function<void()> wake)
               Overtaken::cancel) {}
 
 void ExplainWorker::explain(const SimFramePtr& frame, const std::optional<ui::ExplainWish>& wish) {
-  const bool there = frame && wish && index(wish->sensor) < frame->sensors.size();
+  const bool there = frame && wish && at(wish->sensor) < frame->sensors.size();
   worker_.ask(there ? std::optional(Job{frame, *wish}) : std::nullopt);
 }
 
@@ -69,11 +66,11 @@ ui::ExplainedPtr ExplainWorker::attempt(const Job& job, Progress& progress) {
   out->step = job.frame->step;
   try {
     const SimFrame& frame = *job.frame;
-    const SensorModelPtr& model = frame.scene->sensors[index(job.wish.sensor)];
+    const SensorModelPtr& model = frame.scene->sensors[at(job.wish.sensor)];
     const std::vector<Taxel>& taxels = model->layout.taxels;
     const auto taxel =
         std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == job.wish.taxel; });
-    const SensorStep now = step_of(frame.sensors[index(job.wish.sensor)], frame.time);
+    const SensorStep now = step_of(frame.sensors[at(job.wish.sensor)], frame.time);
     std::optional<SensorStep> before;
     if (const SensorFrameState* state = state_before(frame, job.wish.sensor))
       before = step_of(*state, frame.before->time);

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index.h"
+
 namespace taxel::studio {
 namespace {
 
 constexpr std::size_t kMostSteps = 120;  // of the history: more are not told apart in a plot
 constexpr std::size_t kBatch = 6;        // copied at a time, and read before more are asked for
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Spread evenly over what is recorded, the newest among them.
 std::vector<std::uint64_t> wanted_steps(const SimFrame& frame) {
@@ -28,7 +26,7 @@ std::vector<std::uint64_t> wanted_steps(const SimFrame& frame) {
 bool is_recorded(const HistoryLanes& lanes, const SimFrame& frame, int sensor, const ui::ComparedStep& step) {
   if (lanes.rows() == 0 || step.step < lanes.steps.front().step || step.step > lanes.steps.back().step) return true;
   std::size_t first = 0;
-  for (std::size_t s = 0; s < index(sensor); ++s) first += frame.sensors[s].readings.size();
+  for (std::size_t s = 0; s < at(sensor); ++s) first += frame.sensors[s].readings.size();
   const std::span<const double> all = lanes.readings_of(lanes.row_of(step.step));
   const std::vector<double>& known = step.readings[ReadingModel::reading].values;
   return first + known.size() > all.size() ||
@@ -67,9 +65,9 @@ void ModelsWorker::forget_what_changed(const SimFrame& frame, int sensor) {
 }
 
 std::optional<RecallCommand> ModelsWorker::follow(const SimFramePtr& frame, bool runs) {
-  const bool there = wish_ && frame && frame->scene && index(wish_->sensor) < frame->sensors.size() &&
-                     frame->scene->sensors[index(wish_->sensor)] &&
-                     frame->scene->sensors[index(wish_->sensor)]->taxel_count() > 0;
+  const bool there = wish_ && frame && frame->scene && at(wish_->sensor) < frame->sensors.size() &&
+                     frame->scene->sensors[at(wish_->sensor)] &&
+                     frame->scene->sensors[at(wish_->sensor)]->taxel_count() > 0;
   if (!there) {
     worker_.ask(std::nullopt);
     complete_ = true;
@@ -111,14 +109,14 @@ std::shared_ptr<const ModelsWorker::Result> ModelsWorker::attempt(const Job& job
   out->generation = job.generation;
   out->recalled = job.recalled ? job.recalled->number : 0;
   shown->sensor = job.sensor;
-  shown->model = frame.scene->sensors[index(job.sensor)];
+  shown->model = frame.scene->sensors[at(job.sensor)];
   shown->due = job.due;
   out->shown = shown;
   try {
     if (known_generation_ != job.generation) known_.clear();
     known_generation_ = job.generation;
-    if (!comparison_ || comparison_->scene() != frame.scene || comparison_->sensor() != index(job.sensor))
-      comparison_ = std::make_unique<ModelComparison>(frame.scene, index(job.sensor), &progress);
+    if (!comparison_ || comparison_->scene() != frame.scene || comparison_->sensor() != at(job.sensor))
+      comparison_ = std::make_unique<ModelComparison>(frame.scene, at(job.sensor), &progress);
     std::erase_if(
         known_, [&](const auto& step) { return step.first < frame.history.first || step.first > frame.history.last; });
     add(frame.sensors, frame.geom_poses, {frame.step, frame.time, frame.travel, {}});

@@ -6,16 +6,13 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/hydro/prism.h"
 #include "core/hydro/round_mesh.h"
 #include "core/mesh/primitives.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A tet whose volume is a smaller part of its skin edge cubed lies in the medial axis: it is flat.
 constexpr double kFlat = 1e-9;

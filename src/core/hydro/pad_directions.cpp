@@ -2,12 +2,10 @@
 
 #include <span>
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double least_cosine(const dvec3& direction, std::span<const dvec3> normals) {
   double least = 1;

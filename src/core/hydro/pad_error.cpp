@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/rng.h"
 #include "core/hydro/pad_pressures.h"
@@ -10,10 +11,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr int kPoints = 1024;
 

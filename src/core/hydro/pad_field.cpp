@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/hydro/pad_error.h"
 #include "core/hydro/pad_press.h"
 #include "core/hydro/pad_pressures.h"
@@ -13,10 +14,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Gathers faces of one kind; the worst is the one of the highest badness.
 class SkinPartMaker {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/hydro/pad_shape.h"
 
 namespace taxel {
@@ -34,7 +35,6 @@ class PadLayers {
   [[nodiscard]] int two_layer_faces() const { return two_layer_faces_; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] bool has(int leg) const { return middle_[at(leg)] >= 0; }
   [[nodiscard]] int top(int leg) const { return has(leg) ? middle_[at(leg)] : shape_.inner(leg); }
   [[nodiscard]] std::array<dvec3, 4> corners(const ivec4& tet) const;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/angle.h"
+#include "core/base/index.h"
 #include "core/hydro/prism.h"
 
 namespace taxel {
@@ -21,10 +22,6 @@ const double kFanStep = 30.0 * kPi / 180.0;
 const double kFlat = 20.0 * kPi / 180.0;
 /// No leg comes closer to a face than this cosine to its normal.
 constexpr double kLeastCosine = 0.2;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int corner_of(const ivec3& face, int v) {
   return face.x == v ? 0 : face.y == v ? 1 : 2;

@@ -4,16 +4,13 @@
 #include <array>
 #include <limits>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/rng.h"
 #include "core/hydro/pad_pressures.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr int kPoints = 1024;
 /// Depths of the presses in thicknesses. The last one is that of the core but for rounding.

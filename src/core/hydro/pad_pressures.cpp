@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Depth of each leg's inner vertex below the planes of its faces, area-weighted mean; H for a leg without faces.
 std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {

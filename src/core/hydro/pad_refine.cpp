@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/hydro/pad_press.h"
 #include "core/hydro/pad_pressures.h"
@@ -22,10 +23,6 @@ constexpr double kStraight = 0.9;
 constexpr double kEven = 0.03;
 /// Depth of the points at which that is tried, in thicknesses.
 constexpr double kTried = 0.1;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// An edge by its length and the numbers of its ends: sorted, longest first.
 struct Edge {

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/base/index.h"
 #include "core/hydro/pad_legs.h"
 #include "core/hydro/prism.h"
 #include "core/mesh/closest_point.h"
@@ -55,7 +56,6 @@ class PadShape {
   /// An inner vertex counts as beyond the medial axis, thus as owned by another part of the skin, where its distance to
   /// the skin is less than this part of the depth that the faces around its own vertex promise.
   static constexpr double kOwnDepth = 0.95;
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] const dvec3& skin(int leg) const { return mesh_.vertices()[at(legs_.skin[at(leg)])]; }
   [[nodiscard]] dvec3 position(int vertex) const;
   [[nodiscard]] double own_offset(int leg, double most, double& depth, dvec3& obstacle) const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/angle.h"
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/hydro/pad_pressures.h"
 #include "core/hydro/tet_overlap.h"
@@ -20,10 +21,6 @@ constexpr double kFirstHeight = 0.35;
 /// A tent that is nearer to another part of the skin than to its face is lowered by this factor, at most this often.
 constexpr double kLower = 0.6;
 constexpr int kMaxLowerings = 12;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Face {
   std::array<dvec3, 3> x;

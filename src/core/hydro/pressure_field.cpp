@@ -7,13 +7,10 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Corners of the face opposite to corner i of a positively oriented tet, counter-clockwise seen from inside.
 constexpr std::array<std::array<int, 3>, 4> kFaces{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};

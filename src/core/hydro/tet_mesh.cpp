@@ -7,15 +7,12 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Face {
   std::array<int, 3> sorted;

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/per_thread.h"
 
 namespace taxel {
 namespace {
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<int> by_id(const Layout& layout) {
   std::vector<int> order(layout.taxels.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return layout.taxels[index(a)].id < layout.taxels[index(b)].id; });
+            [&](int a, int b) { return layout.taxels[taxel::at(a)].id < layout.taxels[taxel::at(b)].id; });
   return order;
 }
 
@@ -29,7 +26,7 @@ FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
   std::vector<SurfacePoint> starts;
   std::vector<dvec3> origins;
   for (const int taxel : by_id(layout)) {
-    for (const FieldDisc& disc : discs_of(layout.taxels[index(taxel)])) {
+    for (const FieldDisc& disc : discs_of(layout.taxels[taxel::at(taxel)])) {
       if (geodesic) starts.push_back(skin.closest_point(disc.center));
       discs_.push_back({disc, taxel, geodesic ? starts.back().position : disc.center});
       origins.push_back(discs_.back().origin);
@@ -43,10 +40,10 @@ FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
   paths_.resize(discs_.size());
   parallel_chunks(static_cast<int>(discs_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      const SurfacePoint& from = starts[index(i)];
+      const SurfacePoint& from = starts[taxel::at(i)];
       GeodesicDistance& distance = distances.local();
-      distance.propagate(from.face, from.position, discs_[index(i)].disc.radius);
-      paths_[index(i)] = GeodesicMap(unfolded, distance, from.position);
+      distance.propagate(from.face, from.position, discs_[taxel::at(i)].disc.radius);
+      paths_[taxel::at(i)] = GeodesicMap(unfolded, distance, from.position);
     }
   });
 }
@@ -54,7 +51,7 @@ FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
 void FieldWeights::near(const dvec3& p, double reach, std::vector<int>& discs) const {
   discs.clear();
   grid_.visit_near(p, reach + largest_radius_, [&](int i) {
-    const Disc& d = discs_[index(i)];
+    const Disc& d = discs_[taxel::at(i)];
     if (glm::distance(d.origin, p) <= d.disc.radius + reach) discs.push_back(i);
   });
   std::sort(discs.begin(), discs.end());
@@ -62,7 +59,7 @@ void FieldWeights::near(const dvec3& p, double reach, std::vector<int>& discs) c
 
 double FieldWeights::smallest_radius(std::span<const int> discs) const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const int i : discs) smallest = std::min(smallest, discs_[index(i)].disc.radius);
+  for (const int i : discs) smallest = std::min(smallest, discs_[taxel::at(i)].disc.radius);
   return smallest;
 }
 
@@ -71,7 +68,7 @@ double FieldWeights::distance(std::size_t disc, int face, const dvec3& point) co
 }
 
 void FieldWeights::at(int face, const dvec3& point, std::span<const int> discs, AtPoint& out) const {
-  at(face, point, skin_->face_normals()[index(face)], discs, out);
+  at(face, point, skin_->face_normals()[taxel::at(face)], discs, out);
 }
 
 void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::span<const int> discs,
@@ -80,9 +77,9 @@ void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::sp
   out.margin = -std::numeric_limits<double>::infinity();
   double nearest = 0;  // subtaxel of the last taxel so far
   for (const int i : discs) {
-    const Disc& d = discs_[index(i)];
+    const Disc& d = discs_[taxel::at(i)];
     if (!d.disc.faces(normal, min_cosine_)) continue;
-    const double r = d.disc.radius, away = distance(index(i), face, point);
+    const double r = d.disc.radius, away = distance(taxel::at(i), face, point);
     if (!(away <= r)) {  // no path is shorter than the straight way
       out.margin = std::max(out.margin, std::min(0.0, r - glm::distance(d.origin, point)));
       continue;

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
 
@@ -12,10 +14,6 @@ constexpr double kVisitCost = 1.0;
 constexpr double kThinAxis = 0.25;
 /// Below this depth nodes are halved by count, which bounds the depth at kSahDepth + 31 < Bvh::kMaxDepth - 1.
 constexpr int kSahDepth = 56;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Twice the centre along one axis. NaN (an empty or infinite box) and infinities are no place to sort by.
 double key_of(const Aabb& box, int axis) {

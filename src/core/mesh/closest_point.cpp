@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/mesh/edge_sides.h"
 #include "core/mesh/nearest_tree_inl.h"
 #include "core/mesh/point_triangle.h"
@@ -9,10 +10,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Rounding turns a normal, the cross product of two edges over its length, by at most some units in the last place of
 /// the product of the edges' lengths.

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/index.h"
 #include "core/mesh/bvh.h"
 #include "core/mesh/solid_angle.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool contains(const Aabb& outer, const Aabb& inner) {
   return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi));

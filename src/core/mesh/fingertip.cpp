@@ -8,15 +8,12 @@
 // within 0.3 mm and 6 degrees. A rounded rim joins the flat base. Millimetres inside, metres out.
 #include <array>
 
+#include "core/base/index.h"
 #include "core/mesh/primitives.h"
 #include "core/mesh/ring_surface.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr double kLength = 30.5;    // L
 constexpr double kCenterY = 0.9;    // y0

@@ -9,13 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/index.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Deeper nodes are refused: each level takes a part of the stack.
 constexpr int kMaxNodeDepth = 256;

@@ -3,15 +3,12 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 
+#include "core/base/index.h"
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/edge_sides.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;

@@ -6,13 +6,10 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The six tets of a unit cube along its main diagonal: one corner after the other, a step along each axis.
 constexpr std::array<std::array<int, 3>, 6> kAxisOrders{

@@ -6,16 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/base/number_text.h"
 #include "core/mesh/disjoint_sets.h"
 #include "core/mesh/halfedge.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string middle_text(const TriMesh& mesh, int a, int b) {
   return place_in_mm(0.5 * (mesh.vertices()[at(a)] + mesh.vertices()[at(b)]));

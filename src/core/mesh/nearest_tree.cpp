@@ -2,12 +2,10 @@
 
 #include <cmath>
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A float below x, and below what x was before its own last roundings.
 float float_below(double x) {

@@ -1,15 +1,12 @@
 #include <utility>
 
+#include "core/base/index.h"
 #include "core/mesh/edge_sides.h"
 #include "core/mesh/enclosed_shells.h"
 #include "core/mesh/mesh_check.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A face across an edge with exactly two faces, and whether both wind alike.
 struct Link {

@@ -2,13 +2,9 @@
 
 #include <numeric>
 
-namespace taxel {
-namespace {
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-}  // namespace
+#include "core/base/index.h"
 
+namespace taxel {
 namespace {
 
 /// A walk along both rows: true is a step of the lower one. Always along the shorter diagonal.

@@ -2,15 +2,12 @@
 
 #include <optional>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/mesh/bvh.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Six times the volume of the tet a b c d, and the size of its terms: what rounding can be seen against.
 struct Orientation {

@@ -1,14 +1,8 @@
 #include "core/mesh/slice.h"
 
+#include "core/base/index.h"
+
 namespace taxel {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 std::vector<std::pair<dvec3, dvec3>> slice_mesh(const TriMesh& mesh, const dvec3& point, const dvec3& normal) {
   std::vector<double> height;
   height.reserve(mesh.vertices().size());

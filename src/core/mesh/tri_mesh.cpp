@@ -6,14 +6,11 @@
 
 #include "core/base/angle.h"
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/mesh/disjoint_sets.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Throws for the first face that the class cannot carry.
 void check_input(const std::vector<dvec3>& vertices, const std::vector<ivec3>& faces) {

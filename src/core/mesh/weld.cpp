@@ -9,14 +9,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/base/limits.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void check_soup(const PolygonSoup& soup, const dvec3& scale) {
   if (!is_finite(scale) || scale.x * scale.y * scale.z == 0)

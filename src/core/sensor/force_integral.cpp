@@ -1,5 +1,6 @@
 #include "core/sensor/force_integral.h"
 
+#include "core/base/index.h"
 #include "core/hydro/quadrature.h"
 #include "core/mesh/point_triangle.h"
 #include "core/sensor/sensor_model.h"
@@ -22,10 +23,6 @@ constexpr double kSmallPolygon = 0.25;
 const std::array<dvec2, 3> kThirds{
     {{std::sqrt(2.0), 0.0}, {-std::sqrt(0.5), std::sqrt(1.5)}, {-std::sqrt(0.5), -std::sqrt(1.5)}}};
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The normal with which the skin looks at x, whose nearest point on the skin is s: that of the face; on an edge or a
 /// corner, where all of its faces are equally near, the direction from x to s. It turns from one face's normal to the
 /// next one's as x moves, so that no tie between the faces decides.
@@ -33,7 +30,7 @@ dvec3 normal_at(const TriMesh& skin, const SurfacePoint& s, const dvec3& x) {
   constexpr double kInSkin = 1e-9;  // of the skin's size: nearer, the direction is rounding
   const dvec3& b = s.barycentric;
   const bool in_face = b.x != 0 && b.y != 0 && b.z != 0;
-  if (in_face || !(s.distance > kInSkin * skin.bounds().diagonal())) return skin.face_normals()[index(s.face)];
+  if (in_face || !(s.distance > kInSkin * skin.bounds().diagonal())) return skin.face_normals()[at(s.face)];
   return (s.position - x) / s.distance;
 }
 
@@ -48,7 +45,7 @@ ForceIntegral::Triangle ForceIntegral::Triangle::child(int number) const {
               ca = 0.5 * (corners[2] + corners[0]);
   const std::array<std::array<dvec3, 3>, 4> parts{
       {{corners[0], ab, ca}, {ab, corners[1], bc}, {ca, bc, corners[2]}, {bc, ca, ab}}};
-  return {parts[index(number)], 0.25 * area, level + 1};
+  return {parts[at(number)], 0.25 * area, level + 1};
 }
 
 double ForceIntegral::Polygon::pressure(const dvec3& x) const {
@@ -180,7 +177,7 @@ ForceIntegral::Estimate ForceIntegral::cut_at(const Polygon& polygon, const Tria
   Estimate e;
   e.first = e.end = static_cast<std::uint32_t>(shares_.size());
   e.error = std::numeric_limits<double>::infinity();
-  const std::size_t l = index(lone), n = (l + 1) % 3, m = (l + 2) % 3;
+  const std::size_t l = at(lone), n = (l + 1) % 3, m = (l + 2) % 3;
   const auto& c = triangle.corners;
   const auto find = [&](std::size_t other) {
     const std::size_t in = lone_covered ? l : other, out = lone_covered ? other : l;
@@ -230,8 +227,8 @@ ForceIntegral::Estimate ForceIntegral::cut(const Polygon& polygon, const Triangl
     in[i] = covered();
   }
   for (int i = 0; i < 3; ++i)
-    if (in[index(i)] != in[index((i + 1) % 3)] && in[index(i)] != in[index((i + 2) % 3)])
-      return cut_at(polygon, triangle, i, in[index(i)], margins);
+    if (in[at(i)] != in[at((i + 1) % 3)] && in[at(i)] != in[at((i + 2) % 3)])
+      return cut_at(polygon, triangle, i, in[at(i)], margins);
   const auto none = static_cast<std::uint32_t>(shares_.size());
   return {none, none, 0, 0, std::numeric_limits<double>::infinity()};
 }
@@ -273,9 +270,9 @@ void ForceIntegral::take(const Polygon& polygon, const Estimate& e) {
   const dvec3& n = polygon.polygon->normal;
   for (std::uint32_t i = e.first; i < e.end; ++i) {
     const Share& share = shares_[i];
-    out_->values[index(share.taxel)] += share.value;
-    out_->normal[index(share.taxel)] += share.value * n;
-    out_->friction[index(share.taxel)] += share.friction;
+    out_->values[at(share.taxel)] += share.value;
+    out_->normal[at(share.taxel)] += share.value * n;
+    out_->friction[at(share.taxel)] += share.friction;
   }
   out_->covered += e.covered;
   out_->uncovered += e.whole - e.covered;
@@ -325,7 +322,7 @@ void ForceIntegral::add_polygon(const ContactSurface& surface, const ContactPoly
   if (!(force > 0)) return;
   double radius = 0;
   for (int i = 0; i < polygon.count; ++i)
-    radius = std::max(radius, glm::distance(surface.vertices[index(polygon.first + i)], polygon.centroid));
+    radius = std::max(radius, glm::distance(surface.vertices[at(polygon.first + i)], polygon.centroid));
   // |s(x) - x| <= |s(c) - c| + |x - c|: all that the polygon's points may ask for lies within this of its centroid.
   const SurfacePoint s = model_->skin->closest_point(polygon.centroid);
   face_ = s.face;
@@ -365,7 +362,7 @@ void ForceIntegral::integrate(const SensorModel& model, const FieldWeights& weig
                               std::span<const ContactSurface* const> surfaces, std::span<const SurfaceMotion> motions,
                               ForceReading& out) {
   model_ = &model, weights_ = &weights, out_ = &out;
-  const std::size_t taxels = index(model.taxel_count());
+  const std::size_t taxels = at(model.taxel_count());
   out.values.assign(taxels, 0.0);
   out.normal.assign(taxels, dvec3(0));
   out.friction.assign(taxels, dvec3(0));

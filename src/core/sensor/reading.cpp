@@ -3,23 +3,20 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/layout/tangent_frame.h"
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Calls body(ray, value of the ray, its share, use) for every entry of every ray that was hit.
 template <class ValueOf, class Body>
 void for_each_use(const ReadoutTable& table, const RayHits& hits, const ValueOf& value_of, const Body& body) {
   for (const std::int32_t ray : hits.hit_rays()) {
     const auto value = value_of(ray);
-    const double share = table.share[index(ray)];
-    for (std::int32_t u = table.first[index(ray)]; u < table.first[index(ray) + 1]; ++u)
-      body(ray, value, share, table.uses[index(u)]);
+    const double share = table.share[at(ray)];
+    for (std::int32_t u = table.first[at(ray)]; u < table.first[at(ray) + 1]; ++u)
+      body(ray, value, share, table.uses[at(u)]);
   }
 }
 
@@ -35,20 +32,20 @@ void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, con
                double* of_hits) {
   const ReadoutTable& table = model.readout_table;
   const bool omit_misses = model.layout.readout.misses == Misses::omit;
-  const std::size_t taxels = index(model.taxel_count());
+  const std::size_t taxels = at(model.taxel_count());
   switch (how) {
     case Aggregate::weighted_mean:
     case Aggregate::weighted_sum:
       for_each_use(table, hits, value_of, [&](auto, const V& value, double, const ReadoutTable::Use& use) {
-        sum[index(use.taxel)] += use.weight * value;
-        of_hits[index(use.taxel)] += use.weight;
+        sum[at(use.taxel)] += use.weight * value;
+        of_hits[at(use.taxel)] += use.weight;
       });
       if (how == Aggregate::weighted_mean) divide(sum, omit_misses ? of_hits : table.weight_sum.data(), taxels);
       break;
     case Aggregate::mean:
       for_each_use(table, hits, value_of, [&](auto, const V& value, double share, const ReadoutTable::Use& use) {
-        sum[index(use.taxel)] += share * value;
-        of_hits[index(use.taxel)] += share;
+        sum[at(use.taxel)] += share * value;
+        of_hits[at(use.taxel)] += share;
       });
       divide(sum, omit_misses ? of_hits : table.share_sum.data(), taxels);
       break;
@@ -62,13 +59,13 @@ void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, con
       }
       std::fill_n(of_hits, taxels, std::numeric_limits<double>::infinity());
       for_each_use(table, hits, value_of, [&](auto, const V& value, double, const ReadoutTable::Use& use) {
-        const std::size_t k = index(use.taxel);
+        const std::size_t k = at(use.taxel);
         if (use.distance < of_hits[k]) of_hits[k] = use.distance, sum[k] = value;
       });
       break;
     case Aggregate::max:
       for_each_use(table, hits, value_of, [&](std::int32_t ray, const V& value, double, const ReadoutTable::Use& use) {
-        const std::size_t k = index(use.taxel);
+        const std::size_t k = at(use.taxel);
         if (hits[ray].pressure > of_hits[k]) of_hits[k] = hits[ray].pressure, sum[k] = value;
       });
       break;
@@ -80,7 +77,7 @@ void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, con
 }  // namespace
 
 void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, std::vector<double>& readings) {
-  const std::size_t taxels = index(model.taxel_count());
+  const std::size_t taxels = at(model.taxel_count());
   readings.assign(2 * taxels, 0.0);
   aggregate(
       model, hits, how, [&](std::int32_t ray) { return hits[ray].pressure; }, readings.data(),
@@ -90,15 +87,15 @@ void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, std
 
 void aggregate_friction(const SensorModel& model, const RayHits& hits, std::span<const ContactSurface* const> surfaces,
                         std::span<const SurfaceMotion> motions, Aggregate how, TaxelFriction& friction) {
-  const std::size_t taxels = index(model.taxel_count());
+  const std::size_t taxels = at(model.taxel_count());
   friction.values.assign(taxels, dvec3(0));
   friction.scratch.assign(taxels, 0.0);
   const auto traction_of = [&](std::int32_t ray) {
     const RayHit& hit = hits[ray];
-    const SensorRay& from = model.rays[index(ray)];
+    const SensorRay& from = model.rays[at(ray)];
     const dvec3 x = from.origin + hit.depth * from.direction;
-    const SurfaceMotion& motion = motions[index(hit.surface)];
-    return friction_traction(hit.pressure, surfaces[index(hit.surface)]->polygons[index(hit.polygon)].normal,
+    const SurfaceMotion& motion = motions[at(hit.surface)];
+    return friction_traction(hit.pressure, surfaces[at(hit.surface)]->polygons[at(hit.polygon)].normal,
                              motion.velocity(x), motion.properties);
   };
   aggregate(model, hits, how, traction_of, friction.values.data(), friction.scratch.data());

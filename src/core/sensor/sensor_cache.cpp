@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/mesh/loaded_faces.h"
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Distance from a sample along `direction` to the skin of the other side: the first face that is met from inside.
 double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& direction, int face) {
@@ -21,7 +18,7 @@ double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& di
     if (!hit) break;
     travelled += hit->t;
     face = hit->face;
-    if (glm::dot(direction, skin.mesh().face_normals()[index(face)]) > 0.0) return travelled;
+    if (glm::dot(direction, skin.mesh().face_normals()[at(face)]) > 0.0) return travelled;
   }
   return std::numeric_limits<double>::infinity();
 }
@@ -34,8 +31,8 @@ SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells) {
   const std::vector<int> outer = outer_shells(*mesh);
   if (shells == Shells::all || static_cast<int>(outer.size()) == mesh->shell_count()) {
     skin->sensed = std::make_shared<const MeshIndex>(mesh);
-    skin->face_of.resize(index(mesh->face_count()));
-    for (int f = 0; f < mesh->face_count(); ++f) skin->face_of[index(f)] = f;
+    skin->face_of.resize(at(mesh->face_count()));
+    for (int f = 0; f < mesh->face_count(); ++f) skin->face_of[at(f)] = f;
   } else {
     auto faces = std::make_shared<TriMesh>(extract_shells(*mesh, outer, &skin->face_of));
     skin->sensed = std::make_shared<MeshIndex>(std::move(faces));
@@ -73,27 +70,27 @@ SampleRays::Found SampleRays::find(std::span<const int> samples) {
   const auto* soft = std::get_if<SoftBody>(&body_->geometry);
   std::vector<int> missing;
   for (const int s : samples)
-    if (rays_[index(s)].max_depth < 0.0) missing.push_back(s);
+    if (rays_[at(s)].max_depth < 0.0) missing.push_back(s);
   if (soft != nullptr && tets_ == nullptr && !missing.empty())
     tets_ = std::make_unique<const TetCrossings>(*soft->field);
   parallel_chunks(static_cast<int>(missing.size()), 256, [&](int begin, int end) {
     std::vector<std::int32_t> found;
     for (int i = begin; i < end; ++i) {
-      const int s = missing[index(i)];
-      const SurfaceSample& sample = (*samples_)[index(s)];
+      const int s = missing[at(i)];
+      const SurfaceSample& sample = (*samples_)[at(s)];
       SensorRay ray{s, sample.position, -sample.normal, 0.0};
       limit_ray(*skin_, sample.face, body_->soft(), allowed_, ray);
       if (tets_) tets_->find(ray, found);
-      crossings_[index(s)] = found;
-      rays_[index(s)] = ray;
+      crossings_[at(s)] = found;
+      rays_[at(s)] = ray;
     }
   });
   Found found;
   found.rays.reserve(samples.size());
   if (tets_) found.crossings.reserve(samples.size());
   for (const int s : samples) {
-    found.rays.push_back(rays_[index(s)]);
-    if (tets_) found.crossings.emplace_back(crossings_[index(s)]);
+    found.rays.push_back(rays_[at(s)]);
+    if (tets_) found.crossings.emplace_back(crossings_[at(s)]);
   }
   return found;
 }
@@ -144,7 +141,7 @@ SampleSetPtr SensorCache::samples(const SampledSkinPtr& skin, int count, std::ui
       [&] {
         auto samples = sample_surface(*skin->mesh, count, seed, progress, quality);
         if (!skin->face_of.empty())
-          for (SurfaceSample& sample : samples) sample.face = skin->face_of[index(sample.face)];
+          for (SurfaceSample& sample : samples) sample.face = skin->face_of[at(sample.face)];
         return std::make_shared<const std::vector<SurfaceSample>>(std::move(samples));
       },
       [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });

@@ -1,4 +1,5 @@
 #include "core/sensor/sensor_model.h"
+#include "core/base/index.h"
 #include "core/layout/field_coloring.h"
 
 #include <fmt/format.h>
@@ -14,10 +15,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 HydroBodyPtr body_of(const Layout& layout, const RepairedMesh& mesh, SensorCache& cache, const std::string& file) {
   try {
@@ -50,17 +47,17 @@ double allowed_depth(const SensorModel& model) {
 /// One ray per entry.
 void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) {
   for (int k = 0; k < model.taxel_count(); ++k) {
-    const dvec3 outward = glm::normalize(model.layout.taxels[index(k)].normal);
-    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
-      const int sample = model.fields.entries[index(e)].sample;
-      model.ray_of_entry[index(e)] = static_cast<int>(model.rays.size());
-      model.rays.push_back({sample, model.samples[index(sample)].position, -outward, 0.0});
+    const dvec3 outward = glm::normalize(model.layout.taxels[at(k)].normal);
+    for (int e = model.fields.first[at(k)]; e < model.fields.first[at(k) + 1]; ++e) {
+      const int sample = model.fields.entries[at(e)].sample;
+      model.ray_of_entry[at(e)] = static_cast<int>(model.rays.size());
+      model.rays.push_back({sample, model.samples[at(sample)].position, -outward, 0.0});
     }
   }
   parallel_chunks(static_cast<int>(model.rays.size()), 256, [&](int begin, int end) {
     for (int r = begin; r < end; ++r) {
-      SensorRay& ray = model.rays[index(r)];
-      limit_ray(skin, model.samples[index(ray.sample)].face, model.body->soft(), allowed, ray);
+      SensorRay& ray = model.rays[at(r)];
+      limit_ray(skin, model.samples[at(ray.sample)].face, model.body->soft(), allowed, ray);
     }
   });
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
@@ -70,14 +67,14 @@ void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) 
 /// One ray per used sample, shared by its taxels, in the order of the samples.
 void add_sample_rays(SensorModel& model, SampleRays& known) {
   std::vector<int> ray_of_sample(model.samples.size(), -1), used;
-  for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[index(entry.sample)] = 0;
+  for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[at(entry.sample)] = 0;
   for (std::size_t s = 0; s < ray_of_sample.size(); ++s) {
     if (ray_of_sample[s] < 0) continue;
     ray_of_sample[s] = static_cast<int>(used.size());
     used.push_back(static_cast<int>(s));
   }
   for (std::size_t e = 0; e < model.fields.entries.size(); ++e)
-    model.ray_of_entry[e] = ray_of_sample[index(model.fields.entries[e].sample)];
+    model.ray_of_entry[e] = ray_of_sample[at(model.fields.entries[e].sample)];
   SampleRays::Found found = known.find(used);
   model.rays = std::move(found.rays);
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
@@ -101,15 +98,15 @@ void add_taxels_of_samples(SensorModel& model) {
   const std::vector<ReceptiveFields::Entry>& entries = model.fields.entries;
   // Where the users of each sample end; once they are filled in from behind, where they begin.
   std::vector<int> end(model.samples.size() + 1, 0);
-  for (const ReceptiveFields::Entry& entry : entries) ++end[index(entry.sample)];
+  for (const ReceptiveFields::Entry& entry : entries) ++end[at(entry.sample)];
   for (std::size_t s = 1; s < end.size(); ++s) end[s] += end[s - 1];
   std::vector<std::pair<double, int>> users(entries.size());
   for (int k = 0; k < model.taxel_count(); ++k)
-    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e)
-      users[index(--end[index(entries[index(e)].sample)])] = {entries[index(e)].distance, k};
+    for (int e = model.fields.first[at(k)]; e < model.fields.first[at(k) + 1]; ++e)
+      users[at(--end[at(entries[at(e)].sample)])] = {entries[at(e)].distance, k};
   model.taxels_of_sample.resize(model.samples.size());
   for (std::size_t s = 0; s < model.samples.size(); ++s) {
-    const auto of_sample = std::span(users).subspan(index(end[s]), index(end[s + 1] - end[s]));
+    const auto of_sample = std::span(users).subspan(at(end[s]), at(end[s + 1] - end[s]));
     std::sort(of_sample.begin(), of_sample.end());
     model.taxels_of_sample[s].reserve(of_sample.size());
     for (const auto& [distance, taxel] : of_sample) model.taxels_of_sample[s].push_back(taxel);
@@ -125,7 +122,7 @@ void add_field_weights(SensorModel& model) {
 void note_empty_fields(SensorModel& model, const std::string& file) {
   Problems found;
   for (int k = 0; k < model.taxel_count(); ++k) {
-    if (model.fields.first[index(k)] != model.fields.first[index(k) + 1]) continue;
+    if (model.fields.first[at(k)] != model.fields.first[at(k) + 1]) continue;
     const std::string pointer = fmt::format("/taxels/{}", k);
     const bool known = std::any_of(model.problems.begin(), model.problems.end(), [&](const Problem& p) {
       return p.code == "field_empty" && (p.pointer == pointer || p.pointer.starts_with(pointer + "/"));
@@ -232,7 +229,7 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
 
 double SensorModel::sample_share(int sample) const {
   if (layout.sampling.weights == SampleWeights::equal) return 1.0;
-  return samples[index(sample)].area * static_cast<double>(samples.size()) / sampled_area;
+  return samples[at(sample)].area * static_cast<double>(samples.size()) / sampled_area;
 }
 
 Layout layout_on_repaired_mesh(const SensorModel& model) {

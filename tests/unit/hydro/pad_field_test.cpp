@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/base/rng.h"
 #include "core/hydro/pressure_field.h"
 #include "core/mesh/closest_point.h"
@@ -16,10 +17,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr double kModulus = 1e5;
 

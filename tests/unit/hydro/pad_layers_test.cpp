@@ -1,5 +1,6 @@
 // Pads of one and two layers of prisms: the same volume, shared faces, and what the second layer is worth.
 #include "core/hydro/pad_layers.h"
+#include "core/base/index.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +17,6 @@ namespace taxel {
 namespace {
 
 constexpr double kModulus = 1e5;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Layered {
   PressureFieldPtr field;

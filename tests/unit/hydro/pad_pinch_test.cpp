@@ -3,16 +3,13 @@
 
 #include <filesystem>
 
+#include "core/base/index.h"
 #include "core/hydro/pad_shape.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/pad_meshes.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A ball of which one vertex is moved along the surface, over one of its neighbours: some faces around it fold back.
 TriMeshPtr make_folded_ball(double by) {

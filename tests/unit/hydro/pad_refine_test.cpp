@@ -1,5 +1,6 @@
 // Refinement of a pad's skin: the same surface, refined only where the pad is uneven, with an even field.
 #include "core/hydro/pad_refine.h"
+#include "core/base/index.h"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +18,6 @@ namespace taxel {
 namespace {
 
 constexpr double kModulus = 1e5;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double longest_edge(const TriMesh& mesh, int face) {
   double longest = 0;

@@ -1,5 +1,6 @@
 // Tents: the stiffness at the skin is E/H, nothing else of the pad changes, and the report says how a press is felt.
 #include "core/hydro/pad_tents.h"
+#include "core/base/index.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +17,6 @@ namespace taxel {
 namespace {
 
 constexpr double kModulus = 1e5;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A pad without tents.
 PadTets plain_pad(const MeshIndex& index, double thickness) {

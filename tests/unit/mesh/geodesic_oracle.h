@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel::test {
@@ -93,11 +94,10 @@ class GeodesicOracle {
     visited_.assign(static_cast<std::size_t>(mesh_.face_count()), 0);
     visited_[static_cast<std::size_t>(face)] = 1;
     for (int c = 0; c < 3; ++c)
-      out.vertices[index(corner(face, c))] = std::min(out.vertices[index(corner(face, c))], std::abs(p[c]));
+      out.vertices[at(corner(face, c))] = std::min(out.vertices[at(corner(face, c))], std::abs(p[c]));
     note_targets(face, p, 0, 0, true, out);
     for (int c = 0; c < 3; ++c) cross_edge(face, c, p[c], p[(c + 1) % 3], p[c], p[(c + 1) % 3], out);
   }
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   Straight straight_from_vertex(int v) {
     Straight out = fresh();
@@ -140,8 +140,8 @@ class GeodesicOracle {
   void cross_edge(int face, int c, Plane pa, Plane pb, Plane right, Plane left, Straight& out) {
     const int a = corner(face, c), b = corner(face, c + 1);
     for (const int g : faces_at_[edge(a, b)]) {
-      if (visited_[index(g)]) continue;
-      visited_[index(g)] = 1;
+      if (visited_[at(g)]) continue;
+      visited_[at(g)] = 1;
       int k = 0;
       while (!(corner(g, k) == b && corner(g, k + 1) == a)) ++k;
       const int v = corner(g, k + 2);
@@ -150,14 +150,14 @@ class GeodesicOracle {
       p[k] = pb, p[(k + 1) % 3] = pa, p[(k + 2) % 3] = pv;
       const bool right_of_left = cross(pv, left) >= -tolerance(pv, left);
       const bool left_of_right = cross(right, pv) >= -tolerance(right, pv);
-      if (right_of_left && left_of_right) out.vertices[index(v)] = std::min(out.vertices[index(v)], std::abs(pv));
+      if (right_of_left && left_of_right) out.vertices[at(v)] = std::min(out.vertices[at(v)], std::abs(pv));
       note_targets(g, p, left, right, false, out);
       // The origin lies left of a -> b, so b is counter-clockwise of a: the edge a-v is on the right, v-b on the left.
       if (cross(right, pv) > 0 && near(pa, pv))
         cross_edge(g, (k + 1) % 3, pa, pv, right, right_of_left ? pv : left, out);
       if (cross(pv, left) > 0 && near(pv, pb))
         cross_edge(g, (k + 2) % 3, pv, pb, left_of_right ? pv : right, left, out);
-      visited_[index(g)] = 0;
+      visited_[at(g)] = 0;
     }
   }
   [[nodiscard]] bool near(Plane a, Plane b) const {

@@ -1,6 +1,7 @@
 // Forces of taxels by integration over contact polygons: closed forms, an oracle of many points, and what must hold for
 // any contact.
 #include "core/sensor/force_integral.h"
+#include "core/base/index.h"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -234,8 +231,7 @@ ForceReading oracle(const SensorModel& model, const ContactSurface& surface, int
           const double force = area / n / n * (polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid));
           const SurfacePoint s = model.skin->closest_point(x);
           const bool in_face = s.barycentric.x > 0 && s.barycentric.y > 0 && s.barycentric.z > 0;
-          const dvec3 normal =
-              in_face ? model.skin->mesh().face_normals()[index(s.face)] : glm::normalize(s.position - x);
+          const dvec3 normal = in_face ? model.skin->mesh().face_normals()[at(s.face)] : glm::normalize(s.position - x);
           std::vector<double> w;
           for (const Taxel& t : model.layout.taxels) {
             const double left = std::max(0.0, t.radius - glm::distance(t.center, s.position));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/index.h"
 #include "core/layout/layout_json.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"
@@ -17,10 +18,6 @@ namespace {
 const std::filesystem::path kFingerFile =
     std::filesystem::path(TAXEL_SOURCE_DIR) / "assets" / "layouts" / "fingertip.taxels.json";
 constexpr int kMissing = 100;  // face of our fingertip that the broken one lacks
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Layout finger_layout() {
   Layout layout = read_layout(kFingerFile);

@@ -1,13 +1,10 @@
 #include "core/hydro/kernel/depth_march.h"
 
+#include "core/base/index.h"
 #include "core/hydro/kernel/slice_tet.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A lattice point, in edges of the smallest cubes.
 using Node = ivec3;

@@ -1,11 +1,9 @@
 #include "core/hydro/kernel/distance_grid.h"
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Whether a cube about `center` may meet the tet: no plane of the tet has it wholly outside.
 bool may_meet(const Tet& tet, const dvec3& center, double half_edge) {

@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_tets.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
+#include "core/base/index.h"
 #include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/grid_query_inl.h"
 #include "core/hydro/kernel/kernels.h"
@@ -55,8 +56,6 @@ class TetsAndTets {
   };
 
   static constexpr std::int32_t kNotLocated = std::numeric_limits<std::int32_t>::min();
-
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
   HWY_INLINE const dvec3& position(int vertex) {
     PlacedVertex& placed = w_.placed[at(vertex)];

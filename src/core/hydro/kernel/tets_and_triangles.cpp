@@ -5,6 +5,7 @@
 // The line above includes this file once per instruction set: it stays first.
 #include <hwy/cache_control.h>
 
+#include "core/base/index.h"
 #include "core/hydro/kernel/clip_inl.h"
 #include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/grid_query_inl.h"
@@ -56,8 +57,6 @@ class TetsAndTriangles {
     std::int32_t face;
     dvec3 normal;
   };
-
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
   /// Position and tet of a vertex of the mesh, found once per call.
   HWY_INLINE const PlacedVertex& place(std::int32_t vertex) {

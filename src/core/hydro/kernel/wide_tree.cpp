@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 using Items = std::span<std::int32_t>;
 

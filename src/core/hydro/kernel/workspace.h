@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/base/math.h"
 #include "core/hydro/kernel/depth_workspace.h"
 
@@ -33,7 +34,6 @@ class MetPairs {
     std::int32_t newest = -1, done = -1;  ///< entries; those from `done` on were given
     bool waits = false;
   };
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
   std::vector<Entry> entries_;
   std::vector<List> lists_;  ///< by tet of B

@@ -1,15 +1,12 @@
 #include "core/layout/sampling/sample_elimination.h"
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/per_thread.h"
 #include "core/layout/sampling/surroundings.h"
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Points by weight, the heaviest first, ties by the lower point. Weights may only fall: so does the heaviest, and
 /// points wait in buckets of a range of weights each, unsorted, until it is the turn of theirs. A bucket learns only
@@ -29,7 +26,7 @@ class CrowdQueue {
     for (;; std::pop_heap(ready_.begin(), ready_.end()), ready_.pop_back()) {
       while (ready_.empty()) open_bucket();
       const Item top = ready_.front();
-      const double weight = weights_[index(top.point)];
+      const double weight = weights_[at(top.point)];
       if (weight == top.weight) break;
       if (bucket_of(weight) < bucket_) {
         wait(top.point);
@@ -41,13 +38,13 @@ class CrowdQueue {
     const int point = ready_.front().point;
     std::pop_heap(ready_.begin(), ready_.end());
     ready_.pop_back();
-    next_[index(point)] = kGone;
+    next_[at(point)] = kGone;
     ++gone_;
     return point;
   }
   /// Also of a point that is gone.
-  void reduce(int point, double by) { weights_[index(point)] -= by; }
-  [[nodiscard]] bool holds(int point) const { return next_[index(point)] != kGone; }
+  void reduce(int point, double by) { weights_[at(point)] -= by; }
+  [[nodiscard]] bool holds(int point) const { return next_[at(point)] != kGone; }
 
  private:
   static constexpr int kNone = -1, kGone = -2;
@@ -60,14 +57,14 @@ class CrowdQueue {
     return static_cast<std::size_t>(std::max(0.0, weight * per_weight_));
   }
   void wait(int point) {
-    int& first = first_[bucket_of(weights_[index(point)])];
-    next_[index(point)] = first;
+    int& first = first_[bucket_of(weights_[at(point)])];
+    next_[at(point)] = first;
     first = point;
   }
   void open_bucket() {
     for (int point = first_[--bucket_], next = 0; point != kNone; point = next) {
-      next = next_[index(point)];
-      const double weight = weights_[index(point)];
+      next = next_[at(point)];
+      const double weight = weights_[at(point)];
       if (bucket_of(weight) < bucket_)
         wait(point);
       else
@@ -106,9 +103,9 @@ class CrowdLinker {
     const double kept = static_cast<double>(count) / pool.size();
     least_ = static_cast<float>((1.0 - kept * std::sqrt(kept)) * 0.65);
     for (const int i : cells_.points()) {
-      positions_.push_back(pool.positions[index(i)]);
-      normals_.push_back(pool.normals[index(i)]);
-      faces_.push_back(pool.faces[index(i)]);
+      positions_.push_back(pool.positions[at(i)]);
+      normals_.push_back(pool.normals[at(i)]);
+      faces_.push_back(pool.faces[at(i)]);
     }
   }
   /// Pool points by rank.
@@ -118,11 +115,11 @@ class CrowdLinker {
     const int chunk = 64;
     CrowdGraph graph;
     graph.of_point.resize(positions_.size());
-    graph.parts.resize(index((cells_.cell_count() + chunk - 1) / chunk));
+    graph.parts.resize(at((cells_.cell_count() + chunk - 1) / chunk));
     PerThread<Scratch> scratch([&] { return Scratch(surface_); });
     parallel_chunks(cells_.cell_count(), chunk, [&](int begin, int end) {
       Scratch& mine = scratch.local();
-      std::vector<CrowdLink>& links = graph.parts[index(begin / chunk)];
+      std::vector<CrowdLink>& links = graph.parts[at(begin / chunk)];
       const CellList::Ranks all{cells_.ranks_in(begin).begin, cells_.ranks_in(end - 1).end};
       std::vector<std::size_t> rows;
       for (int cell = begin; cell < end; ++cell) {
@@ -152,7 +149,7 @@ class CrowdLinker {
   void link_point(std::uint32_t point, Scratch& mine, std::vector<CrowdLink>& links) const {
     mine.around.find_near(mine.around.place(positions_[point], normals_[point]), 1.0F, point, mine.near);
     bool all_on_patch = true;
-    for (std::size_t k = 0; k < index(mine.near.count); ++k) {
+    for (std::size_t k = 0; k < at(mine.near.count); ++k) {
       if (mine.near.on_patch(k))
         links.push_back({mine.near.rank[k], crowding(mine.near.distance[k])});
       else
@@ -165,8 +162,8 @@ class CrowdLinker {
   void link_behind(std::uint32_t point, Scratch& mine, std::vector<CrowdLink>& links) const {
     const dvec3 u = any_perpendicular(normals_[point]);
     mine.chart.unfold({faces_[point], positions_[point]}, u, glm::cross(normals_[point], u), reach_);
-    for (std::size_t k = 0; k < index(mine.near.count); ++k) {
-      const std::size_t other = index(mine.near.rank[k]);
+    for (std::size_t k = 0; k < at(mine.near.count); ++k) {
+      const std::size_t other = at(mine.near.rank[k]);
       dvec2 flat;
       if (mine.near.on_patch(k) || !mine.chart.find({faces_[other], positions_[other]}, flat)) continue;
       const double distance = glm::length(flat) / reach_;
@@ -194,15 +191,15 @@ std::vector<int> eliminate_samples(const SurfaceGraph& surface, const SurfacePoo
                                    Progress* progress) {
   const CrowdLinker linker(surface, pool, count);
   const CrowdGraph graph = linker.link();
-  std::vector<double> weights(index(pool.size()), 0.0);
+  std::vector<double> weights(at(pool.size()), 0.0);
   for (const auto& links : graph.of_point)  // what each causes to others, which is what its going will take from them
-    for (const CrowdLink& link : links) weights[index(link.other)] += double(link.crowding);
+    for (const CrowdLink& link : links) weights[at(link.other)] += double(link.crowding);
 
   CrowdQueue queue(std::move(weights));
-  const std::size_t surplus = queue.size() - index(count), report = 1 << 14;
+  const std::size_t surplus = queue.size() - at(count), report = 1 << 14;
   for (std::size_t n = 0; n < surplus; ++n) {
     if (progress && n % report == 0) progress->check(static_cast<double>(n) / static_cast<double>(surplus));
-    for (const CrowdLink& link : graph.of_point[index(queue.pop())]) queue.reduce(link.other, double(link.crowding));
+    for (const CrowdLink& link : graph.of_point[at(queue.pop())]) queue.reduce(link.other, double(link.crowding));
   }
   std::vector<int> kept;
   kept.reserve(queue.size());

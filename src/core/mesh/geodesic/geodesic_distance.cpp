@@ -1,5 +1,7 @@
 #include "core/mesh/geodesic/geodesic_distance.h"
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
 
@@ -11,10 +13,6 @@ constexpr int kBucketsAcross = 2048;  // along the diagonal of the mesh, if that
 constexpr double kMostBuckets = 1e6;  // for paths far longer than the diagonal
 constexpr double kAtVertex = 1e-9;    // of an edge
 constexpr double kTie = 1.0 - 1e-12;  // far above the rounding of a path's length, far below any difference that counts
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;

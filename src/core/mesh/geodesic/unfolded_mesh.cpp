@@ -1,17 +1,10 @@
 #include "core/mesh/geodesic/unfolded_mesh.h"
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/mesh/edge_sides.h"
 
 namespace taxel {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 UnfoldedMesh::UnfoldedMesh(TriMeshPtr mesh)
     : mesh_(std::move(mesh)), edges_(3 * mesh_->faces().size()), angles_(edges_.size()) {
   lay_flat();

@@ -1,14 +1,11 @@
 #include "core/mesh/repair/distances.h"
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/mesh/closest_point.h"
 
 namespace taxel {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct PointOnFace {
   dvec3 position;

@@ -5,14 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/mesh/edge_sides.h"
 #include "core/mesh/repair/repair.h"
 
 namespace taxel {
-
-inline std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 inline constexpr int kFilledFace = -1;   ///< comes from no loaded face
 inline constexpr int kWrappedFace = -2;  ///< comes from the nearest loaded face, which is found at the end

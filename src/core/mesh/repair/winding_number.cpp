@@ -1,16 +1,9 @@
 #include "core/mesh/repair/winding_number.h"
 
+#include "core/base/index.h"
 #include "core/mesh/solid_angle.h"
 
 namespace taxel {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 WindingNumber::WindingNumber(const std::vector<dvec3>& points, std::vector<ivec3> faces)
     : points_(points), faces_(std::move(faces)) {
   constexpr double kReach = 2.5;  // radii of the cluster; less is faster and less exact

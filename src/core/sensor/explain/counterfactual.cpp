@@ -1,11 +1,9 @@
 #include "core/sensor/explain/counterfactual.h"
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 const PressureField* field_of(const SensorModel& model) {
   const auto* soft = std::get_if<SoftBody>(&model.body->geometry);
@@ -18,25 +16,25 @@ InvertedTets::InvertedTets(const SensorModel& model) : skin_(model.skin) {
   const PressureField* field = field_of(model);
   if (field == nullptr || field->report().inverted == 0) return;
   tets_.resize(field->tets().size());
-  faces_.resize(index(skin_->mesh().face_count()));
+  faces_.resize(at(skin_->mesh().face_count()));
   for (std::size_t t = 0; t < tets_.size(); ++t) {
     const Tet& tet = field->tets()[t];
     for (int corner = 0; corner < 4; ++corner) {
       if (!field->is_skin(tet, corner)) continue;
       dvec3 middle(0);
       for (int i = 0; i < 4; ++i)
-        if (i != corner) middle += field->vertices()[index(tet.vertices[i])] / 3.0;
+        if (i != corner) middle += field->vertices()[at(tet.vertices[i])] / 3.0;
       const int face = skin_->closest_point(middle).face;
-      if (!(glm::dot(tet.normal[index(corner)], skin_->mesh().face_normals()[index(face)]) > 0)) continue;
+      if (!(glm::dot(tet.normal[at(corner)], skin_->mesh().face_normals()[at(face)]) > 0)) continue;
       tets_[t] = true;
-      faces_[index(face)] = true;
+      faces_[at(face)] = true;
     }
   }
 }
 
 bool InvertedTets::concern(const ContactPolygon& polygon) const {
   if (tets_.empty() || polygon.tet < 0) return false;
-  return tets_[index(polygon.tet)] || faces_[index(skin_->closest_point(polygon.centroid).face)];
+  return tets_[at(polygon.tet)] || faces_[at(skin_->closest_point(polygon.centroid).face)];
 }
 
 bool field_is_suspect(const SensorModel& model) {
@@ -68,10 +66,10 @@ OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const Cont
     if (surfaces[i] == nullptr) continue;
     out.surfaces[i] = *surfaces[i];
     for (ContactPolygon& p : out.surfaces[i].polygons) {
-      const SignedPoint at = model.skin->signed_point(p.centroid);
-      const double depth = std::max(0.0, -at.signed_distance);
-      dvec3 inward = -model.skin->mesh().face_normals()[index(at.point.face)];
-      if (depth > 0) inward = (p.centroid - at.point.position) / depth;
+      const SignedPoint near = model.skin->signed_point(p.centroid);
+      const double depth = std::max(0.0, -near.signed_distance);
+      dvec3 inward = -model.skin->mesh().face_normals()[at(near.point.face)];
+      if (depth > 0) inward = (p.centroid - near.point.position) / depth;
       p.pressure = stiffness * std::min(depth, thickness);
       p.gradient = depth < thickness ? stiffness * inward : dvec3(0);
     }

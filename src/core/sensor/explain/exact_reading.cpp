@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/hydro/quadrature.h"
 #include "core/sensor/explain/field_integral.h"
 #include "core/sensor/force_integral.h"
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The reading of the polygons' forces, which takes no samples.
 ExactReading force_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces) {
@@ -23,7 +20,7 @@ ExactReading force_reading(const SensorModel& model, int taxel, std::span<const 
   if (weights == nullptr) weights = &own.emplace(model.layout, *model.skin);
   integral.integrate(model, *weights, surfaces, {}, force);
   ExactReading out;
-  out.value = force.values[index(taxel)];
+  out.value = force.values[at(taxel)];
   out.error = ForceIntegral::kAccuracy * force.covered;
   return out;
 }
@@ -58,7 +55,7 @@ ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const 
   if (model.layout.readout.aggregate == Aggregate::force) return force_reading(model, taxel, surfaces);
   FieldRays rays(model, taxel, surfaces);
   if (model.layout.readout.aggregate == Aggregate::nearest)
-    return nearest_reading(rays, model.layout.taxels[index(taxel)]);
+    return nearest_reading(rays, model.layout.taxels[at(taxel)]);
   return FieldIntegral(std::move(rays), accuracy).read();
 }
 

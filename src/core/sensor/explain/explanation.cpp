@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/hydro/traction.h"
 #include "core/sensor/explain/advice.h"
 #include "core/sensor/explain/counterfactual.h"
@@ -10,10 +11,6 @@
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 using Surfaces = std::span<const ContactSurface* const>;
 
@@ -37,7 +34,7 @@ ForceBudget budget_of(const SensorModel& model, int taxel, const SensorStep& ste
   dvec3 sum(0);
   for (const dvec3& f : force.normal) sum += f;
   budget.taxels_W = step.X_WM.rotate(sum);
-  budget.taxel_W = step.X_WM.rotate(force.normal[index(taxel)]);
+  budget.taxel_W = step.X_WM.rotate(force.normal[at(taxel)]);
   budget.covered = force.covered;
   budget.uncovered = std::max(0.0, force.uncovered);  // of rounding
   budget.net_W = step.force_W;
@@ -59,7 +56,7 @@ void count_samples(const Explanation& e, StepChange& change) {
 double inverted_part(const ExactReading& exact, const SensorStep& step, const InvertedTets& inverted) {
   double sum = 0;
   for (const PolygonPart& part : exact.parts)
-    if (inverted.concern(step.surfaces[index(part.surface)]->polygons[index(part.polygon)])) sum += part.value;
+    if (inverted.concern(step.surfaces[at(part.surface)]->polygons[at(part.polygon)])) sum += part.value;
   return sum;
 }
 
@@ -106,7 +103,7 @@ struct Explainer::Kept {
       const Convergence found = read_convergence(*levels, step.surfaces);
       samples = found.samples;
       for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = found.values[i][index(taxel)];
+        values[i] = found.values[i][at(taxel)];
         if (out.aggregate == Aggregate::weighted_sum && samples[i] > 0)
           values[i] *= static_cast<double>(samples[Convergence::kAsked]) / samples[i];
       }
@@ -160,10 +157,10 @@ Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const Sen
                                const ExplainLimits& limits, Progress* progress) {
   Explanation out;
   out.samples = samples_behind(*model, *now.hits, taxel);
-  const Taxel& of = model->layout.taxels[index(taxel)];
+  const Taxel& of = model->layout.taxels[at(taxel)];
   out.taxel = taxel, out.id = of.id, out.name = of.name;
   out.aggregate = model->layout.readout.aggregate;
-  out.time = now.time, out.reading = now.readings[index(taxel)];
+  out.time = now.time, out.reading = now.readings[at(taxel)];
   kept_->keep(model, progress);
   kept_->read_levels(taxel, now, before, out);
   if (progress != nullptr) progress->check(0.5);
@@ -175,7 +172,7 @@ Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const Sen
   out.exact_before = exact_reading(*model, taxel, before->surfaces);
   StepChange& change = out.change.emplace();
   change.time_before = before->time;
-  change.reading = {before->readings[index(taxel)], out.reading};
+  change.reading = {before->readings[at(taxel)], out.reading};
   change.force = {force_of(*before), force_of(now)};
   count_samples(out, change);
   kept_->judge(taxel, now, *before, limits, out, progress);

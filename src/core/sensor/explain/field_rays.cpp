@@ -2,14 +2,11 @@
 
 #include <numeric>
 
+#include "core/base/index.h"
 #include "core/mesh/point_triangle.h"
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Layout of_one(const Layout& layout, const Taxel& taxel) {
   Layout one = layout;
@@ -21,7 +18,7 @@ Layout of_one(const Layout& layout, const Taxel& taxel) {
 
 FieldRays::FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces)
     : model_(model),
-      taxel_(model.layout.taxels[index(taxel)]),
+      taxel_(model.layout.taxels[at(taxel)]),
       skin_{model.mesh, model.skin, model.skin_face_of},
       discs_(discs_of(taxel_)),
       weights_(of_one(model.layout, taxel_), *model.skin),
@@ -43,7 +40,7 @@ FieldRays::FieldRays(const SensorModel& model, int taxel, std::span<const Contac
 
 dvec3 FieldRays::direction(int face) const {
   return model_.layout.readout.ray == RayDirection::taxel_normal ? -glm::normalize(taxel_.normal)
-                                                                 : -skin_.sensed->mesh().face_normals()[index(face)];
+                                                                 : -skin_.sensed->mesh().face_normals()[at(face)];
 }
 
 RayHit FieldRays::cast(int face, const dvec3& point) const {
@@ -82,11 +79,11 @@ std::vector<FieldRays::Face> FieldRays::faces() const {
   const std::vector<int>& region = *model_.layout.sampling.region;
   std::vector<Face> out;
   for (int f = 0; f < skin.face_count(); ++f) {
-    if (!region.empty() && !std::binary_search(region.begin(), region.end(), skin_.face_of[index(f)])) continue;
-    const Face face{f, {skin.vertex(f, 0), skin.vertex(f, 1), skin.vertex(f, 2)}, skin.face_areas()[index(f)]};
+    if (!region.empty() && !std::binary_search(region.begin(), region.end(), skin_.face_of[at(f)])) continue;
+    const Face face{f, {skin.vertex(f, 0), skin.vertex(f, 1), skin.vertex(f, 2)}, skin.face_areas()[at(f)]};
     const bool reached = std::any_of(discs_.begin(), discs_.end(), [&](const FieldDisc& disc) {
       const auto& [a, b, c] = face.corners;
-      return disc.faces(skin.face_normals()[index(f)], facing) &&
+      return disc.faces(skin.face_normals()[at(f)], facing) &&
              nearest_on_triangle(disc.center, a, b, c).squared_distance <= disc.radius * disc.radius;
     });
     if (reached) out.push_back(face);

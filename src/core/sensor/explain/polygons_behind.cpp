@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
+#include "core/base/index.h"
+
 namespace taxel {
 namespace {
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 PolygonBehind describe(const InvertedTets& inverted, const ContactSurface& surface, int s, int p) {
-  const ContactPolygon& polygon = surface.polygons[index(p)];
+  const ContactPolygon& polygon = surface.polygons[at(p)];
   PolygonBehind row;
   row.surface = s, row.polygon = p;
   row.tet = polygon.tet, row.tet_b = polygon.tet_b, row.face = polygon.face;
@@ -19,8 +17,8 @@ PolygonBehind describe(const InvertedTets& inverted, const ContactSurface& surfa
   row.mean = polygon.pressure;  // of a linear pressure, that at the centroid
   row.lowest = std::numeric_limits<double>::infinity();
   for (int i = polygon.first; i < polygon.first + polygon.count; ++i) {
-    row.lowest = std::min(row.lowest, surface.pressure[index(i)]);
-    row.highest = std::max(row.highest, surface.pressure[index(i)]);
+    row.lowest = std::min(row.lowest, surface.pressure[at(i)]);
+    row.highest = std::max(row.highest, surface.pressure[at(i)]);
   }
   return row;
 }
@@ -28,11 +26,11 @@ PolygonBehind describe(const InvertedTets& inverted, const ContactSurface& surfa
 void add_served(const SensorModel& model, const std::vector<RayHit>& hits, const std::vector<std::size_t>& first,
                 std::vector<PolygonBehind>& rows) {
   for (int k = 0; k < model.taxel_count(); ++k) {
-    const int id = model.layout.taxels[index(k)].id;
-    for (int e = model.fields.first[index(k)]; e < model.fields.first[index(k) + 1]; ++e) {
-      const RayHit& hit = hits[index(model.ray_of_entry[index(e)])];
+    const int id = model.layout.taxels[at(k)].id;
+    for (int e = model.fields.first[at(k)]; e < model.fields.first[at(k) + 1]; ++e) {
+      const RayHit& hit = hits[at(model.ray_of_entry[at(e)])];
       if (!hit.hit()) continue;
-      std::vector<int>& taxels = rows[first[index(hit.surface)] + index(hit.polygon)].taxels;
+      std::vector<int>& taxels = rows[first[at(hit.surface)] + at(hit.polygon)].taxels;
       if (taxels.empty() || taxels.back() != id) taxels.push_back(id);
     }
   }
@@ -59,17 +57,17 @@ std::vector<PolygonBehind> polygons_behind(const SensorModel& model, int taxel, 
     }
   }
   for (PolygonBehind& row : rows) row.force_share = pressed > 0 ? row.area * row.mean / pressed : 0.0;
-  const int begin = model.fields.first[index(taxel)];
+  const int begin = model.fields.first[at(taxel)];
   for (std::size_t i = 0; i < behind.size(); ++i) {
-    const RayHit& hit = (*step.hits)[index(model.ray_of_entry[index(begin) + i])];
+    const RayHit& hit = (*step.hits)[at(model.ray_of_entry[at(begin) + i])];
     if (!hit.hit()) continue;
-    PolygonBehind& row = rows[first[index(hit.surface)] + index(hit.polygon)];
+    PolygonBehind& row = rows[first[at(hit.surface)] + at(hit.polygon)];
     ++row.samples;
     row.share += behind[i].share;
   }
   if (exact.value && *exact.value > 0)
     for (const PolygonPart& part : exact.parts)
-      rows[first[index(part.surface)] + index(part.polygon)].exact_share = part.value / *exact.value;
+      rows[first[at(part.surface)] + at(part.polygon)].exact_share = part.value / *exact.value;
   add_served(model, *step.hits, first, rows);
   return rows;
 }

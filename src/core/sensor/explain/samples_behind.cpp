@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 
 namespace taxel {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// What a sample brings in before the division: w p, its plain share of p, or all of p for the one that is picked.
 double contribution(const SensorModel& model, const TaxelSampleReading& r, bool picked) {
@@ -38,9 +35,9 @@ std::vector<TaxelSampleReading> samples_behind(const SensorModel& model, const s
   std::vector<TaxelSampleReading> rows;
   double best = -std::numeric_limits<double>::infinity();
   std::size_t picked = 0;
-  for (int e = model.fields.first[index(taxel)]; e < model.fields.first[index(taxel) + 1]; ++e) {
-    const ReceptiveFields::Entry& entry = model.fields.entries[index(e)];
-    const RayHit& hit = hits[index(model.ray_of_entry[index(e)])];
+  for (int e = model.fields.first[at(taxel)]; e < model.fields.first[at(taxel) + 1]; ++e) {
+    const ReceptiveFields::Entry& entry = model.fields.entries[at(e)];
+    const RayHit& hit = hits[at(model.ray_of_entry[at(e)])];
     rows.push_back({entry.sample, hit.hit(), hit.depth, hit.pressure, entry.weight, 0.0});
     const double rank = by_distance ? -entry.distance : hit.pressure;
     if ((hit.hit() || !omit_misses) && rank > best) best = rank, picked = rows.size() - 1;

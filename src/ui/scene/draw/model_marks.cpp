@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "core/base/index.h"
 #include "ui/scene/color_map.h"
 
 namespace taxel::ui {
@@ -14,10 +15,6 @@ constexpr double kArrowPart = 0.11;      // of the mesh's diagonal
 constexpr double kArrowOfSpacing = 1.2;  // of the distance between taxels that are spread evenly
 constexpr double kNormalPart = 0.8;      // of the distance between samples
 constexpr int kManyTaxels = 200;         // from which on rings are thin
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Numbers 0 ... count - 1, those that are near each other far apart: by multiplicative hashing (Knuth 6.4).
 std::vector<std::uint32_t> spread_order(std::size_t count) {

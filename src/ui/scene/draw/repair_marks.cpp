@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/index.h"
 #include "ui/scene/repair_colors.h"
 
 namespace taxel::ui {
@@ -12,10 +13,6 @@ constexpr float kFilledAlpha = 0.75f, kDistanceAlpha = 0.9f;
 constexpr float kRemovedWidth = 2.0f, kPartedWidth = 3.2f;  // [pixel]
 constexpr float kBeforeSkin = 0.006f;                       // in parts of the depth
 constexpr float kHiddenDim = 0.3f;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

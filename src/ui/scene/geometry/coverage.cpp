@@ -2,16 +2,13 @@
 
 #include <cmath>
 
+#include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/per_thread.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
 
 namespace taxel::ui {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A skin in small triangles, those of a face beside each other.
 struct Pieces {

@@ -1,11 +1,9 @@
 #include "ui/scene/geometry/crease_normals.h"
 
+#include "core/base/index.h"
+
 namespace taxel::ui {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Faces around each vertex: corners [first[v], first[v + 1]) as 3 * face + corner, by face number.
 struct VertexFaces {

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/index.h"
+
 namespace taxel::ui {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 std::vector<MeshEdge> mesh_edges(const TriMesh& mesh, double crease_deg) {
   struct Half {
     int a, b, face;

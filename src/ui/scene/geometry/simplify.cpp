@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/index.h"
+
 namespace taxel::ui {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The cell of each vertex as a new vertex number, numbered by their first vertex; their means into `vertices`.
 std::vector<int> cluster(const TriMesh& mesh, double cell, std::vector<dvec3>& vertices) {

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/index.h"
+
 namespace taxel::ui {
 namespace {
 
 constexpr double kFineness = 6;                          // edges to the smallest radius
 constexpr double kLeastPieces = 4e3, kMostPieces = 6e4;  // of the whole skin
 constexpr double kInside = 0.02;  // how far within the edge a cut is weighed, of the edge that is cut
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double pieces_of(const SensorModel& model) {
   double radius = std::numeric_limits<double>::infinity();

@@ -1,0 +1,14 @@
+// Signed indices into containers.
+#pragma once
+
+#include <cstddef>
+
+namespace taxel {
+
+/// The index i, which is not negative, in the type that containers take: v[at(i)]. Indices are stored as int because a
+/// mesh, a layout or a surface has fewer than 2^31 parts, and half the memory matters.
+[[nodiscard]] constexpr std::size_t at(int i) noexcept {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace taxel
