@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/sim/model/bare_model.h"
+#include "core/sensor/bare_model.h"
 #include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
@@ -61,7 +61,8 @@ void Simulator::Impl::make_data() {
     const std::vector<ContactSettings> soft = read_contact_config(m(), i).bodies;
     for (std::size_t k = 0; k < soft.size(); ++k) {
       bodies.push_back({i, static_cast<int>(k)});
-      bare_models.push_back(bare_model(m(), soft[k].geom, find_body(*data, bodies.back())->body()));
+      bare_models.push_back(bare_model(geom_name(m(), soft[k].geom), drawn_mesh(m(), soft[k].geom),
+                                       find_body(*data, bodies.back())->body()));
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "core/sim/bundle/frame_bundle.h"
 #include "core/sim/bundle/touched_bodies.h"
 #include "core/sim/history/step_history.h"
-#include "core/sim/model/bare_model.h"
+#include "core/sensor/bare_model.h"
 
 namespace taxel {
 namespace {

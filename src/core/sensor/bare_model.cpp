@@ -1,9 +1,6 @@
-#include "core/sim/model/bare_model.h"
+#include "core/sensor/bare_model.h"
 
 #include <numeric>
-
-#include "core/sim/model/geometry.h"
-#include "core/sim/model/scene_view.h"
 
 namespace taxel {
 
@@ -20,10 +17,6 @@ SensorModelPtr bare_model(const std::string& name, const TriMeshPtr& surface, co
   std::iota(model->skin_face_of.begin(), model->skin_face_of.end(), 0);
   model->body = body;
   return model;
-}
-
-SensorModelPtr bare_model(const mjModel& m, int geom, const HydroBodyPtr& body) {
-  return bare_model(geom_name(m, geom), drawn_mesh(m, geom), body);
 }
 
 }  // namespace taxel

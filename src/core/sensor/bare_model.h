@@ -1,7 +1,5 @@
-// A soft geom without taxels as viewers and recordings know sensors.
+// A soft body without taxels, as viewers and recordings know sensors.
 #pragma once
-
-#include <mujoco/mujoco.h>
 
 #include <string>
 
@@ -11,8 +9,5 @@ namespace taxel {
 
 /// Returns the model of a sensor with this body but without taxels, samples and rays; `surface` is drawn for it.
 SensorModelPtr bare_model(const std::string& name, const TriMeshPtr& surface, const HydroBodyPtr& body);
-
-/// Returns the model for a geom, in the geom's frame.
-SensorModelPtr bare_model(const mjModel& m, int geom, const HydroBodyPtr& body);
 
 }  // namespace taxel
