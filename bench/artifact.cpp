@@ -9,7 +9,7 @@
 #include <cstdio>
 
 #include "core/base/files.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/explain/counterfactual.h"
 #include "core/sensor/explain/exact_reading.h"

@@ -14,9 +14,9 @@
 
 #include "core/base/error.h"
 #include "core/hydro/intersect.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "core/sensor/sensor_model.h"
 #include "layout_arguments.h"
 

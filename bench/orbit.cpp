@@ -4,7 +4,7 @@
 #include <epoxy/gl.h>
 
 #include "core/layout/generators/ring.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 #include "ui/gl/offscreen_context.h"
 #include "ui/scene/scene_labels.h"

@@ -7,9 +7,9 @@
 #include <ctime>
 #include <filesystem>
 
-#include "core/hydro/pressure_field.h"
-#include "core/mesh/closest_point.h"
+#include "core/hydro/fields/pressure_field.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
 #include "fixtures/pad_checks.h"
 #include "fixtures/pad_meshes.h"

@@ -5,7 +5,7 @@
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "core/sensor/sensor_model.h"
 #include "fixtures/brute_force_contact.h"
 

@@ -11,7 +11,7 @@
 #include <ctime>
 #include <vector>
 
-#include "core/sim/history/step_history.h"
+#include "core/run/history/step_history.h"
 #include "core/sim/simulator.h"
 #include "our_fingertip.h"
 

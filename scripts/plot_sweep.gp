@@ -21,7 +21,7 @@ name(c) = system(sprintf("head -n 1 '%s' | cut -d, -f%d | tr _ ' '", csv, c))
 column_of(i) = int(word(responding, i))
 
 # leader[i]: the earlier curve that curve i follows within a quarter of its peak, or i itself: the rule of the window's
-# plot (src/core/project/recording/curve_pairs.h).
+# plot (src/core/run/recording/curve_pairs.h).
 count = words(responding)
 array leader[count > 0 ? count : 1]
 do for [i = 1:count] {

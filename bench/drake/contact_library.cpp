@@ -9,10 +9,10 @@
 #include <hwy/targets.h>
 
 #include "core/base/error.h"
+#include "core/hydro/fields/vtk_tets.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
-#include "core/hydro/vtk_tets.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/sensor_model.h"
 #include "fixtures/brute_force_contact.h"

@@ -21,10 +21,10 @@
 #include "app/studio/probe_worker.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/layout/layout_json.h"
+#include "core/document/edit.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
-#include "core/project/edit.h"
-#include "core/sensor/probe.h"
+#include "core/sensor/probe/probe.h"
 
 namespace {
 using namespace taxel;

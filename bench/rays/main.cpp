@@ -8,7 +8,7 @@
 #include <ctime>
 #include <functional>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "rays/frames.h"
 #include "rays/peers.h"
 #include "unit/sensor/ray_oracles.h"

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "core/mesh/bvh.h"
-#include "core/mesh/ray_triangle.h"
+#include "core/mesh/query/bvh.h"
+#include "core/mesh/query/ray_triangle.h"
 
 namespace taxel::bench {
 namespace {

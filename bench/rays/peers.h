@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sensor/cast_rays.h"
+#include "core/sensor/rays/cast_rays.h"
 
 namespace taxel::bench {
 

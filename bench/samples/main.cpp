@@ -15,12 +15,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/validate/sample_score.h"
 #include "core/base/files.h"
-#include "core/layout/poisson_disk.h"
-#include "core/mesh/closest_point.h"
+#include "core/layout/sampling/poisson_disk.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
-#include "core/project/validation/sample_score.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace {
 using namespace taxel;

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/project/edit.h"
-#include "core/project/history.h"
-#include "core/sim/sim_command.h"
+#include "core/document/edit.h"
+#include "core/document/history.h"
+#include "core/run/sim_command.h"
 #include "ui/widgets/field_state.h"
 
 namespace taxel::ui {

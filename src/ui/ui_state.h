@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/mesh/mesh_report.h"
-#include "core/project/history.h"
-#include "core/sim/sim_frame.h"
+#include "core/document/history.h"
+#include "core/mesh/topology/mesh_report.h"
+#include "core/run/sim_frame.h"
 #include "ui/keymap.h"
 #include "ui/panels/section_panel.h"
 #include "ui/requests.h"

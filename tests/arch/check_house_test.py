@@ -21,12 +21,12 @@ BROKEN = {
     "ui/panels/long_panel.cpp": "// line\n" * 251,
 }
 FINE = {
-    "core/mesh/mesh_io.cpp": '#include <OpenMesh/Core/IO/MeshIO.hh>\n#include "core/base/error.h"\n',
-    "core/layout/layout_json.cpp": "#include <nlohmann/json.hpp>\n",
+    "core/mesh/topology/half_edges.cpp": '#include <OpenMesh/Core/IO/MeshIO.hh>\n#include "core/base/error.h"\n',
+    "core/layout/file/layout_json.cpp": "#include <nlohmann/json.hpp>\n",
     "core/layout/sampling/k.cpp": "const double x = std::sqrt(2.0);  // not std::sin\n",
-    "core/layout/layout_check.cpp": "const double x = std::sin(1.0);\n",
+    "core/layout/check/layout_check.cpp": "const double x = std::sin(1.0);\n",
     "core/sim/simulator.cpp": '#include <mujoco/mujoco.h>\n#include "core/hydro/traction.h"\n',
-    "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/sim/sim_frame.h"\n',
+    "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/run/sim_frame.h"\n',
     "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
 }
 

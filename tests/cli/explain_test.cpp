@@ -134,8 +134,7 @@ TEST(Explain, RefusesWhatItCannotExplain) {
   refused(run, {"--taxel", "3", "--time", "99"},
           "taxel: " + npz.string() + ": ends at 1.4 s and begins at 0 s, asked for is 99 s");
   const fs::path folder = test_folder();
-  refused(folder, {"--taxel", "3", "--time", "1"},
-          "taxel: " + (folder / "readings.npz").string() + ": no such file");
+  refused(folder, {"--taxel", "3", "--time", "1"}, "taxel: " + (folder / "readings.npz").string() + ": no such file");
   fs::copy(npz, folder);
   refused(folder, {"--taxel", "3", "--time", "1"},
           "taxel: " + (folder / "scene.xml").string() +
@@ -166,8 +165,9 @@ RecordedJump largest_own_jump(const fs::path& run, double& fraction) {
   return jump;
 }
 
-/// The artifact of the paper, with few samples: a taxel that reads less than others jumps by much of its own peak, which
-/// is little of the sensor's; found, explained as sampling noise, and cured by the samples that the verdict names.
+/// The artifact of the paper, with few samples: a taxel that reads less than others jumps by much of its own peak,
+/// which is little of the sensor's; found, explained as sampling noise, and cured by the samples that the verdict
+/// names.
 TEST(Explain, FindsAndCuresTheArtifactOfATaxelThatReadsLittle) {
   const fs::path run = shared_sweep({"--density", "5e5"});
   double fraction = 0;

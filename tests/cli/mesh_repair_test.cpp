@@ -1,8 +1,8 @@
 // `taxel mesh --repair` through the real executable.
 #include "cli/taxel_program.h"
 #include "core/base/files.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel::test {

@@ -78,7 +78,8 @@ TEST(QuickInput, ManyTaxelsInOnePlace) {
   const fs::path layout =
       changed_layout(folder, Json::array({{{"op", "replace"}, {"path", "/taxels"}, {"value", taxels}}}));
   const Outcome outcome = expect_quick({"check", layout.string()}, folder);
-  EXPECT_NE((outcome.out + outcome.err).find("/taxels/7999/center: warning: is the same place as /taxels/0"), std::string::npos);
+  EXPECT_NE((outcome.out + outcome.err).find("/taxels/7999/center: warning: is the same place as /taxels/0"),
+            std::string::npos);
 }
 
 TEST(QuickInput, ObjectsOfManyKeys) {

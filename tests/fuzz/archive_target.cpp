@@ -1,5 +1,5 @@
 // Zip archives as they are on disk, and the text of every member.
-#include "core/project/recording/npz.h"
+#include "core/run/recording/npz.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

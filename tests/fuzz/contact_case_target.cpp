@@ -1,5 +1,5 @@
 // Contact cases.
-#include "core/project/contact_case.h"
+#include "core/sensor/contact_case/contact_case.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,7 +1,7 @@
 // Arithmetic with units, as number fields take it. The first line is the unit.
 #include <cmath>
 
-#include "core/base/expression.h"
+#include "core/base/text/expression.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

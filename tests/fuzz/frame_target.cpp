@@ -1,6 +1,6 @@
 // Saved steps (.taxelframe): the input is a list of members (members.h), so that checksums never stop a fuzzer.
-#include "core/layout/layout_json.h"
-#include "core/sim/bundle/frame_bundle.h"
+#include "core/layout/file/layout_json.h"
+#include "core/run/bundle/frame_bundle.h"
 #include "fuzz/members.h"
 #include "fuzz/target.h"
 

@@ -1,6 +1,6 @@
 // Meshes as glTF and GLB files.
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,6 +1,6 @@
 // Layouts as JSON, and the rules for their values.
-#include "core/layout/layout_check.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/check/layout_check.h"
+#include "core/layout/file/layout_json.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

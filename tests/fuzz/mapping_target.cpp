@@ -1,5 +1,5 @@
 // Mappings of the columns of a real recording.
-#include "core/project/real_recording/column_mapping.h"
+#include "core/run/real/column_mapping.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/project/recording/npz.h"
+#include "core/run/recording/npz.h"
 
 namespace taxel::fuzz {
 namespace {

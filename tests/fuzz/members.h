@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/project/recording/zip_archive.h"
+#include "core/run/recording/zip_archive.h"
 
 namespace taxel::fuzz {
 

@@ -1,5 +1,5 @@
 // Scenarios.
-#include "core/project/scenario_json.h"
+#include "core/document/scenario/scenario_json.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,5 +1,5 @@
 // Studies, and the runs that they are.
-#include "core/project/study.h"
+#include "core/document/scenario/study.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

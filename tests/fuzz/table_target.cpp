@@ -1,7 +1,7 @@
 // Recordings of a real sensor as tables, read by the mapping that is guessed for them.
 #include <cmath>
 
-#include "core/project/real_recording/real_recording.h"
+#include "core/run/real/real_recording.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,6 +1,6 @@
 // Tables of taxels.
-#include "core/layout/layout_json.h"
-#include "core/layout/taxels_csv.h"
+#include "core/layout/file/layout_json.h"
+#include "core/layout/file/taxels_csv.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

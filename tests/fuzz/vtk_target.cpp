@@ -1,5 +1,5 @@
 // Tets with pressures as VTK files.
-#include "core/hydro/vtk_tets.h"
+#include "core/hydro/fields/vtk_tets.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/project/history.h"
-#include "core/project/project_json.h"
+#include "core/document/history.h"
+#include "core/document/project_json.h"
 #include "random_edit.h"
 
 namespace rc {

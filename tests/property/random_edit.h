@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/rng.h"
-#include "core/project/edit.h"
+#include "core/document/edit.h"
 
 namespace taxel {
 

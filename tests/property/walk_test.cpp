@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/base/rng.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"
 #include "fixtures/slab_field.h"

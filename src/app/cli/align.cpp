@@ -7,8 +7,8 @@
 #include "app/cli/command.h"
 #include "app/cli/recorded_sensor.h"
 #include "core/base/files.h"
-#include "core/project/real_recording/real_recording.h"
-#include "core/project/recording/npz.h"
+#include "core/run/real/real_recording.h"
+#include "core/run/recording/npz.h"
 
 namespace taxel::cli {
 namespace {

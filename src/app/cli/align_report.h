@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/project/real_recording/align.h"
-#include "core/project/real_recording/gain_fit.h"
+#include "core/run/real/align.h"
+#include "core/run/real/gain_fit.h"
 
 namespace taxel::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/layout/formats/skin_choice.h"
+#include "core/layout/file/skin_choice.h"
 
 namespace taxel::cli {
 

@@ -9,7 +9,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
-#include "core/layout/formats/skin_choice.h"
+#include "core/layout/file/skin_choice.h"
 #include "core/layout/layout.h"
 
 namespace taxel::cli {

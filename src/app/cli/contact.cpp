@@ -9,8 +9,8 @@
 #include "app/cli/command.h"
 #include "app/cli/contact_report.h"
 #include "core/base/files.h"
-#include "core/hydro/vtk_tets.h"
-#include "core/project/contact_case.h"
+#include "core/hydro/fields/vtk_tets.h"
+#include "core/sensor/contact_case/contact_case.h"
 
 namespace taxel::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "core/hydro/field_report.h"
+#include "core/hydro/fields/field_report.h"
 
 namespace taxel::cli {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/project/contact_case.h"
+#include "core/sensor/contact_case/contact_case.h"
 
 namespace taxel::cli {
 

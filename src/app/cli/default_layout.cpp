@@ -10,11 +10,11 @@
 #include "app/cli/signals.h"
 #include "core/base/hash.h"
 #include "core/base/limits.h"
-#include "core/layout/layout_json.h"
-#include "core/layout/poisson_disk.h"
+#include "core/document/paper_setting.h"
+#include "core/layout/file/layout_json.h"
+#include "core/layout/sampling/poisson_disk.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
-#include "core/project/paper_setting.h"
 #include "core/sensor/imported_source.h"
 
 namespace taxel::cli {

@@ -7,9 +7,9 @@
 #include "app/cli/command.h"
 #include "app/cli/explain_report.h"
 #include "app/cli/recorded_run.h"
-#include "core/project/explanation_json.h"
+#include "core/run/history/breakpoints.h"
+#include "core/sensor/explain/explanation_json.h"
 #include "core/sensor/explain/reading_floor.h"
-#include "core/sim/history/breakpoints.h"
 #include "core/sim/plugin/plugin_folder.h"
 
 namespace taxel::cli {

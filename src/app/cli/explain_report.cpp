@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/base/number_text.h"
+#include "core/base/text/number_text.h"
 #include "core/layout/words.h"
 
 namespace taxel::cli {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/console.h"
-#include "core/sim/recording/recording_journal.h"
+#include "core/sim/host/recording_journal.h"
 
 namespace taxel::cli {
 

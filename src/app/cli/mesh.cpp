@@ -7,7 +7,7 @@
 #include "app/cli/mesh_repair.h"
 #include "app/cli/mesh_report.h"
 #include "app/cli/mesh_topology.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel::cli {
 

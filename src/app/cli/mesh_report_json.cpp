@@ -3,7 +3,7 @@
 #include "app/cli/mesh_report.h"
 #include "app/vector_json.h"
 #include "core/layout/words.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel::cli {
 

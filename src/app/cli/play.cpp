@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/played_scenario.h"
-#include "core/project/scenario_json.h"
+#include "core/document/scenario/scenario_json.h"
 
 namespace taxel::cli {
 namespace {

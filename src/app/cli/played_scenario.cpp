@@ -11,7 +11,7 @@
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
 #include "core/base/output_folder.h"
-#include "core/sim/recording/write_recording.h"
+#include "core/sim/host/write_recording.h"
 #include "core/sim/scene/scenario_scene.h"
 
 namespace taxel::cli {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "core/project/scenario.h"
+#include "core/document/scenario/scenario.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {

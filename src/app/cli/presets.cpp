@@ -6,7 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/presets_report.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::cli {

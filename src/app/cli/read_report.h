@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/project/contact_case.h"
+#include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/convergence.h"
 #include "core/sensor/explain/samples_behind.h"
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 
 namespace taxel::cli {
 

@@ -4,7 +4,7 @@
 
 #include "app/cli/recorded_sensor.h"
 #include "core/base/error.h"
-#include "core/project/recording/npz.h"
+#include "core/run/recording/npz.h"
 
 namespace taxel::cli {
 RecordedRun read_run(const std::filesystem::path& path, const std::string& geom) {

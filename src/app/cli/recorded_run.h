@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/recording/recording.h"
+#include "core/run/recording/recording.h"
 #include "core/sim/simulator.h"
 
 namespace taxel::cli {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/project/recording/recording.h"
+#include "core/run/recording/recording.h"
 
 namespace taxel::cli {
 

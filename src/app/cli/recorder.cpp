@@ -10,7 +10,7 @@
 
 #include "app/cli/signals.h"
 #include "core/base/limits.h"
-#include "core/sim/recording/run_recorder.h"
+#include "core/run/recording/run_recorder.h"
 
 namespace taxel::cli {
 namespace {

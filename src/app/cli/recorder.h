@@ -3,7 +3,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/kept_run.h"
-#include "core/project/recording/recording.h"
+#include "core/run/recording/recording.h"
 #include "core/sim/simulator.h"
 
 namespace taxel::cli {

@@ -7,8 +7,8 @@
 
 #include "app/cli/recorder.h"
 #include "app/version/version.h"
-#include "core/project/recording/summary.h"
-#include "core/project/scenario.h"
+#include "core/document/scenario/scenario.h"
+#include "core/run/recording/summary.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {

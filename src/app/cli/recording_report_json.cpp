@@ -2,8 +2,8 @@
 
 #include "app/cli/recording_report.h"
 #include "app/vector_json.h"
+#include "core/document/scenario/scenario_json.h"
 #include "core/layout/words.h"
-#include "core/project/scenario_json.h"
 
 namespace taxel::cli {
 namespace {

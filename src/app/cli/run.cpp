@@ -10,9 +10,9 @@
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
 #include "core/base/output_folder.h"
-#include "core/layout/formats/layout_format.h"
+#include "core/layout/file/layout_format.h"
+#include "core/sim/host/write_recording.h"
 #include "core/sim/plugin/plugin_folder.h"
-#include "core/sim/recording/write_recording.h"
 
 namespace taxel::cli {
 namespace {

@@ -16,8 +16,8 @@
 #include "app/cli/signals.h"
 #include "app/cli/study_report.h"
 #include "core/base/output_folder.h"
-#include "core/project/recording/csv.h"
-#include "core/project/recording/npz.h"
+#include "core/run/recording/csv.h"
+#include "core/run/recording/npz.h"
 #include "core/sim/study/side_by_side.h"
 
 namespace taxel::cli {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/project/recording/summary.h"
+#include "core/run/recording/summary.h"
 
 namespace taxel::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/recorder.h"
-#include "core/project/study.h"
+#include "core/document/scenario/study.h"
 
 namespace taxel::cli {
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/study_report.h"
 #include "app/vector_json.h"
-#include "core/project/recording/summary.h"
+#include "core/run/recording/summary.h"
 
 namespace taxel::cli {
 

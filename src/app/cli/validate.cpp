@@ -7,9 +7,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/validate_report.h"
+#include "app/validate/dynamics.h"
+#include "app/validate/validation.h"
 #include "core/base/files.h"
-#include "core/project/validation/validation.h"
-#include "core/sim/validation/dynamics.h"
 
 namespace taxel::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/project/validation/closed_form.h"
+#include "app/validate/closed_form.h"
 
 namespace taxel::cli {
 

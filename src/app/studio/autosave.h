@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/project/project.h"
+#include "core/document/project.h"
 
 namespace taxel::studio {
 

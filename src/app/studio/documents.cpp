@@ -11,16 +11,16 @@
 #include "app/studio/shown_model.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/document/project_json.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/layout/frame_guess.h"
-#include "core/layout/layout_json.h"
 #include "core/mesh/formats/polygon_soup.h"
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
-#include "core/project/project_json.h"
-#include "core/project/recording/npz.h"
-#include "core/project/scenario_json.h"
+#include "core/mesh/topology/mesh_check.h"
+#include "core/run/bundle/frame_bundle.h"
+#include "core/run/recording/npz.h"
 #include "core/sensor/imported_source.h"
-#include "core/sim/bundle/frame_bundle.h"
 
 namespace taxel::studio {
 

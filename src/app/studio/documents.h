@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/studio/open_meshes.h"
-#include "core/layout/formats/skin_choice.h"
-#include "core/project/project.h"
+#include "core/document/project.h"
+#include "core/layout/file/skin_choice.h"
+#include "core/run/sim_frame.h"
 #include "core/sensor/sensor_model.h"
-#include "core/sim/sim_frame.h"
 
 namespace taxel::studio {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/studio/model_worker.h"
-#include "core/project/history.h"
+#include "core/document/history.h"
 #include "ui/ui_state.h"
 
 namespace taxel::studio {

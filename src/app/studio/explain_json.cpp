@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/project/explanation_json.h"
+#include "core/sensor/explain/explanation_json.h"
 #include "ui/tools/explain_tool.h"
 
 namespace taxel::studio {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/studio/newest_wins.h"
-#include "core/sim/sim_frame.h"
+#include "core/run/sim_frame.h"
 #include "ui/tools/explain_state.h"
 
 namespace taxel::studio {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/studio/open_meshes.h"
-#include "core/project/moved_surface.h"
+#include "core/document/moved_surface.h"
 
 namespace taxel::studio {
 

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "app/studio/open_meshes.h"
-#include "core/project/project.h"
+#include "core/document/project.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::studio {
@@ -68,7 +68,7 @@ class ModelWorker {
   std::shared_ptr<Progress> preview_;  ///< of the preview under way
   RepairRecipe repair_;                ///< by which it repairs the mesh
   std::shared_ptr<Progress> polish_;   ///< of the polishing under way
-  std::uint64_t dropped_ = 0;         ///< counts clear(): what began before is not told
+  std::uint64_t dropped_ = 0;          ///< counts clear(): what began before is not told
   bool working_ = false, ending_ = false;
   std::thread thread_;
 };

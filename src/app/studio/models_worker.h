@@ -8,9 +8,9 @@
 #include <set>
 
 #include "app/studio/newest_wins.h"
+#include "core/run/sim_command.h"
+#include "core/run/sim_frame.h"
 #include "core/sim/compare/model_comparison.h"
-#include "core/sim/sim_command.h"
-#include "core/sim/sim_frame.h"
 #include "ui/tools/models_state.h"
 
 namespace taxel::studio {

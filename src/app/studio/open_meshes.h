@@ -10,7 +10,7 @@
 #include "core/base/progress.h"
 #include "core/layout/layout.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/mesh_report.h"
+#include "core/mesh/topology/mesh_report.h"
 
 namespace taxel::studio {
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel::studio {
 

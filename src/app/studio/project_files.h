@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/studio/open_meshes.h"
-#include "core/project/project_json.h"
+#include "core/document/project_json.h"
 
 namespace taxel::studio {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/vector_json.h"
-#include "core/project/scenario_json.h"
+#include "core/document/scenario/scenario_json.h"
 #include "ui/tools/path_tool.h"
 
 namespace taxel::studio {

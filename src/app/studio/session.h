@@ -17,8 +17,8 @@
 #include "app/studio/models_worker.h"
 #include "app/studio/probe_worker.h"
 #include "app/studio/study_worker.h"
-#include "core/sim/history/replay.h"
-#include "core/sim/sim_thread.h"
+#include "core/run/history/replay.h"
+#include "core/sim/host/sim_thread.h"
 #include "ui/ui_state.h"
 
 namespace taxel::studio {
@@ -107,7 +107,7 @@ class Session {
 
   /// Every step is kept from now on, until it is switched off or the run ends; then it is written to `file`.
   void record(bool on, const std::string& file);
-  void write_recording(const std::string& file);   ///< that could not be written where it was to be
+  void write_recording(const std::string& file);  ///< that could not be written where it was to be
   /// Rows are kept in journals of this folder while they are recorded.
   void keep_recordings_in(const std::string& folder) { simulation_.set_journal_folder(folder); }
   void export_recording(const std::string& file);  ///< of what is recorded, or of the loop

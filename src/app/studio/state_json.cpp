@@ -15,7 +15,7 @@
 #include "app/studio/time_json.h"
 #include "app/studio/tools_json.h"
 #include "app/vector_json.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "ui/scene/color_map.h"
 #include "ui/tools/camera_tool.h"
 #include "ui/tools/frame_tool.h"

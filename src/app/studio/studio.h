@@ -22,7 +22,7 @@
 #include "app/studio/video_maker.h"
 #include "app/studio/window.h"
 #include "app/studio/window_painter.h"
-#include "core/sim/recording/recording_journal.h"
+#include "core/sim/host/recording_journal.h"
 #include "ui/ui_state.h"
 
 namespace taxel::studio {

@@ -1,6 +1,6 @@
 // Edits, undo and the clipboard, as panels, tools and keys ask for them.
 #include "app/studio/studio.h"
-#include "core/layout/taxel_clipboard.h"
+#include "core/layout/file/taxel_clipboard.h"
 #include "ui/tools/actions.h"
 
 namespace taxel::studio {

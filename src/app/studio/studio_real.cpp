@@ -1,7 +1,7 @@
 // What the window does with a recording of a real sensor.
 #include "app/studio/studio.h"
 #include "core/base/files.h"
-#include "core/project/real_recording/apply_gains.h"
+#include "core/run/real/apply_gains.h"
 #include "ui/tools/actions.h"
 
 namespace taxel::studio {

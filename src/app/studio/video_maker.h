@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/output_folder.h"
-#include "core/sim/history/lanes.h"
+#include "core/run/history/lanes.h"
 #include "ui/tools/real_state.h"
 
 namespace taxel::studio {

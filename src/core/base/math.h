@@ -38,7 +38,9 @@ struct Pose {
 inline Pose operator*(const Pose& X_AB, const Pose& X_BC) {
   return {X_AB.q * X_BC.q, X_AB.p + X_AB.rotation() * X_BC.p};
 }
-inline dvec3 operator*(const Pose& X_AB, const dvec3& p_B) { return X_AB.p + X_AB.rotation() * p_B; }
+inline dvec3 operator*(const Pose& X_AB, const dvec3& p_B) {
+  return X_AB.p + X_AB.rotation() * p_B;
+}
 
 /// A pose with its rotation expanded to a matrix, for loops over many points.
 struct RigidTransform {
@@ -83,6 +85,8 @@ inline dvec3 any_perpendicular(const dvec3& n) {
   return glm::normalize(glm::cross(n, axis));
 }
 
-inline bool is_finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool is_finite(const dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 }  // namespace taxel

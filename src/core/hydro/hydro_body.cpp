@@ -4,9 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/base/limits.h"
-#include "core/hydro/medial_field.h"
-#include "core/hydro/round_mesh.h"
-#include "core/mesh/primitives.h"
+#include "core/hydro/fields/medial_field.h"
+#include "core/hydro/fields/round_mesh.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

@@ -6,10 +6,10 @@
 #include <variant>
 
 #include "core/base/material.h"
+#include "core/hydro/fields/tet_mesh.h"
 #include "core/hydro/kernel/depth_field.h"
-#include "core/hydro/kernel/field_index.h"
-#include "core/hydro/tet_mesh.h"
-#include "core/mesh/closest_point.h"
+#include "core/hydro/kernel/index/field_index.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair_recipe.h"
 
 namespace taxel {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/layout/layout.h"
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 

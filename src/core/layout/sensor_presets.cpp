@@ -6,8 +6,8 @@
 #include "core/layout/generators/grid.h"
 #include "core/layout/generators/place.h"
 #include "core/layout/presets.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
 
 namespace taxel {
 namespace {

@@ -9,9 +9,9 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "core/mesh/formats/gltf_io.h"
 #include "core/mesh/formats/polygon_soup.h"
-#include "core/mesh/gltf_io.h"
-#include "core/mesh/weld.h"
+#include "core/mesh/topology/weld.h"
 
 namespace taxel {
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 

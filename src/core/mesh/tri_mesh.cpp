@@ -7,7 +7,7 @@
 #include "core/base/angle.h"
 #include "core/base/error.h"
 #include "core/base/index.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/mesh/query/disjoint_sets.h"
 
 namespace taxel {
 namespace {

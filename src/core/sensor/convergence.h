@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 
 namespace taxel {
 

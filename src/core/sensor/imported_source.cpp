@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/layout/formats/imported_skin.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/imported_skin.h"
+#include "core/layout/file/layout_json.h"
 
 namespace taxel {
 namespace {

@@ -10,13 +10,13 @@
 #include "core/base/memo.h"
 #include "core/base/progress.h"
 #include "core/hydro/hydro_body.h"
+#include "core/layout/check/layout_check.h"
 #include "core/layout/layout.h"
-#include "core/layout/layout_check.h"
-#include "core/layout/poisson_disk.h"
-#include "core/mesh/closest_point.h"
+#include "core/layout/sampling/poisson_disk.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
-#include "core/sensor/sensor_ray.h"
-#include "core/sensor/tet_crossings.h"
+#include "core/sensor/rays/sensor_ray.h"
+#include "core/sensor/rays/tet_crossings.h"
 
 namespace taxel {
 

@@ -1,6 +1,6 @@
 #include "core/sensor/sensor_model.h"
 #include "core/base/index.h"
-#include "core/layout/field_coloring.h"
+#include "core/layout/field/field_coloring.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/hydro/field_report.h"
-#include "core/layout/layout_json.h"
+#include "core/hydro/fields/field_report.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/loaded_faces.h"
 
 namespace taxel {

@@ -8,18 +8,18 @@
 
 #include "core/base/progress.h"
 #include "core/hydro/hydro_body.h"
-#include "core/layout/field_weights.h"
+#include "core/layout/check/layout_check.h"
+#include "core/layout/field/field_weights.h"
+#include "core/layout/field/receptive_field.h"
 #include "core/layout/layout.h"
-#include "core/layout/layout_check.h"
-#include "core/layout/receptive_field.h"
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
-#include "core/sensor/ray_grid.h"
-#include "core/sensor/readout_table.h"
+#include "core/sensor/rays/ray_grid.h"
+#include "core/sensor/rays/sensor_ray.h"
+#include "core/sensor/rays/tet_table.h"
+#include "core/sensor/readout/readout_table.h"
 #include "core/sensor/sensor_cache.h"
-#include "core/sensor/sensor_ray.h"
-#include "core/sensor/tet_table.h"
 
 namespace taxel {
 

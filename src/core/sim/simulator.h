@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/project/scenario.h"
-#include "core/sensor/reading.h"
-#include "core/sim/history/step_view.h"
+#include "core/document/scenario/scenario.h"
+#include "core/run/history/step_view.h"
+#include "core/sensor/readout/reading.h"
 #include "core/sim/sensor_times.h"
 
 namespace taxel {

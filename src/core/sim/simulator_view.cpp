@@ -8,7 +8,7 @@
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/marks.h"
 #include "core/sim/model/scene_view.h"
-#include "core/sim/plugin/pair_surface.h"
+#include "core/sim/plugin/pairs/pair_surface.h"
 #include "core/sim/simulator_impl.h"
 
 namespace taxel {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/layout/formats/layout_format.h"
+#include "core/layout/file/layout_format.h"
 #include "ui/panels/video_card.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "ui/panels/dock_layout.h"
 #include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "ui/panels/real_panel.h"
 #include "ui/scene/color_map.h"
 #include "ui/widgets/dashed_curve.h"

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/project/scenario.h"
+#include "core/document/scenario/scenario.h"
 #include "ui/widgets/number_field.h"
 
 namespace taxel::ui {

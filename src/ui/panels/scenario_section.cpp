@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "core/project/paper_setting.h"
-#include "core/project/recorded_path.h"
+#include "core/document/paper_setting.h"
+#include "core/document/scenario/recorded_path.h"
 #include "ui/panels/scenario_fields.h"
 #include "ui/panels/way_point_table.h"
 #include "ui/tools/actions.h"

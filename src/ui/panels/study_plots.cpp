@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "ui/panels/study_varied.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"

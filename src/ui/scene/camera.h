@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "core/base/math.h"
-#include "core/mesh/bvh.h"
+#include "core/mesh/query/bvh.h"
 
 namespace taxel::ui {
 

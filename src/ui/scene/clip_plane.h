@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/mesh/bvh.h"
+#include "core/mesh/query/bvh.h"
 
 namespace taxel::ui {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel::ui {
 

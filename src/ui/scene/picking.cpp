@@ -1,6 +1,6 @@
 #include "ui/scene/picking.h"
 
-#include "core/mesh/ray_triangle.h"
+#include "core/mesh/query/ray_triangle.h"
 #include "ui/scene/scene_cast.h"
 #include "ui/scene/sensor_view.h"
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "core/sensor/probe.h"
-#include "core/sim/sim_frame.h"
+#include "core/run/sim_frame.h"
+#include "core/sensor/probe/probe.h"
 
 namespace taxel::ui {
 

@@ -1,6 +1,6 @@
 #include "ui/scene/scene_cast.h"
 
-#include "core/mesh/ray_triangle.h"
+#include "core/mesh/query/ray_triangle.h"
 
 namespace taxel::ui {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/mesh/bvh.h"
+#include "core/mesh/query/bvh.h"
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {

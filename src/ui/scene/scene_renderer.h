@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/shared_value.h"
-#include "core/sim/sim_frame.h"
+#include "core/run/sim_frame.h"
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
 #include "ui/scene/camera.h"

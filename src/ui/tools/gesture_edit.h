@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/project/edit.h"
+#include "core/document/edit.h"
 #include "ui/scene/camera.h"
 #include "ui/tools/surface_place.h"
 #include "ui/tools/tool_state.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/layout/layout_check.h"
+#include "core/layout/check/layout_check.h"
 
 namespace taxel::ui {
 

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/project/fixes.h"
-#include "core/project/project.h"
+#include "core/document/fixes.h"
+#include "core/document/project.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::ui {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/layout/flat_map.h"
+#include "core/layout/field/flat_map.h"
 #include "core/sensor/sensor_model.h"
 #include "ui/widgets/widget_registry.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "core/project/recorded_path.h"
+#include "core/document/scenario/recorded_path.h"
 #include "ui/tools/actions.h"
 #include "ui/tools/path_tool.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/project/scenario.h"
+#include "core/document/scenario/scenario.h"
 
 namespace taxel::ui {
 

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "core/project/path_curve.h"
+#include "core/document/scenario/path_curve.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {

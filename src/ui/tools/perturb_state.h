@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/sim/scene_controls.h"
+#include "core/run/scene_controls.h"
 
 namespace taxel::ui {
 

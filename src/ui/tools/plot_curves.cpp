@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/project/recording/curve_pairs.h"
+#include "core/run/recording/curve_pairs.h"
 
 namespace taxel::ui {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/sim/trace.h"
+#include "core/run/trace.h"
 #include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/sensor/probe.h"
+#include "core/sensor/probe/probe.h"
 
 namespace taxel::ui {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/project/real_recording/align.h"
-#include "core/project/real_recording/gain_fit.h"
-#include "core/project/real_recording/real_recording.h"
+#include "core/run/real/align.h"
+#include "core/run/real/gain_fit.h"
+#include "core/run/real/real_recording.h"
 
 namespace taxel::ui {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/project/study_curves.h"
+#include "core/document/scenario/study_curves.h"
 
 namespace taxel::ui {
 

@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-#include "core/base/expression.h"
+#include "core/base/text/expression.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
 

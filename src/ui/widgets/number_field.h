@@ -13,7 +13,7 @@ namespace taxel::ui {
 
 /// How a number is shown, and what is meant where no unit is typed.
 struct FieldUnit {
-  const char* name = "";  ///< as core/base/expression.h reads it
+  const char* name = "";  ///< as core/base/text/expression.h reads it
   int decimal = 0;        ///< it is 10^decimal SI units
   int digits = 2;         ///< behind the point; negative: as many as the number has
 };

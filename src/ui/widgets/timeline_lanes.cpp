@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"

@@ -1,7 +1,7 @@
 // Receptive fields as pieces of the skin, by straight and geodesic distance, and how they cover it.
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "ui/scene/geometry/coverage.h"
 #include "ui/scene/geometry/field_patch.h"
 
@@ -64,7 +64,8 @@ TEST(FieldPatch, AboveAPlaneTheStraightDistanceCutsASmallerDisc) {
 }
 
 TEST(FieldPatch, OnParallelWallsOnlyTheStraightDistanceCrossesTheGap) {
-  // A thin plate: its lower face is 0.02 away through it, and far away around its rim. Both are at right angles to the normal.
+  // A thin plate: its lower face is 0.02 away through it, and far away around its rim. Both are at right angles to the
+  // normal.
   const double r = 0.1, thick = 0.02;
   const SensorModel model = model_on(make_box({0.5, 0.5, 0.5 * thick}), {taxel_at({0, 0, 0.5 * thick}, {1, 0, 0}, r)},
                                      Metric::euclidean, 100);

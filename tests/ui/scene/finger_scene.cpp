@@ -1,8 +1,8 @@
 #include "ui/scene/finger_scene.h"
 
 #include "core/hydro/intersect.h"
-#include "core/mesh/primitives.h"
-#include "core/sensor/reading.h"
+#include "core/mesh/make/primitives.h"
+#include "core/sensor/readout/reading.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::test {

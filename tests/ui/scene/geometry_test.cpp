@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "ui/scene/geometry/crease_normals.h"
 #include "ui/scene/geometry/depth_order.h"
 #include "ui/scene/geometry/field_ring.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "ui/scene/body_scene.h"
 #include "ui/scene/draw/look.h"
 #include "ui/scene/finger_scene.h"

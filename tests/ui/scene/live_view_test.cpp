@@ -1,7 +1,7 @@
 // Tractions as arrows and readings spread over the skin, against closed forms.
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "ui/scene/draw/ray_marks.h"
 #include "ui/scene/draw/traction_marks.h"
 #include "ui/scene/geometry/coverage.h"

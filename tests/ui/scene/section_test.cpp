@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/slice.h"
 #include "ui/panels/section_panel.h"
 #include "ui/scene/color_map.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/studio/autosave.h"
-#include "core/project/project_json.h"
+#include "core/document/project_json.h"
 #include "fixtures/run_program.h"
 
 namespace taxel::test {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "script_lines.h"
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/files.h"
-#include "core/layout/layout_check.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/check/layout_check.h"
+#include "core/layout/file/layout_json.h"
 #include "script_lines.h"
 
 namespace taxel::test {

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "core/layout/taxels_csv.h"
+#include "core/layout/file/taxels_csv.h"
 #include "script_lines.h"
 
 namespace taxel::test {

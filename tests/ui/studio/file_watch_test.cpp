@@ -6,8 +6,8 @@
 #include <future>
 #include <thread>
 
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "script_lines.h"
 
 namespace taxel::test {

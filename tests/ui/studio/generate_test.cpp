@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "script_lines.h"
 
 #pragma GCC diagnostic push

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "studio_program.h"
 
 namespace taxel::test {

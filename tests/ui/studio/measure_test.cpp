@@ -1,8 +1,8 @@
 // Measuring on the surface and cutting the view open, through the real executable.
 #include <gtest/gtest.h>
 
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "script_lines.h"
 
 namespace taxel::test {

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "script_lines.h"
 
 namespace taxel::test {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "script_lines.h"
 
 namespace taxel::test {

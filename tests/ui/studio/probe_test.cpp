@@ -1,8 +1,8 @@
 // The probe in the hand, through the real executable: raw events in, its place, depth and reading out.
 #include <gtest/gtest.h>
 
-#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/query/closest_point.h"
 #include "script_lines.h"
 
 namespace taxel::test {

@@ -27,7 +27,8 @@ bool in_a_window();
 class StudioProgram {
  public:
   StudioProgram();  ///< works in a fresh folder of the running test
-  /// Plays script lines, offscreen or in_a_window(), with more arguments after them. Fails the test when the exit status is not 0.
+  /// Plays script lines, offscreen or in_a_window(), with more arguments after them. Fails the test when the exit
+  /// status is not 0.
   Outcome play(const std::vector<std::string>& lines, const std::vector<std::string>& arguments = {}) const;
   /// The same, whatever the exit status.
   [[nodiscard]] Outcome run(const std::vector<std::string>& lines,

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 #include "ui/ui_state.h"
 

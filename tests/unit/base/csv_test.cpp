@@ -1,5 +1,5 @@
 // Tables: what RFC 4180 says, what spreadsheets do, and what is neither.
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 
 #include <gtest/gtest.h>
 

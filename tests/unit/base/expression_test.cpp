@@ -1,5 +1,5 @@
 // Arithmetic with units: values, precedence, kinds, and where a mistake is.
-#include "core/base/expression.h"
+#include "core/base/text/expression.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Numbers of a change show that they differ; lengths and areas have one unit and one spelling.
-#include "core/base/number_text.h"
+#include "core/base/text/number_text.h"
 
 #include <gtest/gtest.h>
 

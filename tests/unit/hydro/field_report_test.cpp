@@ -1,4 +1,4 @@
-#include "core/hydro/field_report.h"
+#include "core/hydro/fields/field_report.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

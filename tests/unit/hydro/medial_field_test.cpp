@@ -1,4 +1,4 @@
-#include "core/hydro/medial_field.h"
+#include "core/hydro/fields/medial_field.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Pads of one and two layers of prisms: the same volume, shared faces, and what the second layer is worth.
-#include "core/hydro/pad_layers.h"
+#include "core/hydro/pad/pad_layers.h"
 #include "core/base/index.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core/base/rng.h"
-#include "core/hydro/pad_pressures.h"
+#include "core/hydro/pad/pad_pressures.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/pad_checks.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/base/index.h"
-#include "core/hydro/pad_shape.h"
+#include "core/hydro/pad/pad_shape.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/pad_meshes.h"
 

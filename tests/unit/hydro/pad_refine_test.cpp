@@ -1,5 +1,5 @@
 // Refinement of a pad's skin: the same surface, refined only where the pad is uneven, with an even field.
-#include "core/hydro/pad_refine.h"
+#include "core/hydro/pad/pad_refine.h"
 #include "core/base/index.h"
 
 #include <gtest/gtest.h>

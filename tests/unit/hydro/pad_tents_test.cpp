@@ -1,14 +1,14 @@
 // Tents: the stiffness at the skin is E/H, nothing else of the pad changes, and the report says how a press is felt.
-#include "core/hydro/pad_tents.h"
+#include "core/hydro/pad/pad_tents.h"
 #include "core/base/index.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
-#include "core/hydro/field_report.h"
-#include "core/hydro/pad_press.h"
-#include "core/hydro/pad_pressures.h"
-#include "core/hydro/tet_overlap.h"
+#include "core/hydro/fields/field_report.h"
+#include "core/hydro/fields/tet_overlap.h"
+#include "core/hydro/pad/pad_press.h"
+#include "core/hydro/pad/pad_pressures.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/pad_meshes.h"
 #include "fixtures/rough_meshes.h"

@@ -1,10 +1,10 @@
-#include "core/hydro/pressure_field.h"
+#include "core/hydro/fields/pressure_field.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/slab_field.h"
 

@@ -1,10 +1,10 @@
-#include "core/hydro/tet_mesh.h"
+#include "core/hydro/fields/tet_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/hydro/medial_field.h"
-#include "core/hydro/vtk_tets.h"
+#include "core/hydro/fields/medial_field.h"
+#include "core/hydro/fields/vtk_tets.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/hydro_bodies.h"
 

@@ -1,5 +1,5 @@
 // How much two discs share, against closed forms and against points thrown at them.
-#include "core/layout/disc_overlap.h"
+#include "core/layout/check/disc_overlap.h"
 
 #include <gtest/gtest.h>
 

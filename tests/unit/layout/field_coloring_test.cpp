@@ -1,4 +1,4 @@
-#include "core/layout/field_coloring.h"
+#include "core/layout/field/field_coloring.h"
 
 #include <gtest/gtest.h>
 

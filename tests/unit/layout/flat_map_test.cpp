@@ -1,7 +1,7 @@
 // Taxels on a flat picture: true where that can be, and never over each other.
 #include <gtest/gtest.h>
 
-#include "core/layout/flat_map.h"
+#include "core/layout/field/flat_map.h"
 
 namespace taxel {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
 
 namespace taxel {
 namespace {

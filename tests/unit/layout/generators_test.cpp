@@ -11,7 +11,7 @@
 #include "core/layout/generators/ring.h"
 #include "core/layout/generators/spiral.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/layout/generators/onto_skin.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

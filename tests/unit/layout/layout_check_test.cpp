@@ -1,13 +1,13 @@
 // Every rule of a layout: broken once, reported once, at its place.
-#include "core/layout/layout_check.h"
+#include "core/layout/check/layout_check.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/loaded_faces.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
 
 namespace taxel {
 namespace {

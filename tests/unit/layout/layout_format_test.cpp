@@ -1,11 +1,11 @@
 // One door for all formats of layouts: the name decides, and what a format cannot hold is said.
-#include "core/layout/formats/layout_format.h"
+#include "core/layout/file/layout_format.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/base/files.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

@@ -1,5 +1,5 @@
 // Layout files: what is read is what was written, and every error names its place.
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/layout/words.h"
 
 namespace taxel {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/layout/sensor_presets.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // Samples on meshes: exact count, on the surface, even, the same bytes on any number of threads.
-#include "core/layout/poisson_disk.h"
+#include "core/layout/sampling/poisson_disk.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,12 +7,12 @@
 #include <cstring>
 #include <thread>
 
+#include "app/validate/sample_score.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/mesh/closest_point.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
-#include "core/project/validation/sample_score.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/base/files.h"
 #include "core/base/hash.h"
-#include "core/layout/layout_check.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/check/layout_check.h"
+#include "core/layout/file/layout_json.h"
 #include "core/layout/sensor_presets.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"

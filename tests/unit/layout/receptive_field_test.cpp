@@ -1,5 +1,5 @@
 // Receptive fields against the definition, sample by sample.
-#include "core/layout/receptive_field.h"
+#include "core/layout/field/receptive_field.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,9 +7,9 @@
 #include <map>
 
 #include "core/base/rng.h"
-#include "core/layout/point_grid.h"
+#include "core/layout/field/point_grid.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
 #include "unit/mesh/geodesic_oracle.h"
 #include "unit/mesh/random_mesh.h"
 

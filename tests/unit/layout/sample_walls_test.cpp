@@ -2,9 +2,9 @@
 // surfaces are known, because they can be laid flat by hand.
 #include <gtest/gtest.h>
 
-#include "core/layout/poisson_disk.h"
-#include "core/mesh/primitives.h"
-#include "core/project/validation/sample_score.h"
+#include "app/validate/sample_score.h"
+#include "core/layout/sampling/poisson_disk.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

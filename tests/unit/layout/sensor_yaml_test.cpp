@@ -1,6 +1,6 @@
 // Sensor descriptions of the predecessor's code: three types, keys that are not carried over, and bad input by line and
 // key.
-#include "core/layout/formats/sensor_yaml.h"
+#include "core/layout/file/sensor_yaml.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/layout/formats/imported_skin.h"
-#include "core/mesh/primitives.h"
+#include "core/layout/file/imported_skin.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

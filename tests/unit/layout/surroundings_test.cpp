@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "core/layout/poisson_disk.h"
+#include "core/layout/sampling/poisson_disk.h"
 #include "core/layout/sampling/surface_pool.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/instruction_sets.h"
 
 namespace taxel {

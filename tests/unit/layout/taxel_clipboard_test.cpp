@@ -1,5 +1,5 @@
 // Taxels through the clipboard: what is pasted is what was copied, and nonsense is named.
-#include "core/layout/taxel_clipboard.h"
+#include "core/layout/file/taxel_clipboard.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/rng.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

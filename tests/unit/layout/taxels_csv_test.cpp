@@ -1,5 +1,5 @@
 // Taxels as tables: round trip, tables of other programs, and the line and column of what is wrong.
-#include "core/layout/taxels_csv.h"
+#include "core/layout/file/taxels_csv.h"
 
 #include <gtest/gtest.h>
 

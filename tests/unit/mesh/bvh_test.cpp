@@ -1,4 +1,4 @@
-#include "core/mesh/bvh.h"
+#include "core/mesh/query/bvh.h"
 
 #include <gtest/gtest.h>
 

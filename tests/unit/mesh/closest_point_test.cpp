@@ -1,9 +1,9 @@
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/point_triangle.h"
-#include "core/mesh/ray_triangle.h"
+#include "core/mesh/query/point_triangle.h"
+#include "core/mesh/query/ray_triangle.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

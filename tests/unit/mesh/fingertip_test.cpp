@@ -3,10 +3,10 @@
 #include <map>
 #include <tuple>
 
-#include "core/mesh/closest_point.h"
-#include "core/mesh/halfedge.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/query/closest_point.h"
+#include "core/mesh/topology/halfedge.h"
 
 namespace taxel {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/closest_point.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
+#include "core/mesh/query/closest_point.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

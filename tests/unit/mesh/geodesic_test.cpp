@@ -5,8 +5,8 @@
 
 #include "core/mesh/geodesic/geodesic_distance.h"
 #include "core/mesh/geodesic/geodesic_map.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/primitives.h"
 #include "fixtures/counted_new.h"
 #include "unit/mesh/geodesic_oracle.h"
 #include "unit/mesh/random_mesh.h"

@@ -1,4 +1,4 @@
-#include "core/mesh/gltf_io.h"
+#include "core/mesh/formats/gltf_io.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

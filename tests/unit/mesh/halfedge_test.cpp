@@ -1,11 +1,11 @@
-#include "core/mesh/halfedge.h"
+#include "core/mesh/topology/halfedge.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

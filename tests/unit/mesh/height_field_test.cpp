@@ -1,10 +1,10 @@
-#include "core/mesh/height_field.h"
+#include "core/mesh/make/height_field.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/mesh/level_set.h"
+#include "core/mesh/make/level_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // What is found about a mesh, with what it means.
-#include "core/mesh/mesh_report.h"
+#include "core/mesh/topology/mesh_report.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/mesh_check.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {

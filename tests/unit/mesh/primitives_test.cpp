@@ -1,12 +1,12 @@
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/mesh/halfedge.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/topology/halfedge.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/rng.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel::test {
 

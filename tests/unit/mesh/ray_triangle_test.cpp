@@ -1,4 +1,4 @@
-#include "core/mesh/ray_triangle.h"
+#include "core/mesh/query/ray_triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "core/mesh/halfedge.h"
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/halfedge.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/repair/hole_fill.h"
 #include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/steps/hole_fill.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {

@@ -1,8 +1,8 @@
 // Wraps: faces that no exact step makes into a solid get a new surface around them.
 #include <gtest/gtest.h>
 
+#include "core/mesh/query/self_intersection.h"
 #include "core/mesh/repair/repair.h"
-#include "core/mesh/self_intersection.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {

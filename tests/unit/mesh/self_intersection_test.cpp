@@ -1,8 +1,8 @@
-#include "core/mesh/self_intersection.h"
+#include "core/mesh/query/self_intersection.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/base/rng.h"
-#include "core/mesh/point_triangle.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
+#include "core/mesh/query/point_triangle.h"
 
 namespace taxel {
 namespace {

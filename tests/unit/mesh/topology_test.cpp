@@ -1,9 +1,9 @@
 // Decimation and subdivision: numbers of faces, closed stays closed, how far the surface moves.
 #include <gtest/gtest.h>
 
-#include "core/mesh/halfedge.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/mesh/topology/decimate.h"
+#include "core/mesh/topology/halfedge.h"
 #include "core/mesh/topology/subdivide.h"
 #include "core/mesh/topology/surface_distance.h"
 #include "fixtures/complaint.h"

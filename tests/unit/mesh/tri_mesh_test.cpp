@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // Rays on contact surfaces against brute force: every ray with every polygon, by other formulas than the caster's.
-#include "core/sensor/cast_rays.h"
+#include "core/sensor/rays/cast_rays.h"
 
 #include <gtest/gtest.h>
 

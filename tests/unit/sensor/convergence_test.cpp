@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "unit/sensor/random_surface.h"
 
 namespace taxel {

@@ -1,7 +1,7 @@
 // What taxels read where an object is pressed deeper than the tets of the pad reach.
 #include <gtest/gtest.h>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/ray_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "unit/sensor/labelled_case.h"
 #include "unit/sensor/random_surface.h"
 

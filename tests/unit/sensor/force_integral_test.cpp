@@ -1,6 +1,6 @@
 // Forces of taxels by integration over contact polygons: closed forms, an oracle of many points, and what must hold for
 // any contact.
-#include "core/sensor/force_integral.h"
+#include "core/sensor/readout/force_integral.h"
 #include "core/base/index.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 
 #include "core/hydro/intersect.h"
 #include "core/hydro/quadrature.h"
-#include "core/mesh/primitives.h"
-#include "core/sensor/reading.h"
+#include "core/mesh/make/primitives.h"
+#include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 

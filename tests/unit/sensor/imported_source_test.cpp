@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 

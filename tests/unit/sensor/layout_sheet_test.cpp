@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/base64.h"
-#include "core/mesh/primitives.h"
+#include "core/base/text/base64.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/project/validation/flat_patch.h"
-#include "core/sensor/reading.h"
+#include "app/validate/flat_patch.h"
+#include "core/sensor/readout/reading.h"
 #include "unit/sensor/random_surface.h"
 
 namespace taxel {

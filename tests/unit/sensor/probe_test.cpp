@@ -1,12 +1,12 @@
 // Probes pressed on a flat pad, whose forces are known, and what cannot be pressed.
-#include "core/sensor/probe.h"
+#include "core/sensor/probe/probe.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
 #include "core/base/random_pose.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

@@ -1,11 +1,11 @@
 // The raster path of flat arrays against brute force, trees and tet table: the same hits to the last bit, on random and
 // on degenerate scenes.
-#include "core/sensor/ray_grid.h"
+#include "core/sensor/rays/ray_grid.h"
 
 #include <gtest/gtest.h>
 
 #include "core/layout/sensor_presets.h"
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 #include "unit/sensor/ray_scenes.h"

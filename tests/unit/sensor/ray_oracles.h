@@ -1,10 +1,10 @@
 // First hits without trees or tables: every ray with every polygon.
 #pragma once
 
-#include "core/mesh/bvh.h"
-#include "core/sensor/edge_planes.h"
-#include "core/sensor/ray_hits.h"
-#include "core/sensor/sensor_ray.h"
+#include "core/mesh/query/bvh.h"
+#include "core/sensor/rays/edge_planes.h"
+#include "core/sensor/rays/ray_hits.h"
+#include "core/sensor/rays/sensor_ray.h"
 
 namespace taxel {
 

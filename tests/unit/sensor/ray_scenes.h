@@ -6,8 +6,8 @@
 #include <array>
 
 #include "core/hydro/intersect.h"
-#include "core/sensor/cast_rays.h"
-#include "core/sensor/tet_table.h"
+#include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/tet_table.h"
 #include "fixtures/random_pose.h"
 #include "unit/sensor/ray_oracles.h"
 

@@ -1,5 +1,5 @@
 // The view along rays of a tet: what it promises about where they pass, against the rays themselves.
-#include "core/sensor/ray_view.h"
+#include "core/sensor/rays/ray_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // From hits to readings: the formulas written out, and a patch whose integral is known.
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sensor/explain/samples_behind.h"
 #include "unit/sensor/random_surface.h"
 

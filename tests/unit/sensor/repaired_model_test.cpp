@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "core/base/index.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/weld.h"
+#include "core/mesh/topology/weld.h"
 #include "core/sensor/sensor_model.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/sensor_model.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "core/hydro/intersect.h"
 #include "core/layout/tangent_frame.h"
-#include "core/mesh/primitives.h"
-#include "core/sensor/reading.h"
+#include "core/mesh/make/primitives.h"
+#include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 

@@ -1,10 +1,10 @@
 // The tet table against brute force and against the trees: the same hits to the last bit, on random and on degenerate
 // scenes.
-#include "core/sensor/tet_table.h"
+#include "core/sensor/rays/tet_table.h"
 
 #include <gtest/gtest.h>
 
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/instruction_sets.h"
 #include "unit/sensor/random_surface.h"

@@ -1,8 +1,8 @@
 // A saved step holds what its sensors touch: every model reads it as it reads the step itself.
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
-#include "core/sim/bundle/frame_bundle.h"
+#include "core/mesh/make/primitives.h"
+#include "core/run/bundle/frame_bundle.h"
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"

@@ -2,7 +2,7 @@
 // against those that compute it elsewhere.
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sensor/explain/exact_reading.h"
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/compare/mujoco_sensors.h"

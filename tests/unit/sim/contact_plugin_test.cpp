@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/files.h"
-#include "core/sim/bundle/frame_bundle.h"
+#include "core/run/bundle/frame_bundle.h"
 #include "core/sim/simulator.h"
 #include "fixtures/sensor_scene.h"
 

@@ -1,12 +1,12 @@
 // A step as a file: another program has the same bits of it, and a damaged file is told by its array.
-#include "core/sim/bundle/frame_bundle.h"
+#include "core/run/bundle/frame_bundle.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/project/recording/npz.h"
-#include "core/sim/history/step_view.h"
+#include "core/run/history/step_view.h"
+#include "core/run/recording/npz.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/complaint.h"

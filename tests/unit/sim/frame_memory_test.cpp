@@ -1,5 +1,5 @@
 // Frames made of the memory of earlier ones are as frames made anew, and take no more memory.
-#include "core/sim/frame_memory.h"
+#include "core/sim/host/frame_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Several pairs that share bodies, solved together: V = V_free + h A w(V), all of it at once.
-#include "core/sim/plugin/implicit_wrenches.h"
+#include "core/sim/plugin/pairs/implicit_wrenches.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {

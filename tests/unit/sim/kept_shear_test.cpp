@@ -1,8 +1,8 @@
 // The shear of a step, kept: worked out anew by the history, written by a saved step, the same bits from both.
 #include <gtest/gtest.h>
 
-#include "core/project/recording/npz.h"
-#include "core/sim/bundle/frame_bundle.h"
+#include "core/run/bundle/frame_bundle.h"
+#include "core/run/recording/npz.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/recorded_simulation.h"
 #include "fixtures/same_frame.h"

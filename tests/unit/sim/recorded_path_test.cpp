@@ -1,9 +1,9 @@
 // A recorded run played as a path: the finger is where it was, as seen from the object.
-#include "core/project/recorded_path.h"
+#include "core/document/scenario/recorded_path.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"

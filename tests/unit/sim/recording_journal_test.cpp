@@ -1,13 +1,13 @@
 // The rows of a recording on disk while it is made: complete, and the same numbers, wherever the process is killed.
-#include "core/sim/recording/recording_journal.h"
+#include "core/sim/host/recording_journal.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "core/base/files.h"
-#include "core/project/recording/npz.h"
-#include "core/sim/recording/live_recording.h"
+#include "core/run/recording/npz.h"
+#include "core/sim/host/live_recording.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_thread.h"
 #include "fixtures/box_sweep.h"

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/layout/layout_json.h"
-#include "core/sim/sim_thread.h"
+#include "core/layout/file/layout_json.h"
+#include "core/sim/host/sim_thread.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 

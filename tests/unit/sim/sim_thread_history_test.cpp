@@ -5,8 +5,8 @@
 #include <functional>
 #include <thread>
 
+#include "core/run/history/breakpoints.h"
 #include "core/sensor/explain/disagreement.h"
-#include "core/sim/history/breakpoints.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_thread.h"
 #include "fixtures/box_sweep.h"

@@ -3,12 +3,12 @@
 
 #include <thread>
 
-#include "core/project/recording/csv.h"
-#include "core/project/recording/npz.h"
-#include "core/sim/recording/run_recorder.h"
+#include "core/run/recording/csv.h"
+#include "core/run/recording/npz.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/simulator.h"
-#include "fixtures/box_sweep.h"
 #include "fixtures/asked_thread.h"
+#include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 

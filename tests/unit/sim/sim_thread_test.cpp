@@ -1,5 +1,5 @@
 // The simulation's thread: commands in, frames out, the clock obeyed or ignored.
-#include "core/sim/sim_thread.h"
+#include "core/sim/host/sim_thread.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <functional>
 #include <thread>
 
-#include "core/sim/pacing.h"
+#include "core/sim/host/pacing.h"
+#include "core/sim/host/step_time.h"
 #include "core/sim/simulator.h"
-#include "core/sim/step_time.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 

@@ -1,6 +1,6 @@
 // Recorded steps: the same bits as were computed, for as many steps as fit, and a simulation that goes on from any of
 // them as it did.
-#include "core/sim/history/step_history.h"
+#include "core/run/history/step_history.h"
 
 #include <gtest/gtest.h>
 

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/text/json_text.h"
 #include "core/base/math.h"
+#include "core/base/text/json_text.h"
 #include "core/base/text/words.h"
 
 namespace taxel {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 

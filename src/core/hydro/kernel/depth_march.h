@@ -4,7 +4,7 @@
 
 #include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/depth_workspace.h"
-#include "core/hydro/kernel/field_index.h"
+#include "core/hydro/kernel/index/field_index.h"
 #include "core/hydro/kernel/surface_writer.h"
 
 namespace taxel {

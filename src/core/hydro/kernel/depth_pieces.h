@@ -4,8 +4,8 @@
 
 #include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/depth_workspace.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/hydro/kernel/surface_writer.h"
-#include "core/hydro/kernel/wide_tree.h"
 
 namespace taxel {
 

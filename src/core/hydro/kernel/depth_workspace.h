@@ -8,7 +8,7 @@
 
 #include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/planar_difference.h"
-#include "core/mesh/bvh.h"
+#include "core/mesh/query/bvh.h"
 
 namespace taxel {
 

@@ -3,9 +3,9 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/half_space_and_triangles.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
-#include "core/hydro/kernel/emit_inl.h"
 #include "core/hydro/kernel/kernels.h"
-#include "core/hydro/kernel/tree_query_inl.h"
+#include "core/hydro/kernel/simd/emit_inl.h"
+#include "core/hydro/kernel/simd/tree_query_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {

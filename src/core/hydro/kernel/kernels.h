@@ -1,9 +1,9 @@
 // The contact kernels behind intersect(): each dispatches once to the best instruction set of the machine.
 #pragma once
 
-#include "core/hydro/kernel/field_index.h"
+#include "core/hydro/kernel/index/field_index.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/hydro/kernel/surface_writer.h"
-#include "core/hydro/kernel/wide_tree.h"
 #include "core/hydro/kernel/workspace.h"
 
 namespace taxel {

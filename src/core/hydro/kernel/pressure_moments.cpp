@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/pressure_moments.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
-#include "core/hydro/kernel/eight_inl.h"
+#include "core/hydro/kernel/simd/eight_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {

@@ -4,11 +4,11 @@
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
 #include "core/base/index.h"
-#include "core/hydro/kernel/emit_inl.h"
-#include "core/hydro/kernel/grid_query_inl.h"
 #include "core/hydro/kernel/kernels.h"
-#include "core/hydro/kernel/locate_inl.h"
-#include "core/hydro/kernel/slice_inl.h"
+#include "core/hydro/kernel/simd/emit_inl.h"
+#include "core/hydro/kernel/simd/grid_query_inl.h"
+#include "core/hydro/kernel/simd/locate_inl.h"
+#include "core/hydro/kernel/simd/slice_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {

@@ -6,12 +6,12 @@
 #include <hwy/cache_control.h>
 
 #include "core/base/index.h"
-#include "core/hydro/kernel/clip_inl.h"
-#include "core/hydro/kernel/emit_inl.h"
-#include "core/hydro/kernel/grid_query_inl.h"
 #include "core/hydro/kernel/kernels.h"
-#include "core/hydro/kernel/locate_inl.h"
-#include "core/hydro/kernel/tree_query_inl.h"
+#include "core/hydro/kernel/simd/clip_inl.h"
+#include "core/hydro/kernel/simd/emit_inl.h"
+#include "core/hydro/kernel/simd/grid_query_inl.h"
+#include "core/hydro/kernel/simd/locate_inl.h"
+#include "core/hydro/kernel/simd/tree_query_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {

@@ -8,7 +8,7 @@
 #include "core/layout/generators/place.h"
 #include "core/layout/sampling/surface_pool.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
-#include "core/mesh/point_triangle.h"
+#include "core/mesh/query/point_triangle.h"
 
 namespace taxel {
 namespace {

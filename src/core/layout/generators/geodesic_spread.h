@@ -6,7 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/layout/layout.h"
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/layout/file/taxels_csv.h"
 #include "core/layout/generators/geodesic_spread.h"
 #include "core/layout/generators/grid.h"
 #include "core/layout/generators/onto_skin.h"
 #include "core/layout/generators/ring.h"
 #include "core/layout/generators/spiral.h"
 #include "core/layout/sensor_presets.h"
-#include "core/layout/taxels_csv.h"
 
 namespace taxel {
 namespace {

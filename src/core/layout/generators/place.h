@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/layout/layout.h"
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 

@@ -5,7 +5,7 @@
 
 #include "core/layout/generators/place.h"
 #include "core/layout/layout.h"
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/base/parallel.h"
-#include "core/layout/point_grid.h"
+#include "core/layout/field/point_grid.h"
 #include "core/layout/sampling/convex_polygon.h"
 
 namespace taxel {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/layout/poisson_disk.h"
+#include "core/layout/sampling/poisson_disk.h"
 
 namespace taxel {
 

@@ -2,7 +2,7 @@
 
 #include "core/base/index.h"
 #include "core/base/parallel.h"
-#include "core/mesh/edge_sides.h"
+#include "core/mesh/topology/edge_sides.h"
 
 namespace taxel {
 UnfoldedMesh::UnfoldedMesh(TriMeshPtr mesh)

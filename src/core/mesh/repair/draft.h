@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/index.h"
-#include "core/mesh/edge_sides.h"
 #include "core/mesh/repair/repair.h"
+#include "core/mesh/topology/edge_sides.h"
 
 namespace taxel {
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/base/stopwatch.h"
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/repair/repair_run.h"
 #include "core/mesh/repair/step_message.h"
+#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/mesh/query/self_intersection.h"
 #include "core/mesh/repair/repair_recipe.h"
-#include "core/mesh/self_intersection.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "core/base/number_text.h"
-#include "core/mesh/repair/distances.h"
-#include "core/mesh/repair/shells.h"
-#include "core/mesh/repair/wrap.h"
+#include "core/base/text/number_text.h"
+#include "core/mesh/repair/steps/shells.h"
+#include "core/mesh/repair/wrap/distances.h"
+#include "core/mesh/repair/wrap/wrap.h"
 
 namespace taxel {
 namespace {

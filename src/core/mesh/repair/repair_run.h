@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/mesh/repair/steps.h"
-#include "core/mesh/repair/wrap_field.h"
+#include "core/mesh/repair/wrap/wrap_field.h"
 
 namespace taxel {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/base/number_text.h"
+#include "core/base/text/number_text.h"
 #include "core/mesh/repair/draft.h"
 
 namespace taxel {

@@ -4,7 +4,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <vector>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/mesh/query/disjoint_sets.h"
 #include "core/mesh/repair/draft.h"
 
 namespace taxel {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/number_text.h"
-#include "core/mesh/halfedge.h"
+#include "core/base/text/number_text.h"
+#include "core/mesh/topology/halfedge.h"
 
 namespace taxel {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/mesh/closest_point.h"
+#include "core/mesh/query/closest_point.h"
 
 namespace taxel {
 namespace {

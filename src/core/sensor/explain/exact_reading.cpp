@@ -6,7 +6,7 @@
 #include "core/base/index.h"
 #include "core/hydro/quadrature.h"
 #include "core/sensor/explain/field_integral.h"
-#include "core/sensor/force_integral.h"
+#include "core/sensor/readout/force_integral.h"
 
 namespace taxel {
 namespace {

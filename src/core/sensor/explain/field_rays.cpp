@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "core/base/index.h"
-#include "core/mesh/point_triangle.h"
+#include "core/mesh/query/point_triangle.h"
 
 namespace taxel {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/layout/field_weights.h"
-#include "core/sensor/cast_rays.h"
+#include "core/layout/field/field_weights.h"
+#include "core/sensor/rays/cast_rays.h"
 
 namespace taxel {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/sensor/cast_rays.h"
+#include "core/sensor/rays/cast_rays.h"
 
 namespace taxel {
 

@@ -9,7 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/hydro/intersect.h"
 #include "core/sensor/explain/exact_reading.h"
-#include "core/sensor/reading.h"
+#include "core/sensor/readout/reading.h"
 #include "core/sim/compare/mujoco_sensors.h"
 
 namespace taxel {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/progress.h"
+#include "core/run/sim_frame.h"
 #include "core/sensor/compare/reading_models.h"
-#include "core/sim/sim_frame.h"
 
 namespace taxel {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/run/sim_frame.h"
 #include "core/sim/mujoco_handles.h"
-#include "core/sim/sim_frame.h"
 
 namespace taxel {
 

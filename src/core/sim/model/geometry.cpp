@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/mesh/height_field.h"
-#include "core/mesh/weld.h"
+#include "core/mesh/make/height_field.h"
+#include "core/mesh/topology/weld.h"
 #include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/model/sdf_mesh.h"
 

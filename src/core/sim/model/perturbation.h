@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "core/sim/scene_controls.h"
+#include "core/run/scene_controls.h"
 
 namespace taxel {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sim/model/geometry.h"
 
 namespace taxel {

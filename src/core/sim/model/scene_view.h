@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/sim/sim_frame.h"
+#include "core/run/sim_frame.h"
 
 namespace taxel {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/mesh/level_set.h"
+#include "core/mesh/make/level_set.h"
 #include "core/sim/model/geometry.h"
 
 namespace taxel {

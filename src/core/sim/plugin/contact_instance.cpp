@@ -1,7 +1,7 @@
 #include "core/sim/plugin/contact_instance.h"
 
 #include "core/base/error.h"
-#include "core/sim/plugin/geom_body.h"
+#include "core/sim/plugin/pairs/geom_body.h"
 
 namespace taxel {
 namespace {

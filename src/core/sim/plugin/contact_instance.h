@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/sim/plugin/body_contacts.h"
+#include "core/sim/plugin/pairs/body_contacts.h"
 
 namespace taxel {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/sensor/reading.h"
-#include "core/sim/plugin/body_contacts.h"
+#include "core/sensor/readout/reading.h"
+#include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/plugin/sensor_config.h"
 
 namespace taxel {

@@ -1,7 +1,7 @@
 #include "core/sim/plugin/layout_search.h"
 
 #include "core/base/error.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel {

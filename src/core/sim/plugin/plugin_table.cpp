@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/sim/plugin/contact_forces.h"
+#include "core/sim/plugin/pairs/contact_forces.h"
 
 namespace taxel {
 namespace {

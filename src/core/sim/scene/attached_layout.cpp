@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sensor/imported_source.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/mujoco_vectors.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/layout/formats/layout_format.h"
+#include "core/layout/file/layout_format.h"
+#include "core/run/scene_controls.h"
 #include "core/sensor/sensor_model.h"
-#include "core/sim/scene_controls.h"
 
 namespace taxel {
 

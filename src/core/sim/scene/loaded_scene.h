@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/run/scene_controls.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/mujoco_handles.h"
 #include "core/sim/scene/scene_files.h"
-#include "core/sim/scene_controls.h"
 
 namespace taxel {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/mesh/primitives.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/scene/xml_attributes.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/files.h"
 #include "core/base/hash.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"

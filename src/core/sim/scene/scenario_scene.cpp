@@ -4,12 +4,12 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/layout/layout_json.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
-#include "core/project/scenario_json.h"
+#include "core/run/motion/paper_demo.h"
+#include "core/run/motion/upright_edge.h"
 #include "core/sim/scene/inertia.h"
-#include "core/sim/scene/paper_demo.h"
-#include "core/sim/scene/upright_edge.h"
 
 namespace taxel {
 namespace {

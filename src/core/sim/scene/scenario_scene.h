@@ -6,8 +6,8 @@
 // its own, see paper_demo.h.
 #pragma once
 
+#include "core/run/motion/motion.h"
 #include "core/sensor/sensor_model.h"
-#include "core/sim/scene/motion.h"
 #include "core/sim/scene/scene_files.h"
 
 namespace taxel {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/layout/layout_json.h"
+#include "core/layout/file/layout_json.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/plugin/sensor_config.h"
 

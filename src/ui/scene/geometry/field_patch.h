@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/layout/field_disc.h"
+#include "core/layout/field/field_disc.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
 #include "core/sensor/sensor_model.h"
 #include "ui/scene/geometry/field_ring.h"

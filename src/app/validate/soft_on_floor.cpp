@@ -1,0 +1,89 @@
+#include "app/validate/soft_on_floor.h"
+
+#include <fmt/format.h>
+
+#include "core/mesh/mesh_io.h"
+#include "core/sensor/sensor_model.h"
+#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/inertia.h"
+
+namespace taxel {
+namespace {
+
+constexpr const char* kName = "closed form of dynamics";
+constexpr const char* kMeshFile = "skin.obj";
+
+/// The skin with one taxel below; what it reads does not matter.
+SensorModelPtr sensor_of(const SoftOnFloor& setup) {
+  Layout layout;
+  layout.name = kName;
+  layout.mesh.file = kMeshFile;
+  layout.material = setup.material;
+  const double depth = -setup.skin->bounds().lo.z;
+  layout.sampling.density = 100 / (kPi * depth * depth);
+  Taxel taxel;
+  taxel.center = {0, 0, -depth};
+  taxel.normal = {0, 0, -1};
+  taxel.radius = depth;
+  layout.taxels = {taxel};
+  return build_sensor_model(layout, setup.skin, "", kName);
+}
+
+std::string scene_xml(const SoftOnFloor& s) {
+  const dmat3 I = solid_inertia(*s.skin, s.mass).moment;
+  return fmt::format(R"(<mujoco model="{name}">
+  <option timestep="{timestep}" integrator="{integrator}" gravity="{gx} {gy} {gz}"><flag energy="enable"/></option>
+  <extension><plugin plugin="taxel.sensor"><instance name="skin">
+    <config key="taxels" value="1"/><config key="geom" value="skin"/><config key="others" value="floor"/>
+  </instance></plugin></extension>
+  <asset><mesh name="skin" file="skin.obj"/></asset>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1" contype="0" conaffinity="0" friction="{friction}"/>
+    <body pos="0 0 {start}"><freejoint/>
+      <inertial mass="{mass}" pos="0 0 {center}" diaginertia="{Ix} {Iy} {Iz}"/>
+      <geom name="skin" type="mesh" mesh="skin" contype="0" conaffinity="0"/>
+    </body>
+  </worldbody>
+  <sensor><plugin name="skin" plugin="taxel.sensor" instance="skin"/></sensor>
+</mujoco>
+)",
+                     fmt::arg("name", kName), fmt::arg("timestep", s.timestep), fmt::arg("integrator", s.integrator),
+                     fmt::arg("gx", s.gravity.x), fmt::arg("gy", s.gravity.y), fmt::arg("gz", s.gravity.z),
+                     fmt::arg("friction", s.material.friction), fmt::arg("start", s.start), fmt::arg("mass", s.mass),
+                     fmt::arg("center", s.center), fmt::arg("Ix", I[0][0]), fmt::arg("Iy", I[1][1]),
+                     fmt::arg("Iz", I[2][2]));
+}
+
+}  // namespace
+
+SoftOnFloorRun::SoftOnFloorRun(const SoftOnFloor& setup) {
+  register_sensor_plugin();
+  scene_ = compile_scene(scene_xml(setup), {{kMeshFile, obj_text(*setup.skin)}}, kName);
+  data_.reset(mj_makeData(scene_.model.get()));
+  if (data_ == nullptr) throw Error(kName, "MuJoCo cannot make the simulation data");
+  instance_ = sensor_instances(*scene_.model).at(0);
+  find_sensor(*data_, instance_)->hand_over(*scene_.model, sensor_of(setup));
+}
+
+void SoftOnFloorRun::step(int count) {
+  for (int i = 0; i < count; ++i) mj_step(scene_.model.get(), data_.get());
+  const HydroInstance& sensor = *find_sensor(*data_, instance_);
+  if (!sensor.contacts().failure.empty()) throw Error(kName, sensor.contacts().failure);
+}
+
+void SoftOnFloorRun::set_velocity(const dvec3& v) {
+  for (int i = 0; i < 3; ++i) data_->qvel[i] = v[i];
+}
+
+double SoftOnFloorRun::energy() const {
+  mj_fwdPosition(scene_.model.get(), data_.get());  // a step leaves positions behind the velocities
+  mj_energyPos(scene_.model.get(), data_.get());
+  mj_energyVel(scene_.model.get(), data_.get());
+  return data_->energy[0] + data_->energy[1];
+}
+
+bool SoftOnFloorRun::touching() const {
+  return !find_sensor(*data_, instance_)->sensed().pairs.at(0).surface.empty();
+}
+
+}  // namespace taxel

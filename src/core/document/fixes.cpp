@@ -1,0 +1,142 @@
+#include "core/document/fixes.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/document/taxel_fixes.h"
+#include "core/layout/sampling/poisson_disk.h"
+#include "core/layout/words.h"
+#include "core/mesh/topology/mesh_check.h"
+
+namespace taxel {
+namespace {
+
+/// A number whose sign is too much, without it; the default where that does not help.
+double without_sign(double v, double otherwise) {
+  return std::isfinite(v) ? std::abs(v) : otherwise;
+}
+
+std::optional<Fix> fix_of_material(const Problem& problem, Material material) {
+  const Material usual = Layout().material;
+  const auto mended = [&](const char* what, double Material::*value) {
+    material.*value = without_sign(material.*value, usual.*value);
+    return Fix{fmt::format("Set the {} to {}", what, material.*value), SetMaterial{material}};
+  };
+  if (problem.code == "modulus_negative") return mended("modulus", &Material::modulus);
+  if (problem.code == "thickness_negative") return mended("thickness", &Material::thickness);
+  if (problem.code == "dissipation_negative") return mended("dissipation", &Material::dissipation);
+  if (problem.code == "friction_negative") return mended("friction", &Material::friction);
+  if (problem.code != "not_available") return std::nullopt;
+  material.field = usual.field;
+  return Fix{fmt::format("Use the field \"{}\"", to_word(usual.field)), SetMaterial{material}};
+}
+
+std::optional<Fix> fix_of_sampling(const Problem& problem, Sampling sampling, const MeshIndex* skin) {
+  const double usual = Sampling().density, most = skin != nullptr ? kMaxSamples / skin->mesh().area() : usual;
+  if (problem.code == "density_too_high") {
+    const double digits = std::pow(10.0, std::floor(std::log10(most)) - 1.0);
+    sampling.density = std::floor(most / digits) * digits;  // two digits, rounded down
+  } else if (problem.code == "density_not_positive" || problem.code == "density_too_low") {
+    sampling.density = std::min(usual, most);
+  } else if (problem.code.starts_with("region_")) {
+    return Fix{"Clear the painted region: the whole skin senses", SetRegion{}};
+  } else {
+    return std::nullopt;
+  }
+  return Fix{fmt::format("Set the density to {:g} per square metre", sampling.density), SetSampling{sampling}};
+}
+
+/// `pad` at right angles to `distal`, turned as little as possible.
+std::optional<Fix> fix_of_frame(const Problem& problem, SensorFrame frame) {
+  if (problem.code != "frame_parallel" && problem.code != "frame_skew") return std::nullopt;
+  const dvec3 along = glm::normalize(frame.distal);
+  const dvec3 across = frame.pad - glm::dot(frame.pad, along) * along;
+  frame.pad = problem.code == "frame_skew" ? glm::normalize(across) : any_perpendicular(along);
+  return Fix{fmt::format("Turn pad to [{:.3g}, {:.3g}, {:.3g}], at right angles to distal", frame.pad.x, frame.pad.y,
+                         frame.pad.z),
+             SetFrame{frame}};
+}
+
+std::optional<Fix> fix_of_mesh(const Problem& problem, const Project& project, const MeshIndex* skin,
+                               const std::string& sha256) {
+  ReplaceMesh edit{project.layout.mesh, *project.layout.sampling.region};
+  if (problem.code == "mesh_changed" && !sha256.empty()) {
+    edit.mesh.sha256 = sha256;
+    edit.region.clear();
+    return Fix{project.layout.sampling.region->empty() ? "Take the mesh as it is now"
+                                                       : "Take the mesh as it is now; the painted region is cleared",
+               edit};
+  }
+  if (problem.code == "mesh_units" && skin != nullptr) {
+    const UnitGuess guess = guess_unit(skin->mesh());
+    if (guess.scale == 1.0) return std::nullopt;
+    edit.mesh.scale *= guess.scale;
+    return Fix{fmt::format("Read the mesh in {}", guess.unit), edit};
+  }
+  RepairRecipe repair = project.layout.mesh.repair;
+  if (problem.code == "mesh_open" && repair.level != RepairLevel::automatic) {
+    repair.level = RepairLevel::automatic;
+    return Fix{"Repair the mesh", SetRepair{repair}};
+  }
+  if (problem.code == "repair_out_of_range") {
+    for (const RepairNumber& number : kRepairNumbers)
+      if (problem.pointer.ends_with(std::string("/") + number.key)) repair.*number.value = std::nullopt;
+    return Fix{"Set it to its default", SetRepair{repair}};
+  }
+  if (problem.code != "scale_zero") return std::nullopt;
+  for (int axis = 0; axis < 3; ++axis)
+    if (edit.mesh.scale[axis] == 0.0 || !std::isfinite(edit.mesh.scale[axis])) edit.mesh.scale[axis] = 1.0;
+  return Fix{"Set the scale to 1", edit};
+}
+
+std::optional<Fix> fix_of_settings(const Problem& problem, const Layout& layout) {
+  if (problem.code == "angle_out_of_range") {
+    ReceptiveFieldRule rule = layout.receptive_field;
+    rule.max_angle_deg = ReceptiveFieldRule().max_angle_deg;
+    return Fix{fmt::format("Set the largest angle to {} degrees", rule.max_angle_deg), SetReceptiveField{rule}};
+  }
+  Readout readout = layout.readout;
+  if (problem.code == "depth_negative") {
+    readout.max_depth = without_sign(readout.max_depth, Readout().max_depth);
+    return Fix{fmt::format("Set the largest depth to {} m", readout.max_depth), SetReadout{readout}};
+  }
+  if (problem.code == "ray_unused") {
+    readout.ray = RayDirection::surface_normal;
+    return Fix{"Set the rays to the surface's normals", SetReadout{readout}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Fix> fix_of_calibration(const Problem& problem, const Layout& layout) {
+  if (problem.code != "calibration_unused" || !layout.calibration) return std::nullopt;
+  const std::string start = "/calibration/taxels/";
+  std::size_t index = 0;
+  const char* const end = problem.pointer.data() + problem.pointer.size();
+  if (!problem.pointer.starts_with(start) ||
+      std::from_chars(problem.pointer.data() + start.size(), end, index).ec != std::errc() ||
+      index >= layout.calibration->taxels.size())
+    return std::nullopt;
+  Calibration calibration = *layout.calibration;
+  const int id = calibration.taxels[index].id;
+  calibration.taxels.erase(calibration.taxels.begin() + static_cast<std::ptrdiff_t>(index));
+  return Fix{fmt::format("Remove the calibration of taxel {}, which is not there", id), SetCalibration{calibration}};
+}
+
+}  // namespace
+
+std::optional<Fix> fix_for(const Problem& problem, const Project& project, const MeshIndex* skin,
+                           const std::string& mesh_sha256) {
+  const Layout& layout = project.layout;
+  const auto below = [&](const char* pointer) { return problem.pointer.starts_with(pointer); };
+  if (below("/taxels/")) return fix_of_taxel(problem, project, skin);
+  if (below("/material/")) return fix_of_material(problem, layout.material);
+  if (below("/sampling/")) return fix_of_sampling(problem, layout.sampling, skin);
+  if (below("/frame/")) return fix_of_frame(problem, layout.frame);
+  if (below("/mesh/")) return fix_of_mesh(problem, project, skin, mesh_sha256);
+  if (below("/calibration/")) return fix_of_calibration(problem, layout);
+  return fix_of_settings(problem, layout);
+}
+
+}  // namespace taxel

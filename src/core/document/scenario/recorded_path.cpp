@@ -1,0 +1,27 @@
+#include "core/document/scenario/recorded_path.h"
+
+#include "core/document/paper_setting.h"
+
+namespace taxel {
+
+Scenario path_of_run(Scenario edited, const Scenario& run, std::vector<WayPoint> points) {
+  const bool has_object = edited.kind != ScenarioKind::paper;
+  edited = with_kind(std::move(edited), ScenarioKind::path);
+  if (!has_object) {
+    edited.shape = run.shape;
+    edited.object = run.object;
+    edited.box_size = run.box_size;
+    edited.edge_radius = run.edge_radius;
+  }
+  if (run.kind == ScenarioKind::paper) {
+    edited.shape = ObjectShape::box;
+    edited.object.clear();
+    edited.box_size = kDemoBox.extent().x;
+    const dvec3 to_other_boxes(-kDemoBox.lo.x, -kDemoBox.center().y, -kDemoBox.lo.z);
+    for (WayPoint& point : points) point.X_WM.p += to_other_boxes;
+  }
+  edited.points = std::move(points);
+  return edited;
+}
+
+}  // namespace taxel

@@ -1,0 +1,117 @@
+#include "core/hydro/fields/medial_field.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/base/index.h"
+#include "core/hydro/fields/prism.h"
+#include "core/hydro/fields/round_mesh.h"
+#include "core/mesh/make/primitives.h"
+
+namespace taxel {
+namespace {
+
+/// A tet whose volume is a smaller part of its skin edge cubed lies in the medial axis: it is flat.
+constexpr double kFlat = 1e-9;
+
+void require_modulus(double modulus) {
+  if (!(modulus > 0) || !std::isfinite(modulus))
+    throw Error(fmt::format("modulus of a soft body must be positive, not {}", modulus));
+}
+
+bool is_flat(const std::vector<dvec3>& x, const ivec4& t) {
+  const dvec3& o = x[at(t[0])];
+  const dvec3 a = x[at(t[1])] - o, b = x[at(t[2])] - o, c = x[at(t[3])] - o;
+  const double size = std::max({glm::length(a), glm::length(b), glm::length(c)});
+  return std::abs(glm::dot(glm::cross(a, b), c)) <= kFlat * size * size * size;
+}
+
+/// Numbers points of the medial axis; those that differ by rounding alone are one.
+class AxisPoints {
+ public:
+  explicit AxisPoints(double size) : cell_(1e-9 * size) {}
+
+  /// The number of a point, from 0 in order of first sight.
+  int number(const dvec3& p) {
+    // Roundings of one point lie in one cell of the lattice, or where it lies at their border in two.
+    const dvec3 u = p / cell_;
+    constexpr double kBorder = 1e-3;
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 side(i & 1 ? kBorder : -kBorder, i & 2 ? kBorder : -kBorder, i & 4 ? kBorder : -kBorder);
+      const auto entry = numbers_.find(key(u + side));
+      if (entry != numbers_.end()) return entry->second;
+    }
+    numbers_.emplace(key(u), static_cast<int>(points_.size()));
+    points_.push_back(p);
+    return static_cast<int>(points_.size()) - 1;
+  }
+  [[nodiscard]] const std::vector<dvec3>& points() const { return points_; }
+
+ private:
+  using Key = std::tuple<long long, long long, long long>;
+  static Key key(const dvec3& u) { return {std::llround(u.x), std::llround(u.y), std::llround(u.z)}; }
+
+  double cell_;
+  std::map<Key, int> numbers_;
+  std::vector<dvec3> points_;
+};
+
+/// Prisms from the skin, p = 0, to the points of the medial axis that its vertices belong to, p = E. Vertices that
+/// belong to one point share it.
+template <class AxisPoint>
+PressureFieldPtr fill_to_axis(const TriMesh& skin, double modulus, const AxisPoint& axis_point) {
+  require_modulus(modulus);
+  std::vector<dvec3> vertices = skin.vertices();
+  std::vector<int> inner;
+  AxisPoints axis(skin.bounds().diagonal());
+  for (const dvec3& v : skin.vertices()) inner.push_back(skin.vertex_count() + axis.number(axis_point(v) + 0.0));
+  vertices.insert(vertices.end(), axis.points().begin(), axis.points().end());
+  std::vector<double> pressure(vertices.size(), modulus);
+  std::fill_n(pressure.begin(), skin.vertices().size(), 0.0);
+  std::vector<ivec4> tets;
+  for (const ivec3& f : skin.faces()) {
+    const ivec3 on_axis(inner[at(f.x)], inner[at(f.y)], inner[at(f.z)]);
+    const PrismTets prism = split_prism(f, on_axis, on_axis);
+    for (int i = 0; i < prism.count; ++i) {
+      if (!is_flat(vertices, prism.tets[at(i)])) tets.push_back(prism.tets[at(i)]);
+    }
+  }
+  return std::make_shared<const PressureField>(std::move(vertices), std::move(tets), std::move(pressure),
+                                               FieldReport{});
+}
+
+}  // namespace
+
+PressureFieldPtr make_box_field(const dvec3& half_size, double modulus) {
+  const dvec3 core = half_size - std::min({half_size.x, half_size.y, half_size.z});
+  return fill_to_axis(make_box(half_size), modulus, [&](const dvec3& v) { return glm::clamp(v, -core, core); });
+}
+
+PressureFieldPtr make_capsule_field(double radius, double half_length, double modulus, double edge_length) {
+  const TriMesh skin = make_round_capsule(radius, half_length, edge_length);
+  return fill_to_axis(skin, modulus,
+                      [&](const dvec3& v) { return dvec3(0, 0, std::clamp(v.z, -half_length, half_length)); });
+}
+
+PressureFieldPtr make_cylinder_field(double radius, double half_length, double modulus, double edge_length) {
+  if (!(radius > half_length)) {  // the axis is a segment
+    const double core = half_length - radius;
+    return fill_to_axis(make_round_cylinder(radius, half_length, edge_length), modulus,
+                        [&](const dvec3& v) { return dvec3(0, 0, std::clamp(v.z, -core, core)); });
+  }
+  const double core = radius - half_length;  // a disc
+  return fill_to_axis(make_round_flat_cylinder(radius, half_length, edge_length), modulus, [&](const dvec3& v) {
+    const double r = std::hypot(v.x, v.y), shrink = r > core ? core / r : 1.0;
+    return dvec3(shrink * v.x, shrink * v.y, 0);
+  });
+}
+
+PressureFieldPtr make_ellipsoid_field(const dvec3& semi_axes, double modulus, double edge_length) {
+  const TriMesh skin = make_round_ellipsoid(semi_axes, edge_length);
+  return fill_to_axis(skin, modulus, [](const dvec3&) { return dvec3(0); });
+}
+
+}  // namespace taxel

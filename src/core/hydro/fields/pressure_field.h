@@ -1,0 +1,129 @@
+// A compliant body's pressure field: linear on tetrahedra, zero on the skin, growing inward (Elandt et al. 2019).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/material.h"
+#include "core/mesh/query/bvh.h"
+#include "core/mesh/repair/repair_recipe.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace taxel {
+
+/// One tetrahedron as the kernel wants it, frame of the body.
+struct Tet {
+  ivec4 vertices{0};               ///< positively oriented
+  std::array<dvec3, 4> normal;     ///< inward unit normal of the face opposite to vertex i
+  std::array<double, 4> offset{};  ///< inside: dot(normal, x) + offset >= 0
+  ivec4 neighbour{-1};             ///< tet across the face opposite to vertex i, -1 at the boundary
+  dvec3 gradient{0};               ///< g [Pa/m]
+  double constant = 0;             ///< c [Pa]: p(x) = dot(g, x) + c
+  double size = 0;                 ///< longest edge: the scale of tolerances [m]
+};
+
+/// Some faces of the skin, and where they lie.
+struct SkinPart {
+  int faces = 0;
+  double area = 0;  ///< [m^2]
+  Aabb bounds;
+  int worst_face = -1;   ///< in the numbers of the mesh that the user gave
+  dvec3 worst_place{0};  ///< middle of that face [m]
+};
+
+/// What a field is worth: shown to the user, tested. Stiffness is |g| at the skin, weighted by area [Pa/m].
+struct FieldReport {
+  int tets = 0;
+  int inverted = 0;  ///< tets of negative volume before orientation, or of a fold
+  int zero_gradient = 0;
+  double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
+  double stiffness_cv = 0;                ///< standard deviation over mean
+  double stiffness_mean = 0, stiffness_min = 0, stiffness_max = 0;
+  double skin_area = 0;     ///< of the mesh, with and without tets below it [m^2]
+  double thickness = 0;     ///< H that was asked for (pads) [m]
+  double deepest = 0;       ///< half of the body's smallest extent: no point lies deeper (pads) [m]
+  double least_part = 1;    ///< the shortest offset over what H asks for, where a pad was made at all
+  SkinPart limited;         ///< faces at which H had to shrink; worst: where the least is left
+  SkinPart bare;            ///< faces without a pad; worst: the largest
+  int two_layer_faces = 0;  ///< faces below which the prism has two layers (pads)
+  double depth_error_mean = 0, depth_error_rms = 0;  ///< of p/E - min(depth, H)/H over the pad (pad_error.h)
+  int refined_faces = 0;                             ///< faces that refinement of the skin added (pads)
+  int tents = 0;  ///< faces whose tet was split by a vertex above it, or that got a tet of their own (pads)
+  /// How a press of part of the thickness is felt over the skin (pads).
+  struct PressError {
+    double part = 0;          ///< depth of the press over the thickness
+    double mean = 1;          ///< area-weighted mean of p H/(E d), over skin with tets at this depth
+    double deviation = 0;     ///< its standard deviation
+    double without_tets = 0;  ///< fraction of the skin where no tet reaches this depth: depth pieces serve it
+  };
+  std::vector<PressError> press_errors;
+  bool core = false;  ///< the field ends on a rigid core (pads)
+  std::vector<std::string> notes;
+};
+
+class PressureField {
+ public:
+  /// Faces shared by two tets get one plane, negated exactly for the second, so that no point between them is lost or
+  /// counted twice. Tets of negative volume are turned round and counted in the report, whose `inverted` and `notes`
+  /// the maker may have begun; the rest of the report is measured here. Throws Error naming the tet or vertex: no
+  /// volume, index out of range, pressure negative or not finite, a face of three tets.
+  PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tets, std::vector<double> vertex_pressure,
+                FieldReport report);
+
+  [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
+  [[nodiscard]] const std::vector<double>& vertex_pressure() const { return vertex_pressure_; }
+  [[nodiscard]] const std::vector<Tet>& tets() const { return tets_; }
+  /// Of each tet, close together: for those that need nothing else of many tets here and there [Pa/m].
+  [[nodiscard]] const std::vector<dvec3>& gradients() const { return gradients_; }
+  [[nodiscard]] const Aabb& bounds() const { return bounds_; }
+  [[nodiscard]] double max_pressure() const { return max_pressure_; }
+  [[nodiscard]] double size() const { return size_; }  ///< diagonal of the bounds: the scale of tolerances [m]
+  [[nodiscard]] const FieldReport& report() const { return report_; }
+  /// Whether the face opposite to this corner lies on the skin: at the boundary, with no pressure at its vertices.
+  [[nodiscard]] bool is_skin(const Tet& tet, int corner) const;
+  /// Completes the report of a pad, by its maker alone: the errors need the finished field.
+  void set_press_errors(std::vector<FieldReport::PressError> errors) { report_.press_errors = std::move(errors); }
+
+ private:
+  void measure_skin_stiffness();
+
+  std::vector<dvec3> vertices_;
+  std::vector<double> vertex_pressure_;
+  std::vector<Tet> tets_;
+  std::vector<dvec3> gradients_;
+  Aabb bounds_;
+  double max_pressure_ = 0, size_ = 0;
+  FieldReport report_;
+};
+
+using PressureFieldPtr = std::shared_ptr<const PressureField>;
+
+/// A tree over the tets, one per leaf.
+Bvh tree_of_tets(const PressureField& field);
+
+/// How many layers of prisms a pad has.
+enum class PadLayering {
+  automatic,  ///< two where the skin's normals diverge (pad_pressures.h), one elsewhere
+  one,
+  two  ///< wherever prisms stay well shaped
+};
+
+/// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
+/// prism and layer. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report;
+/// empty: their own numbers. `refine`: longest edge, in H, of faces whose pad would be uneven (pad_refine.h); 0: the
+/// skin stays as it is. Throws Error for an open mesh (naming the places), H <= 0, E <= 0 or refine < 0.
+PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
+                                const std::vector<int>& face_numbers = {},
+                                PadLayering layering = PadLayering::automatic, double refine = kDefaultRefine);
+
+/// Tets from the volume centroid to every face, p = E there: what the paper's code does. Inverted tets are reported.
+PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
+
+/// Sphere with its medial-axis field p = E (1 - r/R) (A1 of contact.md), from an icosphere whose edges are at most
+/// edge_length, scaled to the true volume.
+PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_length);
+
+}  // namespace taxel

@@ -1,0 +1,76 @@
+// How far is it at least to the nearest tetrahedron, and which one is near? Answers by one look-up.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/hydro/fields/pressure_field.h"
+
+namespace taxel {
+
+class DistanceGrid {
+ public:
+  /// Value of Cell::tet for cells inside of the skin that hold no tet (mark_core).
+  static constexpr std::int32_t kCoreCell = -2;
+  struct Cell {
+    /// Lower bound of the distance from every point of the cell to the tets [m]. It is 0 in cells with tets, and in
+    /// cells inside of the skin without tets, which depth pieces serve (mark_core).
+    float distance = 0;
+    std::int32_t tet = -1;  ///< one that meets the cell, that of its middle where there is one; -1 or kCoreCell if none
+    std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none
+  };
+  /// The plane of a face of the boundary: the whole field lies at n . x + offset >= 0, but for rounding.
+  struct Face {
+    dvec3 n{0};  ///< unit, inward
+    double offset = 0;
+    std::int32_t tet = -1, side = -1;            ///< the tet's face `side`
+    std::array<std::int32_t, 3> neighbours{{}};  ///< across its edges
+  };
+
+  DistanceGrid() = default;
+  explicit DistanceGrid(const PressureField& field);
+  /// Finds the cells that hold no tet and lie inside of the closed skin, or are crossed by it: their distance becomes
+  /// 0. Finds the gaps of the field below the skin, too.
+  void mark_core(const PressureField& field, const TriMesh& skin);
+
+  /// Bounds of the field, enlarged a little.
+  [[nodiscard]] const dvec3& low() const { return low_; }
+  [[nodiscard]] const ivec3& dims() const { return dims_; }
+  [[nodiscard]] double cells_per_metre() const { return per_metre_; }
+  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }  ///< x runs fastest
+  /// For a convex field alone: its whole boundary.
+  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+  void set_faces(std::vector<Face> faces);
+
+  /// The cell of a point; of the nearest point of the grid, for one outside of it.
+  [[nodiscard]] const Cell& cell_of(const dvec3& p) const {
+    const dvec3 r = glm::clamp((p - low_) * per_metre_, dvec3(0), dvec3(dims_ - 1));
+    return cells_[index(static_cast<int>(r.x), static_cast<int>(r.y), static_cast<int>(r.z))];
+  }
+
+  /// Whether the cell of a point is crossed by the skin and may hold a part of the body that no tet fills. False before
+  /// mark_core().
+  [[nodiscard]] bool may_hold_gap(const dvec3& p) const {
+    return !gaps_.empty() && gaps_[static_cast<std::size_t>(&cell_of(p) - cells_.data())] == kGap;
+  }
+
+ private:
+  static constexpr std::uint8_t kSkin = 1, kNearCore = 2, kGap = kSkin | kNearCore;
+  [[nodiscard]] std::size_t index(int x, int y, int z) const {
+    return static_cast<std::size_t>(x + dims_.x * (y + dims_.y * z));
+  }
+  void mark(const PressureField& field);
+  void spread(const std::vector<char>& marked);
+  void mark_gaps(const PressureField& field, const TriMesh& skin);
+  void mark_triangle(const std::array<dvec3, 3>& corners, double margin, std::uint8_t bit);
+
+  dvec3 low_{0};
+  ivec3 dims_{0};
+  double edge_ = 1, per_metre_ = 1;  ///< of a cell, and its inverse
+  std::vector<Cell> cells_;
+  std::vector<Face> faces_;
+  std::vector<std::uint8_t> gaps_;  ///< per cell: bits kSkin, kNearCore; empty if the field ends with its tets
+};
+
+}  // namespace taxel

@@ -1,0 +1,168 @@
+// Cutting a triangle to the inside of a tetrahedron, for every instruction set. Included once per target.
+#if defined(TAXEL_CLIP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TAXEL_CLIP_INL_H
+#undef TAXEL_CLIP_INL_H
+#else
+#define TAXEL_CLIP_INL_H
+#endif
+
+#include <bit>
+
+#include "core/hydro/kernel/index/field_index.h"
+#include "core/hydro/kernel/simd/eight_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taxel::HWY_NAMESPACE {
+
+/// Marks of edges: 0 to 3 the planes of the tet that cuts, from here on those of what is cut.
+inline constexpr std::uint64_t kOwnEdge = 4;
+
+/// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. Lanes from `count` on hold
+/// finite numbers that mean nothing.
+struct PlanePolygon {
+  static constexpr unsigned kMost = 8;
+  Eight u, v;
+  std::uint64_t edges;  ///< byte i: what the edge from vertex i to the next one lies on; 0 from `count` on
+  unsigned count;
+};
+
+/// Bit i: some edge lies on i.
+HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
+  constexpr unsigned kNone = 31;
+  const unsigned used = 8 * polygon.count;
+  const std::uint64_t unused = used >= 64 ? 0 : ~std::uint64_t{0} << used;
+  const std::uint64_t edges = polygon.edges | (unused & kNone * 0x0101010101010101u);
+  unsigned bits = 0;
+  for (unsigned i = 0; i < PlanePolygon::kMost; ++i) bits |= 1u << (edges >> (8 * i) & 0xff);
+  return bits & ~(1u << kNone);
+}
+
+/// Signed distances of a triangle's corners to the planes of a tet, lanes over planes, and what they say.
+struct alignas(32) TriangleInTet {
+  double corner[3][4];
+  unsigned cut;   ///< bit i: plane i has a corner outside
+  bool disjoint;  ///< nothing of the triangle is inside
+  bool flat;      ///< the triangle lies in a plane of the tet, or nearly
+};
+
+/// A triangle nearer to a plane than this part of the tet's size lies in it, as far as walks are concerned: rounding
+/// decides which side it is on, face by face.
+inline constexpr double kNearlyFlat = 1e-9;
+
+/// A triangle exactly in a shared plane belongs to the tet of the lower number (half-open faces); in a boundary plane
+/// it is inside. One that touches a plane from outside with an edge or a corner is disjoint.
+HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int32_t index, TriangleInTet& out) {
+  const TagD d;
+  unsigned below = 0, not_above = 0, near = 0;
+  const VecD thin = hn::Set(d, kNearlyFlat * tet.size);
+  for (std::size_t i = 0; i < 4; i += kLanesD) {
+    const VecD nx = hn::Load(d, &tet.nx[i]), ny = hn::Load(d, &tet.ny[i]), nz = hn::Load(d, &tet.nz[i]);
+    const VecD o = hn::Load(d, &tet.offset[i]), zero = hn::Zero(d);
+    const VecD a = plane(nx, hn::Set(d, x[0][0]), ny, hn::Set(d, x[0][1]), nz, hn::Set(d, x[0][2]), o);
+    const VecD b = plane(nx, hn::Set(d, x[1][0]), ny, hn::Set(d, x[1][1]), nz, hn::Set(d, x[1][2]), o);
+    const VecD c = plane(nx, hn::Set(d, x[2][0]), ny, hn::Set(d, x[2][1]), nz, hn::Set(d, x[2][2]), o);
+    hn::Store(a, d, out.corner[0] + i);
+    hn::Store(b, d, out.corner[1] + i);
+    hn::Store(c, d, out.corner[2] + i);
+    const VecD least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
+    below |= mask_bits(d, hn::Lt(least, zero)) << i;
+    not_above |= mask_bits(d, hn::Le(most, zero)) << i;
+    near |= mask_bits(d, hn::Le(hn::Max(most, hn::Neg(least)), thin)) << i;
+  }
+  out.cut = below;
+  out.disjoint = (below & not_above) != 0;
+  out.flat = near != 0;
+  for (unsigned flat = not_above & ~below; flat != 0; flat &= flat - 1) {  // all three corners in the plane
+    const std::int32_t neighbour = tet.neighbour[static_cast<std::size_t>(std::countr_zero(flat))];
+    if (neighbour >= 0 && neighbour < index) out.disjoint = true;
+  }
+}
+
+/// Sutherland and Hodgman (1974) vertex by vertex: where rounding has left a polygon not quite convex.
+inline HWY_NOINLINE void keep_inside_slowly(const Eight& distances, std::uint64_t mark, PlanePolygon& polygon) {
+  double distance[8], in_u[8], in_v[8], u[8] = {}, v[8] = {};
+  store_eight(distances, distance);
+  store_eight(polygon.u, in_u);
+  store_eight(polygon.v, in_v);
+  unsigned count = 0;
+  std::uint64_t edges = 0;
+  const auto push = [&](double at_u, double at_v, std::uint64_t edge) {
+    if (count == PlanePolygon::kMost) return;
+    u[count] = at_u;
+    v[count] = at_v;
+    edges |= edge << (8 * count++);
+  };
+  const auto edge = [&](unsigned i) { return polygon.edges >> (8 * i) & 0xff; };
+  unsigned a = polygon.count - 1;
+  for (unsigned b = 0; b < polygon.count; a = b++) {
+    const double da = distance[a], db = distance[b];
+    if ((da < 0) != (db < 0)) {
+      const double t = da / (da - db);
+      push(in_u[a] + t * (in_u[b] - in_u[a]), in_v[a] + t * (in_v[b] - in_v[a]), da < 0 ? edge(a) : mark);
+    }
+    if (!(db < 0)) push(in_u[b], in_v[b], edge(b));
+  }
+  polygon = {load_eight(u), load_eight(v), edges, count};
+}
+
+/// What a cut made of a polygon.
+enum class Cut { nothing_outside, nothing_inside, done };
+
+/// Signed distances of a polygon's vertices: the linear function with values d0, d1, d2 at the triangle's corners.
+HWY_INLINE Eight distances_of(const PlanePolygon& p, double d0, double d1, double d2) {
+  const Eight w = set_eight(1.0) - p.u - p.v;
+  return w * set_eight(d0) + p.u * set_eight(d1) + p.v * set_eight(d2);
+}
+
+/// Keeps what has distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line,
+/// however small the angle. The new edge gets `mark`. The polygon is untouched unless `done`.
+HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, PlanePolygon& p) {
+  const Eight distance = distances_of(p, d0, d1, d2);
+  const unsigned n = p.count, all = (1u << n) - 1;
+  const unsigned outside = less(distance, set_eight(0.0)) & all;
+  if (outside == 0) return Cut::nothing_outside;
+  if (outside == all) return Cut::nothing_inside;
+  const unsigned inside = all & ~outside;
+  const unsigned starts = inside & ~((inside << 1) | (inside >> (n - 1)));  // inside, and the one before is not
+  if ((starts & (starts - 1)) != 0 || n == PlanePolygon::kMost) {
+    keep_inside_slowly(distance, mark, p);
+    return p.count < 3 ? Cut::nothing_inside : Cut::done;
+  }
+  // Where the plane crosses the edge that begins at each vertex; means something at two of them.
+  const Lanes& next = kCutLanes.next(n);
+  const Eight drop = distance - take(distance, next);
+  const Eight t = n <= 4 ? divide_four(distance, drop) : distance / drop;
+  const Eight crossing_u = p.u + t * (take(p.u, next) - p.u);
+  const Eight crossing_v = p.v + t * (take(p.v, next) - p.v);
+  const auto first = static_cast<unsigned>(std::countr_zero(starts));
+  const auto run = static_cast<unsigned>(std::popcount(inside));
+  const unsigned before = first == 0 ? n - 1 : first - 1;
+  const Lanes& kept = kCutLanes.kept(n, before, run);
+  p.u = take(p.u, crossing_u, kept);
+  p.v = take(p.v, crossing_v, kept);
+  // Edges: those from `before` to the last one inside in a row, then the new one. One vertex at least is outside.
+  const std::uint64_t turned = before == 0 ? p.edges : p.edges >> (8 * before) | p.edges << (8 * (n - before));
+  const unsigned place = 8 * (run + 1);  // at most 7 vertices are inside
+  p.edges = (turned & ((std::uint64_t{1} << place) - 1)) | mark << place;
+  p.count = run + 2;
+  return Cut::done;
+}
+
+/// Cuts by the planes of in_tet.cut. False where nothing is left.
+HWY_INLINE bool clip(const TriangleInTet& in_tet, PlanePolygon& polygon) {
+  for (unsigned planes = in_tet.cut; planes != 0; planes &= planes - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(planes));
+    const Cut cut = keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, polygon);
+    if (cut == Cut::nothing_inside) return false;
+  }
+  return true;
+}
+
+HWY_INLINE PlanePolygon whole_triangle() {
+  alignas(64) static constexpr double kU[8] = {0, 1, 0, 0, 0, 0, 0, 0}, kV[8] = {0, 0, 1, 0, 0, 0, 0, 0};
+  return {load_eight(kU), load_eight(kV), kOwnEdge | kOwnEdge << 8 | kOwnEdge << 16, 3};
+}
+
+}  // namespace taxel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

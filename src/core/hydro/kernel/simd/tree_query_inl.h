@@ -1,0 +1,173 @@
+// Which tets may a triangle or a plane meet? A walk over a WideBvh, eight boxes at a time, conservative. Included once
+// per target.
+#if defined(TAXEL_TREE_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TAXEL_TREE_QUERY_INL_H
+#undef TAXEL_TREE_QUERY_INL_H
+#else
+#define TAXEL_TREE_QUERY_INL_H
+#endif
+
+#include <bit>
+#include <vector>
+
+#include "core/hydro/kernel/index/wide_tree.h"
+#include "core/hydro/kernel/simd/lanes_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace taxel::HWY_NAMESPACE {
+
+/// Boxes are widened by this part of the tree's size: more than single precision loses.
+inline constexpr double kBoxSlack = 2e-6;
+
+/// A half-space n . x + offset <= 0 relative to the tree's origin, in single precision; n of any length.
+struct QueryPlane {
+  float n[3], size[3], offset;  ///< size: absolute components of n
+  float slack;                  ///< of n . x + offset
+
+  HWY_INLINE void set(const dvec3& normal, double at_origin, const WideBvh& tree) {
+    double length = 0;  // no less than |n|
+    for (int i = 0; i < 3; ++i) {
+      n[i] = static_cast<float>(normal[i]);
+      size[i] = static_cast<float>(std::abs(normal[i]));
+      length += std::abs(normal[i]);
+    }
+    offset = static_cast<float>(at_origin);
+    slack = static_cast<float>(kBoxSlack * tree.size() * length);
+  }
+};
+
+/// Some boxes of a node: bounds, centers c and half extents e.
+struct BoxLanes {
+  VecF lx, hx, ly, hy, lz, hz, cx, cy, cz, ex, ey, ez;
+};
+HWY_INLINE BoxLanes load_boxes(const WideBvh::Node& node, std::size_t i) {
+  const TagF f;
+  const VecF half = hn::Set(f, 0.5f);
+  BoxLanes b;
+  b.lx = hn::Load(f, &node.lo[0][i]), b.hx = hn::Load(f, &node.hi[0][i]);
+  b.ly = hn::Load(f, &node.lo[1][i]), b.hy = hn::Load(f, &node.hi[1][i]);
+  b.lz = hn::Load(f, &node.lo[2][i]), b.hz = hn::Load(f, &node.hi[2][i]);
+  b.cx = hn::Mul(hn::Add(b.lx, b.hx), half), b.ex = hn::Sub(b.hx, b.cx);
+  b.cy = hn::Mul(hn::Add(b.ly, b.hy), half), b.ey = hn::Sub(b.hy, b.cy);
+  b.cz = hn::Mul(hn::Add(b.lz, b.hz), half), b.ez = hn::Sub(b.hz, b.cz);
+  return b;
+}
+
+/// n . center + offset, and |n| . half: where a box lies and how far it reaches.
+HWY_INLINE VecF box_position(const QueryPlane& q, const BoxLanes& b) {
+  const TagF f;
+  return hn::Add(hn::Add(hn::Mul(hn::Set(f, q.n[0]), b.cx), hn::Mul(hn::Set(f, q.n[1]), b.cy)),
+                 hn::Add(hn::Mul(hn::Set(f, q.n[2]), b.cz), hn::Set(f, q.offset)));
+}
+HWY_INLINE VecF box_reach(const QueryPlane& q, const BoxLanes& b) {
+  const TagF f;
+  return hn::Add(hn::Add(hn::Mul(hn::Set(f, q.size[0]), b.ex), hn::Mul(hn::Set(f, q.size[1]), b.ey)),
+                 hn::Add(hn::Mul(hn::Set(f, q.size[2]), b.ez), hn::Set(f, q.slack)));
+}
+
+/// Separating axes of a triangle and a box: the box's three, the triangle's normal, and in its plane the normals of its
+/// edges. The nine axes of crossed edges are left out: the exact test that follows is cheaper than they are.
+struct TriangleQuery {
+  float lo[3], hi[3];
+  QueryPlane plane, edges[3];
+
+  HWY_INLINE void set(const std::array<dvec3, 3>& x, const dvec3& normal, const WideBvh& tree) {
+    const auto slack = static_cast<float>(kBoxSlack * tree.size());
+    const dvec3 a = x[0] - tree.origin(), b = x[1] - tree.origin(), c = x[2] - tree.origin();
+    const dvec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
+    for (int i = 0; i < 3; ++i) {
+      lo[i] = static_cast<float>(low[i]) - slack;
+      hi[i] = static_cast<float>(high[i]) + slack;
+    }
+    plane.set(normal, -glm::dot(normal, a), tree);
+    const dvec3 corners[3] = {a, b, c}, ends[3] = {b, c, a};
+    for (int k = 0; k < 3; ++k) {
+      const dvec3 out = glm::cross(ends[k] - corners[k], normal);
+      edges[k].set(out, -glm::dot(out, corners[k]), tree);
+    }
+  }
+
+  HWY_INLINE unsigned meets(const WideBvh::Node& node) const {
+    const TagF f;
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < kWide; i += kLanesF) {
+      const BoxLanes b = load_boxes(node, i);
+      auto meet = hn::And(hn::And(hn::Le(b.lx, hn::Set(f, hi[0])), hn::Ge(b.hx, hn::Set(f, lo[0]))),
+                          hn::And(hn::Le(b.ly, hn::Set(f, hi[1])), hn::Ge(b.hy, hn::Set(f, lo[1]))));
+      meet = hn::And(meet, hn::And(hn::Le(b.lz, hn::Set(f, hi[2])), hn::Ge(b.hz, hn::Set(f, lo[2]))));
+      meet = hn::And(meet, hn::Le(hn::Abs(box_position(plane, b)), box_reach(plane, b)));
+      for (const QueryPlane& edge : edges) meet = hn::And(meet, hn::Le(box_position(edge, b), box_reach(edge, b)));
+      bits |= mask_bits(f, meet) << i;
+    }
+    return bits;
+  }
+};
+
+/// Boxes that a plane passes through, or that reach into the half-space behind it.
+template <bool kWholeSide>
+struct PlaneQuery {
+  QueryPlane plane;
+  HWY_INLINE unsigned meets(const WideBvh::Node& node) const {
+    const TagF f;
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < kWide; i += kLanesF) {
+      const BoxLanes b = load_boxes(node, i);
+      const VecF position = box_position(plane, b);
+      const auto meet = hn::Le(kWholeSide ? position : hn::Abs(position), box_reach(plane, b));
+      bits |= mask_bits(f, hn::And(meet, hn::Le(b.lx, b.hx))) << i;  // unused lanes are empty
+    }
+    return bits;
+  }
+};
+using ThroughPlane = PlaneQuery<false>;
+using BehindPlane = PlaneQuery<true>;
+
+/// Boxes that overlap one.
+struct BoxQuery {
+  float lo[3], hi[3];
+  HWY_INLINE void set(const Aabb& box, const WideBvh& tree) {
+    const double slack = kBoxSlack * tree.size();
+    for (int i = 0; i < 3; ++i) {
+      lo[i] = static_cast<float>(box.lo[i] - tree.origin()[i] - slack);
+      hi[i] = static_cast<float>(box.hi[i] - tree.origin()[i] + slack);
+    }
+  }
+  HWY_INLINE unsigned meets(const WideBvh::Node& node) const {
+    const TagF f;
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < kWide; i += kLanesF) {
+      auto meet = hn::Le(hn::Load(f, &node.lo[0][i]), hn::Set(f, hi[0]));
+      meet = hn::And(meet, hn::Ge(hn::Load(f, &node.hi[0][i]), hn::Set(f, lo[0])));
+      for (std::size_t k = 1; k < 3; ++k) {
+        meet = hn::And(meet, hn::Le(hn::Load(f, &node.lo[k][i]), hn::Set(f, hi[k])));
+        meet = hn::And(meet, hn::Ge(hn::Load(f, &node.hi[k][i]), hn::Set(f, lo[k])));
+      }
+      bits |= mask_bits(f, meet) << i;
+    }
+    return bits;
+  }
+};
+
+/// Numbers of the items whose boxes a query meets, in the order of the tree, appended to `found`.
+template <class Tree, class Query>
+HWY_INLINE void collect(const Tree& tree, const Query& query, std::vector<std::int32_t>& found) {
+  if (tree.nodes().empty()) return;
+  std::int32_t stack[512];  // a tree of depth d holds at most 7 d + 1 waiting nodes, and halves at least thrice a level
+  int waiting = 0;
+  stack[waiting++] = 0;
+  while (waiting > 0) {
+    const auto& node = tree.nodes()[static_cast<std::size_t>(stack[--waiting])];
+    for (unsigned bits = query.meets(node); bits != 0; bits &= bits - 1) {
+      const std::int32_t child = node.child[static_cast<std::size_t>(std::countr_zero(bits))];
+      if (child < 0) {
+        found.push_back(~child);
+      } else {
+        stack[waiting++] = child;
+      }
+    }
+  }
+}
+
+}  // namespace taxel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,160 @@
+// The pad field: an elastomer of thickness H over a rigid core, on any closed mesh. Every triangle of the skin is the
+// outer face of a prism, whose inner vertices lie H below the skin; three tets fill a prism, or each of its two layers.
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/index.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/hydro/pad/pad_error.h"
+#include "core/hydro/pad/pad_press.h"
+#include "core/hydro/pad/pad_pressures.h"
+#include "core/hydro/pad/pad_refine.h"
+#include "core/hydro/pad/pad_tents.h"
+#include "core/mesh/topology/mesh_check.h"
+
+namespace taxel {
+namespace {
+
+/// Gathers faces of one kind; the worst is the one of the highest badness.
+class SkinPartMaker {
+ public:
+  SkinPartMaker(const TriMesh& mesh, const std::vector<int>& face_numbers) : mesh_(mesh), numbers_(face_numbers) {}
+  void add(int face, double badness) {
+    ++part_.faces;
+    part_.area += mesh_.face_areas()[at(face)];
+    for (int c = 0; c < 3; ++c) part_.bounds.include(mesh_.vertex(face, c));
+    if (!(badness > worst_)) return;
+    worst_ = badness;
+    part_.worst_face = numbers_.empty() ? face : numbers_[at(face)];
+    part_.worst_place = (mesh_.vertex(face, 0) + mesh_.vertex(face, 1) + mesh_.vertex(face, 2)) / 3.0;
+  }
+  [[nodiscard]] const SkinPart& part() const { return part_; }
+
+ private:
+  const TriMesh& mesh_;
+  const std::vector<int>& numbers_;
+  SkinPart part_;
+  double worst_ = -1;
+};
+
+/// `bare_faces`: whether a face has no tet, per face.
+FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const std::vector<char>& bare_faces, double thickness,
+                      const std::vector<int>& face_numbers) {
+  FieldReport report;
+  report.core = true;
+  report.thickness = thickness;
+  report.skin_area = mesh.area();
+  SkinPartMaker limited(mesh, face_numbers), bare(mesh, face_numbers);
+  double limited_area = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    double least = 1;
+    for (int c = 0; c < 3; ++c) {
+      const int leg = shape.leg(f, c);
+      if (!shape.limited(leg)) continue;
+      limited_area += mesh.face_areas()[at(f)] / 3.0;
+      least = std::min(least, shape.part_left(leg));
+    }
+    if (bare_faces[at(f)] != 0) {
+      bare.add(f, mesh.face_areas()[at(f)]);
+    } else if (least < 1) {
+      limited.add(f, 1 - least);
+      report.least_part = std::min(report.least_part, least);
+    }
+  }
+  report.thickness_limited_fraction = limited_area / mesh.area();
+  const dvec3 extent = mesh.bounds().extent();
+  report.deepest = 0.5 * std::min({extent.x, extent.y, extent.z});
+  report.limited = limited.part();
+  report.bare = bare.part();
+  return report;
+}
+
+std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& depths, double thickness) {
+  if (layering == PadLayering::automatic) return diverging_legs(depths, thickness);
+  return std::vector<char>(depths.planes.size(), layering == PadLayering::two ? 1 : 0);
+}
+
+/// The tets of a pad and the offsets and depths that they were built from.
+struct RawPad {
+  PadTets tets;
+  std::vector<char> bare;  ///< whether a face has no tet, per face
+  int two_layer_faces = 0, tents = 0;
+};
+
+RawPad fill(const MeshIndex& index, const PadShape& shape, double modulus, double thickness, PadLayering layering) {
+  const TriMesh& mesh = index.mesh();
+  const PadDepths depths = pad_depths(mesh, shape, thickness);
+  const PadLayers layers(shape, index, legs_with_two_layers(layering, depths, thickness));
+  RawPad pad;
+  pad.tets = {mesh.vertices(), layers.tets(), pad_pressures(index, shape, layers, depths, modulus, thickness)};
+  for (int leg = 0; leg < shape.leg_count(); ++leg) pad.tets.vertices.push_back(shape.inner_position(leg));
+  for (const int leg : layers.legs()) pad.tets.vertices.push_back(shape.moved(leg, layers.height(leg)));
+  for (int f = 0; f < mesh.face_count(); ++f) pad.bare.push_back(layers.bare(f) ? 1 : 0);
+  pad.two_layer_faces = layers.two_layer_faces();
+  pad.tents = split_by_tents(index, pad.tets, modulus, thickness);
+  return pad;
+}
+
+PressureFieldPtr finish(const MeshIndex& index, const PadShape& shape, RawPad pad, double modulus, double thickness,
+                        const std::vector<int>& face_numbers, int refined_faces) {
+  pad.tents += add_own_tents(index, pad.tets, pad.bare, modulus, thickness);
+  FieldReport report = report_of(index.mesh(), shape, pad.bare, thickness, face_numbers);
+  report.two_layer_faces = pad.two_layer_faces;
+  report.tents = pad.tents;
+  report.refined_faces = refined_faces;
+  const PadError error = pad_error(index, pad.tets.vertices, pad.tets.tets, pad.tets.pressure, modulus, thickness);
+  report.depth_error_mean = error.mean;
+  report.depth_error_rms = error.rms;
+  const auto field = std::make_shared<PressureField>(std::move(pad.tets.vertices), std::move(pad.tets.tets),
+                                                     std::move(pad.tets.pressure), std::move(report));
+  field->set_press_errors(press_errors(index, *field, modulus, thickness));
+  return field;
+}
+
+/// Largest number of faces of a refined skin: the first one or the second one times the faces of the mesh, whichever
+/// is larger. Each face takes 3 to 5 tets.
+constexpr int kMostFaces = 2000, kMostFactor = 3;
+/// A skin whose uneven faces make up less than this part of it stays as it is: refinement would build the pad twice.
+constexpr double kWorthIt = 0.005;
+
+/// The skin refined where its pad is uneven; no mesh where that is not worth it.
+RefinedSkin refined_where_uneven(const MeshIndex& index, const PadShape& shape, const RawPad& pad, double modulus,
+                                 double thickness, double refine) {
+  if (!(refine > 0)) return {};
+  const TriMesh& mesh = index.mesh();
+  std::vector<char> uneven = uneven_faces(index, shape, pad.tets, modulus, thickness, refine * thickness);
+  double area = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) area += uneven[at(f)] != 0 ? mesh.face_areas()[at(f)] : 0.0;
+  if (!(area > kWorthIt * mesh.area())) return {};
+  const int most = std::max(kMostFaces, kMostFactor * mesh.face_count());
+  return refine_skin(mesh, std::move(uneven), refine * thickness, most);
+}
+
+}  // namespace
+
+PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
+                                const std::vector<int>& face_numbers, PadLayering layering, double refine) {
+  const auto require_positive = [](double value, const char* what) {
+    if (!(value > 0) || !std::isfinite(value)) throw Error(fmt::format("{} must be positive, not {}", what, value));
+  };
+  require_positive(modulus, "modulus of a pad");
+  require_positive(thickness, "thickness of a pad");
+  if (!(refine >= 0)) throw Error(fmt::format("refine of a pad must be 0 or greater, is {}", refine));
+  if (!mesh->closed()) throw Error("a pad needs a closed mesh; this one is open: " + openings(*mesh));
+  if (!(mesh->volume() > 0)) throw Error("a pad needs a mesh whose triangles face outward; this one is inside out");
+  const MeshIndex index(mesh);
+  const PadShape shape(index, thickness);
+  RawPad pad = fill(index, shape, modulus, thickness, layering);
+  RefinedSkin refined = refined_where_uneven(index, shape, pad, modulus, thickness, refine);
+  if (refined.mesh == nullptr) return finish(index, shape, std::move(pad), modulus, thickness, face_numbers, 0);
+  if (!face_numbers.empty()) {
+    for (int& f : refined.face_of) f = face_numbers[at(f)];
+  }
+  const MeshIndex fine(refined.mesh);
+  const PadShape fine_shape(fine, thickness, &shape);
+  pad = fill(fine, fine_shape, modulus, thickness, layering);
+  return finish(fine, fine_shape, std::move(pad), modulus, thickness, refined.face_of,
+                refined.mesh->face_count() - mesh->face_count());
+}
+
+}  // namespace taxel

@@ -1,0 +1,184 @@
+#include "core/hydro/pad/pad_layers.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/hydro/fields/prism.h"
+
+namespace taxel {
+namespace {
+
+/// A middle vertex lies at this part of the length of a leg that asks for one: low, since up to there the pressure
+/// follows the planes of the faces and not the distance to the skin.
+constexpr double kMiddle = 0.3;
+/// Beyond this part of a leg's length there is no room for a second layer.
+constexpr double kHighest = 0.8;
+/// Middle vertices of neighbours differ in height by at most this times their distance.
+constexpr double kSlope = 1.0;
+/// A middle vertex is worth nothing where the skin is nearer than this part of the depth that its faces promise.
+constexpr double kOwnDepth = 0.5;
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+PadLayers::PadLayers(const PadShape& shape, const MeshIndex& index, const std::vector<char>& asked)
+    : shape_(shape), mesh_(index.mesh()), middle_(at(shape.leg_count()), -1) {
+  single_.reserve(mesh_.faces().size());
+  for (int f = 0; f < mesh_.face_count(); ++f) single_.push_back(shape.tets(f));
+  if (std::find(asked.begin(), asked.end(), 1) != asked.end()) {
+    spread(asked);
+    place(index);
+  }
+  while (!cut()) {
+  }
+  number();
+}
+
+/// Heights, from the legs that ask for a middle vertex to those around.
+void PadLayers::spread(const std::vector<char>& asked) {
+  height_.assign(middle_.size(), kNone);
+  for (int leg = 0; leg < shape_.leg_count(); ++leg) {
+    if (asked[at(leg)] && !shape_.pinched(leg)) height_[at(leg)] = kMiddle * shape_.offset(leg);
+  }
+  bool changed = true;
+  const auto lower = [&](int low, int high, double distance) {
+    const double most = height_[at(low)] + kSlope * distance;
+    if (!(height_[at(high)] > most * (1 + 1e-9))) return;
+    height_[at(high)] = most;
+    changed = true;
+  };
+  while (std::exchange(changed, false)) {
+    for (int f = 0; f < mesh_.face_count(); ++f) {
+      for (int c = 0; c < 3; ++c) {
+        const int next = (c + 1) % 3, a = shape_.leg(f, c), b = shape_.leg(f, next);
+        if (height_[at(a)] == height_[at(b)]) continue;
+        const double distance = glm::distance(mesh_.vertex(f, c), mesh_.vertex(f, next));
+        lower(a, b, distance);
+        lower(b, a, distance);
+      }
+    }
+  }
+}
+
+/// Chooses the middle vertices, and finds their depths.
+void PadLayers::place(const MeshIndex& index) {
+  const int first = mesh_.vertex_count() + shape_.leg_count();
+  depth_.assign(middle_.size(), 0.0);
+  constexpr int kChunk = 64;
+  parallel_chunks(shape_.leg_count(), kChunk, [&](int begin, int end) {
+    for (int leg = begin; leg < end; ++leg) {
+      const double h = height_[at(leg)];
+      if (shape_.pinched(leg) || h > kHighest * shape_.offset(leg)) continue;
+      const double depth = -index.signed_point(shape_.moved(leg, h), h).signed_distance;
+      if (depth < kOwnDepth * shape_.direction(leg).least_cosine * h) continue;
+      depth_[at(leg)] = depth;
+      middle_[at(leg)] = first + leg;  // number() closes the gaps
+    }
+  });
+}
+
+std::array<dvec3, 4> PadLayers::corners(const ivec4& tet) const {
+  const int skin = mesh_.vertex_count(), inner = skin + shape_.leg_count();
+  std::array<dvec3, 4> x;
+  for (int i = 0; i < 4; ++i) {
+    const int v = tet[i];
+    x[at(i)] = v < skin    ? mesh_.vertices()[at(v)]
+               : v < inner ? shape_.inner_position(v - skin)
+                           : shape_.moved(v - inner, height_[at(v - inner)]);
+  }
+  return x;
+}
+
+/// The second layer below a triangle of legs. Sides are cut by the legs' numbers.
+PrismTets PadLayers::below(const ivec3& legs) const {
+  return split_prism({top(legs.x), top(legs.y), top(legs.z)},
+                     {shape_.inner(legs.x), shape_.inner(legs.y), shape_.inner(legs.z)}, legs);
+}
+
+/// Whether the prism below a face is well shaped.
+bool PadLayers::add_face(int face) {
+  const PrismTets& single = single_[at(face)];
+  const ivec3 legs(shape_.leg(face, 0), shape_.leg(face, 1), shape_.leg(face, 2));
+  if (single.count == 0 || !(has(legs.x) || has(legs.y) || has(legs.z))) {
+    tets_.insert(tets_.end(), single.tets.begin(), single.tets.begin() + single.count);
+    return true;
+  }
+  double outer_height = kNone, inner_height = kNone;
+  for (int c = 0; c < 3; ++c) {
+    const double whole = shape_.offset(legs[c]), part = height_[at(legs[c])];
+    if (has(legs[c])) inner_height = std::min(inner_height, whole - part);
+    if (!shape_.pinched(legs[c])) outer_height = std::min(outer_height, has(legs[c]) ? part : whole);
+  }
+  bool good = true;
+  const auto add = [&](const PrismTets& layer, double height) {
+    for (int i = 0; i < layer.count; ++i) {
+      const double least = kLeastVolume * 2.0 * mesh_.face_areas()[at(face)] * height;
+      good = good && six_volumes(corners(layer.tets[at(i)])) > least;
+      tets_.push_back(layer.tets[at(i)]);
+    }
+  };
+  const ivec3& skin = mesh_.faces()[at(face)];
+  add(split_prism(skin, {top(legs.x), top(legs.y), top(legs.z)}, skin), outer_height);
+  add(below(legs), inner_height);
+  ++two_layer_faces_;
+  return good;
+}
+
+/// Whether none of a gap's tets is flat; `floor` in numbers of legs.
+bool PadLayers::add_gap(std::vector<ivec4> outer, const std::vector<ivec3>& floor) {
+  const std::size_t single = outer.size();
+  for (const ivec3& legs : floor) {
+    const PrismTets layer = below(legs);
+    outer.insert(outer.end(), layer.tets.begin(), layer.tets.begin() + layer.count);
+  }
+  tets_.insert(tets_.end(), outer.begin(), outer.end());
+  if (outer.size() == single) return true;
+  return std::none_of(outer.begin(), outer.end(), [&](const ivec4& t) { return is_flat(corners(t)); });
+}
+
+/// Cuts all prisms and gaps. Where a tet is ill shaped its legs lose their middle vertices, and it has to be done
+/// again: false. With none left the tets are those of the shape, which are sound.
+bool PadLayers::cut() {
+  tets_.clear();
+  tets_.reserve(3 * mesh_.faces().size());
+  two_layer_faces_ = 0;
+  std::vector<int> worse;
+  for (int f = 0; f < mesh_.face_count(); ++f) {
+    if (add_face(f)) continue;
+    for (int c = 0; c < 3; ++c) worse.push_back(shape_.leg(f, c));
+  }
+  std::vector<int> tops = shape_.ends();
+  for (int leg = 0; leg < shape_.leg_count(); ++leg) tops[at(leg)] = top(leg);
+  for (const PadWedge& wedge : shape_.legs().wedges) {
+    if (add_gap(gap_tets(wedge, tops), gap_floor(wedge))) continue;
+    worse.insert(worse.end(), wedge.at_u.begin(), wedge.at_u.end());
+    worse.insert(worse.end(), wedge.at_v.begin(), wedge.at_v.end());
+  }
+  for (const PadCone& cone : shape_.legs().cones) {
+    if (add_gap(gap_tets(cone, tops), gap_floor(cone))) continue;
+    worse.insert(worse.end(), cone.rim.begin(), cone.rim.end());
+    worse.push_back(cone.center);
+  }
+  for (const int leg : worse) middle_[at(leg)] = -1;
+  return worse.empty();
+}
+
+/// Numbers the middle vertices that are left without gaps.
+void PadLayers::number() {
+  const int first = mesh_.vertex_count() + shape_.leg_count();
+  for (int leg = 0; leg < shape_.leg_count(); ++leg) {
+    if (!has(leg)) continue;
+    middle_[at(leg)] = first + static_cast<int>(legs_.size());
+    legs_.push_back(leg);
+  }
+  for (ivec4& t : tets_) {
+    for (int i = 0; i < 4; ++i) {
+      if (t[i] >= first) t[i] = middle_[at(t[i] - first)];
+    }
+  }
+}
+
+}  // namespace taxel

@@ -1,0 +1,329 @@
+#include "core/hydro/pad/pad_legs.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "core/base/angle.h"
+#include "core/base/index.h"
+#include "core/hydro/fields/prism.h"
+
+namespace taxel {
+namespace {
+
+/// Concave edges are creases from this angle between their faces' normals.
+const double kCrease = 40.0 * kPi / 180.0;
+/// Legs that fan out are at most this far apart: the round below the edge loses 1 - cos(15 degrees) = 3 % between them.
+const double kFanStep = 30.0 * kPi / 180.0;
+/// Faces are parted at an edge opposite to the end of a crease where that bends at most so much.
+const double kFlat = 20.0 * kPi / 180.0;
+/// No leg comes closer to a face than this cosine to its normal.
+constexpr double kLeastCosine = 0.2;
+
+int corner_of(const ivec3& face, int v) {
+  return face.x == v ? 0 : face.y == v ? 1 : 2;
+}
+
+/// The spokes of a vertex, counter-clockwise seen from outside: face i lies between the edges to ends[i] and ends[i +
+/// 1].
+struct Ring {
+  std::vector<int> faces, ends;
+};
+
+class LegMaker {
+ public:
+  LegMaker(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases)
+      : mesh_(mesh), creases_(creases) {
+    legs_.skin.resize(mesh.vertices().size());
+    std::iota(legs_.skin.begin(), legs_.skin.end(), 0);
+    legs_.inward = directions;
+    legs_.of_face = mesh.faces();
+  }
+
+  PadLegs make(const std::vector<char>& whole) {
+    for (const auto& [v, ends] : creases_.ends) {
+      if (!whole[at(v)]) split(v, ends);
+    }
+    for (const auto& [u, v] : cut_edges_) add_wedge(u, v);
+    return std::move(legs_);
+  }
+
+ private:
+  /// Empty where the faces around v are no single fan.
+  Ring ring_of(int v) const {
+    const std::vector<int>& around = creases_.around.at(v);
+    Ring ring;
+    int face = around.front();
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const ivec3& f = mesh_.faces()[at(face)];
+      const int c = corner_of(f, v), left = f[(c + 2) % 3];
+      ring.faces.push_back(face);
+      ring.ends.push_back(f[(c + 1) % 3]);
+      const auto next = std::find_if(around.begin(), around.end(), [&](int g) {
+        const ivec3& other = mesh_.faces()[at(g)];
+        return other[(corner_of(other, v) + 1) % 3] == left;
+      });
+      if (next == around.end()) return {};
+      face = *next;
+    }
+    return face == around.front() ? ring : Ring{};
+  }
+
+  /// The spoke that lies best opposite to a crease that ends here, or -1: where the legs beside it part, not cross.
+  int opposite_spoke(int v, const Ring& ring, int crease) const {
+    const auto n = static_cast<int>(ring.faces.size());
+    const auto normal = [&](int i) { return mesh_.face_normals()[at(ring.faces[at((i + n) % n)])]; };
+    const dvec3 away = -glm::normalize(normal(crease) + normal(crease - 1));
+    int best = -1;
+    double most = 0.5;
+    for (int i = 0; i < n; ++i) {
+      if (i == crease || angle_between(normal(i), normal(i - 1)) > kFlat) continue;
+      const double along =
+          glm::dot(away, glm::normalize(mesh_.vertices()[at(ring.ends[at(i)])] - mesh_.vertices()[at(v)]));
+      if (along > most) {
+        most = along;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  /// A leg of this direction, measured against the faces given.
+  PadDirection direction_between(const dvec3& direction, std::span<const int> faces) const {
+    PadDirection leg{direction, 1};
+    for (const int f : faces)
+      leg.least_cosine = std::min(leg.least_cosine, -glm::dot(direction, mesh_.face_normals()[at(f)]));
+    return leg;
+  }
+
+  /// How the faces around a vertex are parted: group k lies between the spokes cuts[k] and cuts[k + 1]; fans[k] leads
+  /// from group k - 1 to group k. Two cuts have one fan.
+  struct Parting {
+    std::vector<int> cuts;  ///< other ends of the spokes
+    std::vector<std::vector<int>> groups;
+    std::vector<PadDirection> inward;
+    std::vector<std::vector<dvec3>> fans;
+  };
+
+  void split(int v, const std::vector<int>& ends) {
+    const Ring ring = ring_of(v);
+    const int n = static_cast<int>(ring.faces.size());
+    std::vector<int> spokes;
+    for (int i = 0; i < n; ++i) {
+      if (std::find(ends.begin(), ends.end(), ring.ends[at(i)]) != ends.end()) spokes.push_back(i);
+    }
+    if (spokes.empty()) return;
+    const int crease = ring.ends[at(spokes[0])];
+    if (spokes.size() == 1) {
+      const int opposite = opposite_spoke(v, ring, spokes[0]);
+      if (opposite < 0) return;
+      spokes.push_back(opposite);
+      std::sort(spokes.begin(), spokes.end());
+    }
+    Parting parting;
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
+      const int end = k + 1 < spokes.size() ? spokes[k + 1] : spokes[0] + n;
+      parting.cuts.push_back(ring.ends[at(spokes[k])]);
+      parting.groups.emplace_back();
+      for (int i = spokes[k]; i < end; ++i) parting.groups.back().push_back(ring.faces[at(i % n)]);
+      parting.inward.push_back(pad_direction(mesh_, v, parting.groups.back()));
+    }
+    const std::size_t fans = spokes.size() == 2 ? 1 : spokes.size();
+    for (std::size_t k = 0; k < fans; ++k) {
+      const int end = fans == 1 ? crease : parting.cuts[k];
+      const dvec3 edge = glm::normalize(mesh_.vertices()[at(end)] - mesh_.vertices()[at(v)]);
+      const std::size_t before = (k + spokes.size() - 1) % spokes.size();
+      parting.fans.push_back(fan(parting.inward[before].direction, parting.inward[k].direction, edge));
+    }
+    if (goes_inward(v, parting)) add_legs(v, parting);
+  }
+
+  /// Directions strictly between two, kFanStep apart at most. They turn about the edge: so what both have along it, the
+  /// depth below a face across it for one, the directions between have too.
+  static std::vector<dvec3> fan(const dvec3& from, const dvec3& to, const dvec3& edge) {
+    constexpr double kLeastAcross = 0.1;
+    const dvec3 along(glm::dot(from, edge), glm::dot(to, edge), 0);
+    dvec3 p = from - along.x * edge, q = to - along.y * edge;
+    const double p_length = glm::length(p), q_length = glm::length(q);
+    if (p_length < kLeastAcross || q_length < kLeastAcross) return {};
+    p /= p_length;
+    q /= q_length;
+    const double angle = angle_between(p, q), first = along.x / p_length, last = along.y / q_length;
+    const int steps = std::max(1, static_cast<int>(std::ceil(angle / kFanStep - 1e-9)));
+    std::vector<dvec3> directions;
+    for (int i = 1; i < steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      const dvec3 across = (std::sin((1 - t) * angle) * p + std::sin(t * angle) * q) / std::sin(angle);
+      directions.push_back(glm::normalize(across + ((1 - t) * first + t * last) * edge));
+    }
+    return directions;
+  }
+
+  /// Whether every leg leads below all faces that it has to do with, and no leg of a group is worse than the common
+  /// one.
+  bool goes_inward(int v, const Parting& parting) const {
+    const double common = legs_.inward[at(v)].least_cosine;
+    for (const PadDirection& inward : parting.inward) {
+      if (inward.least_cosine < std::max(kLeastCosine, common)) return false;
+    }
+    for (const std::vector<dvec3>& fan : parting.fans) {
+      for (const dvec3& d : fan) {
+        if (direction_between(d, creases_.around.at(v)).least_cosine < kLeastCosine) return false;
+      }
+    }
+    return true;
+  }
+
+  int add_leg(int v, const PadDirection& inward) {
+    legs_.skin.push_back(v);
+    legs_.inward.push_back(inward);
+    return static_cast<int>(legs_.skin.size()) - 1;
+  }
+
+  void add_legs(int v, const Parting& parting) {
+    const std::size_t count = parting.groups.size();
+    std::vector<int> leg;  // of each group; the first one keeps the vertex's own
+    legs_.inward[at(v)] = parting.inward[0];
+    for (std::size_t k = 0; k < count; ++k) {
+      leg.push_back(k == 0 ? v : add_leg(v, parting.inward[k]));
+      for (const int f : parting.groups[k]) legs_.of_face[at(f)][corner_of(mesh_.faces()[at(f)], v)] = leg[k];
+    }
+    std::vector<std::vector<int>> chains;  // at cut k from group k - 1 to group k
+    for (std::size_t k = 0; k < parting.fans.size(); ++k) {
+      chains.push_back({leg[(k + count - 1) % count]});
+      for (const dvec3& d : parting.fans[k])
+        chains[k].push_back(add_leg(v, direction_between(d, creases_.around.at(v))));
+      chains[k].push_back(leg[k]);
+    }
+    if (count == 2) chains.emplace_back(chains[0].rbegin(), chains[0].rend());
+    for (std::size_t k = 0; k < count; ++k) {
+      chains_[{v, parting.cuts[k]}] = chains[k];
+      cut_edges_.insert(std::minmax(v, parting.cuts[k]));
+    }
+    if (count > 2) add_cone(v, parting, chains);
+  }
+
+  void add_cone(int v, const Parting& parting, const std::vector<std::vector<int>>& chains) {
+    PadCone cone{v, -1, {}};
+    dvec3 middle{0};
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+      middle += parting.inward[k].direction;
+      cone.rim.insert(cone.rim.end(), chains[k].begin() + 1, chains[k].end());  // the first ends the chain before
+    }
+    cone.center = add_leg(v, direction_between(glm::normalize(middle), creases_.around.at(v)));
+    legs_.cones.push_back(std::move(cone));
+  }
+
+  int face_with(int from, int to) const {
+    for (const int v : {from, to}) {
+      const auto entry = creases_.around.find(v);
+      if (entry == creases_.around.end()) continue;
+      for (const int f : entry->second) {
+        const ivec3& face = mesh_.faces()[at(f)];
+        const int c = corner_of(face, from);
+        if (face[c] == from && face[(c + 1) % 3] == to) return f;
+      }
+    }
+    return -1;
+  }
+
+  void add_wedge(int u, int v) {
+    const int left = face_with(u, v), right = face_with(v, u);
+    if (left < 0 || right < 0) return;
+    const auto legs_at = [&](int vertex, int other, bool turned) {
+      const auto chain = chains_.find({vertex, other});
+      if (chain == chains_.end())
+        return std::vector<int>{legs_.of_face[at(left)][corner_of(mesh_.faces()[at(left)], vertex)]};
+      std::vector<int> legs = chain->second;
+      if (turned) std::reverse(legs.begin(), legs.end());
+      return legs;
+    };
+    // Counter-clockwise around u the face on the right comes before the one on the left, around v after it.
+    PadWedge wedge{u, v, legs_at(u, v, true), legs_at(v, u, false)};
+    if (wedge.at_u.size() > 1 || wedge.at_v.size() > 1) legs_.wedges.push_back(std::move(wedge));
+  }
+
+  const TriMesh& mesh_;
+  const PadCreases& creases_;
+  PadLegs legs_;
+  std::map<std::pair<int, int>, std::vector<int>> chains_;  ///< split vertex and other end of a cut edge -> legs
+  std::set<std::pair<int, int>> cut_edges_;
+};
+
+}  // namespace
+
+PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>& directions, double shortest) {
+  // The ends of a crease see normals that far apart: no direction is nearer to all of them than half of that.
+  const double most_cosine = std::cos(0.5 * kCrease) + 1e-9;
+  std::vector<std::array<int, 4>> sides;  // low, high, face, opposite vertex
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const ivec3& face = mesh.faces()[at(f)];
+    for (int c = 0; c < 3; ++c) {
+      const int a = face[c], b = face[(c + 1) % 3];
+      if (directions[at(a)].least_cosine > most_cosine || directions[at(b)].least_cosine > most_cosine) continue;
+      sides.push_back({std::min(a, b), std::max(a, b), f, face[(c + 2) % 3]});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  PadCreases creases;
+  std::set<int> too_short;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const auto& [low, high, face, opposite] = sides[i];
+    const auto& [other_low, other_high, other_face, other_opposite] = sides[i + 1];
+    if (low != other_low || high != other_high) continue;
+    const dvec3 &n = mesh.face_normals()[at(face)], &m = mesh.face_normals()[at(other_face)];
+    const dvec3 &a = mesh.vertices()[at(low)], &b = mesh.vertices()[at(high)];
+    if (!(glm::dot(n, mesh.vertices()[at(other_opposite)] - a) > 0) || angle_between(n, m) < kCrease) continue;
+    creases.ends[low].push_back(high);
+    creases.ends[high].push_back(low);
+    if (glm::distance(a, b) < shortest) too_short.insert({low, high});
+  }
+  for (const int v : too_short) creases.ends.erase(v);
+  for (const auto& [v, ends] : creases.ends) creases.around.try_emplace(v);
+  for (int f = 0; f < mesh.face_count() && !creases.around.empty(); ++f) {
+    for (int c = 0; c < 3; ++c) {
+      const auto entry = creases.around.find(mesh.faces()[at(f)][c]);
+      if (entry != creases.around.end()) entry->second.push_back(f);
+    }
+  }
+  return creases;
+}
+
+PadLegs make_pad_legs(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
+                      const std::vector<char>& whole) {
+  return LegMaker(mesh, directions, creases).make(whole);
+}
+
+std::vector<ivec4> gap_tets(const PadWedge& wedge, const std::vector<int>& ends) {
+  std::vector<int> at_u, at_v;
+  for (const int leg : wedge.at_u) at_u.push_back(ends[at(leg)]);
+  for (const int leg : wedge.at_v) at_v.push_back(ends[at(leg)]);
+  std::vector<ivec4> tets;
+  split_wedge(wedge.u, wedge.v, std::move(at_u), std::move(at_v), tets);
+  return tets;
+}
+
+std::vector<ivec4> gap_tets(const PadCone& cone, const std::vector<int>& ends) {
+  std::vector<ivec4> tets;
+  for (const ivec3& f : gap_floor(cone)) {
+    const int b = ends[at(f[0])], middle = ends[at(f[1])], a = ends[at(f[2])];
+    if (a != b && a != cone.v && b != cone.v && middle != cone.v) tets.emplace_back(cone.v, b, a, middle);
+  }
+  return tets;
+}
+
+std::vector<ivec3> gap_floor(const PadWedge& wedge) {
+  return wedge_floor(wedge.u, wedge.v, wedge.at_u, wedge.at_v);
+}
+
+std::vector<ivec3> gap_floor(const PadCone& cone) {
+  std::vector<ivec3> floor;
+  for (std::size_t i = 0; i < cone.rim.size(); ++i)
+    floor.emplace_back(cone.rim[(i + 1) % cone.rim.size()], cone.center, cone.rim[i]);
+  return floor;
+}
+
+}  // namespace taxel

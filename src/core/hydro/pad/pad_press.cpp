@@ -1,0 +1,139 @@
+#include "core/hydro/pad/pad_press.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/base/index.h"
+#include "core/base/parallel.h"
+#include "core/base/rng.h"
+#include "core/hydro/pad/pad_pressures.h"
+
+namespace taxel {
+namespace {
+
+constexpr int kPoints = 1024;
+/// Depths of the presses in thicknesses. The last one is that of the core but for rounding.
+constexpr std::array<double, 4> kParts{0.1, 0.25, 0.5, 1.0};
+constexpr double kRounding = 1e-9;
+/// Number of depths, from the first on, at which the pressure is compared with the distance to the skin.
+constexpr std::size_t kCompared = 2;
+
+/// Areas of all faces up to each one [m^2].
+std::vector<double> areas_up_to(const PressureField& field, const std::vector<SkinFace>& faces) {
+  std::vector<double> area_to;
+  double area = 0;
+  for (const SkinFace& face : faces) {
+    const ivec4& v = field.tets()[at(face.tet)].vertices;
+    const auto corner = [&](int k) { return field.vertices()[at(v[(face.corner + k) % 4])]; };
+    area += 0.5 * glm::length(glm::cross(corner(2) - corner(1), corner(3) - corner(1)));
+    area_to.push_back(area);
+  }
+  return area_to;
+}
+
+/// Evenly distributed over a face.
+dvec3 random_point(const PressureField& field, const SkinFace& face, double u, double v) {
+  const ivec4& vertices = field.tets()[at(face.tet)].vertices;
+  const auto corner = [&](int k) { return field.vertices()[at(vertices[(face.corner + k) % 4])]; };
+  const double root = std::sqrt(u);
+  return (1 - root) * corner(1) + root * (1 - v) * corner(2) + root * v * corner(3);
+}
+
+}  // namespace
+
+std::vector<SkinFace> skin_faces(const PressureField& field) {
+  std::vector<SkinFace> faces;
+  for (int t = 0; t < static_cast<int>(field.tets().size()); ++t) {
+    for (int i = 0; i < 4; ++i) {
+      if (field.is_skin(field.tets()[at(t)], i)) faces.push_back({t, i});
+    }
+  }
+  return faces;
+}
+
+void pressures_below(const PressureField& field, const SkinFace& face, const dvec3& x, std::span<const double> depths,
+                     std::span<double> pressures) {
+  std::fill(pressures.begin(), pressures.end(), -1.0);
+  const dvec3 inward = field.tets()[at(face.tet)].normal[at(face.corner)];
+  std::size_t next = 0;
+  // A line crosses each tet once; rounding at edges must not lead it round in a circle.
+  int t = face.tet, entry = face.corner;
+  for (std::size_t steps = 0; t >= 0 && steps < field.tets().size(); ++steps) {
+    const Tet& tet = field.tets()[at(t)];
+    double leaves = std::numeric_limits<double>::infinity();
+    int exit = -1;
+    for (int i = 0; i < 4; ++i) {
+      const double along = glm::dot(tet.normal[at(i)], inward);
+      if (i == entry || !(along < 0)) continue;
+      const double s = -(glm::dot(tet.normal[at(i)], x) + tet.offset[at(i)]) / along;
+      if (s >= leaves) continue;
+      leaves = s;
+      exit = i;
+    }
+    for (; next < depths.size() && depths[next] <= leaves; ++next) {
+      pressures[next] = std::max(0.0, glm::dot(tet.gradient, x + depths[next] * inward) + tet.constant);
+    }
+    if (next == depths.size() || exit < 0 || tet.neighbour[exit] < 0) break;
+    const ivec4& back = field.tets()[at(tet.neighbour[exit])].neighbour;
+    for (int i = 0; i < 4; ++i) entry = back[i] == t ? i : entry;
+    t = tet.neighbour[exit];
+  }
+}
+
+std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const PressureField& field, double modulus,
+                                                  double thickness) {
+  const std::vector<SkinFace> faces = skin_faces(field);
+  if (faces.empty()) return {};
+  const std::vector<double> area_to = areas_up_to(field, faces);
+  const double covered = area_to.back() / index.mesh().area();
+  std::array<double, kParts.size()> depths{};
+  for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = kParts[k] * thickness * (1 - kRounding);
+  const CounterRng rng(2);
+  struct Felt {
+    std::array<double, kParts.size()> pressure;
+    std::array<double, kCompared> ratio;  ///< pressure over E depth/H; 0 if the point is left out
+  };
+  std::vector<Felt> felt(kPoints);
+  constexpr int kChunk = 64;
+  parallel_chunks(kPoints, kChunk, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const auto n = 3 * static_cast<std::uint64_t>(i);
+      const double share = (i + rng.uniform(n)) / kPoints * area_to.back();
+      const auto found = std::upper_bound(area_to.begin(), area_to.end() - 1, share);
+      const SkinFace& face = faces[static_cast<std::size_t>(found - area_to.begin())];
+      const dvec3 x = random_point(field, face, rng.uniform(n + 1), rng.uniform(n + 2));
+      Felt& own = felt[at(i)];
+      pressures_below(field, face, x, depths, own.pressure);
+      for (std::size_t k = 0; k < kCompared; ++k) {
+        own.ratio[k] = 0;
+        if (own.pressure[k] < 0) continue;
+        const dvec3 y = x + depths[k] * field.tets()[at(face.tet)].normal[at(face.corner)];
+        const double depth = depth_inside(index, y, depths[k]);
+        if (depth >= 0.5 * depths[k]) own.ratio[k] = own.pressure[k] * thickness / (modulus * depth);
+      }
+    }
+  });
+  std::vector<FieldReport::PressError> errors;
+  for (std::size_t k = 0; k < kParts.size(); ++k) {
+    FieldReport::PressError error;
+    error.part = kParts[k];
+    double count = 0, sum = 0, squares = 0, reached = 0;
+    for (const Felt& own : felt) {
+      reached += own.pressure[k] >= 0 ? 1 : 0;
+      if (k >= kCompared || own.ratio[k] == 0) continue;
+      count += 1;
+      sum += own.ratio[k];
+      squares += own.ratio[k] * own.ratio[k];
+    }
+    error.without_tets = std::max(0.0, 1 - covered * reached / kPoints);
+    if (count > 0) {
+      error.mean = sum / count;
+      error.deviation = std::sqrt(std::max(0.0, squares / count - error.mean * error.mean));
+    }
+    errors.push_back(error);
+  }
+  return errors;
+}
+
+}  // namespace taxel

@@ -1,0 +1,357 @@
+#include "core/hydro/pad/pad_shape.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/hydro/fields/prism.h"
+
+namespace taxel {
+namespace {
+
+/// Where the body is thin, a pad takes this part of the way to the medial axis.
+constexpr double kThinMargin = 0.9;
+/// A mitre is at most this times as long as the thickness.
+constexpr double kLongestMitre = 2.0;
+/// Creases with a shorter edge than this part of the thickness are not split.
+constexpr double kShortestCrease = 0.5;
+/// Offsets of neighbours differ at most by this times their distance.
+constexpr double kLargestSlope = 1.5;
+/// Below this part it counts as folded; not zero, because planes of flatter tets are rounding.
+constexpr double kFoldedVolume = 1e-4;
+/// Folded prisms shrink by this, at most so often (to a ten thousandth).
+constexpr double kShrink = 0.8;
+constexpr int kShrinkRounds = 40;
+
+}  // namespace
+
+PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coarse)
+    : index_(index), mesh_(index.mesh()), thickness_(thickness) {
+  if (coarse != nullptr) {
+    legs_ = coarse->legs_;
+    vertices_of_legs_ = coarse->mesh_.vertex_count();
+    own_ = coarse->own_;
+  }
+  // Vertices around which the gaps between parted faces fold are kept whole; after some rounds all are. Most folds show
+  // before the offsets are fitted to each other.
+  constexpr int kRounds = 6;
+  const std::vector<PadDirection> directions = pad_directions(mesh_);
+  const PadCreases creases = find_pad_creases(mesh_, directions, kShortestCrease * thickness_);
+  std::vector<char> whole(mesh_.vertices().size(), 0);
+  for (int round = 0;; ++round) {
+    if (round == kRounds) whole.assign(whole.size(), 1);
+    set_legs(make_pad_legs(mesh_, directions, creases, whole));
+    if (find_folded_gaps(whole)) continue;
+    fit();
+    if (!find_folded_gaps(whole)) break;
+  }
+  set_depths(coarse);
+}
+
+/// Legs that went the same way in the last round have the same offset, before they are made to fit their neighbours.
+void PadShape::reuse_offsets(const PadLegs& last, int last_vertices, const std::vector<OwnOffset>& own) {
+  std::map<int, std::vector<int>> further;  // skin vertex -> its legs after the first
+  for (int leg = last_vertices; leg < static_cast<int>(last.skin.size()); ++leg)
+    further[last.skin[at(leg)]].push_back(leg);
+  const auto reuse = [&](int leg, int old) {
+    if (last.inward[at(old)].direction != legs_.inward[at(leg)].direction ||
+        last.inward[at(old)].least_cosine != legs_.inward[at(leg)].least_cosine)
+      return;
+    own_[at(leg)] = own[at(old)];
+  };
+  for (int leg = 0; leg < leg_count() && !own.empty(); ++leg) {
+    if (leg < mesh_.vertex_count()) {
+      if (leg < last_vertices) reuse(leg, leg);
+      continue;
+    }
+    const auto entry = further.find(legs_.skin[at(leg)]);
+    if (entry == further.end()) continue;
+    for (const int old : entry->second) reuse(leg, old);
+  }
+}
+
+/// Takes the legs and finds what each may be by itself.
+void PadShape::set_legs(PadLegs legs) {
+  const PadLegs last = std::exchange(legs_, std::move(legs));
+  const std::vector<OwnOffset> known = std::exchange(own_, std::vector<OwnOffset>(legs_.skin.size()));
+  reuse_offsets(last, std::exchange(vertices_of_legs_, mesh_.vertex_count()), known);
+  constexpr int kChunk = 64;
+  parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+    dvec3 obstacle(std::numeric_limits<double>::infinity());
+    for (int leg = begin; leg < end; ++leg) {
+      if (!own_[at(leg)].known) own_[at(leg)] = find_own_offset(leg, obstacle);
+    }
+  });
+  offset_.clear();
+  depth_.clear();
+  pinched_.clear();
+  for (const OwnOffset& own : own_) {
+    offset_.push_back(own.offset);
+    depth_.push_back(own.depth);
+    pinched_.push_back(own.pinched);
+  }
+}
+
+void PadShape::fit() {
+  gather_faces();
+  shortened_.resize(legs_.skin.size());
+  std::iota(shortened_.begin(), shortened_.end(), 0);
+  smooth();
+  shrink_crossing();
+  shrink_folded();
+  pinch_folded();
+  lower_fans();
+}
+
+void PadShape::gather_faces() {
+  first_face_.assign(legs_.skin.size() + 1, 0);
+  for (const ivec3& f : legs_.of_face) {
+    for (int c = 0; c < 3; ++c) ++first_face_[at(f[c]) + 1];
+  }
+  for (std::size_t v = 1; v < first_face_.size(); ++v) first_face_[v] += first_face_[v - 1];
+  faces_at_.resize(3 * mesh_.faces().size());
+  steepest_.resize(faces_at_.size());
+  std::vector<int> next(first_face_.begin(), first_face_.end() - 1);
+  for (int f = 0; f < mesh_.face_count(); ++f) {
+    for (int c = 0; c < 3; ++c) {
+      faces_at_[at(next[at(leg(f, c))]++)] = f;
+      steepest_[at(3 * f + c)] = kLargestSlope * glm::distance(mesh_.vertex(f, c), mesh_.vertex(f, (c + 1) % 3));
+    }
+  }
+}
+
+std::span<const int> PadShape::faces_around(int leg) const {
+  return {faces_at_.data() + first_face_[at(leg)], faces_at_.data() + first_face_[at(leg) + 1]};
+}
+
+/// The largest offset up to `most` at which the inner vertex is still owned by its own part of the skin, with its depth
+/// there; 0 where there is none. Shrinking balls (Ma, Bae, Choi 2012): the ball about the inner vertex whose radius is
+/// the least depth asked for, s h, must hold no point of the skin. Where it holds q, the ball is shrunk until q lies on
+/// it: |v + h d - q| = s h. `obstacle`: the last such point, of any leg; it often stands in the way of the next one
+/// too, which spares the first and largest ball.
+double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle) const {
+  constexpr int kMostBalls = 30;
+  constexpr double kLeastOffset = 1e-3, kTouching = 5e-3;
+  const dvec3& direction = legs_.inward[at(leg)].direction;
+  const double s = kOwnDepth * legs_.inward[at(leg)].least_cosine;
+  // (1 - s^2) h^2 + 2 (w d) h + w^2 = 0 with w = v - q; its smaller root, in the form that loses no digits.
+  const auto shrunk = [&](const dvec3& q, double h) {
+    const dvec3 w = skin(leg) - q;
+    const double half_b = glm::dot(w, direction), c = glm::dot(w, w);
+    const double root = half_b * half_b - (1 - s * s) * c;
+    const double next = root > 0 && half_b < 0 ? c / (std::sqrt(root) - half_b) : 0.5 * h;
+    return std::min(next, 0.999 * h);  // beyond another wall no ball touches: step back
+  };
+  const bool known = glm::distance(moved(leg, most), obstacle) < s * most;
+  double h = known ? shrunk(obstacle, most) : most;
+  for (int i = known ? 1 : 0; i < kMostBalls && h > kLeastOffset * most; ++i) {
+    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // its own vertex is as near as that
+    depth = -q.signed_distance;
+    if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
+    obstacle = q.point.position;
+    h = shrunk(obstacle, h);
+  }
+  depth = 0;
+  return 0;
+}
+
+/// The largest offset up to where the depth is H, that does not cross the medial axis.
+PadShape::OwnOffset PadShape::find_own_offset(int leg, dvec3& obstacle) const {
+  OwnOffset own;
+  own.known = true;
+  own.full = thickness_;
+  const double least_cosine = legs_.inward[at(leg)].least_cosine;
+  if (least_cosine < kEdgeOn) {  // no direction leads inside
+    own.pinched = 1;
+    return own;
+  }
+  // No point of the body is deeper than half its smallest extent.
+  const dvec3 extent = mesh_.bounds().extent();
+  double most = std::min(thickness_, 0.5 * std::min({extent.x, extent.y, extent.z}));
+  // A ball of less than half the offset could pass a wall between: look half way first.
+  constexpr double kNarrow = 0.5;
+  double h = most;
+  if (least_cosine < kNarrow) h = own_offset(leg, 0.5 * most, own.depth, obstacle);
+  if (h >= 0.5 * most) h = own_offset(leg, most, own.depth, obstacle);
+  if (h == thickness_ && own.depth < 0.99 * thickness_) {
+    // A ridge loses depth along its bisector: go as much farther as its faces' angles say (a mitre).
+    most = own.full = thickness_ * std::min(thickness_ / own.depth, kLongestMitre);
+    h = own_offset(leg, most, own.depth, obstacle);
+  }
+  own.offset = h;
+  if (h < most) {
+    own.offset = kThinMargin * h;
+    own.depth = -1;
+  }
+  return own;
+}
+
+void PadShape::shorten(int leg, double offset) {
+  offset_[at(leg)] = offset;
+  depth_[at(leg)] = -1;
+}
+
+/// Lowers offsets until no edge is steeper than allowed. Pinched vertices are no bound: tets may stand upright there.
+void PadShape::smooth() {
+  while (!shortened_.empty()) {
+    const int low = shortened_.back();
+    shortened_.pop_back();
+    if (pinched_[at(low)]) continue;
+    for (const int f : faces_around(low)) {
+      const ivec3& face = legs_.of_face[at(f)];
+      const int c = face.x == low ? 0 : face.y == low ? 1 : 2, before = (c + 2) % 3;
+      const std::array<std::pair<int, double>, 2> beside{
+          {{face[(c + 1) % 3], steepest_[at(3 * f + c)]}, {face[before], steepest_[at(3 * f + before)]}}};
+      for (const auto& [high, steepest] : beside) {
+        // Each change moves at least by a part of the thickness: the loop ends.
+        if (offset_[at(high)] <= offset_[at(low)] + steepest + 1e-6 * thickness_) continue;
+        shorten(high, offset_[at(low)] + steepest);
+        shortened_.push_back(high);
+      }
+    }
+  }
+}
+
+dvec3 PadShape::position(int vertex) const {
+  const int n = mesh_.vertex_count();
+  return vertex < n ? mesh_.vertices()[at(vertex)] : inner_position(vertex - n);
+}
+
+/// Whether all corners' offsets go below the face; if not, no offset is short enough.
+bool PadShape::can_be_filled(int face) const {
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t own = at(leg(face, c));
+    const double cosine = -glm::dot(mesh_.face_normals()[at(face)], legs_.inward[own].direction);
+    if (!pinched_[own] && cosine < kEdgeOn) return false;
+  }
+  return true;
+}
+
+PrismTets PadShape::prism(int face) const {
+  const ivec3& f = mesh_.faces()[at(face)];
+  return split_prism(f, {inner(leg(face, 0)), inner(leg(face, 1)), inner(leg(face, 2))}, f);
+}
+
+/// Whether every tet has at least `part` of the prism's third, taken with the shortest offset around the face.
+bool PadShape::well_shaped(int face, double part) const {
+  double h = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t own = at(leg(face, c));
+    if (!pinched_[own]) h = std::min(h, offset_[own]);
+  }
+  const PrismTets prism_tets = prism(face);
+  for (int i = 0; i < prism_tets.count; ++i) {
+    const ivec4& t = prism_tets.tets[at(i)];
+    const double six = six_volumes({position(t[0]), position(t[1]), position(t[2]), position(t[3])});
+    if (!(six > part * 2.0 * mesh_.face_areas()[at(face)] * h)) return false;
+  }
+  return true;
+}
+
+/// Shortens the offsets of folded prisms until none is folded, or so often. A face is looked at again only where an
+/// offset around it changed.
+void PadShape::shrink_folded() {
+  std::vector<int> suspects(mesh_.faces().size());
+  std::iota(suspects.begin(), suspects.end(), 0);
+  std::vector<char> folded(offset_.size(), 0), suspected(mesh_.faces().size(), 0);
+  for (int round = 0; round < kShrinkRounds && !suspects.empty(); ++round) {
+    std::vector<int> corners;
+    for (const int f : suspects) {
+      if (!can_be_filled(f) || well_shaped(f, kLeastVolume)) continue;
+      for (int c = 0; c < 3; ++c) {
+        const int own = leg(f, c);
+        if (!std::exchange(folded[at(own)], 1)) corners.push_back(own);
+      }
+    }
+    const std::vector<double> before = offset_;
+    for (const int own : corners) {
+      folded[at(own)] = 0;
+      shorten(own, kShrink * offset_[at(own)]);
+      shortened_.push_back(own);
+    }
+    smooth();
+    suspects.clear();
+    for (int own = 0; own < leg_count(); ++own) {
+      if (offset_[at(own)] == before[at(own)]) continue;
+      for (const int f : faces_around(own)) {
+        if (!std::exchange(suspected[at(f)], 1)) suspects.push_back(f);
+      }
+    }
+    for (const int f : suspects) suspected[at(f)] = 0;
+  }
+}
+
+/// Legs that fan out below an edge are no longer than the longest of those that belong to faces.
+void PadShape::lower_fans() {
+  const auto lower = [&](const std::vector<int>& fan, double most) {
+    for (const int own : fan) {
+      if (faces_around(own).empty() && offset_[at(own)] > most) shorten(own, most);
+      if (faces_around(own).empty() && !(most > 0)) pinched_[at(own)] = 1;
+    }
+  };
+  for (const PadWedge& wedge : legs_.wedges) {
+    for (const std::vector<int>* fan : {&wedge.at_u, &wedge.at_v})
+      lower(*fan, std::max(offset_[at(fan->front())], offset_[at(fan->back())]));
+  }
+  for (const PadCone& cone : legs_.cones) {
+    double most = 0;
+    for (const int own : cone.rim) most = std::max(most, offset_[at(own)]);
+    lower({cone.center}, most);
+  }
+}
+
+std::vector<int> PadShape::ends() const {
+  std::vector<int> numbers(legs_.skin.size());
+  for (int own = 0; own < leg_count(); ++own) numbers[at(own)] = inner(own);
+  return numbers;
+}
+
+/// Marks the vertices whose gaps have a tet of no or negative volume; whether there are any.
+bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
+  bool any = false;
+  const std::vector<int> inner_ends = ends();
+  const auto folded = [&](const ivec4& t) {
+    return is_flat({position(t[0]), position(t[1]), position(t[2]), position(t[3])});
+  };
+  const auto check = [&](const std::vector<ivec4>& some, std::initializer_list<int> vertices) {
+    if (std::none_of(some.begin(), some.end(), folded)) return;
+    for (const int v : vertices) any = std::exchange(whole[at(v)], 1) == 0 || any;
+  };
+  for (const PadWedge& wedge : legs_.wedges) check(gap_tets(wedge, inner_ends), {wedge.u, wedge.v});
+  for (const PadCone& cone : legs_.cones) check(gap_tets(cone, inner_ends), {cone.v});
+  if (!any) return false;
+  // What they end on would fold next.
+  const std::vector<char> marked = whole;
+  for (const PadWedge& wedge : legs_.wedges) {
+    if (marked[at(wedge.u)] || marked[at(wedge.v)]) whole[at(wedge.u)] = whole[at(wedge.v)] = 1;
+  }
+  return true;
+}
+
+/// Depths of the inner vertices that moved after their offset was found; from a coarse shape where it has the same.
+void PadShape::set_depths(const PadShape* coarse) {
+  const int shared = coarse == nullptr ? 0 : coarse->mesh_.vertex_count();
+  const auto is_shared = [&](int own) {
+    return own < shared && coarse->offset_[at(own)] == offset_[at(own)] &&
+           coarse->legs_.inward[at(own)].direction == legs_.inward[at(own)].direction;
+  };
+  const auto find_depth = [&](int own) {
+    if (pinched_[at(own)]) return 0.0;
+    if (is_shared(own)) return coarse->depth_[at(own)];
+    return std::max(0.0, -index_.signed_point(inner_position(own), offset_[at(own)]).signed_distance);
+  };
+  constexpr int kChunk = 64;
+  parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+    for (int own = begin; own < end; ++own) {
+      if (depth_[at(own)] < 0) depth_[at(own)] = find_depth(own);
+    }
+  });
+}
+
+PrismTets PadShape::tets(int face) const {
+  return can_be_filled(face) && well_shaped(face, kFoldedVolume) ? prism(face) : PrismTets{};
+}
+
+}  // namespace taxel

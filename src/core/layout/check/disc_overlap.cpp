@@ -1,0 +1,86 @@
+#include "core/layout/check/disc_overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/layout/field/point_grid.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kLeastCosine = std::numbers::sqrt2 / 2;  // of the angle between two normals that see the same
+
+/// Two discs that share half of the larger one are nearer to each other than the radius of the larger one.
+constexpr double kReach = 1.0;
+
+/// Nearer than this part of the radius, two taxels are the same place written twice, which another check says.
+constexpr double kSamePlace = 1e-6;
+
+bool comparable(const Taxel& taxel) {
+  return is_finite(taxel.center) && is_finite(taxel.normal) && glm::length(taxel.normal) > 0 && taxel.radius > 0 &&
+         std::isfinite(taxel.radius);
+}
+
+/// The taxels to compare: well formed, one for each place.
+std::vector<std::size_t> places_of(const std::vector<Taxel>& taxels) {
+  std::set<std::array<double, 3>> taken;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const dvec3& c = taxels[i].center;
+    if (comparable(taxels[i]) && taken.insert({c.x, c.y, c.z}).second) places.push_back(i);
+  }
+  return places;
+}
+
+double middle_radius(const std::vector<Taxel>& taxels, const std::vector<std::size_t>& places) {
+  std::vector<double> radii;
+  for (const std::size_t i : places) radii.push_back(taxels[i].radius);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+}  // namespace
+
+double disc_overlap(double radius, double other_radius, double distance) {
+  const double r = std::min(radius, other_radius), R = std::max(radius, other_radius), d = distance;
+  if (d >= r + R) return 0;
+  if (d <= R - r) return r * r / (R * R);
+  // A = r^2 acos((d^2 + r^2 - R^2) / 2dr) + R^2 acos((d^2 + R^2 - r^2) / 2dR) - sqrt(...) / 2.
+  const double of_r = std::clamp((d * d + r * r - R * R) / (2 * d * r), -1.0, 1.0);
+  const double of_R = std::clamp((d * d + R * R - r * r) / (2 * d * R), -1.0, 1.0);
+  const double kite = (-d + r + R) * (d + r - R) * (d - r + R) * (d + r + R);
+  const double area = r * r * std::acos(of_r) + R * R * std::acos(of_R) - 0.5 * std::sqrt(std::max(kite, 0.0));
+  return area / (std::numbers::pi * R * R);
+}
+
+std::vector<OverlappingTaxels> overlapping_taxels(const std::vector<Taxel>& taxels, double least) {
+  const std::vector<std::size_t> places = places_of(taxels);
+  if (places.size() < 2) return {};
+  std::vector<dvec3> centers;
+  for (const std::size_t i : places) centers.push_back(taxels[i].center);
+  const PointGrid grid(centers, kReach * middle_radius(taxels, places));
+  std::vector<OverlappingTaxels> found;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Taxel& taxel = taxels[places[k]];
+    OverlappingTaxels first{places[k], places[k], 0};
+    grid.visit_near(taxel.center, kReach * taxel.radius, [&](int neighbour) {
+      const std::size_t j = places[static_cast<std::size_t>(neighbour)];
+      if (j >= first.earlier) return;
+      const Taxel& other = taxels[j];
+      const double away = glm::distance(taxel.center, other.center);
+      const double part = disc_overlap(taxel.radius, other.radius, away);
+      if (!(part > least) || away <= kSamePlace * std::max(taxel.radius, other.radius)) return;
+      if (glm::dot(glm::normalize(taxel.normal), glm::normalize(other.normal)) < kLeastCosine) return;
+      first.earlier = j;
+      first.part = part;
+    });
+    if (first.earlier != first.taxel) found.push_back(first);
+  }
+  return found;
+}
+
+}  // namespace taxel

@@ -1,0 +1,264 @@
+#include "core/layout/check/layout_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+
+#include "core/base/angle.h"
+#include "core/base/limits.h"
+#include "core/layout/check/disc_overlap.h"
+#include "core/layout/check/value_check.h"
+#include "core/layout/words.h"
+
+namespace taxel {
+namespace {
+
+void check_repair(const RepairRecipe& recipe, Check& check) {
+  for (const RepairNumber& number : kRepairNumbers) {
+    if (const std::optional<double>& value = recipe.*number.value)
+      check.positive(fmt::format("/mesh/repair/{}", number.key), *value, "repair_out_of_range",
+                     "leave it out for its default");
+  }
+}
+
+void check_settings(const Layout& layout, Check& check) {
+  if (layout.mesh.file.empty()) check.error("/mesh/file", "mesh_file_empty", "must name a mesh file, is \"\"");
+  for (int axis = 0; axis < 3; ++axis) {
+    const double s = layout.mesh.scale[axis];
+    if (s == 0.0 || !std::isfinite(s))
+      check.error(fmt::format("/mesh/scale/{}", axis), "scale_zero", fmt::format("must be finite and not 0, is {}", s),
+                  "1 for a mesh in metres, 0.001 for millimetres");
+  }
+  check_repair(layout.mesh.repair, check);
+  const bool distal = check.direction("/frame/distal", layout.frame.distal);
+  const bool pad = check.direction("/frame/pad", layout.frame.pad);
+  if (distal && pad) {
+    const double angle = angle_deg(layout.frame.distal, layout.frame.pad);
+    const double parallel = 1.0, skew = 5.0;  // degrees
+    if (angle < parallel || angle > 180.0 - parallel)
+      check.error("/frame/pad", "frame_parallel", "must not be parallel to distal");
+    else if (std::abs(angle - 90.0) > skew)
+      check.warning("/frame/pad", "frame_skew",
+                    fmt::format("should be at right angles to distal, is at {:.1f} degrees", angle));
+  }
+  check.positive("/sampling/density", layout.sampling.density, "density_not_positive",
+                 "1e7 per square metre is a good start");
+  const std::vector<int>& region = *layout.sampling.region;
+  if (std::adjacent_find(region.begin(), region.end(), std::greater_equal<>()) != region.end() ||
+      (!region.empty() && region.front() < 0))
+    check.error("/sampling/region", "region_not_ascending", "must be faces of the mesh, 0 or more and ascending");
+
+  const double angle = layout.receptive_field.max_angle_deg;
+  if (!(angle > 0.0 && angle <= 180.0))
+    check.error("/receptive_field/max_angle_deg", "angle_out_of_range",
+                fmt::format("must be greater than 0 and at most 180 degrees, is {}", angle), "the paper uses 45");
+  check.not_negative("/readout/max_depth", layout.readout.max_depth, "depth_negative");
+  if (layout.readout.aggregate == Aggregate::force && layout.readout.ray == RayDirection::taxel_normal)
+    check.warning("/readout/ray", "ray_unused",
+                  "does not count for the aggregate \"force\", which reaches the skin along its own normals");
+}
+
+void check_material(const Material& material, Check& check) {
+  if (check.not_negative("/material/modulus", material.modulus, "modulus_negative") && material.modulus > kMaxModulus)
+    check.error("/material/modulus", "modulus_too_large",
+                fmt::format("must be at most {:g} Pa, is {}", kMaxModulus, material.modulus),
+                "in pascals: silicone has 1e5 to 1e6");
+  check.not_negative("/material/thickness", material.thickness, "thickness_negative");
+  check.not_negative("/material/dissipation", material.dissipation, "dissipation_negative");
+  check.not_negative("/material/friction", material.friction, "friction_negative");
+  if (material.field != FieldKind::pad && material.field != FieldKind::star)
+    check.error("/material/field", "not_available",
+                fmt::format("\"{}\" is not available for a layout's mesh", to_word(material.field)),
+                "use \"pad\" or \"star\"");
+}
+
+/// Values that taxels and subtaxels have in common. Returns whether the disc can be placed on a mesh.
+template <class T>
+bool check_disc(const std::string& pointer, const T& disc, Check& check) {
+  const dvec3& c = disc.center;
+  bool center = check.finite(pointer + "/center", c);
+  if (center && std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) > kFarthest) {
+    check.error(
+        pointer + "/center", "too_far",
+        fmt::format("must be within {:g} m of the mesh's origin, is [{:g}, {:g}, {:g}]", kFarthest, c.x, c.y, c.z),
+        "in metres: 6 mm is 0.006");
+    center = false;
+  }
+  const bool normal = check.direction(pointer + "/normal", disc.normal);
+  const bool radius =
+      check.positive(pointer + "/radius", disc.radius, "radius_not_positive", "in metres: 6 mm is 0.006");
+  return center && normal && radius;
+}
+
+void check_taxel(const Taxel& taxel, std::size_t index, Check& check) {
+  const std::string pointer = fmt::format("/taxels/{}", index);
+  if (taxel.id < 0) check.error(pointer + "/id", "id_negative", fmt::format("must be 0 or more, is {}", taxel.id));
+  const bool valid = check_disc(pointer, taxel, check);
+  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
+    const std::string sub = fmt::format("{}/subtaxels/{}", pointer, i);
+    if (!check_disc(sub, taxel.subtaxels[i], check) || !valid) continue;
+    const double radius = taxel.subtaxels[i].radius, away = glm::distance(taxel.subtaxels[i].center, taxel.center);
+    if (radius > taxel.radius)
+      check.warning(sub + "/radius", "subtaxel_larger",
+                    fmt::format("should be at most the taxel's radius {}, is {}", taxel.radius, radius));
+    if (away > taxel.radius)
+      check.warning(
+          sub + "/center", "subtaxel_outside",
+          fmt::format("should lie within the taxel's radius {} of its centre, is {:.3g} m away", taxel.radius, away),
+          "move it, or make it a taxel of its own");
+  }
+}
+
+/// Number of letters to insert, delete or replace to get from one word to the other (Levenshtein 1966).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The key of a layout file that is at most two letters away; empty if there is none.
+std::string_view similar_key(std::string_view key) {
+  constexpr std::size_t kMostLetters = 2, kLongest = 24;
+  constexpr std::string_view kKeys[] = {"name",        "mesh",          "file",         "scale",
+                                        "sha256",      "repair",        "frame",        "distal",
+                                        "pad",         "sampling",      "density",      "seed",
+                                        "weights",     "shells",        "region",       "receptive_field",
+                                        "metric",      "max_angle_deg", "readout",      "aggregate",
+                                        "misses",      "ray",           "max_depth",    "shear",
+                                        "material",    "field",         "modulus",      "thickness",
+                                        "dissipation", "friction",      "taxels",       "id",
+                                        "center",      "normal",        "radius",       "subtaxels",
+                                        "hysteresis",  "crosstalk",     "quantisation", "dead",
+                                        "calibration", "unit",          "tare",         "gain",
+                                        "curve",       "noise",         "range",        "rate"};
+  if (key.size() > kLongest) return {};
+  std::string_view best;
+  std::size_t nearest = std::min(kMostLetters, key.size() / 2) + 1;
+  for (const std::string_view known : kKeys) {
+    const std::size_t distance = edit_distance(key, known);
+    if (distance < nearest) best = known, nearest = distance;
+  }
+  return best;
+}
+
+/// Keys that no reader takes: kept in the file, without effect. A misspelt key leaves a value at its default.
+void check_unknown_keys(const Layout& layout, Check& check) {
+  constexpr std::size_t kMostListed = 50;
+  std::size_t listed = 0;
+  for (const auto& [pointer, value] : layout.unknown) {
+    if (listed++ == kMostListed) break;
+    const std::string_view similar = similar_key(std::string_view(pointer).substr(pointer.rfind('/') + 1));
+    check.warning(pointer, "unknown_key", "is an unknown key: it is kept and has no effect",
+                  similar.empty() ? "" : fmt::format("is \"{}\" meant?", similar));
+  }
+  if (layout.unknown.size() > kMostListed)
+    check.warning("", "unknown_key", fmt::format("has {} more unknown keys", layout.unknown.size() - kMostListed));
+}
+
+void check_ids(const std::vector<Taxel>& taxels, Check& check) {
+  std::map<int, std::size_t> first_with;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const auto [found, fresh] = first_with.emplace(taxels[i].id, i);
+    if (!fresh)
+      check.error(fmt::format("/taxels/{}/id", i), "duplicate_id",
+                  fmt::format("{} is also the id of /taxels/{}", taxels[i].id, found->second),
+                  "give every taxel its own id");
+  }
+}
+
+/// Two centres nearer than a millionth of the radius: the same place written twice. Sorted by x, so that only
+/// neighbours in x are compared.
+void check_places(const std::vector<Taxel>& taxels, Check& check) {
+  const double same = 1e-6;
+  std::vector<std::size_t> order(taxels.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::erase_if(order, [&](std::size_t i) { return !is_finite(taxels[i].center) || !(taxels[i].radius > 0.0); });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(taxels[a].center.x, a) < std::pair(taxels[b].center.x, b);
+  });
+  const std::size_t none = taxels.size();
+  std::vector<std::size_t> twin_of(taxels.size(), none);  // a taxel with a lower number at the same place
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Taxel& a = taxels[order[i]];
+    const std::size_t twin = twin_of[order[i]];
+    // A taxel at exactly the place of its twin, and not larger, has no other neighbours than the twin: many taxels in
+    // one place cost one pass.
+    if (twin != none && taxels[twin].center == a.center && taxels[twin].radius >= a.radius) continue;
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const Taxel& b = taxels[order[j]];
+      if (b.center.x - a.center.x > same * a.radius) break;
+      if (glm::distance(a.center, b.center) > same * a.radius) continue;
+      std::size_t& earlier = twin_of[std::max(order[i], order[j])];
+      if (earlier == none) earlier = std::min(order[i], order[j]);
+    }
+  }
+  for (std::size_t i = 0; i < twin_of.size(); ++i)
+    if (twin_of[i] != none)
+      check.warning(fmt::format("/taxels/{}/center", i), "duplicate_place",
+                    fmt::format("is the same place as /taxels/{}", twin_of[i]), "move or delete one of the two");
+}
+
+/// One warning for all: an array may be dense on purpose.
+void check_overlaps(const std::vector<Taxel>& taxels, Check& check) {
+  const std::vector<OverlappingTaxels> pairs = overlapping_taxels(taxels);
+  if (pairs.empty()) return;
+  const OverlappingTaxels& first = pairs.front();
+  const std::string others =
+      pairs.size() > 1 ? fmt::format("; so do {} more with an earlier one", pairs.size() - 1) : "";
+  check.warning(fmt::format("/taxels/{}/center", first.taxel), "large_overlap",
+                fmt::format("shares {:.0f} % of the larger disc with /taxels/{}: both read nearly the same{}",
+                            100 * first.part, first.earlier, others),
+                "move them apart, make them smaller, or delete one of the two");
+}
+
+}  // namespace
+
+std::optional<std::size_t> taxel_of_pointer(std::string_view pointer) {
+  const std::string_view start = "/taxels/";
+  std::size_t index = 0;
+  if (!pointer.starts_with(start)) return std::nullopt;
+  const auto read = std::from_chars(pointer.data() + start.size(), pointer.data() + pointer.size(), index);
+  return read.ec == std::errc() ? std::optional(index) : std::nullopt;
+}
+
+void name_taxels(const Layout& layout, Problems& problems) {
+  for (Problem& p : problems) {
+    const std::optional<std::size_t> index = taxel_of_pointer(p.pointer);
+    if (!index || p.pointer.ends_with("/id")) continue;  // an id names itself
+    if (*index < layout.taxels.size()) p.message += fmt::format(" (taxel {})", layout.taxels[*index].id);
+  }
+}
+
+Problems check_layout_values(const Layout& layout, const std::string& file) {
+  Check check(file);
+  check_settings(layout, check);
+  check_material(layout.material, check);
+  if (layout.taxels.empty()) check.warning("/taxels", "no_taxels", "holds no taxel: nothing is read");
+  for (std::size_t i = 0; i < layout.taxels.size(); ++i) check_taxel(layout.taxels[i], i, check);
+  check_ids(layout.taxels, check);
+  check_places(layout.taxels, check);
+  check_overlaps(layout.taxels, check);
+  if (layout.calibration) check_calibration(layout, check);
+  check_unknown_keys(layout, check);
+  name_taxels(layout, check.problems);
+  return std::move(check.problems);
+}
+
+void throw_first_error(const Problems& problems) {
+  for (const Problem& p : problems)
+    if (p.severity == Severity::error) throw Error(p.file, p.pointer, p.message);
+}
+
+}  // namespace taxel

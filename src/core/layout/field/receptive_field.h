@@ -1,0 +1,32 @@
+// Which samples a taxel gathers, and with what weight: sparse rows.
+#pragma once
+
+#include <vector>
+
+#include "core/layout/layout.h"
+#include "core/layout/sampling/poisson_disk.h"
+#include "core/mesh/query/closest_point.h"
+
+namespace taxel {
+
+/// Rows = taxels in layout order. Row k is entries [first[k], first[k+1]), sorted by sample number.
+struct ReceptiveFields {
+  struct Entry {
+    int sample = 0;
+    double distance = 0.0;  ///< d, from the taxel's centre [m]
+    double weight = 0.0;    ///< (r - d)^2 [m^2], times the Voronoi area ratio where asked for
+  };
+  std::vector<int> first{0};
+  std::vector<Entry> entries;
+  [[nodiscard]] int taxel_count() const { return static_cast<int>(first.size()) - 1; }
+};
+
+/// Samples within radius r of the centre whose normal is less than max_angle_deg from the taxel's normal; overlap
+/// allowed. Distances are straight ones from the stored centre (Metric::euclidean, the paper), or lengths of shortest
+/// paths on `skin` from its point closest to the centre (Metric::geodesic), to within rounding. With subtaxels: the
+/// union of theirs, r and d of the nearest subtaxel. `samples` lie on faces of `skin`. The same on any number of
+/// threads.
+ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples,
+                                      const MeshIndex& skin);
+
+}  // namespace taxel

@@ -1,0 +1,132 @@
+#include "core/layout/file/imported_skin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/layout/frame_guess.h"
+#include "core/mesh/query/closest_point.h"
+#include "core/mesh/topology/mesh_check.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kMaxSamples = 1e5;  ///< over the whole skin; a million takes a minute to place
+constexpr int kMaxCells = 100000;    ///< limit of a flat array; more cells mean a pitch in other units
+
+/// The normal of the nearest face. Smooth normals would lean outward on the faces of a box.
+void take_normals(Layout& layout, const MeshIndex& skin) {
+  for (Taxel& taxel : layout.taxels)
+    taxel.normal = skin.mesh().face_normals()[static_cast<std::size_t>(skin.closest_point(taxel.center).face)];
+}
+
+/// A taxel where the middle of each cell, seen from above, meets the skin; row by row along y, as the released code
+/// numbers them.
+void add_cells(ImportedLayout& imported, const MeshIndex& skin, const std::string& file) {
+  const Aabb& box = skin.mesh().bounds();
+  const dvec3 size = box.extent();
+  const double cell = imported.cell;
+  const auto count = [&](double extent) { return std::floor(extent / cell + 1e-9); };
+  if (count(size.x) < 1 || count(size.y) < 1)
+    throw Error(file, fmt::format("a cell of {} m is larger than the mesh, {:.4g} x {:.4g} m", cell, size.x, size.y));
+  if (count(size.x) * count(size.y) > kMaxCells)
+    throw Error(file, fmt::format("cells of {} m over {:.4g} x {:.4g} m are more than {}: check --scale", cell, size.x,
+                                  size.y, kMaxCells));
+  const int columns = static_cast<int>(count(size.x)), rows = static_cast<int>(count(size.y));
+  int missed = 0;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const dvec3 above(box.lo.x + cell * (i + 0.5), box.lo.y + cell * (j + 0.5), box.hi.z + size.z + cell);
+      const std::optional<MeshHit> hit = skin.cast({above, {0, 0, -1}});
+      if (!hit) {
+        ++missed;
+        continue;
+      }
+      Taxel taxel;
+      taxel.id = i * rows + j;
+      taxel.center = {above.x, above.y, above.z - hit->t};
+      taxel.normal = skin.mesh().face_normals()[static_cast<std::size_t>(hit->face)];
+      taxel.radius = 0.5 * cell;
+      imported.layout.taxels.push_back(taxel);
+    }
+  }
+  if (imported.layout.taxels.empty()) throw Error(file, "no cell of the flat array is above the skin");
+  if (missed > 0)
+    imported.notes.push_back(fmt::format("{} of {} cells are not above the skin: left out", missed, columns * rows));
+}
+
+/// A planar array points along its longer side and touches along its normal. Empty where the taxels look elsewhere.
+std::optional<SensorFrame> frame_of_array(const std::vector<Taxel>& taxels) {
+  if (taxels.size() < 2) return std::nullopt;
+  const dvec3 n = glm::normalize(taxels.front().normal);
+  Aabb box;
+  for (const Taxel& taxel : taxels) {
+    if (!(glm::dot(glm::normalize(taxel.normal), n) > 0.9999)) return std::nullopt;
+    box.include(taxel.center);
+  }
+  int best = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(n[axis]) > 0.5) continue;
+    if (best < 0 || box.extent()[axis] > box.extent()[best] * (1 + 1e-9)) best = axis;
+  }
+  dvec3 along(0);
+  along[best] = 1;
+  return SensorFrame{glm::normalize(along - glm::dot(along, n) * n), n};
+}
+
+/// At most kMaxSamples, with one significant digit.
+void limit_density(ImportedLayout& imported, double area) {
+  Sampling& sampling = imported.layout.sampling;
+  if (imported.has_density) return;
+  const double most = kMaxSamples / area;
+  if (sampling.density > most) {
+    const double decade = std::pow(10.0, std::floor(std::log10(most)));
+    sampling.density = std::floor(most / decade) * decade;
+  }
+  imported.notes.push_back(
+      fmt::format("the density of the samples is {:.4g} per m^2: the file gives none", sampling.density));
+}
+
+}  // namespace
+
+double guess_scale(const ImportedLayout& imported, const TriMesh& unscaled) {
+  if (imported.layout.taxels.empty()) return guess_unit(unscaled).scale;
+  const MeshIndex index(std::make_shared<const TriMesh>(unscaled));
+  double best = 1, least = std::numeric_limits<double>::infinity();
+  for (const double scale : {1.0, 0.001, 0.01, 0.0254}) {
+    double sum = 0;
+    for (const Taxel& taxel : imported.layout.taxels) sum += scale * index.closest_point(taxel.center / scale).distance;
+    if (sum < least * (1 - 1e-9)) {
+      least = sum;
+      best = scale;
+    }
+  }
+  return best;
+}
+
+std::string take_frame_of(const TriMesh& skin, Layout& layout) {
+  std::optional<SensorFrame> guess = frame_of_array(layout.taxels);
+  if (!guess) guess = guess_frame(skin, layout.taxels);
+  layout.frame = guess.value_or(layout.frame);
+  const dvec3 &d = layout.frame.distal, &p = layout.frame.pad;
+  return fmt::format(
+      "the file does not say where the sensor points: distal is [{:.3g}, {:.3g}, {:.3g}], pad is "
+      "[{:.3g}, {:.3g}, {:.3g}]{}",
+      d.x, d.y, d.z, p.x, p.y, p.z, guess ? ", guessed from its shape" : "");
+}
+
+void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file) {
+  const MeshIndex index(skin);
+  if (imported.cell > 0) add_cells(imported, index, file);
+  if (!imported.has_normals) take_normals(imported.layout, index);
+  if (imported.layout.taxels.empty()) return;
+  if (!imported.has_frame) imported.notes.push_back(take_frame_of(*skin, imported.layout));
+  limit_density(imported, skin->area());
+}
+
+}  // namespace taxel

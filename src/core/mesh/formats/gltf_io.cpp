@@ -1,0 +1,324 @@
+#include "core/mesh/formats/gltf_io.h"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/index.h"
+
+namespace taxel {
+namespace {
+
+/// Deeper nodes are refused: each level takes a part of the stack.
+constexpr int kMaxNodeDepth = 256;
+/// Most vertices and triangles of a scene: a mesh that many nodes show is as large as all its copies.
+constexpr std::size_t kMaxVertices = 10'000'000, kMaxTriangles = 20'000'000;
+
+bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return true;
+}
+
+/// Buffers in files of their own are read as every file is: regular files only, up to a limit.
+bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+  try {
+    const std::string bytes = read_file(path);
+    out->assign(bytes.begin(), bytes.end());
+  } catch (const Error& e) {
+    *error += e.what();
+    return false;
+  }
+  return true;
+}
+
+tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& path) {
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(skip_image, nullptr);
+  tinygltf::FsCallbacks files{};
+  files.FileExists = [](const std::string& file, void*) { return std::filesystem::exists(file); };
+  files.ExpandFilePath = [](const std::string& file, void*) { return file; };
+  files.ReadWholeFile = read_buffer_file;
+  loader.SetFsCallbacks(files);
+  tinygltf::Model model;
+  std::string error, warning;
+  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  const auto size = static_cast<unsigned int>(bytes.size());
+  if (bytes.size() > std::numeric_limits<unsigned int>::max()) throw Error(path.string(), "is larger than 4 GiB");
+  const bool binary = bytes.starts_with("glTF");
+  const bool read =
+      binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                           reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
+             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
+  if (!read) {
+    while (!error.empty() && error.back() == '\n') error.pop_back();
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    throw Error(path.string(), "is not valid glTF: " + (error.empty() ? std::string("cannot be parsed") : error));
+  }
+  return model;
+}
+
+/// One accessor's numbers, checked against the buffer's size.
+class AccessorReader {
+ public:
+  AccessorReader(const tinygltf::Model& model, int index, const std::string& file) {
+    const auto fail = [&](const char* why) { throw Error(file, fmt::format("accessor {}", index), why); };
+    if (index < 0 || at(index) >= model.accessors.size()) fail("does not exist");
+    const tinygltf::Accessor& accessor = model.accessors[at(index)];
+    if (accessor.sparse.isSparse) fail("sparse accessors are not read");
+    if (accessor.bufferView < 0 || at(accessor.bufferView) >= model.bufferViews.size())
+      fail("has no buffer view (compressed meshes are not read)");
+    const tinygltf::BufferView& view = model.bufferViews[at(accessor.bufferView)];
+    if (view.buffer < 0 || at(view.buffer) >= model.buffers.size()) fail("its buffer does not exist");
+    const std::vector<unsigned char>& data = model.buffers[at(view.buffer)].data;
+    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+    const int stride = accessor.ByteStride(view);
+    if (size <= 0 || components <= 0 || stride < size * components) fail("has an unknown type or stride");
+    count_ = accessor.count;
+    components_ = components;
+    component_type_ = accessor.componentType;
+    component_size_ = at(size);
+    stride_ = at(stride);
+    normalized_ = accessor.normalized;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+      fail("its buffer view reaches beyond its buffer");
+    if (accessor.byteOffset > view.byteLength) fail("reaches beyond its buffer view");
+    const std::size_t room = view.byteLength - accessor.byteOffset;  // no sum of offsets: it could wrap
+    const std::size_t element = component_size_ * at(components);
+    if (count_ > 0 && (room < element || (count_ - 1) > (room - element) / stride_))
+      fail("reaches beyond its buffer view");
+    data_ = data.data() + view.byteOffset + accessor.byteOffset;
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] bool whole_numbers() const {
+    return component_type_ != TINYGLTF_COMPONENT_TYPE_FLOAT && component_type_ != TINYGLTF_COMPONENT_TYPE_DOUBLE;
+  }
+  [[nodiscard]] double number(std::size_t element, int component) const {
+    const unsigned char* p = data_ + stride_ * element + component_size_ * at(component);
+    switch (component_type_) {
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return read<std::int8_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return read<std::uint8_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return read<std::int16_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return read<std::uint16_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_INT:
+        return read<std::int32_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return read<std::uint32_t>(p);
+      case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+        return read<double>(p);
+      default:
+        return read<float>(p);
+    }
+  }
+
+ private:
+  /// Normalised integers stand for [0, 1] or [-1, 1] (glTF 2.0, 3.6.2.2).
+  template <class T>
+  [[nodiscard]] double read(const unsigned char* p) const {
+    T value;
+    std::memcpy(&value, p, sizeof value);
+    if constexpr (std::is_integral_v<T>) {
+      if (normalized_) return std::max(static_cast<double>(value) / std::numeric_limits<T>::max(), -1.0);
+    }
+    return static_cast<double>(value);
+  }
+
+  const unsigned char* data_ = nullptr;
+  std::size_t count_ = 0, component_size_ = 0, stride_ = 0;
+  int components_ = 0, component_type_ = 0;
+  bool normalized_ = false;
+};
+
+glm::dmat4 local_transform(const tinygltf::Node& node) {
+  if (node.matrix.size() == 16) {
+    glm::dmat4 matrix(1.0);
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[at(i)];
+    return matrix;
+  }
+  glm::dmat4 matrix(1.0);
+  if (node.translation.size() == 3)
+    matrix = glm::translate(matrix, dvec3(node.translation[0], node.translation[1], node.translation[2]));
+  if (node.rotation.size() == 4)  // x y z w
+    matrix *= glm::mat4_cast(dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+  if (node.scale.size() == 3) matrix = glm::scale(matrix, dvec3(node.scale[0], node.scale[1], node.scale[2]));
+  return matrix;
+}
+
+/// Collects the triangles of a scene.
+class SceneReader {
+ public:
+  SceneReader(const tinygltf::Model& model, std::string file)
+      : model_(model), file_(std::move(file)), added_(model.nodes.size(), 0) {}
+
+  void add_node(int index, const glm::dmat4& parent, int depth) {
+    if (index < 0 || at(index) >= model_.nodes.size()) throw Error(file_, fmt::format("node {} does not exist", index));
+    if (depth > kMaxNodeDepth)
+      throw Error(file_, fmt::format("node {} is nested deeper than {} nodes", index, kMaxNodeDepth));
+    // Nodes form trees (glTF 2.0, 3.5.3): 31 nodes that share children would otherwise be 2^30 copies of a mesh.
+    if (added_[at(index)] != 0)
+      throw Error(file_, fmt::format("node {} has several parents or is its own descendant", index));
+    added_[at(index)] = 1;
+    const tinygltf::Node& node = model_.nodes[at(index)];
+    const glm::dmat4 transform = parent * local_transform(node);
+    if (node.mesh >= 0) {
+      if (at(node.mesh) >= model_.meshes.size()) throw Error(file_, fmt::format("mesh {} does not exist", node.mesh));
+      for (const tinygltf::Primitive& p : model_.meshes[at(node.mesh)].primitives) add_primitive(p, transform);
+    }
+    for (const int child : node.children) add_node(child, transform, depth + 1);
+  }
+
+  [[nodiscard]] PolygonSoup take() { return std::move(soup_); }
+
+ private:
+  void add_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& transform) {
+    // tinygltf gives -1 where the file says nothing: triangles (glTF 2.0, 5.24).
+    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+    if (mode < TINYGLTF_MODE_TRIANGLES) return;
+    const auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end()) return;
+    const AccessorReader points(model_, position->second, file_);
+    if (points.components() != 3)
+      throw Error(file_, fmt::format("accessor {}", position->second), "is no list of points");
+    if (points.count() > kMaxVertices - soup_.vertices.size())
+      throw Error(file_, fmt::format("the scene has more than {} vertices, the most that are read", kMaxVertices));
+    const int first = static_cast<int>(soup_.vertices.size());
+    for (std::size_t i = 0; i < points.count(); ++i) {
+      const dvec3 p(transform * glm::dvec4(points.number(i, 0), points.number(i, 1), points.number(i, 2), 1.0));
+      if (!is_finite(p)) throw Error(file_, fmt::format("vertex {}", i), "coordinate is not finite");
+      soup_.vertices.push_back(p);
+    }
+    const bool mirrored = glm::determinant(dmat3(transform)) < 0;
+    add_triangles(corners_of(primitive, points.count()), first, mode, mirrored);
+  }
+
+  std::vector<int> corners_of(const tinygltf::Primitive& primitive, std::size_t point_count) const {
+    std::vector<int> corners;
+    if (primitive.indices < 0) {
+      for (std::size_t i = 0; i < point_count; ++i) corners.push_back(static_cast<int>(i));
+      return corners;
+    }
+    const AccessorReader indices(model_, primitive.indices, file_);
+    if (indices.components() != 1 || !indices.whole_numbers())
+      throw Error(file_, fmt::format("accessor {}", primitive.indices), "is no list of vertex numbers");
+    for (std::size_t i = 0; i < indices.count(); ++i) {
+      const double index = indices.number(i, 0);
+      if (!(index >= 0 && index < static_cast<double>(point_count)))
+        throw Error(file_, fmt::format("accessor {}", primitive.indices), fmt::format("no vertex {}", index));
+      corners.push_back(static_cast<int>(index));
+    }
+    return corners;
+  }
+
+  void add_triangles(const std::vector<int>& corners, int first, int mode, bool mirrored) {
+    const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      const bool odd = mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1;
+      ivec3 t(corners[mode == TINYGLTF_MODE_TRIANGLE_FAN ? 0 : i], corners[i + 1], corners[i + 2]);
+      if (odd != mirrored) std::swap(t.y, t.z);
+      soup_.triangles.push_back(t + first);
+    }
+    if (soup_.triangles.size() > kMaxTriangles)
+      throw Error(file_, fmt::format("the scene has more than {} triangles, the most that are read", kMaxTriangles));
+  }
+
+  const tinygltf::Model& model_;
+  std::string file_;
+  std::vector<char> added_;  ///< parallel to the model's nodes: 1 if the node is in the scene already
+  PolygonSoup soup_;
+};
+
+/// Appends `bytes` to the buffer and a view of it to the model; returns the view's number.
+int add_view(tinygltf::Model& model, const void* bytes, std::size_t size, int target) {
+  std::vector<unsigned char>& data = model.buffers[0].data;
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = data.size();
+  view.byteLength = size;
+  view.target = target;
+  data.resize(data.size() + size);
+  std::memcpy(data.data() + view.byteOffset, bytes, size);
+  model.bufferViews.push_back(view);
+  return static_cast<int>(model.bufferViews.size()) - 1;
+}
+
+int add_accessor(tinygltf::Model& model, int view, int component_type, int type, std::size_t count) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = view;
+  accessor.componentType = component_type;
+  accessor.type = type;
+  accessor.count = count;
+  model.accessors.push_back(accessor);
+  return static_cast<int>(model.accessors.size()) - 1;
+}
+
+int add_vectors(tinygltf::Model& model, const std::vector<dvec3>& vectors) {
+  const std::vector<glm::vec3> rounded(vectors.begin(), vectors.end());
+  const int view = add_view(model, rounded.data(), rounded.size() * sizeof(glm::vec3), TINYGLTF_TARGET_ARRAY_BUFFER);
+  return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, rounded.size());
+}
+
+}  // namespace
+
+PolygonSoup read_gltf(std::string_view bytes, const std::filesystem::path& path) {
+  const tinygltf::Model model = parse(bytes, path);
+  SceneReader reader(model, path.string());
+  if (model.scenes.empty()) {
+    // No scene: every node that is nobody's child.
+    std::vector<char> child(model.nodes.size(), 0);
+    for (const tinygltf::Node& node : model.nodes) {
+      for (const int c : node.children) {
+        if (c >= 0 && at(c) < child.size()) child[at(c)] = 1;
+      }
+    }
+    for (std::size_t i = 0; i < child.size(); ++i) {
+      if (child[i] == 0) reader.add_node(static_cast<int>(i), glm::dmat4(1.0), 0);
+    }
+    return reader.take();
+  }
+  const int chosen = model.defaultScene >= 0 ? model.defaultScene : 0;
+  if (at(chosen) >= model.scenes.size()) throw Error(path.string(), fmt::format("scene {} does not exist", chosen));
+  for (const int node : model.scenes[at(chosen)].nodes) reader.add_node(node, glm::dmat4(1.0), 0);
+  return reader.take();
+}
+
+std::string write_glb(const TriMesh& mesh) {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.asset.generator = "Taxel Studio";
+  model.buffers.emplace_back();
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  const int positions = add_vectors(model, mesh.vertices());
+  const glm::vec3 lo(mesh.bounds().lo), hi(mesh.bounds().hi);
+  model.accessors[at(positions)].minValues = {lo.x, lo.y, lo.z};
+  model.accessors[at(positions)].maxValues = {hi.x, hi.y, hi.z};
+  primitive.attributes["POSITION"] = positions;
+  primitive.attributes["NORMAL"] = add_vectors(model, mesh.vertex_normals());
+  const auto& faces = mesh.faces();
+  const int view = add_view(model, faces.data(), faces.size() * sizeof(ivec3), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  primitive.indices =
+      add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, 3 * faces.size());
+  model.meshes.emplace_back();
+  model.meshes[0].primitives.push_back(primitive);
+  model.nodes.emplace_back();
+  model.nodes[0].mesh = 0;
+  model.scenes.emplace_back();
+  model.scenes[0].nodes.push_back(0);
+  model.defaultScene = 0;
+  std::ostringstream out;
+  tinygltf::TinyGLTF writer;
+  if (!writer.WriteGltfSceneToStream(&model, out, false, true)) throw Error("the mesh cannot be written as GLB");
+  return out.str();
+}
+
+}  // namespace taxel

@@ -1,0 +1,109 @@
+#include "core/mesh/query/closest_point.h"
+
+#include <utility>
+
+#include "core/base/index.h"
+#include "core/mesh/query/nearest_tree_inl.h"
+#include "core/mesh/query/point_triangle.h"
+#include "core/mesh/query/ray_triangle.h"
+#include "core/mesh/topology/edge_sides.h"
+
+namespace taxel {
+namespace {
+
+/// Rounding turns a normal, the cross product of two edges over its length, by at most some units in the last place of
+/// the product of the edges' lengths.
+std::vector<double> normal_errors(const TriMesh& mesh) {
+  std::vector<double> errors(mesh.faces().size());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const dvec3 ab = mesh.vertex(f, 1) - mesh.vertex(f, 0), ac = mesh.vertex(f, 2) - mesh.vertex(f, 0);
+    errors[at(f)] =
+        16 * std::numeric_limits<double>::epsilon() * glm::length(ab) * glm::length(ac) / mesh.face_areas()[at(f)];
+  }
+  return errors;
+}
+
+/// Sum of the normals of the faces at each face's three edges: the pseudonormal of an edge (both weigh pi),
+/// unnormalised. Entry 3 f + c belongs to the edge from corner c to corner c + 1.
+std::vector<dvec3> edge_pseudonormals(const TriMesh& mesh) {
+  std::vector<dvec3> normals(3 * mesh.faces().size());
+  for_each_edge(edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
+    dvec3 sum{0};
+    for (const EdgeSide& side : sides) sum += mesh.face_normals()[at(side.face)];
+    for (const EdgeSide& side : sides) normals[at(3 * side.face + side.corner)] = sum;
+  });
+  return normals;
+}
+
+}  // namespace
+
+MeshIndex::MeshIndex(TriMeshPtr mesh)
+    : mesh_(std::move(mesh)), edge_normals_(edge_pseudonormals(*mesh_)), normal_errors_(normal_errors(*mesh_)) {
+  std::vector<Aabb> boxes(at(mesh_->face_count()));
+  for (int f = 0; f < mesh_->face_count(); ++f) {
+    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh_->vertex(f, c));
+  }
+  bvh_.build(boxes);
+  tree_ = NearestTree(bvh_, boxes);
+}
+
+SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
+  SurfacePoint best;
+  best.distance = std::numeric_limits<double>::infinity();
+  if (bvh_.empty()) return best;
+  // Distances carry roundings of the coordinates' size; boxes that are farther by less than that are still opened, so
+  // that the face found does not depend on the shape of the tree.
+  const dvec3 reach = glm::max(glm::max(glm::abs(mesh_->bounds().lo), glm::abs(mesh_->bounds().hi)), glm::abs(p));
+  const double slack = 16 * std::numeric_limits<double>::epsilon() * glm::length(reach);
+  double best_squared = best.distance;
+  tree_.visit(p, within + slack, [&, reach = within + slack](int face) mutable {
+    const dvec3& a = mesh_->vertex(face, 0);
+    // No point of a triangle is nearer than its plane: that spares many of them the search.
+    const dvec3 from = p - a;
+    const double above = std::abs(glm::dot(mesh_->face_normals()[at(face)], from));
+    const double error = normal_errors_[at(face)] * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z));
+    if (above > reach + error) return reach;
+    const TrianglePoint q = nearest_on_triangle(p, a, mesh_->vertex(face, 1), mesh_->vertex(face, 2));
+    if (q.squared_distance > best_squared || (q.squared_distance == best_squared && face > best.face)) return reach;
+    best_squared = q.squared_distance;
+    best = {q.position, face, q.barycentric, std::sqrt(best_squared)};
+    return reach = best.distance + slack;
+  });
+  return best;
+}
+
+std::optional<MeshHit> MeshIndex::cast(const Ray& ray) const {
+  return cast_except(ray, -1);
+}
+
+std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const {
+  MeshHit best;
+  const RayTriangleTest test(ray);
+  bvh_.cast(ray, [&](int face, double t_max) {
+    if (face == except) return t_max;
+    const auto hit = test(mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2), t_max);
+    if (!hit || (best.face >= 0 && hit->t == best.t && face > best.face)) return t_max;
+    best = {hit->t, face, hit->barycentric};
+    return hit->t;
+  });
+  return best.face >= 0 ? std::optional(best) : std::nullopt;
+}
+
+SignedPoint MeshIndex::signed_point(const dvec3& p, double within) const {
+  const SurfacePoint q = closest_point(p, within);
+  if (q.face < 0) return {q, q.distance};
+  // Pseudonormal of the feature that holds the point: exact zeros among the weights tell which (Baerentzen, Aanaes
+  // 2005).
+  dvec3 normal = mesh_->face_normals()[at(q.face)];
+  for (int c = 0; c < 3; ++c) {
+    const int next = (c + 1) % 3, opposite = (c + 2) % 3;
+    if (q.barycentric[next] == 0 && q.barycentric[opposite] == 0) {
+      normal = mesh_->vertex_normals()[at(mesh_->faces()[at(q.face)][c])];
+      break;
+    }
+    if (q.barycentric[opposite] == 0 && q.barycentric[c] != 0) normal = edge_normals_[at(3 * q.face + c)];
+  }
+  return {q, glm::dot(p - q.position, normal) < 0 ? -q.distance : q.distance};
+}
+
+}  // namespace taxel

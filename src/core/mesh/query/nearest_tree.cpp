@@ -1,0 +1,80 @@
+#include "core/mesh/query/nearest_tree.h"
+
+#include <cmath>
+
+#include "core/base/index.h"
+
+namespace taxel {
+namespace {
+
+/// A float below x, and below what x was before its own last roundings.
+float float_below(double x) {
+  return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+}
+
+float float_above(double x) {
+  return -float_below(-x);
+}
+
+}  // namespace
+
+NearestTree::NearestTree(const Bvh& tree, std::span<const Aabb> boxes) {
+  if (tree.empty()) return;
+  const Aabb& all = tree.nodes()[0].box;
+  origin_ = all.center();
+  const dvec3 extent = all.extent();
+  const double size = std::max({extent.x, extent.y, extent.z});
+  if (size > std::numeric_limits<double>::min()) scale_ = std::ldexp(1.0, -std::ilogb(size));
+  nodes_.reserve(boxes.size() / 2 + 1);
+  add(tree, boxes, 0);
+}
+
+/// Primitives, for a leaf; else its two children.
+NearestTree::Entries NearestTree::below(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
+  const Bvh::Node& node = tree.nodes()[at(binary)];
+  Entries entries;
+  if (node.leaf()) {
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      const std::int32_t primitive = tree.items()[at(i)];
+      entries.add({boxes[at(primitive)], ~primitive, 1});
+    }
+    return entries;
+  }
+  for (const std::int32_t child : {node.first, node.first + 1})
+    entries.add({tree.nodes()[at(child)].box, child, std::max(2, tree.nodes()[at(child)].count)});
+  return entries;
+}
+
+/// One node for the binary one and what lies directly below it: the largest parts are opened while there is room.
+/// Never deeper than the binary tree, and one for the primitives of a leaf.
+std::int32_t NearestTree::add(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
+  Entries entries = below(tree, boxes, binary);
+  while (true) {
+    int largest = -1;
+    for (int i = 0; i < entries.count; ++i) {
+      const Entry& entry = entries.list[at(i)];
+      if (entry.child < 0 || entries.count + entry.parts - 1 > kWidth) continue;
+      if (largest < 0 || entry.box.surface_area() > entries.list[at(largest)].box.surface_area()) largest = i;
+    }
+    if (largest < 0) break;
+    const Entries parts = below(tree, boxes, entries.list[at(largest)].child);
+    entries.list[at(largest)] = parts.list[0];
+    for (int i = 1; i < parts.count; ++i) entries.add(parts.list[at(i)]);
+  }
+  const auto number = static_cast<std::int32_t>(nodes_.size());
+  nodes_.push_back({});
+  nodes_.back().count = entries.count;
+  for (int lane = 0; lane < entries.count; ++lane) {
+    const Entry& entry = entries.list[at(lane)];
+    const std::int32_t child = entry.child < 0 ? entry.child : add(tree, boxes, entry.child);
+    Node& node = nodes_[at(number)];
+    for (int axis = 0; axis < 3; ++axis) {
+      node.lo[at(axis)][lane] = float_below(scale_ * (entry.box.lo[axis] - origin_[axis]));
+      node.hi[at(axis)][lane] = float_above(scale_ * (entry.box.hi[axis] - origin_[axis]));
+    }
+    node.child[at(lane)] = child;
+  }
+  return number;
+}
+
+}  // namespace taxel

@@ -1,0 +1,116 @@
+#include "core/mesh/repair/wrap/distances.h"
+
+#include "core/base/index.h"
+#include "core/base/parallel.h"
+#include "core/mesh/query/closest_point.h"
+
+namespace taxel {
+namespace {
+
+struct PointOnFace {
+  dvec3 position;
+  int face;
+};
+
+/// Points with equal area each, in the order of faces; within a face by the additive sequence of Roberts 2018 (R2),
+/// folded into the triangle.
+std::vector<PointOnFace> even_points(const TriMesh& mesh, int count) {
+  constexpr double kR2x = 0.7548776662466927, kR2y = 0.5698402909980532;
+  std::vector<PointOnFace> points;
+  const double spacing = mesh.area() / count;
+  double next = 0.5 * spacing, covered = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    covered += mesh.face_areas()[at(f)];
+    for (; next < covered; next += spacing) {
+      const auto i = static_cast<double>(points.size());
+      double u = i * kR2x - std::floor(i * kR2x), v = i * kR2y - std::floor(i * kR2y);
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
+      const dvec3& a = mesh.vertex(f, 0);
+      points.push_back({a + u * (mesh.vertex(f, 1) - a) + v * (mesh.vertex(f, 2) - a), f});
+    }
+  }
+  return points;
+}
+
+/// From points to a mesh.
+struct Distances {
+  std::vector<double> value;  ///< [m]; -1: left out
+  std::vector<int> face;      ///< of the mesh, where it is nearest
+};
+
+Distances distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& points) {
+  Distances distances{std::vector<double>(points.size()), std::vector<int>(points.size())};
+  parallel_chunks(static_cast<int>(points.size()), 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const SurfacePoint nearest = mesh.closest_point(points[at(i)].position);
+      distances.value[at(i)] = nearest.distance;
+      distances.face[at(i)] = nearest.face;
+    }
+  });
+  return distances;
+}
+
+/// Whether a point of a mesh sees the outside: one of 64 rays, spread over all directions by the golden angle, leaves
+/// it. Walls of cavities and walls inside of a body do not.
+bool is_seen(const MeshIndex& mesh, const PointOnFace& point) {
+  constexpr int kRays = 64;
+  constexpr double kGoldenAngle = 2.399963229728653;
+  for (int i = 0; i < kRays; ++i) {
+    const double z = 1 - (2.0 * i + 1) / kRays, r = std::sqrt(1 - z * z), angle = kGoldenAngle * i;
+    const dvec3 direction(r * std::cos(angle), r * std::sin(angle), z);
+    if (!mesh.cast_except({point.position, direction}, point.face)) return true;
+  }
+  return false;
+}
+
+/// The largest distance of a face's points, at each of its corners. The corners of a wrap are on the loaded faces
+/// themselves, so distances from them alone would be 0 or rounding.
+class DistanceOfVertices {
+ public:
+  explicit DistanceOfVertices(const TriMesh& mesh) : mesh_(mesh), distance_(mesh.vertices().size(), 0) {}
+  void include(int face, double distance) {
+    for (int c = 0; c < 3; ++c) {
+      float& largest = distance_[at(mesh_.faces()[at(face)][c])];
+      largest = std::max(largest, static_cast<float>(distance));
+    }
+  }
+  [[nodiscard]] std::vector<float> take() { return std::move(distance_); }
+
+ private:
+  const TriMesh& mesh_;
+  std::vector<float> distance_;
+};
+
+}  // namespace
+
+void measure_distances(const TriMeshPtr& loaded, double edge, RepairedMesh& repaired) {
+  constexpr int kPoints = 20000;
+  const MeshIndex loaded_index(loaded), repaired_index(repaired.mesh);
+  const std::vector<PointOnFace> on_repaired = even_points(*repaired.mesh, kPoints);
+  const Distances forward = distances_to(loaded_index, on_repaired);
+  const std::vector<PointOnFace> on_loaded = even_points(*loaded, kPoints);
+  Distances back = distances_to(repaired_index, on_loaded);
+  // Only far points are worth the rays: a wall inside of the body is far from its surface.
+  parallel_chunks(static_cast<int>(on_loaded.size()), 64, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      if (back.value[at(i)] > edge && !is_seen(loaded_index, on_loaded[at(i)])) back.value[at(i)] = -1;
+  });
+  double squares = 0, count = 0;
+  DistanceOfVertices of_vertices(*repaired.mesh);
+  const auto include = [&](double d, int repaired_face) {
+    if (d < 0) return;
+    repaired.report.distance_max = std::max(repaired.report.distance_max, d);
+    squares += d * d;
+    ++count;
+    of_vertices.include(repaired_face, d);
+  };
+  for (std::size_t i = 0; i < on_repaired.size(); ++i) include(forward.value[i], on_repaired[i].face);
+  for (std::size_t i = 0; i < on_loaded.size(); ++i) include(back.value[i], back.face[i]);
+  repaired.report.distance_rms = count > 0 ? std::sqrt(squares / count) : 0;
+  repaired.changes.distance = of_vertices.take();
+}
+
+}  // namespace taxel

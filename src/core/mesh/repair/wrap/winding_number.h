@@ -1,0 +1,30 @@
+// How often a surface winds around a point.
+#pragma once
+
+#include "core/mesh/query/bvh.h"
+
+namespace taxel {
+
+/// Generalised winding number (Jacobson, Kavan, Sorkine-Hornung 2013, "Robust inside-outside segmentation using
+/// generalized winding numbers"): the signed solid angle of all faces over 4 pi. 1 inside a closed surface that winds
+/// outward, 0 outside, a harmonic function in between where the surface has holes. Faces far away are summed by
+/// clusters, each as one dipole (Barill et al. 2018, "Fast winding numbers for soups and clouds").
+class WindingNumber {
+ public:
+  WindingNumber(const std::vector<dvec3>& points, std::vector<ivec3> faces);
+  /// The winding number at p, with an error below 0.01 by the clusters. O(log n).
+  [[nodiscard]] double operator()(const dvec3& p) const;
+
+ private:
+  struct Cluster {
+    dvec3 center{0};           ///< mean of the faces' centres, by area
+    dvec3 normal{0};           ///< sum of the faces' normals, by area [m^2]
+    double squared_reach = 0;  ///< beyond it the cluster is one dipole [m^2]
+  };
+  const std::vector<dvec3>& points_;
+  std::vector<ivec3> faces_;
+  Bvh bvh_;
+  std::vector<Cluster> clusters_;  ///< one per node of the tree
+};
+
+}  // namespace taxel

@@ -1,0 +1,56 @@
+// The signed distance that a wrap polygonises.
+#pragma once
+
+#include <memory>
+
+#include "core/mesh/query/closest_point.h"
+#include "core/mesh/repair/draft.h"
+#include "core/mesh/repair/wrap/winding_number.h"
+
+namespace taxel {
+
+/// The kind of body that a wrap makes of some faces.
+enum class WrapKind {
+  solid,            ///< the space that the faces wind around
+  sheet,            ///< a body of the pad's thickness behind the faces
+  two_sided_sheet,  ///< a body of the pad's thickness around the faces, which have no back (a Moebius strip)
+};
+
+/// Signed distance to the surface of the body that some faces are made into, negative inside. Exact within two edges of
+/// the faces; farther away only the sign is meaningful.
+class WrapField {
+ public:
+  /// `faces` of the draft, none of them without area. Throws Error that names /mesh/repair/edge if the lattice would be
+  /// too large.
+  WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind kind, const RepairLimits& limits);
+  [[nodiscard]] double operator()(const dvec3& p) const;
+  [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< bounds of the body, with two edges around
+  [[nodiscard]] const MeshIndex& faces() const { return *index_; }
+
+ private:
+  enum class Cell : char { outside, inside, near_faces, uncertain };
+  void check_lattice() const;
+  void classify_cells();
+  void mark_near(int face);
+  [[nodiscard]] double solid_distance(const dvec3& p) const;
+  [[nodiscard]] double sheet_distance(const dvec3& p) const;
+  [[nodiscard]] double rim_distance(const dvec3& p) const;
+  [[nodiscard]] dvec3 cell_center(const ivec3& cell) const { return bounds_.lo + width_ * (dvec3(cell) + 0.5); }
+  [[nodiscard]] std::size_t cell_index(const ivec3& cell) const {
+    return (at(cell.z) * at(counts_.y) + at(cell.y)) * at(counts_.x) + at(cell.x);
+  }
+
+  WrapKind kind_;
+  double edge_, thickness_;
+  std::unique_ptr<MeshIndex> index_;
+  std::unique_ptr<WindingNumber> winding_;
+  std::vector<char> is_rim_;                  ///< at 3 face + corner: no other face lies across the edge
+  std::vector<std::pair<dvec3, dvec3>> rim_;  ///< ends of edges with one face [m]
+  Bvh rim_tree_;
+  Aabb bounds_;
+  double width_ = 0;  ///< width of a cell [m]
+  ivec3 counts_{0};
+  std::vector<Cell> cells_;
+};
+
+}  // namespace taxel

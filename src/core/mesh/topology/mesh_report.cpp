@@ -1,0 +1,66 @@
+#include "core/mesh/topology/mesh_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "core/mesh/topology/mesh_check.h"
+
+namespace taxel {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kMeanings{{
+    {"mesh_open",
+     "The surface of the file has no inside there. A repair closes it when it is used (Inspector > Mesh); the file "
+     "stays as it is."},
+    {"mesh_nonmanifold",
+     "What lies inside is not defined there in the file. A repair removes what hangs there, or parts what touches."},
+    {"mesh_winding",
+     "Inside and outside change places there in the file. A repair turns the faces, or wraps what cannot be turned."},
+    {"mesh_inverted",
+     "Samples and the normals of placed taxels look into the body, and nothing would be felt. Turn its faces round."},
+    {"mesh_cavity", "Its wall cannot be touched: no sample lies on it, and rays from the skin end halfway to it."},
+    {"mesh_shells",
+     "Each is skin of its own: samples lie on all of them, and distances along the surface do not lead from one to "
+     "another."},
+    {"mesh_self_intersection",
+     "Skin inside of other parts is sampled but cannot be touched, and pressures near it are too high."},
+    {"mesh_units", "Radii and densities are given in metres: with the wrong unit no field fits the mesh."},
+    {"mesh_repaired", "Done while reading; the file stays as it is."},
+}};
+
+std::string meaning_of(std::string_view code) {
+  const auto* const found =
+      std::find_if(kMeanings.begin(), kMeanings.end(), [&](const auto& entry) { return entry.first == code; });
+  return found == kMeanings.end() ? std::string() : std::string(found->second);
+}
+
+}  // namespace
+
+MeshFindings mesh_report(const TriMesh& mesh, const std::vector<std::string>& notes) {
+  MeshFindings findings;
+  for (const Problem& problem : check_mesh(mesh, ""))
+    findings.push_back({problem.severity, problem.code, problem.message, meaning_of(problem.code)});
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const MeshFinding& a, const MeshFinding& b) { return a.severity > b.severity; });
+  const std::string_view repaired = "mesh_repaired";
+  for (const std::string& note : notes)
+    findings.push_back({Severity::note, std::string(repaired), note, meaning_of(repaired)});
+  return findings;
+}
+
+std::string count_findings(const MeshFindings& findings) {
+  std::string text;
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
+    const auto count = std::count_if(findings.begin(), findings.end(),
+                                     [&](const MeshFinding& finding) { return finding.severity == severity; });
+    if (count > 0)
+      text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count, to_string(severity), count == 1 ? "" : "s");
+  }
+  return text;
+}
+
+}  // namespace taxel

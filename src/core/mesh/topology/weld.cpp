@@ -1,0 +1,138 @@
+#include "core/mesh/topology/weld.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/index.h"
+#include "core/base/limits.h"
+
+namespace taxel {
+namespace {
+
+void check_soup(const PolygonSoup& soup, const dvec3& scale) {
+  if (!is_finite(scale) || scale.x * scale.y * scale.z == 0)
+    throw Error(fmt::format("scale ({}, {}, {}) must be finite and not zero", scale.x, scale.y, scale.z));
+  const int n = static_cast<int>(soup.vertices.size());
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    for (int c = 0; c < 3; ++c) {
+      const int v = soup.triangles[f][c];
+      if (v < 0 || v >= n) throw Error(fmt::format("triangle {}: no vertex {} (there are {})", f, v, n));
+    }
+  }
+}
+
+/// For each point the number of the first one at the same place.
+std::vector<int> first_at_same_place(const std::vector<dvec3>& points) {
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int i) { return std::tie(points[at(i)].x, points[at(i)].y, points[at(i)].z); };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::vector<int> first(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[at(order[i])] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[at(order[i - 1])] : order[i];
+  return first;
+}
+
+/// Whether rounding of the edges alone can have made the area that the triangle has.
+bool has_no_area(const dvec3& a, const dvec3& b, const dvec3& c) {
+  const dvec3 ab = b - a, ac = c - a, bc = c - b;
+  const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+  return !(glm::length(glm::cross(ab, ac)) > 8 * std::numeric_limits<double>::epsilon() * longest);
+}
+
+/// The same triangle beginning with its lowest corner: equal for every rotation, different for the other direction.
+std::tuple<int, int, int> rotated(const ivec3& f) {
+  if (f.x < f.y && f.x < f.z) return {f.x, f.y, f.z};
+  if (f.y < f.z) return {f.y, f.z, f.x};
+  return {f.z, f.x, f.y};
+}
+
+/// What was left out, and the first place of it.
+struct Dropped {
+  int count = 0, first = -1;
+  void add(int face) {
+    if (count++ == 0) first = face;
+  }
+  void note(const char* what, std::vector<std::string>& notes) const {
+    if (count > 0) notes.push_back(fmt::format("dropped {} {} (first: triangle {})", count, what, first));
+  }
+};
+
+std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>& points, const std::vector<int>& same,
+                               bool flip, std::vector<std::string>& notes, std::vector<int>* face_of,
+                               std::vector<ivec3>& flat_faces) {
+  Dropped flat, repeated;
+  std::set<std::tuple<int, int, int>> seen;
+  std::vector<ivec3> faces;
+  for (int f = 0; f < static_cast<int>(soup.triangles.size()); ++f) {
+    const ivec3& t = soup.triangles[at(f)];
+    ivec3 face(same[at(t.x)], same[at(t.y)], same[at(t.z)]);
+    if (flip) std::swap(face.y, face.z);
+    if (has_no_area(points[at(face.x)], points[at(face.y)], points[at(face.z)])) {
+      flat.add(f);
+      if (face.x != face.y && face.y != face.z && face.z != face.x) flat_faces.push_back(face);
+    } else if (!seen.insert(rotated(face)).second) {
+      repeated.add(f);
+    } else {
+      faces.push_back(face);
+      if (face_of != nullptr) face_of->push_back(f);
+    }
+  }
+  flat.note("triangles without area", notes);
+  repeated.note("repeated triangles", notes);
+  return faces;
+}
+
+}  // namespace
+
+TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::string>& notes, std::vector<int>* face_of) {
+  check_soup(soup, scale);
+  std::vector<dvec3> points;
+  points.reserve(soup.vertices.size());
+  for (const dvec3& v : soup.vertices) {
+    points.push_back(v * scale + 0.0);  // -0 becomes 0
+    if (!is_finite(points.back())) throw Error(fmt::format("vertex {}: overflows when scaled", points.size() - 1));
+    const dvec3 size = glm::abs(points.back());
+    if (std::max({size.x, size.y, size.z}) > kFarthest)
+      throw Error(fmt::format("vertex {}: a coordinate of {:.3g} m, at most {:g} m: is the scale wrong?",
+                              points.size() - 1, std::max({size.x, size.y, size.z}), kFarthest));
+  }
+  const std::vector<int> same = first_at_same_place(points);
+  int welded = 0;
+  for (std::size_t i = 0; i < same.size(); ++i) welded += at(same[i]) != i ? 1 : 0;
+  if (welded > 0) notes.push_back(fmt::format("welded {} duplicate vertices", welded));
+  if (soup.fanned > 0) notes.push_back(fmt::format("cut {} polygons into triangles", soup.fanned));
+  if (soup.skipped > 0) notes.push_back(fmt::format("dropped {} polygons of fewer than three corners", soup.skipped));
+  std::vector<ivec3> flat_faces;
+  std::vector<ivec3> faces =
+      sound_faces(soup, points, same, scale.x * scale.y * scale.z < 0, notes, face_of, flat_faces);
+  if (faces.empty()) throw Error("has no triangles");
+
+  std::vector<int> used(points.size(), -1);
+  for (const ivec3& f : faces) used[at(f.x)] = used[at(f.y)] = used[at(f.z)] = 0;
+  std::vector<dvec3> vertices;
+  int unused = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (used[i] < 0) {
+      unused += at(same[i]) == i ? 1 : 0;
+      continue;
+    }
+    used[i] = static_cast<int>(vertices.size());
+    vertices.push_back(points[i]);
+  }
+  if (unused > 0) notes.push_back(fmt::format("dropped {} vertices that no triangle uses", unused));
+  for (ivec3& f : faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};
+  // A flat face with a vertex of its own joins nothing.
+  std::erase_if(flat_faces,
+                [&](const ivec3& f) { return used[at(f.x)] < 0 || used[at(f.y)] < 0 || used[at(f.z)] < 0; });
+  for (ivec3& f : flat_faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};
+  return {std::move(vertices), std::move(faces), std::move(flat_faces)};
+}
+
+}  // namespace taxel

@@ -1,0 +1,282 @@
+#include "core/run/history/packed_step.h"
+
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "core/run/history/stream_copy.h"
+#include "core/sensor/readout/reading.h"
+
+namespace taxel {
+namespace {
+
+/// Numbers of one sensor's arrays.
+struct SensorCounts {
+  std::uint32_t readings = 0, surfaces = 0, motions = 0;
+};
+struct SurfaceCounts {
+  std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
+};
+
+// Parts of a polygon that are not as expected, and are written after what all have.
+constexpr std::uint32_t kFirst = 1;     // its vertices do not follow those of the polygon before
+constexpr std::uint32_t kNormal = 2;    // another normal than that of the polygon before
+constexpr std::uint32_t kGradient = 4;  // another gradient than that of its tet
+constexpr std::uint32_t kTetB = 8;      // has a tet of the other body
+constexpr unsigned kPartBits = 4;       // the number of corners stands above these
+
+std::uint32_t count(std::size_t n) {
+  return static_cast<std::uint32_t>(n);
+}
+
+bool same_bits(const dvec3& a, const dvec3& b) {
+  return std::memcmp(&a, &b, sizeof(dvec3)) == 0;
+}
+
+/// Gradients of a sensor's own field, which polygons refer to.
+class TetGradients {
+ public:
+  explicit TetGradients(const SensorModelPtr& model) {
+    const auto* soft = model && model->body ? std::get_if<SoftBody>(&model->body->geometry) : nullptr;
+    if (soft != nullptr) gradients_ = soft->field->gradients();
+  }
+  [[nodiscard]] const dvec3* of(int tet) const {
+    const auto index = static_cast<std::size_t>(tet);
+    return tet >= 0 && index < gradients_.size() ? &gradients_[index] : nullptr;
+  }
+
+ private:
+  std::span<const dvec3> gradients_;
+};
+
+class Sink {
+ public:
+  explicit Sink(std::byte* to) : to_(to) {}
+  template <class T>
+  void put(const T* first, std::size_t n) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (n > 0) std::memcpy(to_, first, n * sizeof(T));
+    to_ += n * sizeof(T);
+  }
+  template <class T>
+  void put(const T& value) {
+    put(&value, 1);
+  }
+  template <class Container>
+  void put_all(const Container& values) {
+    put(values.data(), values.size());
+  }
+  /// Large arrays: a step's record would push what the next step needs out of the caches.
+  template <class Container>
+  void stream_all(const Container& values) {
+    const std::size_t size = values.size() * sizeof(values[0]);
+    stream_copy(to_, values.data(), size);
+    to_ += size;
+  }
+  [[nodiscard]] std::byte* end() const { return to_; }
+  void set_end(std::byte* end) { to_ = end; }
+
+ private:
+  std::byte* to_;
+};
+
+/// For loops: bytes may alias anything, so that a Sink would be read and written again at each of them.
+template <class T>
+std::byte* append(std::byte* to, const T& value) {
+  std::memcpy(to, &value, sizeof(T));
+  return to + sizeof(T);
+}
+
+class Source {
+ public:
+  explicit Source(const std::byte* from) : from_(from) {}
+  template <class T>
+  void take(T* to, std::size_t n) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (n > 0) std::memcpy(to, from_, n * sizeof(T));
+    from_ += n * sizeof(T);
+  }
+  template <class T>
+  [[nodiscard]] T take() {
+    T value;
+    take(&value, 1);
+    return value;
+  }
+  template <class Container>
+  void take_all(Container& to, std::size_t n) {
+    to.resize(n);
+    take(to.data(), n);
+  }
+
+ private:
+  const std::byte* from_;
+};
+
+void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradients& gradients, Sink& sink) {
+  std::byte* to = sink.end();
+  int first = 0;
+  dvec3 normal(0);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    // The tets lie apart, and what is written is in no cache: waiting for each took a third of the time.
+    constexpr std::size_t kAhead = 8, kBytesAhead = 1024;
+    if (i + kAhead < polygons.size()) __builtin_prefetch(gradients.of(polygons[i + kAhead].tet));
+    __builtin_prefetch(to + kBytesAhead, 1);
+    const ContactPolygon& polygon = polygons[i];
+    const dvec3* gradient = gradients.of(polygon.tet);
+    std::uint32_t parts = 0;
+    if (polygon.first != first) parts |= kFirst;
+    if (!same_bits(polygon.normal, normal)) parts |= kNormal;
+    if (gradient == nullptr || !same_bits(polygon.gradient, *gradient)) parts |= kGradient;
+    if (polygon.tet_b != -1) parts |= kTetB;
+    to = append(to, parts | static_cast<std::uint32_t>(polygon.count) << kPartBits);
+    to = append(to, polygon.tet);
+    to = append(to, polygon.face);
+    to = append(to, polygon.area);
+    to = append(to, polygon.centroid);
+    to = append(to, polygon.pressure);
+    if ((parts & kFirst) != 0) to = append(to, polygon.first);
+    if ((parts & kNormal) != 0) to = append(to, polygon.normal);
+    if ((parts & kGradient) != 0) to = append(to, polygon.gradient);
+    if ((parts & kTetB) != 0) to = append(to, polygon.tet_b);
+    first = polygon.first + polygon.count;
+    normal = polygon.normal;
+  }
+  sink.set_end(to);
+}
+
+void take_polygons(Source& source, const TetGradients& gradients, std::vector<ContactPolygon>& polygons) {
+  int first = 0;
+  dvec3 normal(0);
+  for (ContactPolygon& polygon : polygons) {
+    const auto parts = source.take<std::uint32_t>();  // and the number of corners
+    polygon.count = static_cast<int>(parts >> kPartBits);
+    polygon.tet = source.take<int>();
+    polygon.face = source.take<int>();
+    polygon.area = source.take<double>();
+    polygon.centroid = source.take<dvec3>();
+    polygon.pressure = source.take<double>();
+    if ((parts & kFirst) != 0) first = source.take<int>();
+    if ((parts & kNormal) != 0) normal = source.take<dvec3>();
+    polygon.first = first;
+    polygon.normal = normal;
+    polygon.gradient = (parts & kGradient) != 0 ? source.take<dvec3>() : *gradients.of(polygon.tet);
+    polygon.tet_b = (parts & kTetB) != 0 ? source.take<int>() : -1;
+    first += polygon.count;
+  }
+}
+
+void put_surface(const ContactSurface& surface, const TetGradients& gradients, Sink& sink) {
+  sink.put(SurfaceCounts{count(surface.vertices.size()), count(surface.polygons.size()),
+                         count(surface.filtered_vertices.size()), count(surface.filtered.size())});
+  sink.stream_all(surface.vertices);
+  sink.stream_all(surface.pressure);
+  put_polygons(surface.polygons, gradients, sink);
+  sink.put(surface.rejected);
+  sink.put_all(surface.filtered_vertices);
+  sink.put_all(surface.filtered);
+}
+
+void take_surface(Source& source, const TetGradients& gradients, ContactSurface& surface) {
+  const auto counts = source.take<SurfaceCounts>();
+  source.take_all(surface.vertices, counts.vertices);
+  source.take_all(surface.pressure, counts.vertices);
+  surface.polygons.resize(counts.polygons);
+  take_polygons(source, gradients, surface.polygons);
+  surface.rejected = source.take<decltype(surface.rejected)>();
+  source.take_all(surface.filtered_vertices, counts.filtered_vertices);
+  source.take_all(surface.filtered, counts.filtered);
+}
+
+void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sink) {
+  const TetGradients gradients(model);
+  sink.put(sensor.X_WM);
+  sink.put(sensor.force_W);
+  sink.put(sensor.uncovered_W);
+  sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size())});
+  sink.put_all(sensor.readings);
+  sink.put_all(sensor.motions);
+  for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
+}
+
+/// What the rays met, and the shear, where one is asked for: read anew from the recorded surfaces and motions, which
+/// gives the same bits and takes less than keeping them.
+void read_anew(const SensorModelPtr& model, SensorFrameState& sensor) {
+  sensor.hits.clear();
+  sensor.shear.clear();
+  if (!model) return;
+  std::vector<const ContactSurface*> surfaces;
+  for (const ContactSurface& surface : sensor.surfaces) surfaces.push_back(&surface);
+  SensorReading reading;
+  if (model->layout.readout.shear) {
+    read_sensor(*model, surfaces, reading, RayPath::fastest, sensor.motions);
+    sensor.shear = std::move(reading.shear);
+  } else {
+    cast_rays(*model, surfaces, RayPath::fastest, reading.workspace, reading.hits);
+  }
+  sensor.hits = reading.hits.all();
+}
+
+void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& sensor) {
+  const TetGradients gradients(model);
+  sensor.X_WM = source.take<Pose>();
+  sensor.force_W = source.take<dvec3>();
+  sensor.uncovered_W = source.take<dvec3>();
+  const auto counts = source.take<SensorCounts>();
+  source.take_all(sensor.readings, counts.readings);
+  source.take_all(sensor.motions, counts.motions);
+  sensor.surfaces.resize(counts.surfaces);
+  for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
+  read_anew(model, sensor);
+}
+
+std::size_t largest_surface_size(const ContactSurface& surface) {
+  return sizeof(SurfaceCounts) + surface.vertices.size() * (sizeof(dvec3) + sizeof(double)) +
+         surface.polygons.size() * (sizeof(ContactPolygon) + sizeof(std::uint32_t)) + sizeof(surface.rejected) +
+         surface.filtered_vertices.size() * sizeof(dvec3) + surface.filtered.size() * sizeof(FilteredPolygon);
+}
+
+}  // namespace
+
+std::size_t largest_packed_size(const StepView& view) {
+  std::size_t size =
+      5 * sizeof(std::uint32_t) + view.held.size() * sizeof(HeldPoints) + sizeof(StepFacts) +
+      (view.geom_poses.size() + view.mark_poses.bodies.size() + view.mark_poses.cameras.size()) * sizeof(Pose);
+  for (const SensorView& sensor : view.sensors) {
+    size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
+            sensor.motions.size() * sizeof(SurfaceMotion);
+    for (const ContactSurface* surface : sensor.surfaces) size += largest_surface_size(*surface);
+  }
+  return size;
+}
+
+std::size_t pack_step(const StepView& view, std::byte* to) {
+  Sink sink(to);
+  sink.put(count(view.geom_poses.size()));
+  sink.put(count(view.sensors.size()));
+  sink.put(count(view.held.size()));
+  sink.put(count(view.mark_poses.bodies.size()));
+  sink.put(count(view.mark_poses.cameras.size()));
+  sink.put_all(view.geom_poses);
+  sink.put_all(view.held);
+  sink.put_all(view.mark_poses.bodies);
+  sink.put_all(view.mark_poses.cameras);
+  sink.put(view.facts);
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) put_sensor(view.sensors[s], view.scene->sensors[s], sink);
+  return static_cast<std::size_t>(sink.end() - to);
+}
+
+void unpack_step(const std::byte* from, SimFrame& frame) {
+  Source source(from);
+  const auto geoms = source.take<std::uint32_t>(), sensors = source.take<std::uint32_t>();
+  const auto held = source.take<std::uint32_t>(), bodies = source.take<std::uint32_t>();
+  const auto cameras = source.take<std::uint32_t>();
+  source.take_all(frame.geom_poses, geoms);
+  source.take_all(frame.held, held);
+  source.take_all(frame.mark_poses.bodies, bodies);
+  source.take_all(frame.mark_poses.cameras, cameras);
+  frame.facts = source.take<StepFacts>();
+  frame.sensors.resize(sensors);
+  for (std::size_t s = 0; s < frame.sensors.size(); ++s) take_sensor(source, frame.scene->sensors[s], frame.sensors[s]);
+}
+
+}  // namespace taxel

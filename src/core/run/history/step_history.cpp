@@ -1,0 +1,260 @@
+#include "core/run/history/step_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/run/history/packed_step.h"
+#include "core/sensor/explain/disagreement.h"
+#include "core/sensor/explain/reading_floor.h"
+
+namespace taxel {
+namespace {
+
+void gather_signals(const StepView& view, std::vector<SensorSignal>& signals) {
+  signals.clear();
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    const SensorView& sensor = view.sensors[s];
+    const SensorModelPtr& model = view.scene->sensors[s];
+    signals.push_back({sensor.readings, glm::length(sensor.force_W), model ? reading_floor(*model) : 0.0});
+  }
+}
+
+SensorSummary summarize(const SensorView& sensor, double force) {
+  SensorSummary row;
+  row.force = force;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ContactSurface* surface : sensor.surfaces) {
+    row.polygons += static_cast<int>(surface->polygons.size());
+    for (const ContactPolygon& polygon : surface->polygons) {
+      row.area += polygon.area;
+      smallest = std::min(smallest, polygon.area);
+    }
+  }
+  row.smallest_polygon = row.polygons > 0 ? smallest : 0.0;
+  return row;
+}
+
+std::uint8_t bit(StepEvent event) {
+  return static_cast<std::uint8_t>(event);
+}
+
+/// Appends the last of one column to another one.
+template <class T>
+void append_last(const Column<T>& values, std::size_t count, Column<T>& to) {
+  to.append(values.end() - count, values.end());
+}
+
+}  // namespace
+
+void StepHistory::set_limits(const StepHistoryLimits& limits) {
+  limits_ = limits;
+  limits_.steps = std::max<std::size_t>(1, limits_.steps);
+  while (size() > limits_.steps || (bytes() > limits_.bytes && size() > 1)) forget_oldest();
+  trim_rows();
+}
+
+void StepHistory::clear() {
+  steps_.clear();
+  memory_.clear();
+  forget_rows(rows_.rows());
+  rows_.forgotten_largest.clear();
+  rows_.forgotten_touched.clear();
+  detector_.restart();
+}
+
+void StepHistory::forget_oldest() {
+  memory_.pop_front();
+  steps_.pop_front();
+}
+
+void StepHistory::pack(const StepView& view, Step& step) {
+  step.scene = view.scene;
+  step.finished = view.finished;
+  const std::size_t room = largest_packed_size(view);
+  std::byte* to = memory_.push(room);
+  step.packed_bytes = pack_step(view, to);
+  memory_.shrink_back(room, step.packed_bytes);
+  step.packed = to;
+}
+
+std::optional<Stop> StepHistory::record(const StepView& view, const SimState& state) {
+  if (!empty() && view.step != last() + 1) clear();
+  const bool other_layout = !empty() && steps_.back().scene != view.scene;
+  Step step;
+  if (size() >= limits_.steps) {
+    step = std::move(steps_.front());  // its vector is taken over
+    forget_oldest();
+  }
+  pack(view, step);
+  step.state = state;
+  state_bytes_ = sizeof(Step) + step.state.integration.capacity() * sizeof(double);
+  steps_.push_back(std::move(step));
+  while (bytes() > limits_.bytes && size() > 1) forget_oldest();
+  return add_row(view, other_layout);
+}
+
+void StepHistory::fill_frame(std::uint64_t step, SimFrame& frame) const {
+  const Step& from = at(step);
+  frame.scene = from.scene;
+  frame.step = from.state.step;
+  frame.time = from.state.time;
+  frame.travel = from.state.travel;
+  frame.finished = from.finished;
+  unpack_step(from.packed, frame);
+}
+
+std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout) {
+  const bool first_row = rows_.rows() == 0;
+  rows_.sensor_count = view.sensors.size();
+  rows_.reading_count = 0;
+  reading_counts_.clear();
+  gather_signals(view, signals_);
+  const std::vector<std::optional<Jump>>& jumps = detector_.compare(view.step, view.time, signals_, breakpoints_);
+  StepMark mark{view.step, view.time, view.travel, 0};
+  if (other_layout) mark.events |= bit(StepEvent::other_layout);
+  std::optional<Stop> stop;
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    SensorSummary row = summarize(view.sensors[s], signals_[s].force);
+    row.largest_reading = detector_.largest(s);
+    const int before = first_row ? 0 : rows_.sensors[rows_.sensors.size() - rows_.sensor_count].polygons;
+    if (row.polygons > 0 && before == 0 && !first_row) mark.events |= bit(StepEvent::contact_begins);
+    if (row.polygons == 0 && before > 0) mark.events |= bit(StepEvent::contact_ends);
+    if (jumps[s]) {
+      row.largest_jump = jumps[s]->largest_change;
+      row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
+      if (is_jump(*jumps[s], breakpoints_))
+        mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
+      if (!other_layout && !stop && stops(*jumps[s], breakpoints_)) stop = *jumps[s];
+    }
+    rows_.sensors.push_back(row);
+    const std::span<const double> readings = view.sensors[s].readings;
+    rows_.readings.append(readings.data(), readings.data() + readings.size());
+    reading_counts_.push_back(view.sensors[s].readings.size());
+    rows_.reading_count += reading_counts_.back();
+  }
+  if (const std::optional<Disagreement> found = disagreement(view)) {
+    mark.events |= bit(StepEvent::disagreement);
+    if (!stop) stop = *found;
+  }
+  rows_.steps.push_back(mark);
+  trim_rows();
+  return stop;
+}
+
+std::optional<Disagreement> StepHistory::disagreement(const StepView& view) const {
+  if (!breakpoints_.on_disagreement) return std::nullopt;
+  std::optional<Disagreement> worst;
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    const SensorModelPtr& model = view.scene->sensors[s];
+    if (!model) continue;
+    const SensorView& sensor = view.sensors[s];
+    const std::vector<double> scales =
+        detector_.scales(s, signals_[s].least, breakpoints_.disagreement, breakpoints_.of_sensor);
+    const std::optional<SampleGap> gap = largest_sample_gap(*model, sensor.surfaces, sensor.readings, scales);
+    if (!gap) continue;
+    const double part = gap->gap / scales[static_cast<std::size_t>(gap->taxel)];
+    if (!(part > breakpoints_.disagreement) || (worst && part <= worst->part)) continue;
+    worst = Disagreement{view.step, view.time, static_cast<int>(s), gap->taxel, gap->sampled, gap->exact, part};
+  }
+  return worst;
+}
+
+/// Drops the oldest rows and keeps their largest readings and their numbers of touched steps.
+void StepHistory::trim_rows() {
+  const std::size_t count = rows_.rows() - size();
+  if (count > 0 && rows_.forgotten_largest.size() != rows_.reading_count) {
+    rows_.forgotten_largest.assign(rows_.reading_count, 0.0);
+    rows_.forgotten_touched.assign(rows_.reading_count, 0);
+  }
+  for (std::size_t row = 0; row < count; ++row) {
+    const std::span<const double> readings = rows_.readings_of(row);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      rows_.forgotten_largest[i] = std::max(rows_.forgotten_largest[i], std::abs(readings[i]));
+      rows_.forgotten_touched[i] += readings[i] != 0 ? 1 : 0;
+    }
+  }
+  rows_.forget_front(count);
+}
+
+/// Of one sensor, whose first reading is `first` of each row.
+ReadingHistory StepHistory::history_of(std::size_t first, std::size_t count) const {
+  ReadingHistory history{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t reading = first + k;
+    history.largest[k] = largest_reading(rows_, reading);
+    if (reading < rows_.forgotten_touched.size()) history.touched[k] = rows_.forgotten_touched[reading];
+    for (std::size_t row = 0; row < rows_.rows(); ++row)
+      history.touched[k] += rows_.readings[row * rows_.reading_count + reading] != 0 ? 1 : 0;
+  }
+  return history;
+}
+
+/// The newest ones: others may take their place.
+void StepHistory::forget_rows(std::size_t count) {
+  rows_.forget_back(count);
+  ++rows_.edition;
+}
+
+void StepHistory::replace_newest(const StepView& view) {
+  if (empty() || view.step != last()) return;
+  memory_.pop_back(steps_.back().packed_bytes);
+  pack(view, steps_.back());
+  gather_signals(view, signals_);
+  detector_.go_on_from(signals_, {});
+  double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
+  for (const SensorView& sensor : view.sensors)
+    readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
+  ++rows_.edition;
+  if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // else it reads so from the start
+}
+
+void StepHistory::cut_after(std::uint64_t step) {
+  std::size_t cut = 0;
+  for (; last() > step; ++cut) {
+    memory_.pop_back(steps_.back().packed_bytes);
+    steps_.pop_back();
+  }
+  if (cut == 0) return;
+  forget_rows(cut);
+  signals_.clear();
+  std::vector<ReadingHistory> histories;
+  std::size_t reading = 0;
+  const double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
+  for (std::size_t s = 0; s < rows_.sensor_count; ++s) {
+    const SensorSummary& row = rows_.sensors[rows_.sensors.size() - rows_.sensor_count + s];
+    signals_.push_back({{readings, reading_counts_[s]}, row.force});
+    readings += reading_counts_[s];
+    histories.push_back(history_of(reading, reading_counts_[s]));
+    reading += reading_counts_[s];
+  }
+  detector_.go_on_from(signals_, histories);
+}
+
+std::size_t StepHistory::bytes() const {
+  return memory_.bytes() + size() * state_bytes_ + rows_.steps.capacity() * sizeof(StepMark) +
+         rows_.sensors.capacity() * sizeof(SensorSummary) + rows_.readings.capacity() * sizeof(double);
+}
+
+std::shared_ptr<const HistoryLanes> StepHistory::lanes() const {
+  const auto lanes = std::make_shared<HistoryLanes>();
+  copy_lanes(*lanes);
+  return lanes;
+}
+
+void StepHistory::copy_lanes(HistoryLanes& lanes) const {
+  const bool another = lanes.edition != rows_.edition || empty() || lanes.rows() == 0 ||
+                       lanes.steps.back().step < rows_.steps.front().step;
+  lanes.forget_front(another ? lanes.rows() : rows_.steps.front().step - lanes.steps.front().step);
+  lanes.edition = rows_.edition;
+  lanes.sensor_count = rows_.sensor_count;
+  lanes.reading_count = rows_.reading_count;
+  lanes.forgotten_largest = rows_.forgotten_largest;
+  lanes.forgotten_touched = rows_.forgotten_touched;
+  const std::size_t more = rows_.rows() - lanes.rows();
+  append_last(rows_.steps, more, lanes.steps);
+  append_last(rows_.sensors, more * rows_.sensor_count, lanes.sensors);
+  append_last(rows_.readings, more * rows_.reading_count, lanes.readings);
+}
+
+}  // namespace taxel

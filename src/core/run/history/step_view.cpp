@@ -1,0 +1,77 @@
+#include "core/run/history/step_view.h"
+
+namespace taxel {
+namespace {
+
+/// All but the hits.
+void fill_but_hits(const StepView& now, SimFrame& frame) {
+  frame.scene = now.scene;
+  frame.step = now.step;
+  frame.time = now.time;
+  frame.travel = now.travel;
+  frame.finished = now.finished;
+  frame.geom_poses = now.geom_poses;
+  frame.held = now.held;
+  frame.mark_poses = now.mark_poses;
+  frame.facts = now.facts;
+  frame.sensors.resize(now.sensors.size());
+  for (std::size_t i = 0; i < now.sensors.size(); ++i) {
+    const SensorView& sensor = now.sensors[i];
+    SensorFrameState& state = frame.sensors[i];
+    state.X_WM = sensor.X_WM;
+    state.readings.assign(sensor.readings.begin(), sensor.readings.end());
+    state.force_W = sensor.force_W;
+    state.uncovered_W = sensor.uncovered_W;
+    state.shear.assign(sensor.shear.begin(), sensor.shear.end());
+    state.motions = sensor.motions;
+    state.surfaces.resize(sensor.surfaces.size());
+    for (std::size_t k = 0; k < state.surfaces.size(); ++k) state.surfaces[k] = *sensor.surfaces[k];
+  }
+}
+
+void copy_hits(const SensorView& sensor, std::vector<std::int32_t>& filled, std::vector<RayHit>& hits) {
+  if (hits.size() != sensor.hits.size()) {
+    hits.assign(sensor.hits.begin(), sensor.hits.end());
+  } else {
+    for (const std::int32_t ray : filled) hits[static_cast<std::size_t>(ray)] = RayHit{};
+    for (const std::int32_t ray : sensor.hit_rays)
+      hits[static_cast<std::size_t>(ray)] = sensor.hits[static_cast<std::size_t>(ray)];
+  }
+  filled.assign(sensor.hit_rays.begin(), sensor.hit_rays.end());
+}
+
+}  // namespace
+
+void fill_frame(const StepView& now, SimFrame& frame) {
+  fill_but_hits(now, frame);
+  for (std::size_t i = 0; i < now.sensors.size(); ++i)
+    frame.sensors[i].hits.assign(now.sensors[i].hits.begin(), now.sensors[i].hits.end());
+}
+
+void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits) {
+  fill_but_hits(now, frame);
+  if (hits.size() != now.sensors.size()) {
+    for (SensorFrameState& state : frame.sensors) state.hits.clear();
+    hits.resize(now.sensors.size());
+  }
+  for (std::size_t i = 0; i < now.sensors.size(); ++i) copy_hits(now.sensors[i], hits[i], frame.sensors[i].hits);
+}
+
+StepView view_of(const SimFrame& frame) {
+  StepView view{frame.scene,      frame.step, frame.time, frame.travel,     frame.finished,
+                frame.geom_poses, {},         frame.held, frame.mark_poses, frame.facts};
+  for (const SensorFrameState& state : frame.sensors) {
+    SensorView& sensor = view.sensors.emplace_back();
+    sensor.X_WM = state.X_WM;
+    sensor.force_W = state.force_W;
+    sensor.uncovered_W = state.uncovered_W;
+    sensor.readings = state.readings;
+    sensor.motions = state.motions;
+    sensor.hits = state.hits;
+    sensor.shear = state.shear;
+    for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
+  }
+  return view;
+}
+
+}  // namespace taxel

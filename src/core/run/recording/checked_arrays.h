@@ -1,0 +1,50 @@
+// Arrays of an archive whose values are checked before they are used: finite numbers, unit quaternions, whole numbers
+// within limits. Every function throws Error that names file, array, row and value.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/run/recording/npz.h"
+
+namespace taxel {
+
+/// Numbers that are all finite.
+inline std::vector<double> finite_doubles(const NpzReader& in, const std::string& name, const NpzReader::Shape& shape) {
+  std::vector<double> values = in.doubles(name, shape);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i]))
+      throw Error(in.file(), name, fmt::format("value {} must be finite, is {}", i, values[i]));
+  return values;
+}
+
+/// Quaternions w x y z as the rows of an array. Each has length 1 within 1e-3: MuJoCo normalises what a scene gives.
+inline std::vector<double> unit_quaternions(const NpzReader& in, const std::string& name,
+                                            const NpzReader::Shape& shape) {
+  constexpr double kTolerance = 1e-3;
+  std::vector<double> values = finite_doubles(in, name, shape);
+  for (std::size_t i = 0; i + 3 < values.size(); i += 4) {
+    const double length = std::hypot(std::hypot(values[i], values[i + 1]), std::hypot(values[i + 2], values[i + 3]));
+    if (!(std::abs(length - 1) <= kTolerance))
+      throw Error(in.file(), name, fmt::format("quaternion {} must be of length 1, is of length {}", i / 4, length));
+  }
+  return values;
+}
+
+/// Whole numbers from `least` to `most`.
+inline std::vector<std::int64_t> bounded_integers(const NpzReader& in, const std::string& name,
+                                                  const NpzReader::Shape& shape, std::int64_t least,
+                                                  std::int64_t most) {
+  std::vector<std::int64_t> values = in.integers(name, shape);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] < least || values[i] > most)
+      throw Error(in.file(), name, fmt::format("value {} must be from {} to {}, is {}", i, least, most, values[i]));
+  return values;
+}
+
+}  // namespace taxel

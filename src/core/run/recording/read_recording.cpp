@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/run/recording/checked_arrays.h"
+#include "core/run/recording/npz_rows.h"
+
+namespace taxel {
+namespace {
+
+/// The unit of a sensor's readings. Of files of versions that did not write it what `units` (JSON text) says of all.
+std::string unit_of_readings(const NpzReader& npz, const std::string& prefix) {
+  if (npz.has(prefix + "readings_unit")) return npz.text(prefix + "readings_unit");
+  const std::string units = npz.text("units"), key = "\"readings\": \"";
+  const std::size_t at = units.find(key);
+  if (at == std::string::npos) throw Error(npz.file(), "units", "says nothing of \"readings\"");
+  return units.substr(at + key.size(), units.find('"', at + key.size()) - at - key.size());
+}
+
+/// Times of the rows, each later than the one before.
+std::vector<double> read_times(const NpzReader& npz) {
+  std::vector<double> time = finite_doubles(npz, "time", {NpzReader::kAny});
+  if (time.empty()) throw Error(npz.file(), "time", "has no rows");
+  for (std::size_t r = 1; r < time.size(); ++r)
+    if (!(time[r] > time[r - 1]))
+      throw Error(npz.file(), "time",
+                  fmt::format("row {} must be later than {} s of the row before, is {} s", r, time[r - 1], time[r]));
+  return time;
+}
+
+/// Steps of the rows: ascending places in the mocap arrays.
+std::vector<std::int64_t> read_steps(const NpzReader& npz, std::size_t rows, std::size_t steps) {
+  std::vector<std::int64_t> step = bounded_integers(npz, "step", {rows}, 0, static_cast<std::int64_t>(steps) - 1);
+  for (std::size_t r = 1; r < step.size(); ++r)
+    if (step[r] <= step[r - 1])
+      throw Error(npz.file(), "step",
+                  fmt::format("row {} must be greater than {} of the row before, is {}", r, step[r - 1], step[r]));
+  return step;
+}
+
+void read_mocap(const NpzReader& npz, Recording& recording) {
+  const std::vector<double> pos = finite_doubles(npz, "mocap_pos", {NpzReader::kAny, 3});
+  const std::vector<double> quat = unit_quaternions(npz, "mocap_quat", {pos.size() / 3, 4});
+  for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_of_row(pos, quat, i));
+  recording.timestep = finite_doubles(npz, "timestep", {}).front();
+  if (!(recording.timestep > 0))
+    throw Error(npz.file(), "timestep", fmt::format("must be greater than 0, is {}", recording.timestep));
+}
+
+void read_rows(const NpzReader& npz, Recording& recording) {
+  const std::vector<double> time = read_times(npz);
+  const std::size_t n = time.size();
+  const std::vector<double> travel = finite_doubles(npz, "travel", {n});
+  const std::vector<std::int64_t> step = read_steps(npz, n, recording.mocap.size());
+  recording.objects = npz.texts("object_names");
+  const std::size_t m = recording.objects.size();
+  const std::vector<double> pos = finite_doubles(npz, "object_pos", {n, m, 3}),
+                            quat = unit_quaternions(npz, "object_quat", {n, m, 4});
+  for (std::size_t r = 0; r < n; ++r) {
+    RecordedRow& row = recording.rows.emplace_back();
+    row.step = step[r], row.time = time[r], row.travel = travel[r];
+    for (std::size_t o = 0; o < m; ++o) row.objects.push_back(pose_of_row(pos, quat, r * m + o));
+  }
+}
+
+void read_tangents(const NpzReader& npz, const std::string& prefix, RecordedSensor& sensor) {
+  const std::vector<double> values = finite_doubles(npz, prefix + "tangents", {sensor.taxel_ids.size(), 2, 3});
+  for (std::size_t k = 0; k < sensor.taxel_ids.size(); ++k)
+    sensor.tangents.push_back({vector_at(values, 6 * k), vector_at(values, 6 * k + 3)});
+}
+
+RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& prefix, const std::string& geom) {
+  RecordedSensor sensor;
+  sensor.geom = geom;
+  using Id = std::numeric_limits<int>;
+  for (const std::int64_t id : bounded_integers(npz, prefix + "taxel_ids", {NpzReader::kAny}, Id::min(), Id::max()))
+    sensor.taxel_ids.push_back(static_cast<int>(id));
+  sensor.taxel_names = npz.texts(prefix + "taxel_names");
+  if (sensor.taxel_names.size() != sensor.taxel_ids.size())
+    throw Error(npz.file(), prefix + "taxel_names", "has not one name per id");
+  sensor.reading_unit = unit_of_readings(npz, prefix);
+  sensor.layout_json = npz.text(prefix + "layout");
+  sensor.seed = std::bit_cast<std::uint64_t>(npz.integers(prefix + "seed", {}).front());
+  sensor.force = npz.has(prefix + "uncovered");
+  sensor.shear = npz.has(prefix + "shear");
+  if (sensor.shear) read_tangents(npz, prefix, sensor);
+  if (npz.has(prefix + "calibrated_unit")) sensor.calibrated_unit = npz.text(prefix + "calibrated_unit");
+  return sensor;
+}
+
+void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording& recording) {
+  const RecordedSensor& sensor = recording.sensors.back();
+  const std::size_t n = recording.rows.size(), k = sensor.taxel_ids.size();
+  const auto optional = [&](bool there, const char* name, const NpzReader::Shape& shape) {
+    return there ? finite_doubles(npz, prefix + name, shape) : std::vector<double>();
+  };
+  const std::vector<double> force = finite_doubles(npz, prefix + "force", {n, 3}),
+                            area = finite_doubles(npz, prefix + "area", {n}),
+                            readings = finite_doubles(npz, prefix + "readings", {n, k}),
+                            pos = finite_doubles(npz, prefix + "sensor_pos", {n, 3}),
+                            quat = unit_quaternions(npz, prefix + "sensor_quat", {n, 4}),
+                            calibrated = optional(sensor.calibrated_unit.has_value(), "calibrated", {n, k}),
+                            shear = optional(sensor.shear, "shear", {n, k, 2}),
+                            uncovered = optional(sensor.force, "uncovered", {n, 3});
+  const std::vector<std::int64_t> polygons =
+      bounded_integers(npz, prefix + "polygons", {n}, 0, std::numeric_limits<int>::max());
+  const auto row_of = [&](const std::vector<double>& values, std::size_t r) {
+    return values.empty() ? std::vector<double>()
+                          : std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(r * k),
+                                                values.begin() + static_cast<std::ptrdiff_t>((r + 1) * k));
+  };
+  for (std::size_t r = 0; r < n; ++r) {
+    SensorRecord record;
+    record.force_W = vector_at(force, 3 * r);
+    record.area = area[r];
+    record.polygons = static_cast<int>(polygons[r]);
+    record.readings = row_of(readings, r);
+    record.X_WM = pose_of_row(pos, quat, r);
+    record.calibrated = row_of(calibrated, r);
+    for (std::size_t i = 0; !shear.empty() && i < k; ++i)
+      record.shear.push_back({shear[2 * (r * k + i)], shear[2 * (r * k + i) + 1]});
+    if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, 3 * r);
+    recording.rows[r].sensors.push_back(std::move(record));
+  }
+}
+
+}  // namespace
+
+std::filesystem::path recording_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? path / "readings.npz" : path;
+}
+
+Recording read_recording(const std::filesystem::path& path) {
+  return read_recording(NpzReader(recording_file(path)));
+}
+
+Recording read_recording(const NpzReader& npz) {
+  Recording recording;
+  read_mocap(npz, recording);
+  read_rows(npz, recording);
+  const std::vector<std::string> geoms = npz.texts("sensor_geoms");
+  for (const std::string& geom : geoms) {
+    const std::string prefix = geoms.size() > 1 ? geom + "/" : "";
+    recording.sensors.push_back(read_sensor_columns(npz, prefix, geom));
+    read_sensor_rows(npz, prefix, recording);
+  }
+  return recording;
+}
+
+}  // namespace taxel

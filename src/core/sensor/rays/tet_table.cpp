@@ -1,0 +1,62 @@
+#include "core/sensor/rays/tet_table.h"
+
+#include "core/base/parallel.h"
+
+namespace taxel {
+
+TetTable::TetTable(const PressureField& field, std::span<const SensorRay> rays) {
+  const TetCrossings tets(field);
+  std::vector<std::vector<std::int32_t>> found(rays.size());
+  parallel_chunks(static_cast<int>(rays.size()), 512, [&](int begin, int end) {
+    for (auto r = static_cast<std::size_t>(begin); r < static_cast<std::size_t>(end); ++r) tets.find(rays[r], found[r]);
+  });
+  fill(field.tets().size(), rays, std::vector<std::span<const std::int32_t>>(found.begin(), found.end()));
+}
+
+void TetTable::fill(std::size_t tets, std::span<const SensorRay> rays,
+                    std::span<const std::span<const std::int32_t>> crossings) {
+  std::vector<std::uint32_t> first(tets + 1, 0);
+  for (const auto& of_ray : crossings)
+    for (const std::int32_t tet : of_ray) ++first[static_cast<std::size_t>(tet) + 1];
+  tets_.assign(tets, TetRays{});
+  std::uint32_t tiles = 0;
+  for (std::size_t t = 0; t < tets; ++t) {
+    tets_[t].first_tile = tiles;
+    tets_[t].tiles = (first[t + 1] + Tile::kRays - 1) / Tile::kRays;
+    tiles += tets_[t].tiles;
+    first[t + 1] += first[t];
+  }
+  tiles_.resize(tiles);
+  std::vector<std::uint32_t> filling(first.begin(), first.end() - 1);
+  std::vector<std::int32_t> crossing(first.back());
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    for (const std::int32_t tet : crossings[r])
+      crossing[filling[static_cast<std::size_t>(tet)]++] = static_cast<std::int32_t>(r);
+  }
+  parallel_chunks(static_cast<int>(tets), 512, [&](int begin, int end) {
+    for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+      set(t, rays, std::span(crossing).subspan(first[t], first[t + 1] - first[t]));
+  });
+}
+
+void TetTable::set(std::size_t tet, std::span<const SensorRay> rays, std::span<const std::int32_t> crossing) {
+  if (crossing.empty()) return;
+  std::vector<const SensorRay*> seen;
+  for (const std::int32_t r : crossing) seen.push_back(&rays[static_cast<std::size_t>(r)]);
+  const RayViewer viewer(seen);
+  TetRays& of_tet = tets_[tet];
+  of_tet.view = viewer.view();
+  for (std::size_t i = 0; i < of_tet.tiles * Tile::kRays; ++i) {
+    Tile& tile = tiles_[of_tet.first_tile + i / Tile::kRays];
+    const bool empty = i >= seen.size();
+    const RayPlace place = empty ? RayPlace{} : viewer.place_of(*seen[i]);
+    const std::size_t k = i % Tile::kRays;
+    tile.u[k] = place.u;
+    tile.v[k] = place.v;
+    tile.u_slope[k] = place.u_slope;
+    tile.v_slope[k] = place.v_slope;
+    tile.ray[k] = empty ? -1 : crossing[i];
+  }
+}
+
+}  // namespace taxel

@@ -1,0 +1,65 @@
+// For each tet of a sensor's pressure field the rays that cross it: found once, for rays are fixed in the sensor's
+// frame. A contact polygon lies in one tet, and only that tet's rays can meet it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/hydro/contact_surface.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/sensor/rays/cast_buffers.h"
+#include "core/sensor/rays/ray_hits.h"
+#include "core/sensor/rays/ray_view.h"
+#include "core/sensor/rays/sensor_ray.h"
+#include "core/sensor/rays/tet_crossings.h"
+
+namespace taxel {
+
+class TetTable {
+ public:
+  TetTable() = default;
+  TetTable(const PressureField& field, std::span<const SensorRay> rays);
+  /// The same where it is known which tets each ray crosses, ascending.
+  TetTable(const PressureField& field, std::span<const SensorRay> rays,
+           std::span<const std::span<const std::int32_t>> crossings) {
+    fill(field.tets().size(), rays, crossings);
+  }
+
+  /// As many rays as fill a vector, with their places in the view of their tet.
+  struct alignas(64) Tile {
+    static constexpr std::size_t kRays = 16;
+    std::array<float, kRays> u, v, u_slope, v_slope;  ///< RayPlace
+    std::array<std::int32_t, kRays> ray;              ///< in SensorModel::rays; -1 where empty
+  };
+
+  [[nodiscard]] int tet_count() const { return static_cast<int>(tets_.size()); }
+  [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
+  /// The rays that cross a tet, ascending.
+  [[nodiscard]] std::span<const Tile> rays_of(int tet) const {
+    const TetRays& rays = tets_[static_cast<std::size_t>(tet)];
+    return {tiles_.data() + rays.first_tile, rays.tiles};
+  }
+  [[nodiscard]] const RayView& view_of(int tet) const { return tets_[static_cast<std::size_t>(tet)].view; }
+  [[nodiscard]] std::size_t bytes() const { return tiles_.size() * sizeof(Tile) + tets_.size() * sizeof(TetRays); }
+
+ private:
+  void fill(std::size_t tets, std::span<const SensorRay> rays,
+            std::span<const std::span<const std::int32_t>> crossings);
+  void set(std::size_t tet, std::span<const SensorRay> rays, std::span<const std::int32_t> crossing);
+
+  struct alignas(64) TetRays {
+    RayView view;
+    std::uint32_t first_tile = 0, tiles = 0;
+  };
+  std::vector<TetRays> tets_;
+  std::vector<Tile> tiles_;  // tet by tet: what few polygons of few tets share stays in the caches
+};
+
+/// Offers the hits of all rays (those of the table) on the polygons of one surface that name a tet of the table. False
+/// if there are others, such as depth pieces: they are for the trees.
+bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
+                       int surface_number, CastBuffers& buffers, RayHits& hits);
+
+}  // namespace taxel

@@ -1,0 +1,385 @@
+#include "core/sensor/readout/force_integral.h"
+
+#include "core/base/index.h"
+#include "core/hydro/quadrature.h"
+#include "core/mesh/query/point_triangle.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel {
+namespace {
+
+/// A triangle is halved while its error is larger than this part of kAccuracy: the errors of the triangles at the edge
+/// of the fields, which alone are that large, have either sign.
+constexpr double kTrianglePart = 0.01;
+constexpr double kLeastPart = 1e-3;  // of the whole force, to which the accuracy refers where less is covered
+constexpr int kMaxLevel = 24;
+/// Beside the edge of the fields the points of the rule may all lie on one side of it. What may be missed then, as a
+/// part of the triangle, and how near it is, in circumradii: below convex skin s(x) moves faster than x.
+constexpr double kMissedPart = 0.1, kNearEdge = 1.2;
+
+/// A polygon of at most this part of the smallest field's radius is small against it.
+constexpr double kSmallPolygon = 0.25;
+/// sqrt(2) (cos t, sin t), a third of a turn apart.
+const std::array<dvec2, 3> kThirds{
+    {{std::sqrt(2.0), 0.0}, {-std::sqrt(0.5), std::sqrt(1.5)}, {-std::sqrt(0.5), -std::sqrt(1.5)}}};
+
+/// The normal with which the skin looks at x, whose nearest point on the skin is s: that of the face; on an edge or a
+/// corner, where all of its faces are equally near, the direction from x to s. It turns from one face's normal to the
+/// next one's as x moves, so that no tie between the faces decides.
+dvec3 normal_at(const TriMesh& skin, const SurfacePoint& s, const dvec3& x) {
+  constexpr double kInSkin = 1e-9;  // of the skin's size: nearer, the direction is rounding
+  const dvec3& b = s.barycentric;
+  const bool in_face = b.x != 0 && b.y != 0 && b.z != 0;
+  if (in_face || !(s.distance > kInSkin * skin.bounds().diagonal())) return skin.face_normals()[at(s.face)];
+  return (s.position - x) / s.distance;
+}
+
+double longest_edge(const std::array<dvec3, 3>& c) {
+  return std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
+}
+
+}  // namespace
+
+ForceIntegral::Triangle ForceIntegral::Triangle::child(int number) const {
+  const dvec3 ab = 0.5 * (corners[0] + corners[1]), bc = 0.5 * (corners[1] + corners[2]),
+              ca = 0.5 * (corners[2] + corners[0]);
+  const std::array<std::array<dvec3, 3>, 4> parts{
+      {{corners[0], ab, ca}, {ab, corners[1], bc}, {ca, bc, corners[2]}, {bc, ca, ab}}};
+  return {parts[at(number)], 0.25 * area, level + 1};
+}
+
+double ForceIntegral::Polygon::pressure(const dvec3& x) const {
+  return polygon->pressure + glm::dot(polygon->gradient, x - polygon->centroid);
+}
+
+/// The weights at the skin's point nearest to x, into at_.
+void ForceIntegral::evaluate(const Polygon& polygon, const dvec3& x) {
+  ++out_->evaluations;
+  double within = std::numeric_limits<double>::infinity();
+  const TriMesh& skin = model_->skin->mesh();
+  if (face_ >= 0)
+    within = std::sqrt(
+        nearest_on_triangle(x, skin.vertex(face_, 0), skin.vertex(face_, 1), skin.vertex(face_, 2)).squared_distance);
+  const SurfacePoint s = model_->skin->closest_point(x, within);
+  face_ = s.face;
+  weights_->at(s.face, s.position, normal_at(skin, s, x),
+               std::span(discs_).subspan(polygon.first_disc, polygon.end_disc - polygon.first_disc), at_);
+  at_.margin = std::min(at_.margin, model_->max_depth - s.distance);
+  if (s.distance > model_->max_depth) at_.weights.clear();
+}
+
+/// The error is the difference between the two rules, or what may hide between their points beside the edge of the
+/// fields.
+ForceIntegral::Estimate ForceIntegral::estimate(const Polygon& polygon, std::span<const Node> nodes, double area,
+                                                double radius) {
+  Estimate e;
+  e.first = static_cast<std::uint32_t>(shares_.size());
+  e.whole = area * polygon.pressure(nodes[0].x);
+  double coarse_covered = 0, margin = 0;
+  for (const Node& node : nodes) {
+    evaluate(polygon, node.x);
+    if (&node == nodes.data()) margin = std::abs(at_.margin);
+    double sum = 0;
+    for (const FieldWeights::Weight& w : at_.weights) sum += w.value;
+    if (!(sum > 0)) continue;
+    const double pressure = polygon.pressure(node.x), force = pressure * area;
+    e.covered += node.weight * force;
+    coarse_covered += node.coarse * force;
+    dvec3 friction(0);
+    if (polygon.motion != nullptr)
+      friction = node.weight * area *
+                 friction_traction(pressure, polygon.polygon->normal, polygon.motion->velocity(node.x),
+                                   polygon.motion->properties);
+    for (const FieldWeights::Weight& w : at_.weights) {
+      const double phi = w.value / sum;
+      Share& share = share_of(e.first, w.taxel);
+      share.value += node.weight * phi * force;
+      share.coarse += node.coarse * phi * force;
+      share.friction += phi * friction;
+    }
+  }
+  e.end = static_cast<std::uint32_t>(shares_.size());
+  e.error = std::abs(e.covered - coarse_covered);
+  for (std::uint32_t i = e.first; i < e.end; ++i) e.error += std::abs(shares_[i].value - shares_[i].coarse);
+  if (margin < kNearEdge * radius) e.error = std::max(e.error, kMissedPart * std::abs(e.whole));
+  return e;
+}
+
+/// By the rule of degree 5, against that of degree 2 in the same points.
+ForceIntegral::Estimate ForceIntegral::estimate(const Polygon& polygon, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  std::array<Node, kTriangleDegree5.size()> nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const EmbeddedPoint& q = kTriangleDegree5[i];
+    nodes[i] = {q.u * a + q.v * b + (1 - q.u - q.v) * c, q.weight, q.coarse};
+  }
+  const dvec3& middle = nodes[0].x;
+  const double radius = std::max({glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
+  return estimate(polygon, nodes, triangle.area, radius);
+}
+
+bool ForceIntegral::covered() const {
+  return std::any_of(at_.weights.begin(), at_.weights.end(), [](const FieldWeights::Weight& w) { return w.value > 0; });
+}
+
+/// Where the cover ends on the way from a point inside to one outside, by regula falsi on the margin (Illinois). None
+/// where it ends in a jump, as at a face that is turned away too far.
+std::optional<dvec3> ForceIntegral::edge_of_cover(const Polygon& polygon, dvec3 inside, double inner, dvec3 outside,
+                                                  double outer) {
+  constexpr int kMost = 10;
+  constexpr double kNear = 0.002;
+  const double near = kNear * glm::distance(inside, outside);
+  int side = 0;
+  for (int i = 0; i < kMost; ++i) {
+    const double part = outer < 0 && std::isfinite(outer) ? inner / (inner - outer) : 0.5;
+    const dvec3 x = inside + part * (outside - inside);
+    evaluate(polygon, x);
+    if (std::abs(at_.margin) <= near) return x;
+    if (covered()) {
+      if (side > 0) outer *= 0.5;
+      inside = x, inner = at_.margin, side = 1;
+    } else {
+      if (side < 0) inner *= 0.5;
+      outside = x, outer = at_.margin, side = -1;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Adds the shares of a triangle that is covered, and its force where it is, to those of `e`; rule of degree 2.
+void ForceIntegral::share_out(const Polygon& polygon, const std::array<dvec3, 3>& c, double area, Estimate& e,
+                              double& pushed) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec3 x = (c[0] + c[1] + c[2] + 3.0 * c[i]) / 6.0;
+    evaluate(polygon, x);
+    double sum = 0;
+    for (const FieldWeights::Weight& w : at_.weights) sum += w.value;
+    if (!(sum > 0)) continue;
+    const double pressure = polygon.pressure(x);
+    pushed += area / 3 * pressure;
+    dvec3 friction(0);
+    if (polygon.motion != nullptr)
+      friction =
+          friction_traction(pressure, polygon.polygon->normal, polygon.motion->velocity(x), polygon.motion->properties);
+    for (const FieldWeights::Weight& w : at_.weights) {
+      Share& share = share_of(e.first, w.taxel);
+      share.value += area / 3 * (w.value / sum) * pressure;
+      share.friction += area / 3 * (w.value / sum) * friction;
+    }
+  }
+}
+
+/// The triangle whose corner `lone` alone is covered, or alone is not, cut along the chord of the edge of the cover.
+/// The margin in the chord's middle is the edge's height above it: by two thirds of their product the cover is larger.
+ForceIntegral::Estimate ForceIntegral::cut_at(const Polygon& polygon, const Triangle& triangle, int lone,
+                                              bool lone_covered, const std::array<double, 3>& margins) {
+  constexpr double kLeftOver = 0.3, kFlat = 0.25;  // part of the correction that may be wrong; height over chord
+  Estimate e;
+  e.first = e.end = static_cast<std::uint32_t>(shares_.size());
+  e.error = std::numeric_limits<double>::infinity();
+  const std::size_t l = at(lone), n = (l + 1) % 3, m = (l + 2) % 3;
+  const auto& c = triangle.corners;
+  const auto find = [&](std::size_t other) {
+    const std::size_t in = lone_covered ? l : other, out = lone_covered ? other : l;
+    return edge_of_cover(polygon, c[in], margins[in], c[out], margins[out]);
+  };
+  const std::optional<dvec3> a = find(n), b = a ? find(m) : std::nullopt;
+  if (!b) return e;
+  const dvec3 middle = 0.5 * (*a + *b);
+  evaluate(polygon, middle);
+  const double chord = glm::distance(*a, *b), height = at_.margin;
+  if (!(std::abs(height) <= kFlat * chord)) return e;
+  const double scale = triangle.area / glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));  // of twice an area
+  const auto area_of = [&](const std::array<dvec3, 3>& t) {
+    return scale * glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
+  };
+  const std::array<dvec3, 3> tip{c[l], *a, *b}, near{*a, c[n], c[m]}, far{*a, c[m], *b};
+  const auto force_of = [&](const std::array<dvec3, 3>& t) {
+    return area_of(t) * polygon.pressure((t[0] + t[1] + t[2]) / 3.0);
+  };
+  const double correction = 2.0 / 3 * 2 * scale * chord * height * polygon.pressure(middle);
+  e.whole = triangle.area * polygon.pressure((c[0] + c[1] + c[2]) / 3.0);
+  e.covered = correction + (lone_covered ? force_of(tip) : e.whole - force_of(tip));
+  double pushed = 0;
+  if (lone_covered) {
+    share_out(polygon, tip, area_of(tip), e, pushed);
+  } else {
+    share_out(polygon, near, area_of(near), e, pushed);
+    share_out(polygon, far, area_of(far), e, pushed);
+  }
+  e.end = static_cast<std::uint32_t>(shares_.size());
+  if (!(pushed > 0) || !(e.covered >= 0)) return e;
+  for (std::uint32_t i = e.first; i < e.end; ++i) {
+    shares_[i].value *= e.covered / pushed;
+    shares_[i].friction *= e.covered / pushed;
+  }
+  e.error = kLeftOver * std::abs(correction);
+  return e;
+}
+
+/// A triangle at the edge of the cover, if that runs through it simply; else its error is infinite.
+ForceIntegral::Estimate ForceIntegral::cut(const Polygon& polygon, const Triangle& triangle) {
+  std::array<double, 3> margins{};
+  std::array<bool, 3> in{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    evaluate(polygon, triangle.corners[i]);
+    margins[i] = at_.margin;
+    in[i] = covered();
+  }
+  for (int i = 0; i < 3; ++i)
+    if (in[at(i)] != in[at((i + 1) % 3)] && in[at(i)] != in[at((i + 2) % 3)])
+      return cut_at(polygon, triangle, i, in[at(i)], margins);
+  const auto none = static_cast<std::uint32_t>(shares_.size());
+  return {none, none, 0, 0, std::numeric_limits<double>::infinity()};
+}
+
+/// Of a polygon that is small against the fields, as a whole: by three points on the ellipse of its second moments,
+/// exact for degree 2, against its centroid alone. With M = L L^T the second moments over the area, these are
+/// c + sqrt(2) L (cos t, sin t), t a third of a turn apart: for a triangle, on its inscribed ellipse.
+ForceIntegral::Estimate ForceIntegral::estimate_whole(const Polygon& polygon, double radius) {
+  const ContactPolygon& p = *polygon.polygon;
+  const dvec3 u = any_perpendicular(p.normal), v = glm::cross(p.normal, u);
+  double uu = 0, uv = 0, vv = 0;
+  for_each_triangle(*polygon.surface, p, [&](const dvec3& a, const dvec3& b, const dvec3& c, double area) {
+    dvec2 sum(0);
+    for (const dvec3& corner : {a, b, c}) {
+      const dvec2 x(glm::dot(corner - p.centroid, u), glm::dot(corner - p.centroid, v));
+      uu += area * x.x * x.x, uv += area * x.x * x.y, vv += area * x.y * x.y;
+      sum += x;
+    }
+    uu += area * sum.x * sum.x, uv += area * sum.x * sum.y, vv += area * sum.y * sum.y;
+  });
+  const double scale = 1 / (12 * p.area);
+  const double l0 = std::sqrt(std::max(0.0, uu * scale)), l1 = l0 > 0 ? uv * scale / l0 : 0,
+               l2 = std::sqrt(std::max(0.0, vv * scale - l1 * l1));
+  std::array<Node, 4> nodes{{{p.centroid, 0.0, 1.0}, {}, {}, {}}};
+  for (std::size_t i = 1; i < 4; ++i) {
+    const double x = kThirds[i - 1].x, y = kThirds[i - 1].y;
+    nodes[i] = {p.centroid + l0 * x * u + (l1 * x + l2 * y) * v, 1.0 / 3, 0.0};
+  }
+  return estimate(polygon, nodes, p.area, radius);
+}
+
+ForceIntegral::Share& ForceIntegral::share_of(std::uint32_t first, int taxel) {
+  for (std::size_t i = first; i < shares_.size(); ++i)
+    if (shares_[i].taxel == taxel) return shares_[i];
+  return shares_.emplace_back(Share{taxel, 0, 0, dvec3(0)});
+}
+
+void ForceIntegral::take(const Polygon& polygon, const Estimate& e) {
+  const dvec3& n = polygon.polygon->normal;
+  for (std::uint32_t i = e.first; i < e.end; ++i) {
+    const Share& share = shares_[i];
+    out_->values[at(share.taxel)] += share.value;
+    out_->normal[at(share.taxel)] += share.value * n;
+    out_->friction[at(share.taxel)] += share.friction;
+  }
+  out_->covered += e.covered;
+  out_->uncovered += e.whole - e.covered;
+  out_->uncovered_normal += (e.whole - e.covered) * n;
+}
+
+void ForceIntegral::refine(const Polygon& polygon, const Triangle& triangle, double tolerance) {
+  for (int i = 0; i < 4; ++i) settle(polygon, triangle.child(i), tolerance);
+}
+
+void ForceIntegral::settle(const Polygon& polygon, const Triangle& triangle, double tolerance) {
+  Estimate e = estimate(polygon, triangle);
+  if (e.error > tolerance && triangle.level < kMaxLevel) {
+    shares_.resize(e.first);
+    e = cut(polygon, triangle);
+  }
+  const bool fine = e.error <= tolerance || triangle.level >= kMaxLevel;
+  if (fine) take(polygon, e);
+  shares_.resize(e.first);
+  if (!fine) refine(polygon, triangle, tolerance);
+}
+
+void ForceIntegral::settle(const Leaf& leaf, double tolerance) {
+  const Polygon& polygon = polygons_[leaf.polygon];
+  if (leaf.estimate.error <= tolerance) {
+    take(polygon, leaf.estimate);
+  } else if (!leaf.whole) {
+    refine(polygon, leaf.triangle, tolerance);
+  } else if (!for_each_part(polygon, [&](const Triangle& triangle) { settle(polygon, triangle, tolerance); })) {
+    take(polygon, leaf.estimate);
+  }
+}
+
+/// Triangles that are no larger than the smallest field nearby.
+void ForceIntegral::add_leaves(const Triangle& triangle, double largest_edge) {
+  if (triangle.level < kMaxLevel / 2 && longest_edge(triangle.corners) > largest_edge) {
+    for (int i = 0; i < 4; ++i) add_leaves(triangle.child(i), largest_edge);
+    return;
+  }
+  const auto polygon = static_cast<std::uint32_t>(polygons_.size() - 1);
+  leaves_.push_back({triangle, polygon, false, estimate(polygons_.back(), triangle)});
+}
+
+void ForceIntegral::add_polygon(const ContactSurface& surface, const ContactPolygon& polygon,
+                                const SurfaceMotion* motion) {
+  const double force = polygon.area * polygon.pressure;
+  if (!(force > 0)) return;
+  double radius = 0;
+  for (int i = 0; i < polygon.count; ++i)
+    radius = std::max(radius, glm::distance(surface.vertices[at(polygon.first + i)], polygon.centroid));
+  // |s(x) - x| <= |s(c) - c| + |x - c|: all that the polygon's points may ask for lies within this of its centroid.
+  const SurfacePoint s = model_->skin->closest_point(polygon.centroid);
+  face_ = s.face;
+  weights_->near(polygon.centroid, s.distance + 2 * radius, near_);
+  Polygon& p = polygons_.emplace_back();
+  p = {&surface, &polygon, motion, static_cast<std::uint32_t>(discs_.size()), 0};
+  discs_.insert(discs_.end(), near_.begin(), near_.end());
+  p.end_disc = static_cast<std::uint32_t>(discs_.size());
+  const auto number = static_cast<std::uint32_t>(polygons_.size() - 1);
+  const double smallest = weights_->smallest_radius(near_);
+  if (near_.empty()) {
+    const auto none = static_cast<std::uint32_t>(shares_.size());
+    leaves_.push_back({{}, number, true, {none, none, 0, force, 0}});
+  } else if (radius <= kSmallPolygon * smallest ||
+             !for_each_part(p, [&](const Triangle& triangle) { add_leaves(triangle, smallest); })) {
+    leaves_.push_back({{}, number, true, estimate_whole(p, radius)});
+  }
+}
+
+/// Calls f with the triangles of a polygon's fan. Their force is made the polygon's, from which rounding and merged
+/// corners may have moved it a little. False, without a call, where merging left a sliver no triangle.
+template <class F>
+bool ForceIntegral::for_each_part(const Polygon& p, const F& f) {
+  const double force = p.polygon->area * p.polygon->pressure;
+  double sum = 0;
+  for_each_triangle(*p.surface, *p.polygon, [&](const dvec3& a, const dvec3& b, const dvec3& c, double area) {
+    sum += area * p.pressure((a + b + c) / 3.0);
+  });
+  if (!(sum > 0.5 * force)) return false;
+  for_each_triangle(*p.surface, *p.polygon, [&](const dvec3& a, const dvec3& b, const dvec3& c, double area) {
+    f(Triangle{{a, b, c}, area * (force / sum), 0});
+  });
+  return true;
+}
+
+void ForceIntegral::integrate(const SensorModel& model, const FieldWeights& weights,
+                              std::span<const ContactSurface* const> surfaces, std::span<const SurfaceMotion> motions,
+                              ForceReading& out) {
+  model_ = &model, weights_ = &weights, out_ = &out;
+  const std::size_t taxels = at(model.taxel_count());
+  out.values.assign(taxels, 0.0);
+  out.normal.assign(taxels, dvec3(0));
+  out.friction.assign(taxels, dvec3(0));
+  out.covered = out.uncovered = 0;
+  out.uncovered_normal = dvec3(0);
+  out.evaluations = 0;
+  polygons_.clear(), discs_.clear(), leaves_.clear(), shares_.clear();
+  face_ = -1;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i] == nullptr) continue;
+    for (const ContactPolygon& polygon : surfaces[i]->polygons)
+      add_polygon(*surfaces[i], polygon, motions.empty() ? nullptr : &motions[i]);
+  }
+  double covered = 0, whole = 0;
+  for (const Leaf& leaf : leaves_) covered += leaf.estimate.covered, whole += leaf.estimate.whole;
+  const double tolerance = kTrianglePart * kAccuracy * std::max(covered, kLeastPart * whole);
+  for (const Leaf& leaf : leaves_) settle(leaf, tolerance);
+}
+
+}  // namespace taxel

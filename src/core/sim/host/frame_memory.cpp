@@ -1,0 +1,60 @@
+#include "core/sim/host/frame_memory.h"
+
+#include <utility>
+
+namespace taxel {
+namespace {
+
+/// Shared by whoever has it; the last one's thread calls give_back(value).
+template <class T, class GiveBack>
+std::shared_ptr<T> shared(T value, GiveBack give_back) {
+  return {std::make_unique<T>(std::move(value)).release(), [give_back = std::move(give_back)](T* done) {
+            const std::unique_ptr<T> owner(done);
+            give_back(*owner);
+          }};
+}
+
+}  // namespace
+
+/// All but the memory is as in a new frame.
+template <class Fill>
+std::shared_ptr<SimFrame> FrameMemory::make_frame(const Fill& fill) {
+  Frame memory = frames_->take();
+  SimFrame frame;
+  frame.geom_poses = std::move(memory.geom_poses);
+  frame.sensors = std::move(memory.sensors);
+  fill(frame, memory.hits);
+  return shared(std::move(frame), [shelf = frames_, hits = std::move(memory.hits)](SimFrame& done) {
+    shelf->put({std::move(done.geom_poses), std::move(done.sensors), hits});
+  });
+}
+
+std::shared_ptr<SimFrame> FrameMemory::recorded_frame(const StepHistory& history, std::uint64_t step) {
+  return make_frame([&](SimFrame& frame, FilledHits& hits) {
+    hits.clear();
+    history.fill_frame(step, frame);
+  });
+}
+
+std::shared_ptr<SimFrame> FrameMemory::frame_of(const Simulator& simulator) {
+  return make_frame([&](SimFrame& frame, FilledHits& hits) { simulator.fill_frame(frame, hits); });
+}
+
+std::shared_ptr<const Trace> FrameMemory::copy_of(const Trace& trace) {
+  Trace copy = traces_->take();
+  const std::size_t known = copy.rows.size();
+  if (copy.edition == trace.edition && known <= trace.rows.size()) {
+    copy.rows.insert(copy.rows.end(), trace.rows.begin() + static_cast<std::ptrdiff_t>(known), trace.rows.end());
+  } else {
+    copy = trace;
+  }
+  return shared(std::move(copy), [shelf = traces_](Trace& done) { shelf->put(std::move(done)); });
+}
+
+std::shared_ptr<const HistoryLanes> FrameMemory::lanes_of(const StepHistory& history) {
+  HistoryLanes lanes = lanes_->take();
+  history.copy_lanes(lanes);
+  return shared(std::move(lanes), [shelf = lanes_](HistoryLanes& done) { shelf->put(std::move(done)); });
+}
+
+}  // namespace taxel

@@ -1,0 +1,32 @@
+#include "core/sim/host/write_recording.h"
+
+#include "core/base/files.h"
+#include "core/run/recording/csv.h"
+#include "core/run/recording/npz.h"
+#include "core/run/recording/tactile_state.h"
+
+namespace taxel {
+
+void put_recording(OutputFolder& folder, const Recording& recording, const Simulator* scene, bool tactile_state) {
+  if (scene != nullptr) folder.fill([&](const std::filesystem::path& into) { scene->export_scene(into); });
+  const auto put = [&](const char* name, const std::string& text) {
+    text.empty() ? folder.leave_out(name) : folder.write(name, text);
+  };
+  folder.write("readings.csv", recording_to_csv(recording));
+  put("calibrated.csv", calibrated_to_csv(recording));
+  put("shear.csv", shear_to_csv(recording));
+  put("tactile_state.jsonl", tactile_state ? tactile_states(recording) : "");
+  folder.write("readings.npz", recording_to_npz(recording));
+}
+
+void write_recording(const std::filesystem::path& path, const Recording& recording, const Simulator* scene) {
+  const std::filesystem::path extension = path.extension();
+  if (extension == ".csv") return write_file_atomically(path, recording_to_csv(recording));
+  if (extension == ".npz") return write_file_atomically(path, recording_to_npz(recording));
+  if (extension == ".jsonl") return write_file_atomically(path, tactile_states(recording));
+  OutputFolder folder(path);
+  put_recording(folder, recording, scene, false);
+  folder.commit();
+}
+
+}  // namespace taxel

@@ -1,0 +1,302 @@
+#include "core/sim/plugin/pairs/body_contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+#include "core/sim/model/geometry.h"
+#include "core/sim/plugin/pairs/geom_body.h"
+#include "core/sim/plugin/plugin_table.h"
+
+namespace taxel {
+namespace {
+
+bool same(const Pose& a, const Pose& b) {
+  return a.q == b.q && a.p == b.p;
+}
+bool same(const Twist& a, const Twist& b) {
+  return a.linear == b.linear && a.angular == b.angular;
+}
+
+/// Velocity of a body at the world point p, world axes.
+Twist body_twist(const mjModel& m, const mjData& d, int body, const dvec3& p_W) {
+  mjtNum v[6];  // angular, linear, at the origin of the body frame
+  mj_objectVelocity(&m, &d, mjOBJ_XBODY, body, v, 0);
+  const dvec3 w(v[0], v[1], v[2]), origin(d.xpos[3 * body], d.xpos[3 * body + 1], d.xpos[3 * body + 2]);
+  return {dvec3(v[3], v[4], v[5]) + glm::cross(w, p_W - origin), w};
+}
+
+void check_one_soft(const HydroBody& a, const HydroBody& b, bool sensor) {
+  if (a.soft() || b.soft()) return;
+  throw Error(fmt::format("{} and geom \"{}\" are both rigid: one of them must be soft",
+                          sensor ? "sensor" : fmt::format("geom \"{}\"", a.name), b.name));
+}
+
+/// Half the diagonal of a body's bounds; 0 for a half-space.
+double half_diagonal(const HydroBody& body) {
+  Aabb box;
+  if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
+    for (const dvec3& v : soft->field->vertices()) box.include(v);
+  if (const auto* rigid = std::get_if<RigidMesh>(&body.geometry)) box = rigid->index->mesh().bounds();
+  return 0.5 * box.diagonal();
+}
+
+/// The wrench on the other body, about the origin of its frame B and in B's axes, of a wrench on A.
+Wrench reaction(const Wrench& on_A, const RigidTransform& X_BA) {
+  const dvec3 force = -(X_BA.R * on_A.force);
+  return {force, -(X_BA.R * on_A.torque) + glm::cross(X_BA.p, force)};
+}
+
+/// The velocity of B relative to A at B's origin, in B's axes, as that of A relative to B at A's origin, in A's.
+Twist reversed(const Twist& of_B, const RigidTransform& X_AB) {
+  const dvec3 A_in_B = X_AB.inverse_point(dvec3(0));
+  return {-(X_AB.R * (of_B.linear + glm::cross(of_B.angular, A_in_B))), -(X_AB.R * of_B.angular)};
+}
+
+}  // namespace
+
+BodyContacts::BodyContacts(BodyId id, std::vector<DeclaredBody> declared) : declared_(std::move(declared)) {
+  while (declared_.at(self_).id != id) ++self_;
+}
+
+BodyContacts::BodyContacts(const BodyContacts& other)
+    : warnings(other.warnings),
+      failure(other.failure),
+      declared_(other.declared_),
+      self_(other.self_),
+      body_(other.body_),
+      X_GM_(other.X_GM_),
+      center_M_(other.center_M_),
+      radius_(other.radius_),
+      touched_(other.touched_),
+      partners_(other.partners_),
+      broad_phase_(other.broad_phase_),
+      slots_(other.slots_),
+      latest_(other.latest_),
+      sensed_(other.sensed_) {}
+
+void BodyContacts::set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bounds_M, const Pose& X_GM) {
+  body_ = std::move(body);
+  X_GM_ = X_GM;
+  center_M_ = body_->half_space() ? dvec3(0) : bounds_M.center();
+  radius_ = body_->half_space() ? std::numeric_limits<double>::infinity() : 0.5 * bounds_M.diagonal();
+  compile_others(m);
+  reset();
+}
+
+void BodyContacts::compile_others(const mjModel& m) {
+  touched_.clear();
+  partners_.clear();
+  broad_phase_.clear();
+  for (const int geom : settings().others) {
+    try {
+      const TouchedGeom touched = compile_other(m, geom);
+      if (touched.body != nullptr && body_->half_space() && touched.body->half_space()) {
+        if (!settings().others_named) continue;  // MuJoCo's planes do not collide either
+        throw Error(fmt::format("geoms \"{}\" and \"{}\" are both planes", settings().geom_name, geom_name(m, geom)));
+      }
+      broad_phase_.add(geom);
+      if (touched.role.partner.valid()) partners_.push_back(touched_.size());
+      if (touched.body != nullptr) broad_phase_.set_body(touched_.size(), *touched.body, touched.X_GB);
+      touched_.push_back(touched);
+    } catch (const Error& error) {
+      if (settings().others_named) throw Error("", key_of_others(), error.what());
+      warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
+    }
+  }
+}
+
+TouchedGeom BodyContacts::compile_other(const mjModel& m, int geom) {
+  TouchedGeom touched;
+  touched.geom = geom;
+  touched.role = pair_role(declared_, declared_[self_], geom);
+  if (touched.role.partner.valid()) {  // its body comes with link()
+    const auto partner = std::find_if(declared_.begin(), declared_.end(),
+                                      [&](const DeclaredBody& body) { return body.id == touched.role.partner; });
+    if (partner->sensor && settings().materials.contains(geom_name(m, geom)))
+      warnings.push_back(fmt::format("\"materials\" names geom \"{}\", which is a sensor: its layout's material counts",
+                                     geom_name(m, geom)));
+    return touched;
+  }
+  touched.body = geom_body(m, geom, settings().materials, warnings);
+  check_one_soft(*body_, *touched.body, declared_[self_].sensor);
+  set_properties(touched);
+  return touched;
+}
+
+void BodyContacts::set_properties(TouchedGeom& touched) const {
+  touched.properties = combine(body_->material, touched.body->material);
+  if (body_->half_space()) touched.half_diagonal = half_diagonal(*touched.body);
+}
+
+void BodyContacts::link(const BodyContacts& other) {
+  if (body_ == nullptr) return;
+  for (const std::size_t i : partners_) {
+    TouchedGeom& t = touched_[i];
+    if (t.role.partner != other.id() || other.body_ == nullptr || t.body == other.body_) continue;
+    t.body = nullptr;
+    broad_phase_.remove_body(i);
+    try {
+      check_one_soft(*body_, *other.body_, declared_[self_].sensor);
+    } catch (const Error& error) {
+      if (settings().others_named) throw Error("", key_of_others(), error.what());
+      if (!t.role.mirrored) warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
+      t.role.partner = {};  // not asked again
+      continue;
+    }
+    t.body = other.body_;
+    set_properties(t);
+    t.X_GB = other.X_GM_;
+    broad_phase_.set_body(i, *t.body, t.X_GB);
+  }
+}
+
+void BodyContacts::link_all(const mjModel& m, mjData& d) {
+  for (const std::size_t i : partners_)
+    if (touched_[i].role.partner.valid()) link(own_body(m, d, touched_[i].role.partner));
+}
+
+void BodyContacts::clear_pairs(Evaluation& e) const {
+  for (const std::size_t i : e.near) {
+    e.pairs[i].wrench = {};
+    e.pairs[i].surface.clear();
+  }
+  e.near.clear();
+}
+
+void BodyContacts::locate(const mjModel& m, const mjData& d, Evaluation& e) const {
+  e.X_WM = geom_pose(m, d, settings().geom) * X_GM_;
+  e.pairs.resize(touched_.size());
+  e.near.reserve(touched_.size());
+  broad_phase_.find(d, e.X_WM * center_M_, radius_, e.near);
+  if (e.near.empty()) return;
+  const Twist V_WM = body_twist(m, d, m.geom_bodyid[settings().geom], e.X_WM.p);
+  const dmat3 R_WM = e.X_WM.rotation();
+  for (const std::size_t i : e.near) {
+    const Twist V_WB = body_twist(m, d, m.geom_bodyid[touched_[i].geom], e.X_WM.p);
+    PairState& pair = e.pairs[i];
+    pair.X_WB = geom_pose(m, d, touched_[i].geom);
+    if (touched_[i].role.partner.valid()) pair.X_WB = pair.X_WB * touched_[i].X_GB;
+    pair.V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
+    pair.V_rub = pair.V;
+  }
+}
+
+Evaluation& BodyContacts::evaluate(const mjModel& m, mjData& d) {
+  const Stopwatch watch(times.surfaces);
+  link_all(m, d);
+  if (latest_ == sensed_) latest_ = 1 - latest_;
+  Evaluation& e = slots_[latest_];
+  clear_pairs(e);
+  locate(m, d, e);
+  for (const std::size_t i : e.near) {
+    if (touched_[i].role.mirrored) continue;
+    intersect(*body_, *touched_[i].body, e.X_WM, e.pairs[i].X_WB, e.pairs[i].surface, workspace_);
+  }
+  e.valid = true;
+  return e;
+}
+
+bool BodyContacts::fresh(const mjModel& m, const mjData& d) {
+  const Evaluation& e = slots_[latest_];
+  if (!e.valid) return false;
+  locate(m, d, probe_);
+  return same(e.X_WM, probe_.X_WM) && e.near == probe_.near &&
+         std::all_of(e.near.begin(), e.near.end(), [&](std::size_t i) {
+           return same(e.pairs[i].X_WB, probe_.pairs[i].X_WB) && same(e.pairs[i].V, probe_.pairs[i].V);
+         });
+}
+
+void BodyContacts::note_step_too_large(const mjModel& m, std::size_t pair, double largest) {
+  TouchedGeom& touched = touched_[pair];
+  if (touched.step_too_large) return;
+  touched.step_too_large = true;
+  warnings.push_back(
+      fmt::format("the contact of geoms \"{}\" and \"{}\" is too stiff for the time step of {:.4g} s: as it is now, "
+                  "the largest stable step is {:.3g} s",
+                  geom_name(m, settings().geom), geom_name(m, touched.geom), m.opt.timestep, largest));
+}
+
+void BodyContacts::note_mujoco_contacts(const mjModel& m, const mjData& d) {
+  for (int c = 0; c < d.ncon; ++c) {
+    const mjContact& contact = d.contact[c];
+    if (contact.efc_address < 0) continue;
+    if (contact.geom[0] != settings().geom && contact.geom[1] != settings().geom) continue;
+    const std::size_t i = pair_with(contact.geom[0] == settings().geom ? contact.geom[1] : contact.geom[0]);
+    if (i == touched_.size()) continue;
+    TouchedGeom& t = touched_[i];
+    if (!t.role.applies || t.role.mirrored || t.mujoco_too) continue;
+    t.mujoco_too = true;
+    warnings.push_back(
+        fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
+                    "set contype and conaffinity to 0 and name the geom in \"others\"",
+                    geom_name(m, settings().geom), geom_name(m, t.geom)));
+  }
+}
+
+Evaluation& BodyContacts::present(const mjModel& m, mjData& d) {
+  if (fresh(m, d)) return slots_[latest_];
+  Evaluation& e = evaluate(m, d);
+  for (const std::size_t i : e.near)
+    e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
+  return e;
+}
+
+std::size_t BodyContacts::pair_with(int geom) const {
+  const auto found =
+      std::lower_bound(touched_.begin(), touched_.end(), geom, [](const TouchedGeom& t, int g) { return t.geom < g; });
+  return found != touched_.end() && found->geom == geom ? static_cast<std::size_t>(found - touched_.begin())
+                                                        : touched_.size();
+}
+
+void BodyContacts::mirror_pairs(const mjModel& m, mjData& d) {
+  Evaluation& e = slots_[sensed_];
+  for (const std::size_t i : e.near) {
+    if (!touched_[i].role.mirrored) continue;
+    BodyContacts& other = own_body(m, d, touched_[i].role.partner);
+    const std::size_t theirs = other.pair_with(settings().geom);
+    if (!other.failure.empty() || theirs == other.touched_.size()) continue;
+    const Evaluation& computed = other.present(m, d);
+    const Stopwatch watch(times.surfaces);
+    const RigidTransform X_MB(e.X_WM.inverse() * computed.X_WM);
+    mirror(computed.pairs[theirs].surface, X_MB, e.pairs[i].surface);
+    e.pairs[i].wrench = reaction(computed.pairs[theirs].wrench, X_MB);
+    e.pairs[i].V_rub = reversed(computed.pairs[theirs].V_rub, X_MB);
+  }
+}
+
+void BodyContacts::sense(const mjModel& m, mjData& d) {
+  present(m, d);
+  sensed_ = latest_;
+  mirror_pairs(m, d);
+  note_mujoco_contacts(m, d);
+}
+
+mjtNum* BodyContacts::write_output(Output block, mjtNum* out) const {
+  const Evaluation& e = sensed();
+  if (block == Output::area) {
+    *out = 0;
+    for (const std::size_t i : e.near) *out += e.pairs[i].surface.area();
+    return out + 1;
+  }
+  Wrench sum;
+  for (const std::size_t i : e.near) {
+    const PairState& pair = e.pairs[i];
+    sum.force += e.X_WM.rotate(pair.wrench.force);
+    sum.torque += e.X_WM.rotate(pair.wrench.torque);
+  }
+  for (int i = 0; i < 3; ++i) out[i] = sum.force[i], out[i + 3] = sum.torque[i];
+  return out + 6;
+}
+
+void BodyContacts::reset() {
+  for (Evaluation& e : slots_) {
+    e = {};
+    e.pairs.resize(touched_.size());
+  }
+}
+
+}  // namespace taxel

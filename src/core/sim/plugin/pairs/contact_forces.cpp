@@ -1,0 +1,247 @@
+#include "core/sim/plugin/pairs/contact_forces.h"
+
+#include <algorithm>
+
+#include "core/base/stopwatch.h"
+#include "core/hydro/contact_stiffness.h"
+#include "core/sim/plugin/pairs/largest_step.h"
+#include "core/sim/plugin/pairs/matrix6.h"
+
+namespace taxel {
+namespace {
+
+using Active = ContactForceWorkspace::Active;
+
+std::size_t size(int n) {
+  return static_cast<std::size_t>(n);
+}
+
+PairState& state_of(Active& a) {
+  return a.body->latest().pairs[a.pair];
+}
+int first_body(const mjModel& m, const Active& a) {
+  return m.geom_bodyid[a.body->settings().geom];
+}
+int other_body(const mjModel& m, const Active& a) {
+  return m.geom_bodyid[a.body->touched()[a.pair].geom];
+}
+
+bool asleep(const mjModel& m, const mjData& d, int body) {
+  return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
+}
+
+/// Whether a body may move of itself: an awake one, or one that is fixed to a mocap body.
+bool may_move(const mjModel& m, const mjData& d, int body) {
+  return m.body_mocapid[m.body_rootid[body]] >= 0 || (m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_AWAKE);
+}
+
+/// A tree falls asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. MuJoCo
+/// does not know of our contacts and would let a tree sleep while a moving body touches it. One that sleeps already is
+/// given a velocity that no number of the simulation feels: at the begin of the next step MuJoCo wakes what has one,
+/// with all trees that fell asleep with it.
+void keep_awake(const mjModel& m, mjData& d, int body, int toucher) {
+  constexpr mjtNum kUnfelt = 1e-200;  // m/s or rad/s
+  const int tree = m.body_treeid[body];
+  if (tree < 0 || (m.opt.enableflags & mjENBL_SLEEP) == 0) return;
+  if (d.tree_asleep[tree] < 0) {
+    d.tree_asleep[tree] = -(1 + mjMINAWAKE);
+  } else if (may_move(m, d, toucher)) {
+    d.qvel[m.tree_dofadr[tree]] = kUnfelt;
+  }
+}
+
+/// J of the relative twist, in frame M at M's origin; A = J M^-1 J^T (6 x 6).
+void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Active& a) {
+  const std::size_t nv = size(m.nv);
+  const Evaluation& e = a.body->latest();
+  const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
+  work.jacobian.resize(12 * nv);
+  mjtNum* sensor = work.jacobian.data();
+  mjtNum* other = sensor + 6 * nv;
+  mj_jac(&m, &d, sensor, sensor + 3 * nv, origin, first_body(m, a));
+  mj_jac(&m, &d, other, other + 3 * nv, origin, other_body(m, a));
+  const dmat3 R_WM = e.X_WM.rotation();
+  a.J.resize(6 * nv);
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (std::size_t j = 0; j < nv; ++j) {
+      dvec3 column_W;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t at = (3 * half + i) * nv + j;
+        column_W[static_cast<int>(i)] = sensor[at] - other[at];
+      }
+      const dvec3 column = column_W * R_WM;  // R^T v
+      for (std::size_t i = 0; i < 3; ++i) a.J[(3 * half + i) * nv + j] = column[static_cast<int>(i)];
+    }
+  }
+  a.MinvJ.resize(6 * nv);
+  mj_solveM(&m, &d, a.MinvJ.data(), a.J.data(), 6);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      a.inverse_inertia[i][j] = mju_dot(a.J.data() + i * nv, a.MinvJ.data() + j * nv, m.nv);
+}
+
+/// M^-1 of all forces but those of the pairs: passive so far, applied, bias, and what comes later in the step.
+void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
+  work.force.resize(size(m.nv));
+  work.acceleration.resize(size(m.nv));
+  mjtNum* f = work.force.data();
+  mj_rne(&m, &d, 0, f);
+  for (int i = 0; i < m.nv; ++i) f[i] = d.qfrc_passive[i] + d.qfrc_applied[i] + late_forces[size(i)] - f[i];
+  for (int b = 1; b < m.nbody; ++b) {
+    const mjtNum* x = d.xfrc_applied + 6 * b;
+    if (std::any_of(x, x + 6, [](mjtNum v) { return v != 0; })) mj_applyFT(&m, &d, x, x + 3, d.xipos + 3 * b, b, f);
+  }
+  mj_solveM(&m, &d, work.acceleration.data(), f, 1);
+}
+
+/// The pair's twist at the end of the step without the wrenches of the pairs.
+Twist free_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a) {
+  const PairState& pair = state_of(a);
+  std::array<double, 6> rate{};
+  mju_mulMatVec(rate.data(), a.J.data(), work.acceleration.data(), 6, m.nv);
+  const double h = m.opt.timestep;
+  return {pair.V.linear + h * dvec3(rate[0], rate[1], rate[2]), pair.V.angular + h * dvec3(rate[3], rate[4], rate[5])};
+}
+
+Traction law_of(const Active& a, const Twist& V) {
+  return a.points.evaluate(a.body->touched()[a.pair].properties, V);
+}
+
+void keep(Active& a, const Wrench& wrench, const Twist& V_end) {
+  PairState& pair = state_of(a);
+  pair.wrench = wrench;
+  pair.V_rub = V_end;
+  a.V_rub = V_end;
+}
+
+/// J_i M^-1 J_j^T
+Matrix6 response(const mjModel& m, const Active& i, const Active& j) {
+  Matrix6 A{};
+  const std::size_t nv = size(m.nv);
+  for (std::size_t r = 0; r < 6; ++r)
+    for (std::size_t c = 0; c < 6; ++c) A[r][c] = mju_dot(i.J.data() + r * nv, j.MinvJ.data() + c * nv, m.nv);
+  return A;
+}
+
+bool moves(const Matrix6& A) {
+  return std::any_of(A.begin(), A.end(), [](const auto& row) {
+    return std::any_of(row.begin(), row.end(), [](double x) { return x != 0; });
+  });
+}
+
+/// Pairs whose wrenches move each other's bodies, directly or through others, get one group. Fills work.responses.
+void group_pairs(const mjModel& m, ContactForceWorkspace& work) {
+  const std::span<Active> active(work.active.data(), work.active_count);
+  work.responses.resize(active.size() * active.size());
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    active[i].group = i;
+    work.responses[i * active.size() + i] = active[i].inverse_inertia;
+    for (std::size_t j = 0; j < i; ++j) {
+      const Matrix6 A = response(m, active[i], active[j]);
+      work.responses[i * active.size() + j] = A;
+      work.responses[j * active.size() + i] = transposed(A);
+      const std::size_t theirs = active[j].group, ours = active[i].group;
+      if (theirs == ours || !moves(A)) continue;
+      for (Active& a : active)
+        if (a.group == ours) a.group = theirs;
+    }
+  }
+}
+
+/// The members of a group, at once. Wrenches of other groups do not move its bodies.
+void solve_group(const mjModel& m, ContactForceWorkspace& work) {
+  const std::vector<std::size_t>& members = work.members;
+  ImplicitWrenches& wrenches = work.wrenches;
+  wrenches.begin(members.size(), m.opt.timestep);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    Active& a = work.active[members[i]];
+    wrenches.pair(i) = {a.V_rub, free_twist(m, work, a), a.length, {}, {}};
+  }
+  for (std::size_t i = 0; i < members.size(); ++i)
+    for (std::size_t j = 0; j < members.size(); ++j)
+      wrenches.set_inverse_inertia(i, j, work.responses[members[i] * work.active_count + members[j]]);
+  wrenches.solve([&](std::size_t i, const Twist& V) { return law_of(work.active[members[i]], V); });
+  for (std::size_t i = 0; i < members.size(); ++i)
+    keep(work.active[members[i]], wrenches.pair(i).wrench, wrenches.pair(i).V_end);
+}
+
+void apply(const mjModel& m, mjData& d, Active& a) {
+  const Evaluation& e = a.body->latest();
+  const PairState& pair = state_of(a);
+  const dvec3 force = e.X_WM.rotate(pair.wrench.force), torque = e.X_WM.rotate(pair.wrench.torque);
+  const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
+  const mjtNum f[3] = {force.x, force.y, force.z}, t[3] = {torque.x, torque.y, torque.z};
+  const mjtNum minus_f[3] = {-force.x, -force.y, -force.z}, minus_t[3] = {-torque.x, -torque.y, -torque.z};
+  if (!asleep(m, d, first_body(m, a))) mj_applyFT(&m, &d, f, t, origin, first_body(m, a), d.qfrc_passive);
+  if (!asleep(m, d, other_body(m, a))) mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
+  keep_awake(m, d, first_body(m, a), other_body(m, a));
+  keep_awake(m, d, other_body(m, a), first_body(m, a));
+}
+
+/// Friction and damping are implicit, stiffness is not. Looks at the first step of a pair and at every eighth: a look
+/// takes up to a fifth of a step's time. A bound that is quick to have spares most pairs the rest.
+void check_step(const mjModel& m, Active& a) {
+  constexpr unsigned kEvery = 8;
+  const TouchedGeom& touched = a.body->touched()[a.pair];
+  if (touched.step_too_large || !a.body->time_to_check_step(a.pair, kEvery)) return;
+  const PairState& pair = state_of(a);
+  const double h = m.opt.timestep, limit = m.opt.integrator == mjINT_RK4 ? kRungeKuttaLimit : kEulerLimit;
+  const Matrix6& A = a.inverse_inertia;
+  const StiffnessBound bound = stiffness_bound(pair.surface);
+  const double reach = bound.reach + a.length;  // corners lie farther out than centroids
+  if (h * h * stiffest_mode_bound(A, bound.linear, reach) < limit) return;
+  const Pose X_MB = a.body->latest().X_WM.inverse() * pair.X_WB;
+  const Matrix6 K = contact_stiffness(pair.surface, *a.body->body(), *touched.body, RigidTransform(X_MB));
+  const Matrix6 S = a.points.evaluate(touched.properties, a.V_rub).secant;
+  const double largest = largest_stable_step({A, K, S}, limit, h);
+  if (largest < h) a.body->note_step_too_large(m, a.pair, largest);
+}
+
+/// All pairs that have a surface, with their dynamics.
+void collect(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies, ContactForceWorkspace& work) {
+  work.active_count = 0;
+  for (BodyContacts* body : bodies) {
+    Evaluation& e = body->evaluate(m, d);
+    const Stopwatch watch(body->times.forces);
+    for (const std::size_t i : e.near) {
+      if (e.pairs[i].surface.empty()) continue;
+      if (!body->touched()[i].role.applies) {
+        work.felt_only.assign(e.pairs[i].surface);
+        e.pairs[i].wrench = work.felt_only.evaluate(body->touched()[i].properties, e.pairs[i].V).wrench;
+        continue;
+      }
+      if (work.active_count == work.active.size()) work.active.emplace_back();
+      Active& a = work.active[work.active_count++];
+      a.body = body;
+      a.pair = i;
+      a.length = body->length(i);
+      a.V_rub = e.pairs[i].V;
+      a.points.assign(e.pairs[i].surface);
+      fill_dynamics(m, d, work, a);
+    }
+  }
+}
+
+}  // namespace
+
+void apply_contact_forces(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
+                          std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
+  collect(m, d, bodies, work);
+  if (work.active_count == 0) return;
+  const Stopwatch watch(work.active.front().body->times.forces);  // all pairs are solved together
+  const std::span<Active> active(work.active.data(), work.active_count);
+  free_acceleration(m, d, late_forces, work);
+  group_pairs(m, work);
+  for (std::size_t group = 0; group < active.size(); ++group) {
+    work.members.clear();
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k].group == group) work.members.push_back(k);
+    if (!work.members.empty()) solve_group(m, work);
+  }
+  for (Active& a : active) {
+    check_step(m, a);
+    apply(m, d, a);
+  }
+}
+
+}  // namespace taxel

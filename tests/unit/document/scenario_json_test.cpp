@@ -1,0 +1,132 @@
+// A scenario survives a file, a sweep's reads as it always did, and what is out of range is named.
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/document/scenario/scenario_json.h"
+
+namespace taxel {
+namespace {
+
+std::string complaint(const std::string& text) {
+  try {
+    parse_scenario(text, "s.json");
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+/// Every value that this kind uses is another one than by default.
+Scenario unlike_default(ScenarioKind kind, ObjectShape shape) {
+  Scenario scenario = with_shape({}, shape);
+  scenario.kind = kind;
+  double value = 0.1 + 0.2;
+  for (const ScenarioParameter& parameter : scenario_parameters())
+    if (parameter.used_by(scenario)) scenario.*parameter.value = value += 1;
+  if (shape == ObjectShape::edge && kind != ScenarioKind::paper) scenario.edge_radius = 1.1;
+  if (kind == ScenarioKind::replay) scenario.source = "out";
+  if (kind == ScenarioKind::path) scenario.points = {{0, {}}, {0.1 + 0.2, {{0.6, 0, 0.8, 0}, {1, 2, 3}}}};
+  return scenario;
+}
+
+TEST(ScenarioJson, KeepsEveryValueOfEveryKind) {
+  for (const auto& word : words_of(ScenarioKind{})) {
+    for (const ObjectShape shape : {ObjectShape::edge, ObjectShape::box, ObjectShape::sphere}) {
+      const bool has_shape = word.value != ScenarioKind::paper;
+      const Scenario scenario = unlike_default(word.value, has_shape ? shape : ObjectShape::box);
+      EXPECT_EQ(parse_scenario(scenario_to_json(scenario)), scenario) << word.text;
+      EXPECT_EQ(parse_scenario(scenario_file_json(scenario)), scenario) << word.text;
+    }
+  }
+}
+
+TEST(ScenarioJson, ReadsAFileWithoutShapeAsABox) {
+  for (const std::string text : {"{}", R"({"kind": "sweep", "depth": 0.0015})"}) {
+    const Scenario scenario = parse_scenario(text);
+    EXPECT_EQ(scenario, with_shape({}, ObjectShape::box)) << text;
+    EXPECT_EQ(scenario.before, 0.012);
+    EXPECT_EQ(scenario.past, 0.012);
+  }
+  EXPECT_EQ(parse_scenario(R"({"shape": "edge"})"), Scenario{});
+}
+
+TEST(ScenarioJson, NamesTheEdgeThatASweepCrosses) {
+  EXPECT_EQ(scenario_to_json({}),
+            R"({"depth":0.0015,"speed":0.01,"before":0.025,"past":0.025,"tilt_deg":45.0,"record_every":0.0001,)"
+            R"("timestep":0.001,"finger_mass":0.02,"box_size":0.05,"edge_radius":0.001,"shape":"edge","object":""})");
+}
+
+TEST(Scenario, ReachFollowsTheShapeUnlessChosen) {
+  Scenario scenario;
+  scenario.past = 0.03;
+  scenario = with_shape(scenario, ObjectShape::box);
+  EXPECT_EQ(scenario.before, kBoxReach);
+  EXPECT_EQ(scenario.past, 0.03);
+  EXPECT_EQ(with_shape(scenario, ObjectShape::edge).before, kEdgeReach);
+}
+
+TEST(Scenario, ObjectFollowsTheKindUnlessChosen) {
+  Scenario scenario = with_kind({}, ScenarioKind::press);
+  EXPECT_EQ(scenario.shape, ObjectShape::box);
+  EXPECT_EQ(with_kind(scenario, ScenarioKind::sweep), Scenario{});
+  EXPECT_EQ(with_kind({}, ScenarioKind::path).shape, ObjectShape::edge) << "its poses are those around the edge";
+  scenario = with_kind(with_object({}, "a.obj"), ScenarioKind::press);
+  EXPECT_EQ(scenario.object, "a.obj");
+}
+
+TEST(ScenarioJson, ASweepOnABoxIsWrittenAsItAlwaysWas) {
+  EXPECT_EQ(scenario_to_json(with_shape({}, ObjectShape::box)),
+            R"({"depth":0.0015,"speed":0.01,"before":0.012,"past":0.012,"tilt_deg":45.0,"record_every":0.0001,)"
+            R"("timestep":0.001,"finger_mass":0.02,"box_size":0.05,"object":""})");
+}
+
+TEST(ScenarioJson, IsFoundInsideASweepJson) {
+  const Scenario scenario = parse_scenario(R"({"format": "taxel-sweep", "scenario": {"depth": 0.001}})");
+  EXPECT_EQ(scenario.depth, 0.001);
+}
+
+TEST(ScenarioJson, NamesWhatIsWrong) {
+  EXPECT_EQ(complaint(R"({"depth": -1})"), "s.json: /depth: must be greater than 0, is -1");
+  EXPECT_EQ(complaint(R"({"scenario": {"speed": "fast"}})"), "s.json: /scenario/speed: must be a number, is \"fast\"");
+  EXPECT_EQ(complaint(R"({"dept": 1})"), "s.json: /dept: unknown key");
+  EXPECT_EQ(complaint(R"({"before": 0, "past": 0})"), "s.json: /past: before and past together must be greater than 0");
+  EXPECT_EQ(complaint(R"(3)"), "s.json: must be an object, is 3");
+}
+
+TEST(ScenarioJson, NamesWhatDoesNotBelongToTheKind) {
+  EXPECT_EQ(complaint(R"({"kind": "press", "before": 0.01})"), R"(s.json: /before: is not used by the kind "press")");
+  EXPECT_EQ(complaint(R"({"points": []})"), R"(s.json: /points: is not used by the kind "sweep")");
+  EXPECT_EQ(
+      complaint(R"({"kind": "push"})"),
+      R"(s.json: /kind: must be one of "sweep", "press", "roll", "twist", "slide", "drop", "path", "replay", "paper", is "push")");
+  EXPECT_EQ(complaint(R"({"shape": "cone"})"),
+            R"(s.json: /shape: must be one of "edge", "box", "plate", "sphere", is "cone")");
+  EXPECT_EQ(complaint(R"({"shape": "plate", "object": "a.obj"})"),
+            "s.json: /shape: a mesh as \"object\" takes the place of the shape: leave one of them out");
+  EXPECT_EQ(complaint(R"({"edge_radius": 0.001})"), R"(s.json: /edge_radius: is used by the shape "edge" only)");
+  EXPECT_EQ(complaint(R"({"shape": "edge", "edge_radius": 0.025})"),
+            "s.json: /edge_radius: must be less than half of box_size, 0.025, is 0.025");
+  EXPECT_EQ(complaint(R"({"kind": "paper", "shape": "edge"})"), R"(s.json: /shape: is not used by the kind "paper")");
+  EXPECT_EQ(complaint(R"({"kind": "replay"})"), "s.json: /source: a replay needs a recording: a folder or its .npz");
+  EXPECT_EQ(complaint(R"({"format": "taxel-scenario", "version": 2, "scenario": {}})"),
+            "s.json: /version: 2 is unknown, this program reads version 1");
+  EXPECT_EQ(complaint(R"({"format": "taxel-scenario", "version": 1})"), "s.json: /scenario: is missing");
+}
+
+TEST(ScenarioJson, NamesTheWayPointThatIsWrong) {
+  const auto path = [](const std::string& second) {
+    return complaint(R"({"kind": "path", "points": [{"time": 1, "pos": [0, 0, 0], "quat": [1, 0, 0, 0]}, )" + second +
+                     "]}");
+  };
+  EXPECT_EQ(complaint(R"({"kind": "path"})"), "s.json: /points: a path needs 2 way points, has 0");
+  EXPECT_EQ(path(R"({"time": 1, "pos": [0, 0, 1], "quat": [1, 0, 0, 0]})"),
+            "s.json: /points/1/time: must be later than that of the way point before, 1, is 1");
+  EXPECT_EQ(path(R"({"time": 2, "pos": [0, 0], "quat": [1, 0, 0, 0]})"),
+            "s.json: /points/1/pos: must be an array of 3 numbers, is [0,0]");
+  EXPECT_EQ(path(R"({"time": 2, "pos": [0, 0, 1], "quat": [1, 1, 0, 0]})"),
+            "s.json: /points/1/quat: must be of length 1, is of length 1.4142135623730951");
+  EXPECT_EQ(path(R"({"time": 2, "quat": [1, 0, 0, 0]})"), "s.json: /points/1/pos: is missing");
+}
+
+}  // namespace
+}  // namespace taxel
