@@ -8,4 +8,8 @@ void UiState::ask(Request request) {
   requests.push_back(std::move(request));
 }
 
+void ask_edit(UiState& ui, Edit edit) {
+  ui.ask(EditProject{std::move(edit), {}, ui.fields.last});
+}
+
 }  // namespace taxel::ui

@@ -39,8 +39,7 @@
 #include "ui/tools/study_state.h"
 #include "ui/tools/table_state.h"
 #include "ui/tools/tool_state.h"
-#include "ui/widgets/field_state.h"
-#include "ui/widgets/widget_registry.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 
@@ -176,17 +175,16 @@ struct Clicks {
   int left = 0, left_double = 0, right = 0, right_double = 0;
 };
 
-struct UiState {
+/// The widgets take only the Ui of it.
+struct UiState : Ui {
   SavedState saved;
   double arranged_scale = 0;  ///< of the interface when its panels were arranged; 0: not yet
-  double pixel_scale = 1;     ///< of the interface in this window: the user's times the screen's
 
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode
   PressureRange range;
   Selection selection;
   ToolState tool;
-  FieldState fields;
   TableState table;
   LayoutProblems problems;  ///< of the layout that is edited
   GenerateState generate;
@@ -205,15 +203,14 @@ struct UiState {
   VideoState video;
   PathState path;
   StudyState study;
-  std::optional<ClipPlane> clip;       ///< of the 3-D view
-  int tour_step = -1;                  ///< of the tour that is shown; -1: none is
-  const bool* opened_panel = nullptr;  ///< switch of a panel that comes to the front in the next picture
-  bool full_screen = false;            ///< the window, without frame
-  bool asks_unsaved = false;           ///< whether to save, before what is open is left
-  std::string recovery;                ///< name of a document that was lost unsaved and can be had back; empty: none
-  std::string recovery_detail;         ///< when and where
-  std::string title;                   ///< of the window
-  std::optional<Pick> hovered;         ///< what the resting pointer is on in the 3-D view
+  std::optional<ClipPlane> clip;  ///< of the 3-D view
+  int tour_step = -1;             ///< of the tour that is shown; -1: none is
+  bool full_screen = false;       ///< the window, without frame
+  bool asks_unsaved = false;      ///< whether to save, before what is open is left
+  std::string recovery;           ///< name of a document that was lost unsaved and can be had back; empty: none
+  std::string recovery_detail;    ///< when and where
+  std::string title;              ///< of the window
+  std::optional<Pick> hovered;    ///< what the resting pointer is on in the 3-D view
   std::vector<Message> messages;
   FileDialog dialog;
   PlotCurves curves;
@@ -223,7 +220,6 @@ struct UiState {
   std::vector<BarShown> bars;
   ViewShown view;
   Clicks clicks;
-  WidgetRegistry widgets;
   std::vector<Request> requests;
   bool reset_arrangement = false;
   int toolbar_rows = 1, status_rows = 1;  ///< that they needed in the picture before
@@ -301,5 +297,8 @@ struct UiInput {
     return shown ? &shown->layout : nullptr;
   }
 };
+
+/// Requests the edit of the field drawn last. If the edit is refused, the field says why.
+void ask_edit(UiState& ui, Edit edit);
 
 }  // namespace taxel::ui

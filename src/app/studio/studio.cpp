@@ -275,8 +275,8 @@ void Studio::draw_picture(double seconds) {
   window_->set_full_screen(ui_.full_screen);
   const float scale = ui_.saved.scale * window_->content_scale();
   ui_.pixel_scale = scale;
-  if (ui_.saved.dark != themed_dark_ || scale != themed_scale_) ui::apply_theme(ui_.saved.dark, scale);
-  themed_dark_ = ui_.saved.dark;
+  if (ui_.saved.dark != ui_.dark || scale != themed_scale_) ui::apply_theme(ui_.saved.dark, scale);
+  ui_.dark = ui_.saved.dark;
   themed_scale_ = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));

@@ -147,7 +147,6 @@ class Studio {
   /// Of the project (of LAYOUT) or step (of SIMULATE) that was opened: what the cameras turn to.
   std::array<std::optional<ui::Camera>, 2> saved_cameras_;
   bool anything_opened_ = false, argument_refused_ = false;
-  bool themed_dark_ = true;
   float themed_scale_ = 0;
   int pictures_due_ = 3;
   std::optional<ui::Request> held_;       ///< what is to be done when unsaved edits are saved or given up

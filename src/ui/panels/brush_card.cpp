@@ -64,7 +64,7 @@ void draw_brush_card(UiState& ui, const UiInput& input) {
                           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
   const float line = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({ui.view.rect.x0 + 0.8f * line - 6, ui.view.rect.y0 + 4.8f * line});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).panel);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).panel);
   if (ImGui::Begin("Brush", nullptr, kFlags)) draw_contents(ui, input);
   ImGui::End();
   ImGui::PopStyleColor();
@@ -77,7 +77,7 @@ void draw_brush_ring(const UiState& ui, const UiInput& input) {
   const double y = static_cast<double>(io.MousePos.y - ui.view.rect.y0);
   const auto place = brush_place(ui, input, x, y);
   if (!place) return;
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const bool erases = ui.tool.brush.painting ? ui.tool.brush.erases : io.KeyShift || io.KeyCtrl;
   const ImU32 color = to_u32(erases ? colors.error : colors.accent);
   const Pose X_WM = shown_pose(ui, input);

@@ -61,8 +61,8 @@ void draw_loading(UiState& ui, const UiInput& input) {
   const Loading& loading = input.loading;
   if (!loading.active || loading.seconds < kShowAfterSeconds) return;
   ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
-  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.saved.dark).panel);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);
   ImGui::Begin("Loading", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::Text("Loading %s", loading.what.c_str());
   const float width = 20 * ImGui::GetFontSize();
@@ -130,8 +130,8 @@ void draw_recovery_card(UiState& ui) {
 
 void draw_start_card(UiState& ui) {
   ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
-  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.saved.dark).panel);  // their own colour is the card's
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // their own colour is the card's
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
   ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);

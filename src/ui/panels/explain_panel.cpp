@@ -33,7 +33,7 @@ const ImVec4& color_of(Cause cause, const Palette& colors) {
 }
 
 void draw_verdict(UiState& ui, const UiInput& input, const Explanation& e) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const std::string name = e.name.empty() ? "" : " (" + e.name + ")";
   caption(fmt::format("Taxel {}{}, step {}, {:.6g} s", e.id, name, input.frame->step, e.time).c_str());
   if (!e.change) {

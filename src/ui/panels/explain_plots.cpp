@@ -81,7 +81,7 @@ void draw_convergence(UiState& ui, const Explanation& e) {
     return;
   }
   const ReadingUnit unit = shown_unit(e.aggregate);
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   std::array<double, 3> x{}, y{};
   double lo = std::numeric_limits<double>::infinity(), hi = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -115,7 +115,7 @@ void draw_convergence(UiState& ui, const Explanation& e) {
 
 void draw_scatter(UiState& ui, const Explanation& e) {
   if (e.polygons.empty()) return;
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   Dots others, serving, selected;
   double area = 0, pressure = 0;
   for (const PolygonBehind& p : e.polygons) {

@@ -104,7 +104,7 @@ float legend_height(const Legend& legend) {
 
 /// Returns the upper edge.
 float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.3f * line;
   const auto wide = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   float width = wide(legend.title);
@@ -135,7 +135,7 @@ void draw_field_legends(const UiState& ui, const FieldNumbers& numbers, const Se
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (numbers.due) bottom = draw_legend(ui, {"Working out the receptive fields ...", {}}, bottom) - gap;
   if (numbers.tractions)
-    bottom = draw_legend(ui, tractions_legend(*numbers.tractions, look(ui.saved.dark)), bottom) - gap;
+    bottom = draw_legend(ui, tractions_legend(*numbers.tractions, look(ui.dark)), bottom) - gap;
   if (numbers.coverage) bottom = draw_legend(ui, coverage_legend(*numbers.coverage), bottom) - gap;
   if (numbers.comparison) bottom = draw_legend(ui, comparison_legend(*numbers.comparison), bottom) - gap;
   if (numbers.normals) draw_legend(ui, normals_legend(*numbers.normals, model), bottom);

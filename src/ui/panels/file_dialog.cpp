@@ -170,7 +170,7 @@ void draw_entries(UiState& ui) {
     }
     if (!dialog.error.empty()) {
       ImGui::PushTextWrapPos(0);
-      ImGui::TextColored(palette(ui.saved.dark).error, "%s", dialog.error.c_str());
+      ImGui::TextColored(palette(ui.dark).error, "%s", dialog.error.c_str());
       ImGui::PopTextWrapPos();
     }
   }

@@ -26,7 +26,7 @@ const char* words_of(FileOffer offer) {
 
 /// Returns its height.
 float draw_notice(UiState& ui, const FileNotice& notice, ImVec2 top, float width) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   ImGui::SetNextWindowPos(top, ImGuiCond_Always, ImVec2(0.5f, 0));
   ImGui::SetNextWindowSize(ImVec2(width, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.raised);

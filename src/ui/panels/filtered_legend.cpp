@@ -39,7 +39,7 @@ std::array<RejectedPolygons, kRejections> left_out(const SensorFrameState& senso
 }
 
 float draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const std::array<RejectedPolygons, kRejections> sums = left_out(sensor);
   std::array<std::string, kRejections> rows;
   const std::string title = "Left out of the contact surface";

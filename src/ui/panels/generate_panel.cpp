@@ -73,7 +73,7 @@ void draw_problems(UiState& ui) {
   ImGui::PushTextWrapPos(0);
   for (const std::string& problem : {g.file_problem, g.waiting() ? std::string() : g.problem}) {
     if (problem.empty()) continue;
-    ImGui::TextColored(palette(ui.saved.dark).error, "%s", problem.c_str());
+    ImGui::TextColored(palette(ui.dark).error, "%s", problem.c_str());
     ui.widgets.note_item("Problem");
   }
   ImGui::PopTextWrapPos();

@@ -31,7 +31,7 @@ constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
 void draw_found(const UiState& ui, const UiInput& input, const SensorModel& model, int index, bool edited) {
   const auto i = static_cast<std::size_t>(index);
   const Taxel& taxel = model.layout.taxels[i];
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   if (!edited) {
     property("Id, name", taxel.name.empty() ? std::to_string(taxel.id) : fmt::format("{}, {}", taxel.id, taxel.name));
     property("Centre (mm)",

@@ -105,7 +105,7 @@ void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) 
   draw_real_dialog(ui, input);
   draw_unsaved_question(ui, input);
   draw_recovery_card(ui);
-  note_keyboard(ui);
+  record_keyboard(ui, ui.selection.taxels);
 }
 
 }  // namespace taxel::ui

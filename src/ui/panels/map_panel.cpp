@@ -57,7 +57,7 @@ void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
 }
 
 void draw_disc(UiState& ui, const MapDisc& disc, bool read, const PressureRange& range) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at(static_cast<float>(disc.x), static_cast<float>(disc.y));
   const auto radius = static_cast<float>(disc.radius);

@@ -136,7 +136,7 @@ void draw_mesh_report(UiState& ui, const UiInput& input) {
   ImGui::SetNextWindowPos({ui.view.rect.x0 + em, ui.view.rect.y0 + 5 * em}, ImGuiCond_Appearing);
   ImGui::SetNextWindowSizeConstraints({24 * em, 0}, {0.9f * viewport->Size.x, 0.6f * viewport->Size.y});
   ImGui::SetNextWindowSize({38 * em, 0}, ImGuiCond_Appearing);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
   constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
                           ImGuiWindowFlags_AlwaysAutoResize;
@@ -154,7 +154,7 @@ void draw_mesh_report(UiState& ui, const UiInput& input) {
       } else {
         for (const MeshFinding& finding : *input.editing.mesh_findings) {
           ImGui::Spacing();
-          ImGui::TextColored(severity_color(palette(ui.saved.dark), finding.severity), "%s", finding.what.c_str());
+          ImGui::TextColored(severity_color(palette(ui.dark), finding.severity), "%s", finding.what.c_str());
           ui.widgets.note_item(finding.what);
           ImGui::TextUnformatted(finding.meaning.c_str());
         }

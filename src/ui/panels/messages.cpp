@@ -34,7 +34,7 @@ void copy_text(const std::string& text) {
 
 /// One floating message with its lower right corner at `corner`. Returns its height.
 float draw_toast(UiState& ui, Message& message, ImVec2 corner) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const float width = std::min(30 * ImGui::GetFontSize(), corner.x - 12);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 1));
   ImGui::SetNextWindowSize(ImVec2(width, 0));
@@ -92,7 +92,7 @@ void draw_messages_panel(UiState& ui) {
     ImGui::SameLine();
     if (button(ui, "Clear")) ui.messages.clear();
     if (ImGui::BeginChild("list")) {
-      const Palette& colors = palette(ui.saved.dark);
+      const Palette& colors = palette(ui.dark);
       ImGui::PushTextWrapPos(0);
       for (const Message& m : ui.messages) {
         ImGui::TextColored(severity_color(colors, m.severity), "%s", name_of(m.severity));

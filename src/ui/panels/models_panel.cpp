@@ -113,7 +113,7 @@ void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedS
   ImGui::TextDisabled("Id");
   for (const ReadingModel model : kReadingModels) {
     ImGui::TableNextColumn();
-    ImGui::TextColored(color_of(model, ui.saved.dark), "%s", kNames[number(model)]);
+    ImGui::TextColored(color_of(model, ui.dark), "%s", kNames[number(model)]);
     tooltip(kTips[number(model)]);
     ImGui::TextDisabled("%s", shown_unit_of(model, layout.readout.aggregate).text);
   }
@@ -174,13 +174,13 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
     for (const ReadingModel model : kReadingModels) {
       const std::vector<double>& y = state.y[number(model)];
       ImPlotSpec spec;
-      spec.LineColor = color_of(model, ui.saved.dark);
+      spec.LineColor = color_of(model, ui.dark);
       spec.LineWeight = (model == ReadingModel::exact ? 2.6f : 1.6f) * static_cast<float>(ui.pixel_scale);
       ImPlot::PlotLine(kNames[number(model)], state.x.data(), y.data(), static_cast<int>(y.size()), spec);
     }
     const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
     ImPlotSpec spec;
-    spec.LineColor = palette(ui.saved.dark).path;
+    spec.LineColor = palette(ui.dark).path;
     spec.LineWeight = 1.2f;
     spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
     ImPlot::PlotInfLines("##now", &x, 1, spec);

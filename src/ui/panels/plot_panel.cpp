@@ -113,7 +113,7 @@ void draw_curves(UiState& ui, const SensorModel& model, double scale, std::size_
 void draw_cursor(const UiState& ui, const UiInput& input) {
   const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
   ImPlotSpec spec;
-  spec.LineColor = palette(ui.saved.dark).path;
+  spec.LineColor = palette(ui.dark).path;
   spec.LineWeight = 1.2f;
   spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
   ImPlot::PlotInfLines("##now", &x, 1, spec);
@@ -124,12 +124,12 @@ void draw_polish_mark(const UiState& ui) {
   if (!ui.curves.polished_from) return;
   const double x = *ui.curves.polished_from;
   ImPlotSpec spec;
-  spec.LineColor = palette(ui.saved.dark).dim;
+  spec.LineColor = palette(ui.dark).dim;
   spec.LineWeight = 1.0f;
   spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
   ImPlot::PlotInfLines("##polished", &x, 1, spec);
   const ImVec2 away(-0.6f * ImGui::GetFontSize(), 0.6f * ImGui::GetFontSize());
-  ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.saved.dark).raised, away, true, "polished samples");
+  ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.dark).raised, away, true, "polished samples");
 }
 
 /// A click, or a drag, shows the recorded step at that place.

@@ -118,7 +118,7 @@ void draw_probe_panel(UiState& ui, const UiInput& input) {
     if (!ui.probe.at) ImGui::TextDisabled("Point at the sensor.");
     if (input.probe && !input.probe->problem.empty()) {
       ImGui::PushTextWrapPos(0);
-      ImGui::TextColored(palette(ui.saved.dark).error, "%s", input.probe->problem.c_str());
+      ImGui::TextColored(palette(ui.dark).error, "%s", input.probe->problem.c_str());
       ImGui::PopTextWrapPos();
     }
   }

@@ -49,7 +49,7 @@ bool wrapped_button(UiState& ui, const std::string& words, std::size_t number) {
 
 void draw_problem(UiState& ui, const UiInput& input, std::size_t number) {
   const Problem& problem = ui.problems.list[number];
-  ImGui::PushStyleColor(ImGuiCol_Text, severity_color(palette(ui.saved.dark), problem.severity));
+  ImGui::PushStyleColor(ImGuiCol_Text, severity_color(palette(ui.dark), problem.severity));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(problem.message.c_str());
   ImGui::PopTextWrapPos();

@@ -155,7 +155,7 @@ void draw_real_dialog(UiState& ui, const UiInput& input) {
                std::max(6 * line, ImGui::GetContentRegionAvail().y - below));
   if (!ui.real.problem.empty()) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(palette(ui.saved.dark).error, "%s", ui.real.problem.c_str());
+    ImGui::TextColored(palette(ui.dark).error, "%s", ui.real.problem.c_str());
     ImGui::PopTextWrapPos();
   }
   const ImVec2 size(8 * line, 0);

@@ -88,7 +88,7 @@ void draw_apply(UiState& ui, const UiInput& input, const RealShown& real) {
   tooltip("The gains, and offsets as tares, become the layout's calibration: an edit that can be undone");
   if (ui.real.applied.empty()) return;
   ImGui::PushTextWrapPos();
-  ImGui::TextColored(palette(ui.saved.dark).error, "%s", ui.real.applied.c_str());
+  ImGui::TextColored(palette(ui.dark).error, "%s", ui.real.applied.c_str());
   ImGui::PopTextWrapPos();
 }
 

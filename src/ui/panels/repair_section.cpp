@@ -55,7 +55,7 @@ void frame_step(UiState& ui, const UiInput& input, const SensorModel& model, std
 }  // namespace
 
 void draw_repair_rows(UiState& ui, const UiInput& input, const SensorModel& model) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const bool closed = model.mesh->closed();
   const bool repairing = !input.editing.compiled && (closed == input.editing.problem.empty()) &&
                          input.editing.project->layout.mesh.repair != model.layout.mesh.repair;
@@ -92,7 +92,7 @@ void draw_repair_steps(UiState& ui, const UiInput& input, const SensorModel& mod
   if (toggle(ui, "Show changes", ui.mesh.shows_changes,
              "Filled faces green, removed ones outlined in red, parted edges yellow, a wrap by its distance"))
     ui.mesh.shows_changes = !ui.mesh.shows_changes;
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::PushStyleColor(ImGuiCol_Text, severity_color(colors, steps[i].severity));

@@ -52,7 +52,7 @@ float height_of(const InfoRow& row, float width) {
 int draw_scene_overlay(const UiState& ui, const UiInput& input, int row) {
   if (ui.mode != Mode::simulate || !input.frame || !input.frame->scene) return row;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   std::string frames = frames_text(ui), labels = labels_text(ui);
   if (ui.view.rect.width() > kWideView * ImGui::GetFontSize() && !frames.empty() && !labels.empty())
     frames += "   " + std::exchange(labels, "");

@@ -54,7 +54,7 @@ void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
 
 void draw_recording(UiState& ui, const UiInput& input, Flow& flow) {
   if (!input.frame || !input.frame->recording.on) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).error);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).error);
   item(ui, flow, "recording", fmt::format("{:.3f} s", input.frame->recording.seconds));
   ImGui::PopStyleColor();
 }
@@ -67,7 +67,7 @@ void draw_samples(UiState& ui, const UiInput& input, Flow& flow) {
   if (input.polishing.active) text = "Polishing samples";
   if (input.polishing.fraction > 0) text += fmt::format(" {:.0f} %", 100 * input.polishing.fraction);
   flow.next(ImGui::CalcTextSize((text + "Cancel").c_str()).x + 5 + 2 * ImGui::GetStyle().FramePadding.x);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).warning);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).warning);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   ui.widgets.note_item(text);
@@ -94,7 +94,7 @@ struct Counter {
 
 /// Each in its own colour once there is one.
 std::array<Counter, 3> message_counters(const UiState& ui) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const auto counter = [&](const char* name, Severity severity) {
     const auto count =
         std::count_if(ui.messages.begin(), ui.messages.end(), [&](const Message& m) { return m.severity == severity; });
@@ -135,7 +135,7 @@ std::string pace_text(const UiInput& input) {
 
 void draw_status_line(UiState& ui, const UiInput& input) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 3));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).background);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).background);
   const auto rows = static_cast<float>(ui.status_rows);
   const float height = rows * ImGui::GetTextLineHeight() + (rows - 1) * ImGui::GetStyle().ItemSpacing.y + 9;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |

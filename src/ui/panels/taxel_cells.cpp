@@ -122,7 +122,7 @@ void draw_cell(UiState& ui, const Taxel& taxel, TableColumn column) {
   const std::string name = fmt::format("Taxel {} {}", taxel.id, title->title);
   const auto is_this = [&](const TableCell& cell) { return cell.id == taxel.id && cell.column == column; };
   if (!ui.table.cell || !is_this(*ui.table.cell)) {
-    const Palette& colors = palette(ui.saved.dark);
+    const Palette& colors = palette(ui.dark);
     const bool refused = ui.fields.refused && ui.fields.refused->input.field == name;
     const bool text = column == TableColumn::name;
     const CellValue value = text ? CellValue{} : value_of(taxel, column);

@@ -71,7 +71,7 @@ void draw_mark(UiState& ui, int id) {
   const float right = cell.x + ImGui::GetContentRegionAvail().x,
               top = row.y + 0.5f * (ImGui::GetTextLineHeight() - size);
   const Rect mark{right - size, top, right, top + size};
-  const ImU32 color = to_u32(severity_color(palette(ui.saved.dark), ui.problems.worst(id)));
+  const ImU32 color = to_u32(severity_color(palette(ui.dark), ui.problems.worst(id)));
   ImGui::GetWindowDrawList()->AddTriangleFilled({mark.center_x(), mark.y0}, {mark.x1, mark.y1}, {mark.x0, mark.y1},
                                                 color);
   ui.widgets.note(kTaxelsTitle, fmt::format("Problems of taxel {}", id), mark);
@@ -133,7 +133,7 @@ bool is_hidden(const Table& table, int id) {
 void draw_row(UiState& ui, const Table& table, int index) {
   const Taxel& taxel = table.layout.taxels[static_cast<std::size_t>(index)];
   const int samples = table.samples[static_cast<std::size_t>(index)];
-  const ImVec4& dim = palette(ui.saved.dark).dim;
+  const ImVec4& dim = palette(ui.dark).dim;
   ImGui::TableNextRow();
   if (is_hidden(table, taxel.id)) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f * ImGui::GetStyle().Alpha);
   ImGui::TableNextColumn();
@@ -156,7 +156,7 @@ void draw_row(UiState& ui, const Table& table, int index) {
     if (table.sensor != nullptr && i < table.sensor->readings.size()) {
       const double reading = table.sensor->readings[i];
       draw_text(fmt::format("{:.2f}", shown_unit(table.model.layout.readout.aggregate).scale * reading), true,
-                reading > 0 ? palette(ui.saved.dark).text : dim);
+                reading > 0 ? palette(ui.dark).text : dim);
     }
   }
   if (is_hidden(table, taxel.id)) ImGui::PopStyleVar();
@@ -182,7 +182,7 @@ void setup_columns(const UiState& ui, const Table& table) {
 
 void draw_headers(UiState& ui, const Table& table) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).dim);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
   for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
     ImGui::TableSetColumnIndex(column);
     ImGui::TableHeader(ImGui::TableGetColumnName(column));

@@ -39,7 +39,7 @@ void draw_ghost(const UiState& ui, const UiInput& input, ImDrawList& list) {
   const Taxel& taxel = ghost->taxel;
   const dvec3 n = taxel.normal, helper = std::abs(n.x) < 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
   const dvec3 u = glm::normalize(glm::cross(n, helper)), v = glm::cross(n, u);
-  const ImU32 color = to_u32(palette(ui.saved.dark).accent);
+  const ImU32 color = to_u32(palette(ui.dark).accent);
   std::array<ImVec2, kRingPieces> ring;
   for (int i = 0; i < kRingPieces; ++i) {
     const double angle = 2 * glm::pi<double>() * i / kRingPieces;
@@ -58,7 +58,7 @@ void draw_probe_handle(const UiState& ui, const UiInput& input, ImDrawList& list
   if (!ui.probe.on || ui.probe.held || !ui.probe.at) return;
   const ImVec2 at = on_screen(ui, shown_pose(ui, input) * *ui.probe.at);
   const float radius = 8 * static_cast<float>(ui.pixel_scale);
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   list.AddCircle(at, radius, to_u32(colors.panel, 0.8f), 0, 4.0f);
   list.AddCircle(at, radius, to_u32(colors.accent), 0, 2.0f);
 }
@@ -74,7 +74,7 @@ void draw_measure_label(const UiState& ui, const UiInput& input, ImDrawList& lis
       std::isfinite(measured->along) ? in_mm(measured->along) + " along the surface" : "no way along the surface";
   const std::string text = in_mm(measured->straight) + " straight\n" + along;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const float gap = ImGui::GetFontSize();
   const ImVec2 corner(std::round(std::clamp(at.x + gap, ui.view.rect.x0 + 8, ui.view.rect.x1 - size.x - 8)),
                       std::round(std::clamp(at.y + gap, ui.view.rect.y0 + 8, ui.view.rect.y1 - size.y - 8)));
@@ -88,7 +88,7 @@ void draw_frame_arrows(const UiState& ui, const UiInput& input, ImDrawList& list
   for (const FrameArrow& arrow : frame_arrows(ui, input)) {
     const ImVec2 from = on_screen(ui, arrow.from_W), to = on_screen(ui, arrow.to_W);
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy), unit = ImGui::GetFontSize();
-    const ImU32 color = to_u32(palette(ui.saved.dark).accent);
+    const ImU32 color = to_u32(palette(ui.dark).accent);
     if (length > 1) {
       const ImVec2 ahead(dx / length, dy / length), base(to.x - 0.8f * unit * ahead.x, to.y - 0.8f * unit * ahead.y);
       list.AddLine(from, base, color, 0.2f * unit);
@@ -102,7 +102,7 @@ void draw_frame_arrows(const UiState& ui, const UiInput& input, ImDrawList& list
 void draw_area(const UiState& ui, ImDrawList& list) {
   const std::vector<dvec2>& area = ui.tool.area;
   if (area.empty()) return;
-  const ImU32 color = to_u32(palette(ui.saved.dark).accent), fill = to_u32(palette(ui.saved.dark).accent, 0.12f);
+  const ImU32 color = to_u32(palette(ui.dark).accent), fill = to_u32(palette(ui.dark).accent, 0.12f);
   const auto on_view = [&](const dvec2& p) {
     return ImVec2(ui.view.rect.x0 + static_cast<float>(p.x), ui.view.rect.y0 + static_cast<float>(p.y));
   };
@@ -161,13 +161,13 @@ void draw_view_line(const UiState& ui, ImDrawList& list, int row, const std::str
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at(ui.view.rect.x0 + 0.8f * line, view_line_top(ui, row));
   list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
-                     to_u32(palette(ui.saved.dark).panel, 0.85f), 3);
+                     to_u32(palette(ui.dark).panel, 0.85f), 3);
   list.AddText(at, to_u32(color), text.c_str());
 }
 
 int draw_tool_overlay(const UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   if (ui.mode != Mode::layout) {
     const std::string hint = hint_of(ui.tool);
     if (!hint.empty()) draw_view_line(ui, list, 0, hint, colors.text);

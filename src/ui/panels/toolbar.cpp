@@ -30,7 +30,7 @@ void draw_modes(UiState& ui, const UiInput& input, Flow& flow) {
 }
 
 void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const float small = 2.2f * line, large = 6.4f * line, gap = 4;
   flow.next(4 * (small + gap) + large);

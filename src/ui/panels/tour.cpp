@@ -81,7 +81,7 @@ ImVec2 card_place(const Rect& part, const ImVec2& size, const ImGuiViewport& vie
 void point_at(const UiState& ui, const Rect& part, bool window, const ImVec2& card, const ImVec2& size) {
   if (part.empty()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  const ImU32 color = to_u32(palette(ui.saved.dark).accent);
+  const ImU32 color = to_u32(palette(ui.dark).accent);
   constexpr float kWidth = 3;
   const float margin = window ? 2.0f : -4.0f;  // inside of a window, around widgets
   const ImVec2 a(part.x0 + margin, part.y0 + margin), b(part.x1 - margin, part.y1 - margin);
@@ -128,8 +128,8 @@ void draw_tour(UiState& ui) {
   ImGui::SetNextWindowSize(size);
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNavInputs;
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).panel);
-  ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.saved.dark).accent);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).panel);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.dark).accent);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(line, 0.8f * line));
   if (ImGui::Begin("Tour", nullptr, kFlags)) {
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());

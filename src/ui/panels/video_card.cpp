@@ -41,8 +41,8 @@ void draw_video_card(UiState& ui, const UiInput& input) {
   if (!video.active || ui.video.window) return;  // it would be in the pictures
   ImGui::SetNextWindowPos({ui.view.rect.center_x(), ui.view.rect.y0 + 2 * ImGui::GetFontSize()}, ImGuiCond_Always,
                           ImVec2(0.5f, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.saved.dark).raised);
-  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.saved.dark).panel);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;

@@ -57,7 +57,7 @@ std::string file_name_of(const std::string& title) {
 
 /// Mode and name in the upper left corner.
 void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const bool layout = ui.mode == Mode::layout;
   const ImVec4& mode_color = layout ? colors.layout_mode : colors.simulate_mode;
   const float line = ImGui::GetFontSize();
@@ -77,7 +77,7 @@ void draw_heading(const UiState& ui, const UiInput& input, ImDrawList& list) {
 }
 
 void draw_border(const UiState& ui, ImDrawList& list) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const ImVec4& color = ui.mode == Mode::layout ? colors.layout_mode : colors.simulate_mode;
   list.AddRect({ui.view.rect.x0, ui.view.rect.y0}, {ui.view.rect.x1, ui.view.rect.y1}, to_u32(color), 0, 2);
 }
@@ -123,7 +123,7 @@ void draw_hover_tooltip(const UiState& ui, const UiInput& input) {
 }
 
 void draw_labels(const UiState& ui, ImDrawList& list) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const float size = kSmallText * ImGui::GetFontSize();
   for (const SceneLabel& label : ui.view.labels) {
     const float width = kSmallText * ImGui::CalcTextSize(label.text.c_str()).x;
@@ -148,7 +148,7 @@ int draw_over_scene(UiState& ui, const UiInput& input) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_labels(ui, list);
   if (input.model || input.frame) draw_heading(ui, input, list);
-  if (shows_pressure(ui, input)) draw_pressure_legend(ui, legend_place(ui));
+  if (shows_pressure(ui, input)) draw_pressure_legend(ui, ui.range, legend_place(ui));
   float bottom = ui.view.rect.y1 - 0.7f * ImGui::GetFontSize();
   if (ui.saved.overlays.filtered_polygons && shows_pressure(ui, input)) {
     bottom = draw_filtered_legend(ui, *input.shown_state(ui)) - 0.5f * ImGui::GetFontSize();
@@ -180,7 +180,7 @@ void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
     ui.view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width), corner.y + static_cast<float>(height)};
     constexpr auto kButtons =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-    if (shows_pressure(ui, input)) place_range_button(ui, legend_place(ui));
+    if (shows_pressure(ui, input)) place_range_button(ui, ui.range, legend_place(ui));
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("##view", size, kButtons);
     ui.widgets.note_item("View");

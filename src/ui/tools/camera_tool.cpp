@@ -142,7 +142,7 @@ SceneInput scene_input(const UiState& ui, const UiInput& input) {
   if (ui.mode == Mode::layout && input.editing.project) scene.region = input.editing.project->layout.sampling.region;
   if (ui.mode == Mode::layout && ui.generate.open) scene.ghosts = ui.generate.ghosts;
   scene.repair_changes = ui.mode == Mode::layout && ui.mesh.shows_changes;
-  scene.dark = ui.saved.dark;
+  scene.dark = ui.dark;
   scene.scale = ui.pixel_scale;
   return scene;
 }

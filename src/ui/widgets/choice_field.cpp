@@ -4,7 +4,7 @@
 
 namespace taxel::ui {
 
-std::optional<std::size_t> choice_of(UiState& ui, const std::string& name, std::span<const std::string_view> choices,
+std::optional<std::size_t> choice_of(Ui& ui, const std::string& name, std::span<const std::string_view> choices,
                                      std::size_t chosen) {
   ImGui::SetNextItemWidth(-1);
   const std::string shown(choices[chosen]);
@@ -25,7 +25,7 @@ std::optional<std::size_t> choice_of(UiState& ui, const std::string& name, std::
   return made;
 }
 
-std::optional<bool> switch_field(UiState& ui, const std::string& name, bool on) {
+std::optional<bool> switch_field(Ui& ui, const std::string& name, bool on) {
   const bool switched = ImGui::Checkbox(("##" + name).c_str(), &on);
   ui.widgets.note_item(name);
   if (!switched) return std::nullopt;

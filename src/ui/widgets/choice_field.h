@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "core/layout/words.h"
-#include "ui/ui_state.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 
 /// Index of the choice that was made now; none: as it was.
-std::optional<std::size_t> choice_of(UiState& ui, const std::string& name, std::span<const std::string_view> choices,
+std::optional<std::size_t> choice_of(Ui& ui, const std::string& name, std::span<const std::string_view> choices,
                                      std::size_t chosen);
 
 /// One of the words that a layout file uses for E.
 template <class E>
-std::optional<E> word_field(UiState& ui, const std::string& name, E value) {
+std::optional<E> word_field(Ui& ui, const std::string& name, E value) {
   std::vector<std::string_view> choices;
   std::size_t chosen = 0;
   for (const Word<E>& word : words_of(E{})) {
@@ -30,6 +30,6 @@ std::optional<E> word_field(UiState& ui, const std::string& name, E value) {
 }
 
 /// The new state where it was switched now.
-std::optional<bool> switch_field(UiState& ui, const std::string& name, bool on);
+std::optional<bool> switch_field(Ui& ui, const std::string& name, bool on);
 
 }  // namespace taxel::ui

@@ -74,7 +74,7 @@ std::string_view shown_part(const char* title) {
 
 }  // namespace
 
-bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
+bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
   if (lies_on_its_color(title)) ImGui::SetNextWindowBgAlpha(0);
   // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was. Not while a field of
   // the panel is typed in, or the keyboard walks through it: then Tab goes to the next one.
@@ -89,13 +89,13 @@ bool begin_panel(UiState& ui, const char* title, bool* open, ImGuiWindowFlags fl
   return visible;
 }
 
-bool button(UiState& ui, const char* label, const ImVec2& size) {
+bool button(Ui& ui, const char* label, const ImVec2& size) {
   const bool pressed = ImGui::Button(label, size);
   ui.widgets.note_item(label);
   return pressed;
 }
 
-bool checkbox(UiState& ui, const char* label, bool* value) {
+bool checkbox(Ui& ui, const char* label, bool* value) {
   const bool changed = ImGui::Checkbox(label, value);
   ui.widgets.note_item(label);
   return changed;
@@ -111,25 +111,25 @@ void place_dialog(float width, float height) {
   ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
 }
 
-bool menu_item(UiState& ui, const char* label, const std::string& shortcut, bool checked, bool enabled) {
+bool menu_item(Ui& ui, const char* label, const std::string& shortcut, bool checked, bool enabled) {
   const bool chosen = ImGui::MenuItem(label, shortcut.empty() ? nullptr : shortcut.c_str(), checked, enabled);
   ui.widgets.note_item(label);
   return chosen;
 }
 
-bool begin_menu(UiState& ui, const char* label) {
+bool begin_menu(Ui& ui, const char* label) {
   const bool open = ImGui::BeginMenu(label);
   if (!open) ui.widgets.note_item(label);  // while open, the last item is inside of the menu
   return open;
 }
 
-bool selectable(UiState& ui, const char* label, bool selected, ImGuiSelectableFlags flags) {
+bool selectable(Ui& ui, const char* label, bool selected, ImGuiSelectableFlags flags) {
   const bool chosen = ImGui::Selectable(label, selected, flags);
   ui.widgets.note_item(label);
   return chosen;
 }
 
-bool header(UiState& ui, const char* label) {
+bool header(Ui& ui, const char* label) {
   ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   const bool open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_DefaultOpen);
   ImGui::PopStyleColor();
@@ -137,16 +137,16 @@ bool header(UiState& ui, const char* label) {
   return open;
 }
 
-bool small_choice(UiState& ui, const char* label, bool chosen) {
-  const Palette& colors = palette(ui.saved.dark);
+bool small_choice(Ui& ui, const char* label, bool chosen) {
+  const Palette& colors = palette(ui.dark);
   const bool pressed =
       chosen ? colored_button(label, ImVec2(0, 0), colors.accent, ImVec4(1, 1, 1, 1)) : ImGui::Button(label);
   ui.widgets.note_item(label);
   return pressed;
 }
 
-bool toggle(UiState& ui, const char* label, bool on, const char* tooltip_text) {
-  const Palette& colors = palette(ui.saved.dark);
+bool toggle(Ui& ui, const char* label, bool on, const char* tooltip_text) {
+  const Palette& colors = palette(ui.dark);
   const ImVec4 face = on ? ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive) : colors.panel;
   ImGui::PushStyleColor(ImGuiCol_Button, face);
   ImGui::PushStyleColor(ImGuiCol_Text, on ? colors.text : colors.dim);
@@ -157,9 +157,9 @@ bool toggle(UiState& ui, const char* label, bool on, const char* tooltip_text) {
   return pressed;
 }
 
-bool icon_button(UiState& ui, const char* label, Icon icon, const ImVec2& size, const ImVec4* fill,
+bool icon_button(Ui& ui, const char* label, Icon icon, const ImVec2& size, const ImVec4* fill,
                  const char* tooltip_text) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const std::string name = label;
   const std::string text = name.substr(0, name.find("##"));
   const std::string id = "##" + name;
@@ -229,7 +229,7 @@ void begin_property(const char* name, const std::string& tip) {
   ImGui::TableNextColumn();
 }
 
-bool property_field(UiState& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
+bool property_field(Ui& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
                     double hi) {
   begin_property(name);
   ImGui::SetNextItemWidth(-1);
@@ -243,7 +243,7 @@ bool property_field(UiState& ui, const char* name, double* value, double shown_p
   return changed;
 }
 
-bool property_slider(UiState& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
+bool property_slider(Ui& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
                      const char* format, const ControlRange& range) {
   begin_property(name.c_str());
   ImGui::SetNextItemWidth(-1);

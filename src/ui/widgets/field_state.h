@@ -20,7 +20,8 @@ struct Refusal {
 };
 
 struct FieldState {
-  FieldInput last;  ///< taken over last
+  FieldInput last;             ///< taken over last
+  std::vector<int> selection;  ///< ids of the taxels that the fields are about
   std::optional<Refusal> refused;
   bool had_keys = false;       ///< a field or a popup had the keyboard when the picture before ended
   std::string keyboard_panel;  ///< title of the panel whose widgets Tab, Space and the arrows work on; empty: none

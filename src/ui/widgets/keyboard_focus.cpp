@@ -26,7 +26,7 @@ bool walks(int key) {
 
 }  // namespace
 
-void note_keyboard(UiState& ui) {
+void record_keyboard(Ui& ui, const std::vector<int>& selection) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   const bool typing = is_typing(g);
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -39,20 +39,21 @@ void note_keyboard(UiState& ui) {
   } else if (fields.entering == 0) {
     fields.keyboard_panel.clear();
   }
-  if (fields.refused && fields.refused->selection != ui.selection.taxels) fields.refused.reset();
+  if (fields.refused && fields.refused->selection != selection) fields.refused.reset();
+  fields.selection = selection;
 }
 
-bool widgets_take(const UiState& ui, int chord) {
+bool widgets_take(const Ui& ui, int chord) {
   const bool plain = (chord & ImGuiMod_Mask_ & ~ImGuiMod_Shift) == 0;
   return plain && !ui.fields.keyboard_panel.empty() && walks(chord & ~ImGuiMod_Mask_);
 }
 
-void enter_panel(UiState& ui, const char* title) {
+void enter_panel(Ui& ui, const char* title) {
   ui.fields.keyboard_panel = ui.fields.entered_panel = title;
   ui.fields.entering = kEnteringPictures;
 }
 
-void focus_if_entered(UiState& ui, const char* title) {
+void focus_if_entered(Ui& ui, const char* title) {
   if (ui.fields.entered_panel != title) return;
   ui.fields.entered_panel.clear();
   ImGui::SetKeyboardFocusHere();

@@ -19,7 +19,7 @@ namespace taxel::ui {
 namespace {
 
 /// The text of the field that is typed in now belongs to ImGui; others show what there is, or what was refused.
-std::optional<std::string> edited_text(UiState& ui, const std::string& name, const std::string& shown, bool mixed,
+std::optional<std::string> edited_text(Ui& ui, const std::string& name, const std::string& shown, bool mixed,
                                        float width) {
   std::optional<Refusal>& refused = ui.fields.refused;
   const bool kept = refused && refused->input.field == name && !refused->input.typed.empty();
@@ -27,7 +27,7 @@ std::optional<std::string> edited_text(UiState& ui, const std::string& name, con
   std::string text = before;
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, kept ? 1.5f : 0.0f);
-  ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.saved.dark).error);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.dark).error);
   const char* hint = !mixed ? "" : width < 0 ? "mixed" : "...";  // where there is no room for more
   ImGui::InputTextWithHint(("##" + name).c_str(), hint, &text, ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleColor();
@@ -42,7 +42,7 @@ std::optional<std::string> edited_text(UiState& ui, const std::string& name, con
 }
 
 /// In SI; what is no number is refused.
-std::optional<double> number_of(UiState& ui, const std::string& typed, const FieldUnit& unit) {
+std::optional<double> number_of(Ui& ui, const std::string& typed, const FieldUnit& unit) {
   try {
     return shifted_decimal(evaluate(typed, unit.name), unit.decimal);
   } catch (const Error& error) {
@@ -63,7 +63,7 @@ std::string shown_number(double value, const FieldUnit& unit) {
   return unit.digits < 0 ? fmt::format("{}", shown) : fmt::format("{:.{}f}", shown, unit.digits);
 }
 
-std::optional<double> number_field(UiState& ui, const std::string& name, const std::vector<double>& values,
+std::optional<double> number_field(Ui& ui, const std::string& name, const std::vector<double>& values,
                                    const FieldUnit& unit, float width) {
   const bool mixed = differ(values);
   const std::string shown = mixed || values.empty() ? "" : shown_number(values.front(), unit);
@@ -71,8 +71,7 @@ std::optional<double> number_field(UiState& ui, const std::string& name, const s
   return typed ? number_of(ui, *typed, unit) : std::nullopt;
 }
 
-std::optional<std::uint64_t> whole_field(UiState& ui, const std::string& name, std::uint64_t value,
-                                         std::uint64_t most) {
+std::optional<std::uint64_t> whole_field(Ui& ui, const std::string& name, std::uint64_t value, std::uint64_t most) {
   const std::optional<std::string> typed = edited_text(ui, name, std::to_string(value), false, -1);
   const std::optional<double> number = typed ? number_of(ui, *typed, {}) : std::nullopt;
   if (!number) return std::nullopt;
@@ -82,8 +81,8 @@ std::optional<std::uint64_t> whole_field(UiState& ui, const std::string& name, s
   return std::nullopt;
 }
 
-std::optional<std::optional<double>> optional_field(UiState& ui, const std::string& name,
-                                                    const std::optional<double>& value, const FieldUnit& unit) {
+std::optional<std::optional<double>> optional_field(Ui& ui, const std::string& name, const std::optional<double>& value,
+                                                    const FieldUnit& unit) {
   const std::optional<std::string> typed = edited_text(ui, name, value ? shown_number(*value, unit) : "", false, -1);
   if (!typed) return std::nullopt;
   if (typed->empty()) return std::optional<double>();
@@ -91,7 +90,7 @@ std::optional<std::optional<double>> optional_field(UiState& ui, const std::stri
   return number ? std::optional(number) : std::nullopt;
 }
 
-std::optional<AxisValue> vector_field(UiState& ui, const std::string& name, const std::vector<dvec3>& values,
+std::optional<AxisValue> vector_field(Ui& ui, const std::string& name, const std::vector<dvec3>& values,
                                       const FieldUnit& unit) {
   constexpr std::array kAxes = {"X", "Y", "Z"};
   constexpr float kLeastWidth = 2.8f;  // of a field, in heights of text: in less room they stand below each other
@@ -110,28 +109,24 @@ std::optional<AxisValue> vector_field(UiState& ui, const std::string& name, cons
   return changed;
 }
 
-std::optional<std::string> text_field(UiState& ui, const std::string& name, const std::vector<std::string>& values,
+std::optional<std::string> text_field(Ui& ui, const std::string& name, const std::vector<std::string>& values,
                                       float width) {
   const bool mixed = differ(values);
   const std::string shown = mixed || values.empty() ? "" : values.front();
   return edited_text(ui, name, shown, mixed, width);
 }
 
-void ask_edit(UiState& ui, Edit edit) {
-  ui.ask(EditProject{std::move(edit), {}, ui.fields.last});
+void refuse(Ui& ui, const std::string& words) {
+  ui.fields.refused = {ui.fields.last, ui.fields.last.field + ": " + words, ui.fields.selection};
 }
 
-void refuse(UiState& ui, const std::string& words) {
-  ui.fields.refused = {ui.fields.last, ui.fields.last.field + ": " + words, ui.selection.taxels};
-}
-
-void show_refusal(UiState& ui, const std::string& name) {
+void show_refusal(Ui& ui, const std::string& name) {
   const std::optional<Refusal>& refused = ui.fields.refused;
   if (!refused) return;
   const std::string& field = refused->input.field;
   const bool axis = field.size() == name.size() + 2 && field.starts_with(name + " ");
   if (field != name && !axis) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.saved.dark).error);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).error);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(refused->words.c_str());
   ImGui::PopTextWrapPos();

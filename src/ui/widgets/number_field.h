@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/ui_state.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 
@@ -21,36 +21,34 @@ struct FieldUnit {
 /// `values`: of all that are edited, in SI; "mixed" is shown where they differ. The new value, in SI, when Enter or
 /// leaving the field takes over what was typed; none while it is typed, where nothing has changed, and where it is no
 /// number: then it is refused.
-std::optional<double> number_field(UiState& ui, const std::string& name, const std::vector<double>& values,
+std::optional<double> number_field(Ui& ui, const std::string& name, const std::vector<double>& values,
                                    const FieldUnit& unit, float width = -1);
 
 /// The same for a text.
-std::optional<std::string> text_field(UiState& ui, const std::string& name, const std::vector<std::string>& values,
+std::optional<std::string> text_field(Ui& ui, const std::string& name, const std::vector<std::string>& values,
                                       float width = -1);
 
 /// A whole number from 0 to `most`; refused where it is another one.
-std::optional<std::uint64_t> whole_field(UiState& ui, const std::string& name, std::uint64_t value, std::uint64_t most);
+std::optional<std::uint64_t> whole_field(Ui& ui, const std::string& name, std::uint64_t value, std::uint64_t most);
 
 /// A number that need not be there: an empty field is none.
-std::optional<std::optional<double>> optional_field(UiState& ui, const std::string& name,
-                                                    const std::optional<double>& value, const FieldUnit& unit);
+std::optional<std::optional<double>> optional_field(Ui& ui, const std::string& name, const std::optional<double>& value,
+                                                    const FieldUnit& unit);
 
 struct AxisValue {
   int axis = 0;
   double value = 0;
 };
 /// Three fields in a row, "NAME X" and so on, with what was refused below; tells the one that was changed.
-std::optional<AxisValue> vector_field(UiState& ui, const std::string& name, const std::vector<dvec3>& values,
+std::optional<AxisValue> vector_field(Ui& ui, const std::string& name, const std::vector<dvec3>& values,
                                       const FieldUnit& unit);
 
 /// The number as the field shows it.
 std::string shown_number(double value, const FieldUnit& unit);
 
-/// The edit that the field drawn last asks for: where it is refused, the field says why.
-void ask_edit(UiState& ui, Edit edit);
 /// The field drawn last cannot take what was typed, for a reason that the core does not know.
-void refuse(UiState& ui, const std::string& words);
+void refuse(Ui& ui, const std::string& words);
 /// Why the field of that name was refused, or one of a vector_field: below it. Nothing where it was not.
-void show_refusal(UiState& ui, const std::string& name);
+void show_refusal(Ui& ui, const std::string& name);
 
 }  // namespace taxel::ui

@@ -46,7 +46,7 @@ void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
 
 /// One bar with its column of the axis: x0 to x1.
 void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x1, const BarValue& bar, bool selected) {
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const float gap = 0.14f * (x1 - x0), left = std::round(x0 + gap), right = std::max(left + 1, std::round(x1 - gap));
   if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
   list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field, 0.8f));
@@ -88,7 +88,7 @@ double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit) {
 
 int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size) {
   ui.bars.clear();
-  const Palette& colors = palette(ui.saved.dark);
+  const Palette& colors = palette(ui.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float line = kSmallText * ImGui::GetFontSize();
   ImGui::InvisibleButton("##bars", size);

@@ -6,7 +6,6 @@
 
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
-#include "ui/tools/actions.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 
@@ -34,15 +33,15 @@ Rect range_button(const LegendPlace& place) {
           bottom - 0.3f * line};
 }
 
-void draw_range_state(const UiState& ui, ImDrawList& list, const Rect& button) {
-  const Palette& colors = palette(ui.saved.dark);
-  const char* state = ui.range.automatic ? "AUTO" : "LOCKED";
+void draw_range_state(const Ui& ui, const PressureRange& range, ImDrawList& list, const Rect& button) {
+  const Palette& colors = palette(ui.dark);
+  const char* state = range.automatic ? "AUTO" : "LOCKED";
   const bool hovered = ImGui::IsMouseHoveringRect({button.x0, button.y0}, {button.x1, button.y1});
   list.AddRectFilled({button.x0, button.y0}, {button.x1, button.y1}, to_u32(hovered ? colors.accent : colors.raised),
                      ImGui::GetStyle().FrameRounding);
   const ImVec2 size = ImGui::CalcTextSize(state);
   list.AddText({std::round(button.center_x() - 0.5f * size.x), std::round(button.center_y() - 0.5f * size.y)},
-               to_u32(ui.range.automatic ? colors.text : colors.warning), state);
+               to_u32(range.automatic ? colors.text : colors.warning), state);
 }
 
 }  // namespace
@@ -62,13 +61,13 @@ ImU32 taxel_color_u32(int number, float alpha) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
 }
 
-void place_range_button(UiState& ui, const LegendPlace& place) {
+void place_range_button(Ui& ui, PressureRange& range, const LegendPlace& place) {
   const Rect button = range_button(place);
   ImGui::SetCursorScreenPos({button.x0, button.y0});
-  if (ImGui::InvisibleButton("##range", {button.width(), button.height()})) ui.range.automatic = !ui.range.automatic;
+  if (ImGui::InvisibleButton("##range", {button.width(), button.height()})) range.automatic = !range.automatic;
   ui.widgets.note_item("Range");
-  tooltip(ui.range.automatic ? "The range follows the largest pressure of the run. Click to lock it."
-                             : "The range is locked. Click to let it follow the largest pressure.");
+  tooltip(range.automatic ? "The range follows the largest pressure of the run. Click to lock it."
+                          : "The range is locked. Click to let it follow the largest pressure.");
 }
 
 std::vector<std::string> legend_texts(const PressureRange& range, int ticks) {
@@ -78,8 +77,8 @@ std::vector<std::string> legend_texts(const PressureRange& range, int ticks) {
   return texts;
 }
 
-void draw_pressure_legend(UiState& ui, const LegendPlace& place) {
-  const Palette& colors = palette(ui.saved.dark);
+void draw_pressure_legend(Ui& ui, const PressureRange& range, const LegendPlace& place) {
+  const Palette& colors = palette(ui.dark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetFontSize(), pad = 0.5f * line;
   const ImVec2 lo(place.corner.x - pressure_legend_width(), place.corner.y),
@@ -90,7 +89,7 @@ void draw_pressure_legend(UiState& ui, const LegendPlace& place) {
   const ImVec2 bar_lo(lo.x + pad, lo.y + 3.0f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.5f * line);
   draw_color_bar(list, bar_lo, bar_hi);
   const int ticks = tick_count(bar_hi.y - bar_lo.y, line);
-  const std::vector<std::string> texts = legend_texts(ui.range, ticks);
+  const std::vector<std::string> texts = legend_texts(range, ticks);
   for (int i = 0; i <= ticks; ++i) {
     const float y = bar_hi.y + (bar_lo.y - bar_hi.y) * static_cast<float>(i) / static_cast<float>(ticks);
     list.AddLineH(bar_hi.x, bar_hi.x + 0.3f * line, std::floor(y), to_u32(colors.dim));
@@ -100,7 +99,7 @@ void draw_pressure_legend(UiState& ui, const LegendPlace& place) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ui.widgets.note("Pressure legend", text, {at.x, at.y, at.x + size.x, at.y + size.y});
   }
-  draw_range_state(ui, list, range_button(place));
+  draw_range_state(ui, range, list, range_button(place));
 }
 
 }  // namespace taxel::ui

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/ui_state.h"
+#include "ui/scene/scene_renderer.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 
@@ -19,11 +20,11 @@ struct LegendPlace {
 float pressure_legend_width();
 
 /// The button that switches AUTO and LOCKED; to be placed before what the legend covers, so that it gets the click.
-void place_range_button(UiState& ui, const LegendPlace& place);
+void place_range_button(Ui& ui, PressureRange& range, const LegendPlace& place);
 /// Numbers along the colour bar in kPa, the lowest first: `ticks` + 1 of them, evenly from range.lo to range.hi.
 [[nodiscard]] std::vector<std::string> legend_texts(const PressureRange& range, int ticks);
 /// Notes the numbers as widgets of the panel "Pressure legend", so that scripts know what was drawn and where.
-void draw_pressure_legend(UiState& ui, const LegendPlace& place);
+void draw_pressure_legend(Ui& ui, const PressureRange& range, const LegendPlace& place);
 
 /// Colour of a pressure in the shared range.
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha = 1.0f);

@@ -268,7 +268,7 @@ void draw_timeline_lanes(UiState& ui, const UiInput& input, const ImVec2& size) 
   ui.widgets.note_item("Timeline lanes");
   take_pointer(ui, input, lanes);
 
-  Picture p{ui, input, *ImGui::GetWindowDrawList(), palette(ui.saved.dark), lanes};
+  Picture p{ui, input, *ImGui::GetWindowDrawList(), palette(ui.dark), lanes};
   p.sensor = sensor;
   for (std::size_t s = 0; s < sensor; ++s) p.first_reading += frame.sensors[s].readings.size();
   p.readings = std::min(frame.sensors[sensor].readings.size(), lanes.reading_count - p.first_reading);
