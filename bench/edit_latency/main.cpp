@@ -17,8 +17,8 @@
 #include <mutex>
 
 #include "../layout_arguments.h"
-#include "app/studio/edit_session.h"
-#include "app/studio/probe_worker.h"
+#include "app/studio/document/edit_session.h"
+#include "app/studio/features/probe/probe_worker.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/document/edit.h"

@@ -13,12 +13,15 @@ BROKEN = {
     "core/sensor/e.cpp": "#include <iostream>\n",
     "core/layout/f.cpp": "#include <OpenMesh/Core/IO/MeshIO.hh>\n",
     "ui/g.cpp": '#include "core/sim/simulator.h"\n',
-    "ui/panels/h.cpp": "#include <fstream>\n",
+    "ui/widgets/h.cpp": "#include <fstream>\n",
+    "ui/scene/l.cpp": '#include "app/studio/app/ui_state.h"\n',
+    "app/studio/features/probe/probe_tool.cpp": '#include "core/base/files.h"\n',
+    "app/studio/features/probe/probe_worker.cpp": "#include <imgui.h>\n",
     "app/cli/i.cpp": "#include <imgui.h>\n",
     "core/layout/sampling/j.cpp": "const double x = std::sin(1.0);\n",
     "core/base/rng.h": "std::normal_distribution<> normal;\n",
     "core/mesh/long.cpp": "// line\n" * 401,
-    "ui/panels/long_panel.cpp": "// line\n" * 251,
+    "app/studio/features/probe/long_panel.cpp": "// line\n" * 251,
 }
 FINE = {
     "core/mesh/topology/half_edges.cpp": '#include <OpenMesh/Core/IO/MeshIO.hh>\n#include "core/base/error.h"\n',

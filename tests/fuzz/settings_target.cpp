@@ -1,5 +1,5 @@
 // The window's settings. A file that is broken counts as none.
-#include "app/studio/settings.h"
+#include "app/studio/dump/settings.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/studio/end_signal.h"
-#include "app/studio/options.h"
-#include "app/studio/studio.h"
+#include "app/studio/app/keymap.h"
+#include "app/studio/shell/end_signal.h"
+#include "app/studio/shell/options.h"
+#include "app/studio/shell/studio.h"
 #include "app/version/version.h"
 #include "core/sim/plugin/plugin_folder.h"
-#include "ui/keymap.h"
 
 int main(int argc, char** argv) {
   const taxel::studio::ParsedOptions parsed = taxel::studio::parse_options(argc, argv);

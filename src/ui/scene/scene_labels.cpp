@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "ui/scene/draw/model_marks.h"
+#include "ui/scene/marks/model_marks.h"
 #include "ui/scene/scene_cast.h"
 #include "ui/scene/scene_places.h"
 #include "ui/scene/sensor_view.h"

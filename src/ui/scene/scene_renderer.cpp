@@ -4,16 +4,16 @@
 
 #include "ui/gl/framebuffer.h"
 #include "ui/gl/offscreen_context.h"
-#include "ui/scene/draw/ambient_occlusion.h"
-#include "ui/scene/draw/backdrop.h"
-#include "ui/scene/draw/cuts.h"
-#include "ui/scene/draw/frame_marks.h"
-#include "ui/scene/draw/gizmo_marks.h"
-#include "ui/scene/draw/gpu_mesh.h"
-#include "ui/scene/draw/ground.h"
-#include "ui/scene/draw/hand_marks.h"
-#include "ui/scene/draw/mesh_pass.h"
-#include "ui/scene/draw/sensor_marks.h"
+#include "ui/scene/marks/frame_marks.h"
+#include "ui/scene/marks/gizmo_marks.h"
+#include "ui/scene/marks/hand_marks.h"
+#include "ui/scene/marks/sensor_marks.h"
+#include "ui/scene/paint/gpu_mesh.h"
+#include "ui/scene/passes/ambient_occlusion.h"
+#include "ui/scene/passes/backdrop.h"
+#include "ui/scene/passes/cuts.h"
+#include "ui/scene/passes/ground.h"
+#include "ui/scene/passes/mesh_pass.h"
 
 namespace taxel::ui {
 namespace {

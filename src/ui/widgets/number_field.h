@@ -18,6 +18,10 @@ struct FieldUnit {
   int digits = 2;         ///< behind the point; negative: as many as the number has
 };
 
+inline constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2};
+/// With all digits of the number, for values that are stored as typed.
+inline constexpr FieldUnit kExactMillimetres{"mm", -3, -1}, kExactDegrees{"deg", 0, -1}, kExactNumber{"", 0, -1};
+
 /// `values`: of all that are edited, in SI; "mixed" is shown where they differ. The new value, in SI, when Enter or
 /// leaving the field takes over what was typed; none while it is typed, where nothing has changed, and where it is no
 /// number: then it is refused.

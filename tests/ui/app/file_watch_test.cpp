@@ -1,5 +1,5 @@
 // The watch over open files: told once, and only when a file has come to rest.
-#include "app/studio/file_watch.h"
+#include "app/studio/document/file_watch.h"
 
 #include <gtest/gtest.h>
 

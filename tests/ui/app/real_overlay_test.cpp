@@ -1,5 +1,5 @@
 // A real recording over the run: where it begins, and what aligns it.
-#include "app/studio/real_overlay.h"
+#include "app/studio/features/real/real_overlay.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/scene/camera.h"
+#include "ui/scene/pick/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/scene/draw/look.h"
+#include "ui/scene/passes/look.h"
 
 namespace taxel::ui {
 namespace {

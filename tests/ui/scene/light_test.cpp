@@ -2,8 +2,8 @@
 
 #include "core/mesh/make/primitives.h"
 #include "ui/scene/body_scene.h"
-#include "ui/scene/draw/look.h"
 #include "ui/scene/finger_scene.h"
+#include "ui/scene/passes/look.h"
 #include "ui/scene/picture.h"
 
 namespace taxel::ui {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
-#include "ui/scene/draw/ray_marks.h"
-#include "ui/scene/draw/traction_marks.h"
 #include "ui/scene/geometry/coverage.h"
 #include "ui/scene/geometry/skin_weights.h"
+#include "ui/scene/marks/ray_marks.h"
+#include "ui/scene/marks/traction_marks.h"
 
 namespace taxel::ui {
 namespace {

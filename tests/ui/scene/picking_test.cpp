@@ -1,11 +1,11 @@
-#include "ui/scene/picking.h"
+#include "ui/scene/pick/picking.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ui/scene/finger_scene.h"
-#include "ui/scene/gizmo.h"
+#include "ui/scene/pick/gizmo.h"
 #include "ui/scene/sample_use.h"
 #include "ui/scene/scene_cast.h"
 #include "ui/scene/scene_labels.h"

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/studio/features/section/section_panel.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/slice.h"
-#include "ui/panels/section_panel.h"
 #include "ui/scene/color_map.h"
 #include "ui/scene/finger_scene.h"
 #include "ui/scene/picture.h"

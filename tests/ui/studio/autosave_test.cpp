@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/studio/autosave.h"
+#include "app/studio/document/autosave.h"
 #include "core/document/project_json.h"
 #include "fixtures/run_program.h"
 

@@ -1,12 +1,12 @@
 // Edits and the worker that compiles them, by the clock and without a window: nobody waits, the newest wins.
-#include "app/studio/edit_session.h"
+#include "app/studio/document/edit_session.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
 
-#include "app/studio/documents.h"
+#include "app/studio/document/documents.h"
 
 namespace taxel::studio {
 namespace {

@@ -1,12 +1,12 @@
 // The worker that works out receptive fields, without a window: the same as the geometry it is made of, and an edited
 // model comes with its fields.
-#include "app/studio/field_worker.h"
+#include "app/studio/features/fields/field_worker.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
-#include "app/studio/documents.h"
+#include "app/studio/document/documents.h"
 
 namespace taxel::studio {
 namespace {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "app/studio/session.h"
+#include "app/studio/run/session.h"
 #include "script_lines.h"
 
 namespace taxel::test {

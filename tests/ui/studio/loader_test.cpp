@@ -1,5 +1,5 @@
 // Loading in the worker: progress while samples are built, and Cancel.
-#include "app/studio/loader.h"
+#include "app/studio/document/loader.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -8,9 +8,9 @@
 #include <set>
 #include <thread>
 
+#include "app/studio/features/files/dialogs.h"
 #include "fixtures/run_program.h"
 #include "studio_program.h"
-#include "ui/panels/dialogs.h"
 
 namespace taxel::studio {
 namespace {

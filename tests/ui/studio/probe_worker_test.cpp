@@ -1,13 +1,13 @@
 // The worker that presses the probe, without a window: the newest pose wins, and a model comes with its reading.
-#include "app/studio/probe_worker.h"
+#include "app/studio/features/probe/probe_worker.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <fstream>
 
-#include "app/studio/documents.h"
-#include "app/studio/edit_session.h"
+#include "app/studio/document/documents.h"
+#include "app/studio/document/edit_session.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <regex>
 
+#include "app/studio/app/keymap.h"
 #include "studio_program.h"
-#include "ui/keymap.h"
 
 namespace taxel::test {
 namespace {

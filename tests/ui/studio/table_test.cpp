@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "ui/keymap.h"
-#include "ui/panels/status_line.h"
-#include "ui/tools/actions.h"
+#include "app/studio/app/actions.h"
+#include "app/studio/app/keymap.h"
+#include "app/studio/features/menus/status_line.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/widget_registry.h"
 

@@ -1,5 +1,5 @@
 // Orders of taxels, against the plain way to say them.
-#include "ui/tools/taxel_order.h"
+#include "app/studio/features/table/taxel_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Drawing only what changed gives the picture that drawing everything gives, pixel by pixel, and but for rounding the
 // same as drawing straight into the window.
-#include "app/studio/window_painter.h"
+#include "app/studio/shell/window/window_painter.h"
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>

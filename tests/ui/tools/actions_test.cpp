@@ -1,16 +1,16 @@
 // Keys and actions: which key asks for what, and where scales and speeds end.
-#include "ui/tools/actions.h"
+#include "app/studio/app/actions.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "app/studio/app/view_actions.h"
+#include "app/studio/features/timeline/timeline_lanes.h"
 #include "ui/theme.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
-#include "ui/tools/view_actions.h"
-#include "ui/widgets/timeline_lanes.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,5 +1,5 @@
 // Selection by a box or a lasso: its area, the side that faces the eye, hidden taxels, modifiers.
-#include "ui/tools/area_select.h"
+#include "app/studio/features/select/area_select.h"
 
 #include <gtest/gtest.h>
 

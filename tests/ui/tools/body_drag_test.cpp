@@ -1,8 +1,8 @@
 // A body that is pulled or turned with the mouse.
 #include <gtest/gtest.h>
 
+#include "app/studio/features/perturb/perturb_tool.h"
 #include "ui/tools/interface_frames.h"
-#include "ui/tools/perturb_tool.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

@@ -1,13 +1,13 @@
 // Gestures: their steps and their pace under Ctrl and Shift, and the time of a way point that is added.
-#include "ui/tools/gesture.h"
+#include "app/studio/features/taxel/gesture.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "app/studio/features/scenario/path_tool.h"
 #include "ui/tools/interface_frames.h"
-#include "ui/tools/path_tool.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

@@ -1,10 +1,10 @@
 // Numbers, colours and orders that panels show.
 #include <gtest/gtest.h>
 
+#include "app/studio/features/bars/pressure_bars.h"
+#include "app/studio/features/table/taxel_order.h"
 #include "ui/scene/color_map.h"
-#include "ui/tools/taxel_order.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/pressure_bars.h"
 
 namespace taxel::ui {
 namespace {

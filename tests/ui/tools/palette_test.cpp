@@ -1,5 +1,5 @@
 // Commands found by part of their names.
-#include "ui/tools/palette.h"
+#include "app/studio/features/menus/palette.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Curves of long traces: no row is left out, and what is drawn of them has every extreme.
-#include "ui/tools/plot_curves.h"
+#include "app/studio/features/plot/plot_curves.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "app/studio/app/ui_state.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
-#include "ui/ui_state.h"
 
 namespace taxel::ui::test {
 

@@ -1,0 +1,11 @@
+// The whole window of one frame: menus, toolbar, status line, docked panels, dialogs.
+#pragma once
+
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::ui {
+
+/// Between ImGui::NewFrame and ImGui::Render. Leaves in `ui` what was asked, and where widgets stood.
+void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer);
+
+}  // namespace taxel::ui

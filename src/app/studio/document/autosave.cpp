@@ -1,0 +1,208 @@
+#include "app/studio/document/autosave.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/studio/document/project_files.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+
+namespace taxel::studio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path beside(const fs::path& file, const char* extension) {
+  fs::path other = file;
+  return other.replace_extension(extension);
+}
+
+void remove_kept(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  fs::remove(beside(file, ".origin"), ignored);
+}
+
+/// The descriptor of the lock file when nobody else holds it; -1 otherwise.
+int try_lock(const fs::path& file) {
+  const int lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    ::close(lock);
+    return -1;
+  }
+  return lock;
+}
+
+std::string local_time(const fs::path& file) {
+  std::error_code ignored;
+  const auto written = std::chrono::file_clock::to_sys(fs::last_write_time(file, ignored));
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}",
+                     fmt::localtime(std::chrono::system_clock::to_time_t(
+                         std::chrono::time_point_cast<std::chrono::system_clock::duration>(written))));
+}
+
+/// Two lines: the document's name, and the file that it came from.
+std::pair<std::string, std::string> read_origin(const fs::path& file) {
+  try {
+    const std::string text = read_file(file);
+    const std::size_t end = text.find('\n');
+    std::string origin = end == std::string::npos ? "" : text.substr(end + 1);
+    while (!origin.empty() && origin.back() == '\n') origin.pop_back();
+    return {text.substr(0, end), origin};
+  } catch (const Error&) {
+    return {"A document", ""};
+  }
+}
+
+}  // namespace
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Autosave::~Autosave() {
+  stop();
+}
+
+void Autosave::end() {
+  if (!started()) return;
+  stop();
+  forget({file_, "", "", ""});
+}
+
+void Autosave::stop() {
+  if (!started()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  asked_.notify_all();
+  thread_.join();
+  ::close(std::exchange(lock_, -1));
+}
+
+void Autosave::start(const fs::path& folder) {
+  make_folder(folder);
+  folder_ = folder;
+  for (int number = 1; lock_ < 0; ++number) {
+    file_ = folder / fmt::format("{}-{}.taxelproj", ::getpid(), number);
+    std::error_code ignored;
+    if (fs::exists(file_, ignored)) continue;  // left behind by another one of this number
+    lock_ = try_lock(beside(file_, ".lock"));
+    constexpr int kMostTries = 1000;
+    if (lock_ < 0 && number == kMostTries) throw Error(folder.string(), "cannot be written: edits are not kept");
+  }
+  thread_ = std::thread([this] { run(); });
+}
+
+void Autosave::send(Job job) {
+  {
+    const std::lock_guard lock(mutex_);
+    next_ = std::move(job);
+  }
+  asked_.notify_all();
+}
+
+std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
+                             const std::string& origin, double now) {
+  if (!started()) return {};
+  const std::string failure = new_failure();
+  if (!unsaved) {
+    unkept_since_.reset();
+    kept_ = 0;
+    if (std::exchange(sent_, false)) send({});
+  } else if (taken_over_) {
+    kept_ = revision;
+    sent_ = true;
+    send({unsaved, name, origin, std::exchange(taken_over_, std::nullopt)});
+  } else if (revision == kept_) {
+    unkept_since_.reset();
+  } else if (!unkept_since_) {
+    unkept_since_ = now;
+  } else if (now - *unkept_since_ >= every_) {
+    unkept_since_.reset();
+    kept_ = revision;
+    sent_ = true;
+    send({unsaved, name, origin, std::nullopt});
+  }
+  return failure;
+}
+
+std::string Autosave::new_failure() {
+  const std::lock_guard lock(mutex_);
+  if (!outcome_) return {};
+  const std::string failure = *std::exchange(outcome_, std::nullopt);
+  if (!failure.empty()) kept_ = 0;  // it is not, and is written again
+  return std::exchange(told_, failure) == failure ? "" : failure;
+}
+
+std::optional<double> Autosave::seconds_until_due(double now) const {
+  if (!started() || !unkept_since_) return std::nullopt;
+  return std::max(0.0, *unkept_since_ + every_ - now);
+}
+
+void Autosave::leave(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
+                     const std::string& origin) {
+  if (!started()) return;
+  if (unsaved && (revision != kept_ || taken_over_)) send({unsaved, name, origin, taken_over_});
+  if (!unsaved) send({});
+  stop();
+  if (!unsaved) forget({file_, "", "", ""});
+}
+
+void Autosave::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    asked_.wait(lock, [this] { return next_ || ending_; });
+    if (!next_) return;  // it ends, and the last job is done
+    const Job job = *std::exchange(next_, std::nullopt);
+    lock.unlock();
+    std::string failure;
+    try {
+      write(job);
+      if (job.forget) forget(*job.forget);
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+    lock.lock();
+    outcome_ = failure;
+  }
+}
+
+void Autosave::write(const Job& job) const {
+  if (!job.project) return remove_kept(file_);
+  write_file_atomically(beside(file_, ".origin"), job.name + "\n" + job.origin + "\n");
+  write_project(file_, with_mesh_on_disk(*job.project, file_));
+}
+
+std::vector<LostDocument> Autosave::lost() const {
+  std::vector<LostDocument> found;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
+    const fs::path file = entry.path();
+    if (file.extension() != ".taxelproj" || file == file_ || !fs::is_regular_file(file, error)) continue;
+    const int lock = try_lock(beside(file, ".lock"));
+    if (lock < 0) continue;  // its program lives
+    ::close(lock);
+    const auto [name, origin] = read_origin(beside(file, ".origin"));
+    found.push_back({file, name, origin, local_time(file)});
+  }
+  std::sort(found.begin(), found.end(), [](const LostDocument& a, const LostDocument& b) { return a.when > b.when; });
+  return found;
+}
+
+void Autosave::forget(const LostDocument& lost) {
+  remove_kept(lost.file);
+  std::error_code ignored;
+  fs::remove(beside(lost.file, ".lock"), ignored);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,295 @@
+#include "app/studio/document/documents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <string_view>
+
+#include "app/studio/document/shown_model.h"
+#include "core/base/hash.h"
+#include "core/base/parallel.h"
+#include "core/document/project_json.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/layout/file/layout_json.h"
+#include "core/layout/frame_guess.h"
+#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
+#include "core/run/bundle/frame_bundle.h"
+#include "core/run/recording/npz.h"
+#include "core/sensor/imported_source.h"
+
+namespace taxel::studio {
+
+std::string_view embedded_file(std::string_view name);
+
+namespace {
+
+/// Samples of a bare mesh: enough to see, quick to make.
+constexpr double kSamplesOfMesh = 20000;
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// "fingertip" of "dir/fingertip.taxels.json".
+std::string short_name(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.substr(0, name.find('.', 1));
+}
+
+std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) {
+  std::vector<std::string> notes;
+  for (const Problem& p : model.problems) {
+    if (p.code == "mesh_changed") continue;       // said with what can be done about it
+    if (p.code.starts_with("repair_")) continue;  // Document::repair
+    if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
+      notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
+  }
+  return notes;
+}
+
+/// What a repair mends is no problem of the mesh that is used.
+void tone_down(MeshFindings& findings, const RepairReport& report) {
+  const bool united = std::any_of(report.steps.begin(), report.steps.end(), [](const RepairStep& step) {
+    return step.code == "repair_united" || step.code == "repair_wrapped";
+  });
+  for (MeshFinding& finding : findings) {
+    if (finding.code == "mesh_open" || finding.code == "mesh_nonmanifold" || finding.code == "mesh_winding" ||
+        finding.code == "mesh_inverted")
+      finding.severity = Severity::note;
+    if (!united || (finding.code != "mesh_self_intersection" && finding.code != "mesh_shells")) continue;
+    finding.severity = Severity::note;
+    finding.meaning = "A repair unites the parts when the mesh is used (Inspector > Mesh); the file stays as it is.";
+  }
+}
+
+using Compile = std::function<ShownModel(const SensorBuild&)>;
+
+/// A document on a mesh, compiled; meanwhile the mesh is looked over.
+Document document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                     const Compile& compile, const SensorBuild& how) {
+  Document document{kind, file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
+  if (document.name.empty()) document.name = short_name(file);
+  ShownModel shown;
+  MeshFindings findings;
+  parallel_all([&] { shown = compile(how); }, [&] { findings = mesh_report(*mesh.mesh, mesh.notes); });
+  if (how.progress != nullptr) how.progress->stop_if_cancelled();
+  document.model = std::move(shown.model);
+  document.repair = repair_summary(document.model->repaired->report);
+  if (document.model->mesh != document.model->loaded) tone_down(findings, document.model->repaired->report);
+  document.problem = std::move(shown.problem);
+  document.mesh = std::make_shared<const OpenMesh>(OpenMesh{std::move(mesh), std::move(findings)});
+  document.project = std::make_shared<const Project>(std::move(project));
+  document.compile = [compile](const SensorBuild& build) { return compile(build).model; };
+  return document;
+}
+
+/// The project's layout on its mesh, as read from files.
+Document compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                  const SensorBuild& how) {
+  const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
+  const Compile compile = [source](const SensorBuild& build) {
+    return shown_model(source->layout, [&](const Layout& layout) {
+      return build_sensor_model(SensorSource{source->file, layout, source->mesh}, build);
+    });
+  };
+  Document document = document_of(kind, file, std::move(project), std::move(mesh), compile, how);
+  document.notes = warnings_of(*document.model, false);
+  return document;
+}
+
+/// What was not in the file of a document, before what there is to say of its mesh.
+void add_notes_of(const ImportedSource& read, Document& document) {
+  const std::string name = std::filesystem::path(document.file).filename().string();
+  std::vector<std::string> notes;
+  for (const std::string& note : read.notes) notes.push_back(name + ": " + note);
+  document.notes.insert(document.notes.begin(), notes.begin(), notes.end());
+  document.frame_is_guess = read.frame_is_guess;
+}
+
+Document load_layout(const std::filesystem::path& file, const SensorBuild& how) {
+  ImportedSource read = read_any_source(file, {});
+  Project project;
+  project.layout = std::move(read.source.layout);
+  project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
+  Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  add_notes_of(read, document);
+  return document;
+}
+
+/// A layout of another program on the mesh that was chosen.
+Document load_foreign_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  if (skin.mesh.empty()) throw Error(file.string(), "holds no mesh: drop its mesh file into the window as well");
+  ImportedSource read = read_any_source(file, skin);
+  Project project;
+  project.layout = std::move(read.source.layout);
+  Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  add_notes_of(read, document);
+  document.skin = skin;
+  return document;
+}
+
+/// Warnings of files that the project's scenario names and that are missing: the scenario could not run.
+std::vector<std::string> missing_files(const Project& project, const std::filesystem::path& file) {
+  const Scenario scenario = with_absolute_files(project.scenario, file);
+  std::vector<std::string> notes;
+  const auto check = [&](const char* field, const std::filesystem::path& named) {
+    std::error_code ignored;
+    if (!named.empty() && !std::filesystem::exists(named, ignored))
+      notes.push_back(fmt::format("{}: /scenario/{}: {}: no such file: the scenario cannot run", file.string(), field,
+                                  named.string()));
+  };
+  check("object", scenario.object);
+  check("source", scenario.source);
+  return notes;
+}
+
+Document load_project(const std::filesystem::path& file, const SensorBuild& how) {
+  Project project = read_project(file);
+  throw_first_error(check_layout_values(project.layout, file.string()));
+  LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
+  const std::vector<std::string> missing = missing_files(project, file);
+  Document document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
+  document.notes.insert(document.notes.end(), missing.begin(), missing.end());
+  return document;
+}
+
+/// The same mesh as load_mesh gives with this scale.
+LoadedMesh scaled(LoadedMesh mesh, double scale) {
+  std::vector<dvec3> vertices = mesh.mesh->vertices();
+  for (dvec3& vertex : vertices) vertex = vertex * scale;
+  mesh.mesh = std::make_shared<const TriMesh>(std::move(vertices), mesh.mesh->faces());
+  return mesh;
+}
+
+/// What the reading of a mesh did and what is wrong with it, as one line.
+std::string findings_text(const MeshFindings& findings) {
+  std::string text;
+  for (const MeshFinding& finding : findings) text += (text.empty() ? "" : "; ") + finding.what;
+  return text;
+}
+
+Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
+  LoadedMesh mesh = load_mesh(file, dvec3(1.0), how.progress);
+  const UnitGuess unit = guess_unit(*mesh.mesh);
+  if (unit.scale != 1.0) mesh = scaled(std::move(mesh), unit.scale);
+  if (how.progress != nullptr) how.progress->check(0.1);
+  Project project;
+  Layout& layout = project.layout;
+  layout.name = short_name(file);
+  layout.mesh = {std::filesystem::absolute(file).lexically_normal().string(), dvec3(unit.scale), mesh.sha256};
+  layout.frame = guess_frame(*mesh.mesh).value_or(layout.frame);
+  layout.sampling.density = density_for(mesh.mesh->area());
+  layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
+  const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {
+    return shown_model(
+        whole, [&](const Layout& shown) { return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build); });
+  };
+  const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
+  Document document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
+  // What a mesh that cannot be simulated has wrong is shown by its report.
+  const bool repaired = document.model->mesh != document.model->loaded;
+  document.frame_is_guess = true;
+  const std::string found = document.problem.empty() && !repaired ? findings_text(document.mesh->findings) : "";
+  document.notes.push_back(fmt::format(
+      "{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
+      unit.scale == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z, found.empty() ? "" : "; ", found));
+  return document;
+}
+
+Document load_frame(const std::filesystem::path& file, const SensorBuild& how) {
+  const SimFramePtr frame = read_frame_bundle(file, how);
+  const SensorModelPtr model = frame->scene->sensors.empty() ? nullptr : frame->scene->sensors.front();
+  return {DocumentKind::frame,
+          file.string(),
+          short_name(file),
+          model,
+          nullptr,
+          nullptr,
+          "",
+          {},
+          nullptr,
+          frame,
+          "",
+          read_archive_member(file, "state.json")};
+}
+
+}  // namespace
+
+double density_for(double area) {
+  const double wanted = kSamplesOfMesh / area;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
+}
+
+DocumentKind document_kind(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  if (extension == ".json" || needs_mesh(file)) return DocumentKind::layout;
+  if (extension == ".taxelproj") return DocumentKind::project;
+  if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
+  if (extension == kFrameBundleExtension) return DocumentKind::frame;
+  if (is_mesh_file(file)) return DocumentKind::mesh;
+  throw Error(
+      file.string(),
+      "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml), mesh (.obj .stl .ply .off .gltf "
+      ".glb), "
+      "MuJoCo scene (.xml) or saved step (.taxelframe)");
+}
+
+bool needs_mesh(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  return extension == ".yaml" || extension == ".yml";
+}
+
+Document load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  switch (document_kind(file)) {
+    case DocumentKind::layout:
+      return needs_mesh(file) ? load_foreign_layout(file, skin, how) : load_layout(file, how);
+    case DocumentKind::project:
+      return load_project(file, how);
+    case DocumentKind::mesh:
+      return load_bare_mesh(file, how);
+    case DocumentKind::frame:
+      return load_frame(file, how);
+    case DocumentKind::scene:
+      break;
+  }
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
+}
+
+Document built_in_fingertip(const SensorBuild& how) {
+  const std::string layout_name = "fingertip.taxels.json";
+  const BuiltInMesh obj = built_in_mesh();
+  PolygonSoup soup = read_obj(obj.bytes, obj.name);
+  LoadedMesh mesh;
+  mesh.mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
+  mesh.sha256 = sha256_hex(obj.bytes);
+  mesh.file_face_of.resize(static_cast<std::size_t>(mesh.mesh->face_count()));
+  std::iota(mesh.file_face_of.begin(), mesh.file_face_of.end(), 0);
+  Project project;
+  project.layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
+  project.layout.mesh.file = obj.name;
+  const Compile compile = [layout = project.layout, mesh, layout_name](const SensorBuild& build) {
+    return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build), ""};
+  };
+  Document document = document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
+  document.name = "Fingertip sweep";
+  return document;
+}
+
+BuiltInMesh built_in_mesh() {
+  return {"fingertip.obj", embedded_file("assets/meshes/fingertip.obj")};
+}
+
+std::vector<std::string> notes_of_samples(const SensorModel& model) {
+  return warnings_of(model, true);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,120 @@
+#include "app/studio/document/edit_session.h"
+
+#include <utility>
+
+namespace taxel::studio {
+
+namespace {
+
+/// Gestures of the hand count from 1; those of edit_together() from here.
+constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
+
+}  // namespace
+
+void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem) {
+  worker_.clear();
+  history_.emplace(*project);
+  meshes_ = std::make_shared<OpenMeshes>();  // a model of the document before may still be built on its own
+  meshes_->add(project->layout.mesh, std::move(mesh));
+  file_ = std::move(file);
+  built_ = history_->project();
+  compiled_ = ++asked_;
+  problem_ = std::move(problem);
+}
+
+void EditSession::close() {
+  worker_.clear();
+  history_.reset();
+  meshes_ = std::make_shared<OpenMeshes>();
+  problem_.clear();
+}
+
+void EditSession::rebuild() {
+  built_ = history_->project();
+  worker_.build({++asked_, built_, meshes_, file_});
+}
+
+/// The scenario, and what else is no part of the layout, compiles nothing.
+void EditSession::rebuild_if_changed() {
+  if (history_->project()->layout != built_->layout) rebuild();
+}
+
+void EditSession::edit(const Edit& edit, taxel::Gesture gesture) {
+  if (history_ && history_->apply(edit, gesture)) rebuild_if_changed();
+}
+
+void EditSession::edit_together(const std::vector<Edit>& edits) {
+  if (!history_) return;
+  const std::uint64_t gesture = kTogether + ++together_, before = history_->revision();
+  try {
+    for (const Edit& edit : edits) history_->apply(edit, {gesture});
+  } catch (const Error&) {
+    history_->cancel(gesture);
+    throw;
+  }
+  history_->end_gesture();
+  if (history_->revision() != before) rebuild_if_changed();
+}
+
+void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
+  const OpenMeshPtr known = meshes_->known(ref);
+  if (known && known->loaded.sha256 == mesh->loaded.sha256) return;
+  meshes_->add(ref, std::move(mesh));
+  if (known && history_ && same_file(history_->project()->layout.mesh, ref)) rebuild();
+}
+
+OpenMeshPtr EditSession::mesh() const {
+  return history_ ? meshes_->known(history_->project()->layout.mesh) : nullptr;
+}
+
+void EditSession::cancel(std::uint64_t gesture) {
+  if (!history_) return;
+  const std::uint64_t before = history_->revision();
+  history_->cancel(gesture);
+  if (history_->revision() != before) rebuild_if_changed();
+}
+
+void EditSession::end_gesture() {
+  if (history_) history_->end_gesture();
+}
+
+void EditSession::undo() {
+  if (!history_ || !history_->can_undo()) return;
+  history_->undo();
+  rebuild_if_changed();
+}
+
+void EditSession::redo() {
+  if (!history_ || !history_->can_redo()) return;
+  history_->redo();
+  rebuild_if_changed();
+}
+
+SensorModelPtr EditSession::take_model() {
+  std::optional<BuiltModel> built = worker_.take();
+  if (!built || !history_) return nullptr;
+  const bool newest = built->number == asked_;
+  if (newest) problem_ = built->problem;
+  if (built->model) compiled_ = built->number;
+  return built->model;
+}
+
+void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const {
+  editing = {};
+  if (!history_) return;
+  editing.project = history_->project();
+  editing.compiled = compiled();
+  editing.problem = problem_;
+  if (const OpenMeshPtr known = mesh()) {
+    editing.mesh_findings = std::shared_ptr<const MeshFindings>(known, &known->findings);
+    editing.mesh_sha256 = known->loaded.sha256;
+  }
+  editing.undo = history_->undo_name();
+  editing.redo = history_->redo_name();
+  editing.undo_depth = history_->undo_depth();
+  editing.redo_depth = history_->redo_depth();
+  editing.dirty = history_->dirty();
+  if (worker_.polishing()) polishing = {true, by_clock ? worker_.fraction() : 0};
+}
+
+}  // namespace taxel::studio

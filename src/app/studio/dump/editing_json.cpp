@@ -1,0 +1,107 @@
+#include "app/studio/dump/editing_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/vector_json.h"
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* to_string(ui::Tool tool) {
+  switch (tool) {
+    case ui::Tool::none:
+      return "none";
+    case ui::Tool::place:
+      return "place";
+    case ui::Tool::slide:
+      return "slide";
+    case ui::Tool::move:
+      return "move";
+    case ui::Tool::turn:
+      return "turn";
+    case ui::Tool::resize:
+      return "resize";
+    case ui::Tool::way_point:
+      return "way_point";
+    case ui::Tool::box:
+      return "box";
+    case ui::Tool::lasso:
+      return "lasso";
+    case ui::Tool::brush:
+      return "brush";
+  }
+  return "none";
+}
+
+Json tool_json(const ui::ToolState& tool) {
+  return {{"name", to_string(tool.tool)}, {"value", tool.value}, {"problem", tool.problem}};
+}
+
+/// What a field keeps that was refused.
+Json refused_json(const ui::FieldState& fields) {
+  if (!fields.refused) return nullptr;
+  return {
+      {"field", fields.refused->input.field}, {"typed", fields.refused->input.typed}, {"words", fields.refused->words}};
+}
+
+/// Rows of the table as they are shown, and the cell that is typed in.
+Json table_json(const ui::UiState& ui, const ui::UiInput& input) {
+  Json rows = Json::array();
+  if (const Layout* layout = input.shown_layout(ui))
+    for (const int row : ui.table.rows)
+      if (const auto i = static_cast<std::size_t>(row); i < layout->taxels.size()) rows.push_back(layout->taxels[i].id);
+  return {{"rows", rows}, {"filter", ui.table.filter}, {"typing", ui.table.cell.has_value()}};
+}
+
+Json problems_json(const ui::LayoutProblems& problems) {
+  Json json = Json::array();
+  for (const Problem& problem : problems.list)
+    json.push_back({{"severity", to_string(problem.severity)},
+                    {"pointer", problem.pointer},
+                    {"code", problem.code},
+                    {"message", problem.message}});
+  return json;
+}
+
+/// The Generate panel; null while it is closed.
+Json generate_json(const ui::GenerateState& g) {
+  if (!g.open) return nullptr;
+  Json json = {{"center", numbers<Json>(g.frame.center)},
+               {"normal", numbers<Json>(g.frame.normal)},
+               {"turn_deg", g.pattern.turn_deg},
+               {"waiting", g.waiting()},
+               {"left_out", g.left_out},
+               {"least_distance", nullptr},
+               {"problem", g.problem},
+               {"file_problem", g.file_problem},
+               {"taxels", Json::array()}};
+  if (std::isfinite(g.least_distance)) json["least_distance"] = g.least_distance;
+  if (!g.ghosts) return json;
+  for (const Taxel& taxel : *g.ghosts)
+    json["taxels"].push_back({{"id", taxel.id},
+                              {"center", numbers<Json>(taxel.center)},
+                              {"normal", numbers<Json>(taxel.normal)},
+                              {"radius", taxel.radius}});
+  return json;
+}
+
+}  // namespace
+
+std::string editing_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+  Json json = Json::object();
+  json["tool"] = tool_json(ui.tool);
+  json["refused"] = refused_json(ui.fields);
+  json["keyboard"] = ui.fields.keyboard_panel;
+  json["table"] = table_json(ui, input);
+  json["problems"] = problems_json(ui.problems);
+  json["generate"] = generate_json(ui.generate);
+  json["tour_step"] = ui.tour_step;
+  json["region"] = input.editing.project ? Json(*input.editing.project->layout.sampling.region) : Json(nullptr);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // messages may quote what is no text
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,118 @@
+#include "app/studio/dump/live_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/reading_range.h"
+#include "app/studio/features/models/models_tool.h"
+#include "app/vector_json.h"
+#include "ui/scene/color_map.h"
+
+namespace taxel::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Enough points of the skin to compare with the picture, spread evenly.
+constexpr std::size_t kMostPoints = 400;
+
+Json color_json(const ui::PressureRange& range, double value) {
+  const double span = range.hi - range.lo;
+  const glm::vec3 color = ui::viridis(span > 0 ? (value - range.lo) / span : 0.0);
+  return {color.x, color.y, color.z};
+}
+
+Json tractions_json(const ui::FieldNumbers& numbers) {
+  if (!numbers.tractions) return nullptr;
+  const ui::TractionNumbers& t = *numbers.tractions;
+  return {{"polygons", t.polygons},
+          {"largest_pressure", t.largest_pressure},
+          {"largest_friction", t.largest_friction},
+          {"metres_per_pascal", t.metres_per_pascal},
+          {"friction_known", t.friction_known}};
+}
+
+/// Middles of triangles of the coloured skin: where they are in the picture, and what they read.
+Json skin_json(const ui::UiState& ui, const ui::UiInput& input) {
+  const SensorModelPtr model = input.shown_model(ui);
+  const SensorFrameState* state = input.shown_state(ui);
+  if (!ui.saved.overlays.readings_on_skin || !model || state == nullptr || !input.fields) return nullptr;
+  const ui::SensorFields* fields = input.fields->of(model);
+  if (fields == nullptr || !fields->weights) return nullptr;
+  const ui::SkinWeights& skin = *fields->weights;
+  std::vector<float> values;
+  skin.spread(state->readings, values);
+  const Pose X_WM = ui::shown_pose(ui, input);
+  const ui::PressureRange range = ui::reading_range(ui, input);
+  Json points = Json::array();
+  const std::size_t stride = 1 + skin.triangles.size() / kMostPoints;
+  for (std::size_t t = 0; t < skin.triangles.size(); t += stride) {
+    dvec3 corners[3];
+    double value = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(skin.triangles[t][c]);
+      corners[c] = X_WM * dvec3(skin.points[i]);
+      value += static_cast<double>(values[i]) / 3.0;
+    }
+    const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const dvec3 pixel = ui.camera().project(middle, ui.view.width, ui.view.height);
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    points.push_back(
+        {{"pixel", {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)}},
+         {"depth", pixel.z},
+         {"facing", glm::dot(normal, ui.camera().eye() - middle) > 0},
+         {"value", value},
+         {"color", color_json(range, value)}});
+  }
+  return {{"triangles", skin.triangles.size()}, {"largest", range.hi}, {"points", std::move(points)}};
+}
+
+Json map_json(const ui::UiState& ui, const ui::UiInput& input) {
+  Json discs = Json::array();
+  const ui::PressureRange range = ui::reading_range(ui, input);
+  for (const ui::MapDisc& disc : ui.map.discs)
+    discs.push_back({{"taxel", disc.taxel_id},
+                     {"value", disc.value},
+                     {"at", {disc.x, disc.y}},
+                     {"radius", disc.radius},
+                     {"color", color_json(range, disc.value)}});
+  return {{"unrolled", ui.map.map.unrolled}, {"discs", std::move(discs)}};
+}
+
+/// What the models say of the step shown, and of the steps that were read.
+Json models_json(const ui::UiState& ui, const ui::UiInput& input) {
+  const ui::ComparedSteps* compared = ui::shown_comparison(ui, input);
+  if (compared == nullptr) return nullptr;
+  Json json{{"steps", compared->steps.size()}, {"due", compared->due}, {"problem", compared->problem}};
+  const ui::ComparedStep* step = compared->at(input.frame->step);
+  json["step"] = step != nullptr ? Json(step->step) : Json(nullptr);
+  json["models"] = Json::object();
+  const int taxel = ui::compared_taxel(ui, *compared);
+  json["taxel"] = taxel >= 0 ? Json(compared->model->layout.taxels[static_cast<std::size_t>(taxel)].id) : Json(nullptr);
+  for (const ReadingModel model : kReadingModels) {
+    Json& one = json["models"][to_word(model)];
+    one["unit"] = unit_of(model, compared->model->layout.readout.aggregate);
+    if (step != nullptr) one["values"] = step->readings[model].values;
+    if (step != nullptr) one["missing"] = step->readings[model].missing;
+    if (taxel < 0) continue;
+    const auto curve = [&](ReadingModel m) { return ui::model_curve(*compared, m, static_cast<std::size_t>(taxel)); };
+    const CurveComparison c = compare_curve(curve(model), curve(ReadingModel::exact));
+    one["peak"] = c.peak;
+    one["largest_step"] = c.largest_step;
+    one["correlation"] = c.correlation ? Json(*c.correlation) : Json(nullptr);
+    one["rms"] = c.rms ? Json(*c.rms) : Json(nullptr);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string live_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+  return Json{{"tractions", tractions_json(ui.view.numbers)},
+              {"skin", skin_json(ui, input)},
+              {"map", map_json(ui, input)},
+              {"models", models_json(ui, input)}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,13 @@
+// Recordings of real sensors, and videos, for the state that is dumped.
+#pragma once
+
+#include <string>
+
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::studio {
+
+/// {"asks", "problem", "mapping", "shown": null or {...}, "curves"}
+std::string real_to_json(const ui::UiState& ui, const ui::UiInput& input);
+
+}  // namespace taxel::studio

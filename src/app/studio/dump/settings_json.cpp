@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "app/studio/dump/settings.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// A word that is not among them leaves the value as it is.
+template <class Words, class Value>
+void read_word(const nlohmann::ordered_json& json, const Words& words, Value& value) {
+  const auto found = std::find(words.begin(), words.end(), json.get<std::string>());
+  if (found != words.end()) value = static_cast<Value>(found - words.begin());
+}
+
+}  // namespace
+
+void to_json(nlohmann::ordered_json& json, FramesShown shown) {
+  json = to_word(shown);
+}
+void from_json(const nlohmann::ordered_json& json, FramesShown& shown) {
+  read_word(json, kFramesWords, shown);
+}
+void to_json(nlohmann::ordered_json& json, LabelsShown shown) {
+  json = to_word(shown);
+}
+void from_json(const nlohmann::ordered_json& json, LabelsShown& shown) {
+  read_word(json, kLabelsWords, shown);
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRecent = 8;
+
+/// Calls visit(key, value&) for everything that is kept: reading and writing walk the same list.
+template <class Saved, class Visit>
+void visit_settings(Saved& s, const Visit& visit) {
+  visit("dark", s.dark);
+  visit("scale", s.scale);
+  visit("plot_relative", s.plot.relative);
+  visit("plot_responding_only", s.plot.responding_only);
+  visit("sensor_transparent", s.overlays.sensor_transparent);
+  visit("wireframe", s.overlays.wireframe);
+  visit("rays", s.overlays.rays);
+  visit("all_rays", s.overlays.all_rays);
+  visit("contact_surface", s.overlays.contact_surface);
+  visit("contact_edges", s.overlays.contact_edges);
+  visit("tractions", s.overlays.tractions);
+  visit("readings_on_skin", s.overlays.readings_on_skin);
+  visit("filtered_polygons", s.overlays.filtered_polygons);
+  visit("samples", s.overlays.samples);
+  visit("sample_normals", s.overlays.sample_normals);
+  visit("taxels", s.overlays.taxels);
+  visit("taxel_labels", s.overlays.taxel_labels);
+  visit("receptive_fields", s.overlays.receptive_fields);
+  visit("fields_filled", s.overlays.fields_filled);
+  visit("fields_compared", s.overlays.fields_compared);
+  visit("coverage", s.overlays.coverage);
+  visit("normal_angles", s.overlays.normal_angles);
+  visit("path", s.overlays.path);
+  visit("grid", s.overlays.grid);
+  visit("ghost", s.overlays.ghost);
+  visit("constraints", s.overlays.constraints);
+  visit("geom_groups", s.overlays.geom_groups);
+  visit("site_groups", s.overlays.site_groups);
+  visit("frames", s.overlays.frames);
+  visit("labels", s.overlays.labels);
+  visit("panel_outliner", s.panels.outliner);
+  visit("panel_taxels", s.panels.taxels);
+  visit("panel_inspector", s.panels.inspector);
+  visit("panel_controls", s.panels.controls);
+  visit("panel_bars", s.panels.bars);
+  visit("panel_plot", s.panels.plot);
+  visit("panel_timeline", s.panels.timeline);
+  visit("panel_section", s.panels.section);
+  visit("panel_explain", s.panels.explain);
+  visit("panel_map", s.panels.map);
+  visit("panel_models", s.panels.models);
+  visit("panel_study", s.panels.study);
+  visit("panel_messages", s.panels.messages);
+  visit("panel_mesh_report", s.panels.mesh_report);
+  visit("panel_profiler", s.panels.profiler);
+  visit("info", s.panels.info);
+  visit("tour_seen", s.tour_seen);
+  visit("recent", s.recent);
+}
+
+}  // namespace
+
+namespace {
+
+/// The program's folder where the XDG Base Directory Specification has it.
+std::filesystem::path user_folder(const char* variable, const char* below_home) {
+  const char* set = std::getenv(variable);
+  if (set != nullptr && *set != '\0') return std::filesystem::path(set) / "taxelstudio";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : ".") / below_home / "taxelstudio";
+}
+
+}  // namespace
+
+std::filesystem::path settings_folder() {
+  return user_folder("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path state_folder() {
+  return user_folder("XDG_STATE_HOME", ".local/state");
+}
+
+ReadSettings read_settings(const std::filesystem::path& file) {
+  ReadSettings read;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return read;
+  try {
+    read = parse_settings(read_file(file));
+  } catch (const Error& error) {
+    read.problem = error.what();
+    return read;
+  }
+  if (!read.problem.empty()) read.problem = file.string() + ": " + read.problem;
+  return read;
+}
+
+ReadSettings parse_settings(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return {{}, json.is_discarded() ? "is not JSON" : "must be an object of settings"};
+  ReadSettings read;
+  visit_settings(read.saved, [&](const char* key, auto& value) {
+    if (!json.contains(key)) return;
+    try {
+      auto kept = value;
+      json.at(key).get_to(kept);
+      value = std::move(kept);
+    } catch (const Json::exception&) {
+      read.problem += fmt::format("{}/{}: has a value that it cannot have", read.problem.empty() ? "" : ", ", key);
+    }
+  });
+  return read;
+}
+
+std::string settings_text(const ui::SavedState& saved) {
+  Json json = Json::object();
+  visit_settings(saved, [&](const char* key, const auto& value) { json[key] = value; });
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_settings(const std::filesystem::path& file, const ui::SavedState& saved) {
+  make_folder(file.parent_path());
+  write_file_atomically(file, settings_text(saved));
+}
+
+void remember_recent(ui::SavedState& saved, const std::string& file) {
+  std::erase(saved.recent, file);
+  saved.recent.insert(saved.recent.begin(), file);
+  if (saved.recent.size() > kMostRecent) saved.recent.resize(kMostRecent);
+}
+
+}  // namespace taxel::studio

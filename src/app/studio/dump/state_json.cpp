@@ -1,0 +1,391 @@
+#include "app/studio/dump/state_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/studio/app/camera_tool.h"
+#include "app/studio/dump/editing_json.h"
+#include "app/studio/dump/explain_json.h"
+#include "app/studio/dump/live_json.h"
+#include "app/studio/dump/real_json.h"
+#include "app/studio/dump/scene_json.h"
+#include "app/studio/dump/time_json.h"
+#include "app/studio/dump/tools_json.h"
+#include "app/studio/features/camera/frame_tool.h"
+#include "app/studio/features/camera/sensor_in_view.h"
+#include "app/studio/script/script_player.h"
+#include "app/vector_json.h"
+#include "core/layout/file/layout_json.h"
+#include "ui/scene/color_map.h"
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Enough samples and polygons to compare with the picture, spread evenly.
+constexpr std::size_t kMostMarks = 400;
+
+Json to_json(const ui::Rect& r) {
+  return {r.x0, r.y0, r.x1, r.y1};
+}
+
+/// Where points of the world are in the window's picture.
+struct Projector {
+  const ui::UiState& ui;
+  Pose X_WM;
+
+  /// {"pixel": [x, y], "inside": bool, "facing": bool} of a point of the mesh frame with its normal.
+  [[nodiscard]] Json operator()(const dvec3& p_M, const dvec3& normal_M) const {
+    const dvec3 p_W = X_WM * p_M;
+    const ui::Camera& camera = ui.camera();
+    const dvec3 pixel = camera.project(p_W, ui.view.width, ui.view.height);
+    const bool inside =
+        pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < ui.view.width && pixel.y < ui.view.height;
+    Json json = Json::object();
+    json["pixel"] = {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)};
+    json["depth"] = pixel.z;
+    json["inside"] = inside;
+    json["facing"] = glm::dot(X_WM.rotate(normal_M), camera.eye() - p_W) > 0;
+    return json;
+  }
+};
+
+/// Pixels of the corners of each sensor's box, and whether all of them are inside the view.
+Json sensor_boxes_json(const ui::UiState& ui, const ui::UiInput& input) {
+  Json json = Json::array();
+  for (const ui::BoxCorners& box : ui::sensor_boxes(ui, input)) {
+    Json corners = Json::array();
+    for (const dvec3& p_W : box) {
+      const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
+      corners.push_back({pixel.x, pixel.y, pixel.z});
+    }
+    json.push_back({{"corners", std::move(corners)},
+                    {"inside", ui::is_inside_view(box, ui.camera(), ui.view.width, ui.view.height)},
+                    {"outside", ui::is_outside_view(box, ui.camera(), ui.view.width, ui.view.height)}});
+  }
+  return json;
+}
+
+Json camera_json(const ui::Camera& camera) {
+  return {{"target", numbers<Json>(camera.target)},
+          {"azimuth_deg", camera.azimuth_deg},
+          {"elevation_deg", camera.elevation_deg},
+          {"distance", camera.distance},
+          {"fov_deg", camera.fov_deg},
+          {"roll_deg", camera.roll_deg}};
+}
+
+Json overlays_json(const ui::Overlays& o) {
+  return {{"sensor_transparent", o.sensor_transparent},
+          {"wireframe", o.wireframe},
+          {"rays", o.rays},
+          {"all_rays", o.all_rays},
+          {"contact_surface", o.contact_surface},
+          {"contact_edges", o.contact_edges},
+          {"tractions", o.tractions},
+          {"readings_on_skin", o.readings_on_skin},
+          {"filtered_polygons", o.filtered_polygons},
+          {"samples", o.samples},
+          {"sample_normals", o.sample_normals},
+          {"taxels", o.taxels},
+          {"taxel_labels", o.taxel_labels},
+          {"receptive_fields", o.receptive_fields},
+          {"fields_filled", o.fields_filled},
+          {"fields_compared", o.fields_compared},
+          {"coverage", o.coverage},
+          {"normal_angles", o.normal_angles},
+          {"path", o.path},
+          {"grid", o.grid},
+          {"constraints", o.constraints},
+          {"geom_groups", o.geom_groups},
+          {"site_groups", o.site_groups},
+          {"frames", to_word(o.frames)},
+          {"labels", to_word(o.labels)}};
+}
+
+/// What the overlays about receptive fields say; null where they are off.
+Json field_numbers_json(const ui::FieldNumbers& numbers) {
+  Json json = {{"coverage", nullptr}, {"comparison", nullptr}, {"normals", nullptr}};
+  if (const auto& c = numbers.coverage) {
+    json["coverage"] = {{"area_of_overlap", c->area_of_overlap}, {"area", c->area}, {"overlap", c->overlap}};
+  }
+  if (const auto& c = numbers.comparison) {
+    json["comparison"] = {{"euclidean", c->euclidean},
+                          {"geodesic", c->geodesic},
+                          {"euclidean_only", c->euclidean_only},
+                          {"differing", c->differing}};
+  }
+  if (const auto& n = numbers.normals) {
+    json["normals"] = {{"largest_deg", n->largest_deg}, {"mean_deg", n->mean_deg}, {"limit_deg", n->limit_deg}};
+  }
+  return json;
+}
+
+/// What is compiled of the document.
+Json model_json(const ui::UiInput& input) {
+  if (!input.model) return nullptr;
+  return {{"quality", to_string(input.model->quality)}, {"polishing", input.polishing.active}};
+}
+
+Json repair_steps_json(const SensorModel& model) {
+  Json steps = Json::array();
+  for (const RepairStep& step : model.repaired->report.steps)
+    steps.push_back({{"code", step.code},
+                     {"severity", to_string(step.severity)},
+                     {"count", step.count},
+                     {"message", step.message},
+                     {"place", numbers<Json>(step.place)}});
+  return steps;
+}
+
+Json document_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!input.model) return nullptr;
+  Json json = Json::object();
+  json["name"] = input.name;
+  json["file"] = input.file;
+  const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
+  json["layout"] = Json::parse(layout_to_json(layout));
+  const TriMesh& mesh = *input.model->mesh;
+  json["mesh"] = {{"triangles", mesh.face_count()},
+                  {"shells", mesh.shell_count()},
+                  {"closed", mesh.closed()},
+                  {"size", numbers<Json>(mesh.bounds().extent())},
+                  {"level", std::string(to_word(layout.mesh.repair.level))},
+                  {"repaired", input.model->mesh != input.model->loaded},
+                  {"summary", repair_summary(input.model->repaired->report)},
+                  {"steps", repair_steps_json(*input.model)},
+                  {"show_changes", ui.mesh.shows_changes}};
+  json["samples"] = input.model->samples.size();
+  return json;
+}
+
+Json history_json(const ui::Editing& editing) {
+  return {{"depth", editing.undo_depth}, {"redo_depth", editing.redo_depth}, {"undo", editing.undo},
+          {"redo", editing.redo},        {"dirty", editing.dirty},           {"compiled", editing.compiled},
+          {"problem", editing.problem}};
+}
+
+Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
+  if (!input.frame) return nullptr;
+  const SimFrame& frame = *input.frame;
+  Json json = Json::object();
+  json["title"] = frame.scene->title;
+  json["step"] = frame.step;
+  json["time"] = frame.time;
+  json["travel"] = frame.travel;
+  json["playing"] = input.playing;
+  json["finished"] = frame.finished;
+  json["speed"] = input.speed;
+  json["rows"] = frame.trace ? frame.trace->rows.size() : 0;
+  const auto is_preview = [](const TraceRow& row) { return row.quality == SampleQuality::preview; };
+  json["preview_rows"] =
+      frame.trace ? std::count_if(frame.trace->rows.begin(), frame.trace->rows.end(), is_preview) : 0;
+  json["sensors"] = Json::array();
+  for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
+    const SensorFrameState& sensor = frame.sensors[s];
+    std::size_t polygons = 0;
+    double largest = 0;
+    for (const ContactSurface& surface : sensor.surfaces) {
+      polygons += surface.polygons.size();
+      largest = std::max(largest, surface.max_pressure());
+    }
+    json["sensors"].push_back({{"quality", to_string(frame.scene->sensors[s]->quality)},
+                               {"readings", sensor.readings},
+                               {"force", numbers<Json>(sensor.force_W)},
+                               {"polygons", polygons},
+                               {"max_pressure", largest},
+                               {"position", numbers<Json>(sensor.X_WM.p)},
+                               {"quaternion", {sensor.X_WM.q.w, sensor.X_WM.q.x, sensor.X_WM.q.y, sensor.X_WM.q.z}}});
+  }
+  json["readings"] = input.sensor(ui) != nullptr ? Json(input.sensor(ui)->readings) : Json::array();
+  json["peaks"] = input.peaks;
+  json["history"] = Json::parse(steps_to_json(input));
+  return json;
+}
+
+Json bars_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::BarShown& bar : ui.bars) {
+    json.push_back({{"taxel", bar.taxel_id},
+                    {"value", bar.value},
+                    {"height", bar.height},
+                    {"rect", to_json(bar.rect)},
+                    {"top", bar.top},
+                    {"axis_height", bar.axis_height}});
+  }
+  return json;
+}
+
+Json taxels_json(const Projector& project, const SensorModel& model) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < model.layout.taxels.size(); ++i) {
+    const Taxel& taxel = model.layout.taxels[i];
+    Json mark = project(taxel.center, taxel.normal);
+    mark["id"] = taxel.id;
+    mark["name"] = taxel.name;
+    const glm::vec3 color = ui::taxel_color(model.color(static_cast<int>(i)));
+    mark["color"] = {color.x, color.y, color.z};
+    json.push_back(std::move(mark));
+  }
+  return json;
+}
+
+Json samples_json(const Projector& project, const SensorModel& model) {
+  Json json = Json::array();
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < model.taxels_of_sample.size(); ++i) {
+    if (!model.taxels_of_sample[i].empty()) used.push_back(i);
+  }
+  const std::size_t stride = 1 + used.size() / kMostMarks;
+  for (std::size_t k = 0; k < used.size(); k += stride) {
+    const SurfaceSample& sample = model.samples[used[k]];
+    Json mark = project(sample.position, sample.normal);
+    const int nearest = model.taxels_of_sample[used[k]].front();
+    mark["sample"] = used[k];
+    mark["taxel"] = model.layout.taxels[static_cast<std::size_t>(nearest)].id;
+    const glm::vec3 color = ui::taxel_color(model.color(nearest));
+    mark["color"] = {color.x, color.y, color.z};
+    json.push_back(std::move(mark));
+  }
+  return json;
+}
+
+Json polygons_json(const ui::UiState& ui, const Projector& project, const SensorFrameState& sensor) {
+  Json json = Json::array();
+  const double span = ui.range.hi - ui.range.lo;
+  for (const ContactSurface& surface : sensor.surfaces) {
+    const std::size_t stride = 1 + surface.polygons.size() / kMostMarks;
+    for (std::size_t i = 0; i < surface.polygons.size(); i += stride) {
+      const ContactPolygon& polygon = surface.polygons[i];
+      Json mark = project(polygon.centroid, polygon.normal);
+      mark["pressure"] = polygon.pressure;
+      mark["area"] = polygon.area;
+      const glm::vec3 color = ui::viridis(span > 0 ? (polygon.pressure - ui.range.lo) / span : 0.0);
+      mark["color"] = {color.x, color.y, color.z};
+      json.push_back(std::move(mark));
+    }
+  }
+  return json;
+}
+
+Json messages_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::Message& m : ui.messages) {
+    json.push_back({{"number", m.number}, {"severity", to_string(m.severity)}, {"text", m.text}, {"shown", m.toast}});
+  }
+  return json;
+}
+
+Json widgets_json(const ui::UiState& ui) {
+  Json json = Json::array();
+  for (const ui::WidgetRegistry::Entry& entry : ui.widgets.entries()) {
+    json.push_back(
+        {{"panel", entry.panel}, {"label", entry.label}, {"rect", to_json(entry.rect)}, {"field", entry.field}});
+  }
+  return json;
+}
+
+Json pace_json(const ui::UiInput& input, const Pace& pace) {
+  return {{"pictures", pace.pictures},
+          {"seconds", pace.seconds},
+          {"frames_per_second", pace.seconds > 0 ? pace.pictures / pace.seconds : 0.0},
+          {"worst_seconds", pace.worst_seconds},
+          {"scene_draws", pace.scene_draws},
+          {"simulation_speed", input.performance.simulation_speed},
+          {"step_seconds", input.performance.step_seconds}};
+}
+
+}  // namespace
+
+std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const Pace& pace) {
+  Json json = Json::object();
+  json["mode"] = ui.mode == ui::Mode::layout ? "layout" : "simulate";
+  json["camera"] = camera_json(ui.camera());
+  json["selection"] = {{"sensor", ui.selection.sensor}, {"taxel", nullptr}, {"taxels", ui.selection.taxels}};
+  if (const std::optional<int> active = ui.selection.active()) json["selection"]["taxel"] = *active;
+  const SensorModelPtr model = input.shown_model(ui);
+  json["document"] = document_json(ui, input);
+  json["model"] = model_json(input);
+  json["title"] = ui.title;
+  json["history"] = history_json(input.editing);
+  json["recovery"] = ui.recovery;
+  json.update(Json::parse(editing_to_json(ui, input)));
+  json["simulation"] = simulation_json(ui, input);
+  json["scene"] = Json::parse(scene_to_json(ui, input));
+  json["scenario"] = Json::parse(scenario_to_state(ui, input));
+  json.update(Json::parse(tools_to_json(ui, input)));
+  json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
+  json["overlays"] = overlays_json(ui.saved.overlays);
+  json["fields"] = field_numbers_json(ui.view.numbers);
+  json["bars"] = bars_json(ui);
+  json["timeline"] = Json::parse(timeline_to_json(ui));
+  json["real"] = Json::parse(real_to_json(ui, input));
+  json["video"] = {{"active", input.video.active}, {"done", input.video.done}, {"total", input.video.total}};
+  json.update(Json::parse(live_to_json(ui, input)));
+  json["study"] = Json::parse(study_to_state(ui, input));
+  json["explain"] = Json::parse(explain_to_json(ui, input));
+  json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
+  json["frame_guess"] = {{"is_guess", ui.mesh.frame_is_guess}, {"arrows", ui::frame_arrows(ui, input).size()}};
+  json["sensor_boxes"] = sensor_boxes_json(ui, input);
+  json["clicks"] = {{"left", ui.clicks.left},
+                    {"left_double", ui.clicks.left_double},
+                    {"right", ui.clicks.right},
+                    {"right_double", ui.clicks.right_double}};
+  const Projector project{ui, ui::shown_pose(ui, input)};
+  json["taxels"] = model ? taxels_json(project, *model) : Json::array();
+  json["samples"] = model ? samples_json(project, *model) : Json::array();
+  const SensorFrameState* sensor = input.shown_state(ui);
+  json["polygons"] = sensor != nullptr ? polygons_json(ui, project, *sensor) : Json::array();
+  json["messages"] = messages_json(ui);
+  json["notices"] = Json::array();
+  for (const ui::FileNotice& notice : ui.notices)
+    json["notices"].push_back({{"file", notice.file}, {"text", notice.text}, {"offers", notice.offers.size()}});
+  json["widgets"] = widgets_json(ui);
+  json["pace"] = pace_json(input, pace);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote what is no text
+}
+
+std::optional<ui::Camera> camera_of_state(const std::string& json) {
+  try {
+    const Json state = Json::parse(json);
+    if (state.at("mode") != "simulate") return std::nullopt;
+    const Json& from = state.at("camera");
+    ui::Camera camera;
+    for (int i = 0; i < 3; ++i) camera.target[i] = from.at("target").at(static_cast<std::size_t>(i)).get<double>();
+    from.at("azimuth_deg").get_to(camera.azimuth_deg);
+    from.at("elevation_deg").get_to(camera.elevation_deg);
+    from.at("distance").get_to(camera.distance);
+    from.at("fov_deg").get_to(camera.fov_deg);
+    camera.roll_deg = from.value("roll_deg", 0.0);
+    const bool possible = is_finite(camera.target) && std::abs(camera.elevation_deg) <= 90 && camera.distance > 0 &&
+                          camera.fov_deg > 0 && camera.fov_deg < 180;
+    return possible ? std::optional(camera) : std::nullopt;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+void check_expectation(const ExpectCommand& expect, const std::string& state_json) {
+  const Json state = Json::parse(state_json);
+  const Json::json_pointer pointer(expect.pointer);
+  if (!state.contains(pointer)) throw Error(fmt::format("expected {}, which the state does not have", expect.pointer));
+  const Json& value = state.at(pointer);
+  const auto fail = [&](const std::string& wanted) {
+    throw Error(fmt::format("expected {} {}, is {}", expect.pointer, wanted,
+                            value.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  };
+  if (!expect.equals.empty() && value != Json::parse(expect.equals)) fail("to be " + expect.equals);
+  if (!expect.contains.empty() &&
+      value.dump(-1, ' ', false, Json::error_handler_t::replace).find(expect.contains) == std::string::npos)
+    fail("to contain " + expect.contains);
+  if ((expect.least || expect.most) && !value.is_number()) fail("to be a number");
+  if (expect.least && value.get<double>() < *expect.least) fail(fmt::format("to be at least {}", *expect.least));
+  if (expect.most && value.get<double>() > *expect.most) fail(fmt::format("to be at most {}", *expect.most));
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,87 @@
+#include "app/studio/dump/time_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace taxel::studio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::pair<StepEvent, const char*>, 6> kEvents{
+    {{StepEvent::contact_begins, "contact_begins"},
+     {StepEvent::contact_ends, "contact_ends"},
+     {StepEvent::jump, "jump"},
+     {StepEvent::jump_at_equal_force, "jump_at_equal_force"},
+     {StepEvent::other_layout, "other_layout"},
+     {StepEvent::disagreement, "disagreement"}}};
+
+Json breakpoints_json(const Breakpoints& b) {
+  return {{"on_jump", b.on_jump},         {"at_equal_force", b.at_equal_force},   {"jump", b.jump},
+          {"equal_force", b.equal_force}, {"on_disagreement", b.on_disagreement}, {"disagreement", b.disagreement},
+          {"of_sensor", b.of_sensor}};
+}
+
+Json stop_json(const SimFrame& frame) {
+  if (!frame.stop) return nullptr;
+  const auto taxel_id = [&](const auto& at) {
+    const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(at.sensor)]->layout;
+    return layout.taxels[static_cast<std::size_t>(at.taxel)].id;
+  };
+  if (const auto* gap = std::get_if<Disagreement>(&*frame.stop)) {
+    return {{"step", gap->step},       {"time", gap->time},   {"taxel", taxel_id(*gap)},
+            {"sampled", gap->sampled}, {"exact", gap->exact}, {"part", gap->part}};
+  }
+  const Jump& jump = std::get<Jump>(*frame.stop);
+  return {{"step", jump.step},
+          {"time", jump.time},
+          {"taxel", taxel_id(jump)},
+          {"before", jump.before},
+          {"after", jump.after},
+          {"part", jump.part},
+          {"force_before", jump.force_before},
+          {"force_after", jump.force_after},
+          {"at_equal_force", jump.at_equal_force}};
+}
+
+Json events_json(const HistoryLanes& lanes) {
+  Json json = Json::array();
+  for (const StepMark& mark : lanes.steps) {
+    if (mark.events == 0) continue;
+    Json what = Json::array();
+    for (const auto& [event, name] : kEvents) {
+      if (mark.has(event)) what.push_back(name);
+    }
+    json.push_back({{"step", mark.step}, {"what", what}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string steps_to_json(const ui::UiInput& input) {
+  const HistoryState& history = input.frame->history;
+  Json json = {{"first", history.first},        {"last", history.last},
+               {"steps", history.steps},        {"bytes", history.bytes},
+               {"limit", history.limits.steps}, {"recorded", input.frame->recorded},
+               {"replay", input.replay},        {"loop", nullptr}};
+  if (input.loop) json["loop"] = {input.loop->first, input.loop->last};
+  const RecordingState& recording = input.frame->recording;
+  json["recording"] = {{"on", recording.on}, {"steps", recording.steps}, {"bytes", recording.bytes}};
+  json["breakpoints"] = breakpoints_json(input.frame->breakpoints);
+  json["stop"] = stop_json(*input.frame);
+  json["events"] = history.lanes ? events_json(*history.lanes) : Json::array();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string timeline_to_json(const ui::UiState& ui) {
+  const ui::Timeline& t = ui.timeline;
+  const Json json = {{"lanes", {t.lanes.x0, t.lanes.y0, t.lanes.x1, t.lanes.y1}},
+                     {"steps", {t.steps.first, t.steps.last}},
+                     {"marks", t.marks}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,14 @@
+// The past of the simulation in the state that scripts look at.
+#pragma once
+
+#include <string>
+
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::studio {
+
+/// As JSON text; "null": there is none.
+std::string steps_to_json(const ui::UiInput& input);
+std::string timeline_to_json(const ui::UiState& ui);
+
+}  // namespace taxel::studio

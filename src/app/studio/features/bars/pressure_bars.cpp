@@ -1,0 +1,117 @@
+#include "app/studio/features/bars/pressure_bars.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Where the axis stands, in pixels.
+struct Axis {
+  float x0, x1, y_zero, y_top;
+  double top;  ///< in SI
+  ReadingUnit unit;
+  [[nodiscard]] float y(double pressure) const {
+    return y_zero - static_cast<float>(std::clamp(pressure / top, 0.0, 1.0)) * (y_zero - y_top);
+  }
+};
+
+void small_text(ImDrawList& list, ImVec2 pos, ImU32 color, const std::string& text) {
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize() * kSmallText, pos, color, text.c_str());
+}
+
+float small_width(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x * kSmallText;
+}
+
+void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
+  const int ticks = tick_count(axis.y_zero - axis.y_top, kSmallText * ImGui::GetFontSize());
+  for (int i = 0; i <= ticks; ++i) {
+    const double value = axis.top * i / ticks;
+    const float y = std::floor(axis.y(value));
+    list.AddLineH(axis.x0, axis.x1, y, to_u32(colors.line, i == 0 ? 1.0f : 0.6f));
+    const std::string text = fmt::format("{:.3g}", axis.unit.scale * value);
+    small_text(list, {axis.x0 - small_width(text) - 5, y - 0.5f * kSmallText * ImGui::GetFontSize()},
+               to_u32(colors.dim), text);
+  }
+}
+
+/// One bar with its column of the axis: x0 to x1.
+void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x1, const BarValue& bar, bool selected) {
+  const Palette& colors = palette(ui.dark);
+  const float gap = 0.14f * (x1 - x0), left = std::round(x0 + gap), right = std::max(left + 1, std::round(x1 - gap));
+  if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
+  list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field, 0.8f));
+  const float y = axis.y(bar.value);
+  list.AddRectFilled({left, y}, {right, axis.y_zero},
+                     pressure_color(axis.unit.pressure ? ui.range : PressureRange{0, axis.top}, bar.value));
+  if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
+  BarShown shown;
+  shown.taxel_id = bar.id;
+  shown.value = bar.value;
+  shown.height = static_cast<double>(axis.y_zero - y);
+  shown.rect = {left, y, right, axis.y_zero};
+  shown.top = axis.top;
+  shown.axis_height = static_cast<double>(axis.y_zero - axis.y_top);
+  ui.bars.push_back(shown);
+}
+
+void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1,
+                    const BarValue& bar) {
+  const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
+  const std::string id = std::to_string(bar.id), value = number_in_unit(bar.value, axis.unit);
+  if (small_width(id) <= x1 - x0) {
+    small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 6}, to_u32(colors.text), id);
+  }
+  const bool quiet = bar.value <= 0;
+  if (small_width(value) <= x1 - x0 + 2) {
+    small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 6 + line},
+               to_u32(quiet ? colors.dim : colors.text, quiet ? 0.7f : 1.0f), value);
+  }
+}
+
+}  // namespace
+
+double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit) {
+  double peak = 0;
+  for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
+  return axis_top(peak, unit);
+}
+
+int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size) {
+  ui.bars.clear();
+  const Palette& colors = palette(ui.dark);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float line = kSmallText * ImGui::GetFontSize();
+  ImGui::InvisibleButton("##bars", size);
+  ui.widgets.note_item("Bars");
+  const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
+  if (values.empty()) return -1;
+  const Axis axis{origin.x + 2.6f * line, origin.x + size.x,      origin.y + size.y - 2.6f * line,
+                  origin.y + 0.6f * line, bars_top(values, unit), unit};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_axis(list, axis, colors);
+  const float step = (axis.x1 - axis.x0) / static_cast<float>(values.size());
+  int clicked = -1;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
+    draw_bar(ui, list, axis, x0, x1, values[i], ui.selection.contains(values[i].id));
+    list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(values[i].color), 1);
+    draw_bar_texts(list, colors, axis, x0, x1, values[i]);
+    if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
+    ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_unit(values[i].value, unit).c_str(),
+                      in_unit(values[i].peak, unit).c_str());
+    if (pressed) clicked = static_cast<int>(i);
+  }
+  return clicked;
+}
+
+}  // namespace taxel::ui

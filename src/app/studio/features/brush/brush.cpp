@@ -1,0 +1,140 @@
+#include "app/studio/features/brush/brush.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/studio/features/taxel/gesture.h"
+#include "core/mesh/loaded_faces.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr double kPartOfMesh = 0.06, kPerNotch = 1.1, kLeastPart = 1e-3;
+/// Between two places of a fast stroke, in brush radii on the screen; and the most of them in one picture.
+constexpr double kStrokeStep = 0.5;
+constexpr int kMostSteps = 64;
+
+/// Pixels of the view that the brush's radius covers at a place.
+double radius_in_pixels(const UiState& ui, const GestureView& view, const SurfacePlace& place, double radius) {
+  const Camera& camera = ui.camera();
+  const double depth = std::max(1e-9, glm::distance(camera.eye(), view.X_WM * place.position));
+  return radius / depth * 0.5 * ui.view.height / std::tan(0.5 * glm::radians(camera.fov_deg));
+}
+
+SurfacePoint surface_point(const SurfacePlace& place) {
+  SurfacePoint point;
+  point.position = place.position;
+  point.face = place.face;
+  return point;
+}
+
+/// Paints from where the stroke was to where the pointer is.
+void stroke_to(UiState& ui, const UiInput& input, const dvec2& to) {
+  BrushState& brush = ui.tool.brush;
+  const SensorModel& model = *input.model;
+  const GestureView view = gesture_view(ui, input);
+  const double radius = brush_radius(ui, model);
+  const dvec2 from = brush.last.value_or(to);
+  if (brush.last == to) return;
+  const auto first = place_under(*model.skin, view.ray_M(from));
+  const double step = first ? std::max(1.0, kStrokeStep * radius_in_pixels(ui, view, *first, radius)) : 1.0;
+  const int steps = std::clamp(static_cast<int>(std::ceil(glm::distance(from, to) / step)), 1, kMostSteps);
+  std::vector<int> region = brush.region;
+  for (int i = brush.last ? 1 : steps; i <= steps; ++i) {
+    const dvec2 pixel = glm::mix(from, to, static_cast<double>(i) / steps);
+    const auto place = place_under(*model.skin, view.ray_M(pixel));
+    if (!place) continue;
+    const std::vector<int> faces = mesh_faces(model, faces_under_brush(*model.skin, surface_point(*place), {radius}));
+    region = brush.erases ? without_faces(region, faces) : with_faces(region, faces);
+  }
+  brush.last = to;
+  if (region == brush.region) return;
+  brush.region = std::move(region);
+  ui.ask(EditProject{SetRegion{brush.region}, {ui.tool.gesture, true}});
+}
+
+void begin_stroke(UiState& ui, const UiInput& input) {
+  const ImGuiIO& io = ImGui::GetIO();
+  BrushState& brush = ui.tool.brush;
+  brush.painting = true;
+  brush.erases = io.KeyShift || io.KeyCtrl;
+  brush.region = *input.editing.project->layout.sampling.region;
+  brush.last.reset();
+  ++ui.tool.gesture;
+}
+
+}  // namespace
+
+double brush_radius(const UiState& ui, const SensorModel& model) {
+  const double size = model.mesh->bounds().diagonal();
+  return ui.tool.brush.radius > 0 ? ui.tool.brush.radius : kPartOfMesh * size;
+}
+
+void set_brush_radius(UiState& ui, const SensorModel& model, double radius) {
+  const double size = model.mesh->bounds().diagonal();
+  if (!(radius > 0) || !std::isfinite(radius)) {
+    ui.tool.problem = "Brush radius: must be greater than 0";
+    return;
+  }
+  ui.tool.brush.radius = std::min(radius, size);
+}
+
+void resize_brush(UiState& ui, const SensorModel& model, double notches) {
+  const double least = kLeastPart * model.mesh->bounds().diagonal();
+  set_brush_radius(ui, model, std::max(least, brush_radius(ui, model) * std::pow(kPerNotch, notches)));
+}
+
+bool brush_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
+  BrushState& brush = ui.tool.brush;
+  if (!brush.painting) {
+    const bool pressed = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (!pressed || !brush_place(ui, input, x, y)) return false;  // beside the skin the camera turns
+    begin_stroke(ui, input);
+  }
+  stroke_to(ui, input, {x, y});
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
+  brush.painting = false;
+  brush.region.clear();
+  ui.ask(EndGesture{});
+  return true;
+}
+
+std::optional<SurfacePlace> brush_place(const UiState& ui, const UiInput& input, double x, double y) {
+  if (!can_edit(ui, input)) return std::nullopt;
+  return place_under(*input.model->skin, gesture_view(ui, input).ray_M({x, y}));
+}
+
+void change_region(UiState& ui, const UiInput& input, RegionChange change) {
+  if (!can_edit(ui, input)) return;
+  const SensorModel& model = *input.model;
+  std::vector<int> all(static_cast<std::size_t>(model.skin->mesh().face_count()));
+  std::iota(all.begin(), all.end(), 0);
+  all = mesh_faces(model, all);
+  const std::vector<int>& region = *input.editing.project->layout.sampling.region;
+  std::vector<int> changed;
+  if (change == RegionChange::all) changed = all;
+  if (change == RegionChange::invert) changed = without_faces(all, region);
+  if (changed != region) ui.ask(EditProject{SetRegion{changed}, {}});
+}
+
+std::vector<int> mesh_faces(const SensorModel& model, const std::vector<int>& skin_faces) {
+  std::vector<int> faces;
+  faces.reserve(skin_faces.size());
+  for (const int face : skin_faces) faces.push_back(model.skin_face_of[static_cast<std::size_t>(face)]);
+  return loaded_faces(*model.repaired, faces);
+}
+
+std::vector<int> skin_faces(const SensorModel& model, const std::vector<int>& mesh_faces) {
+  std::vector<int> faces;
+  for (std::size_t i = 0; i < model.skin_face_of.size(); ++i) {
+    const int face = model.repaired->loaded_face(model.skin_face_of[i]);
+    if (std::binary_search(mesh_faces.begin(), mesh_faces.end(), face)) faces.push_back(static_cast<int>(i));
+  }
+  return faces;
+}
+
+}  // namespace taxel::ui

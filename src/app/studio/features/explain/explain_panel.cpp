@@ -1,0 +1,150 @@
+#include "app/studio/features/explain/explain_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/features/explain/explain_plots.h"
+#include "app/studio/features/explain/explain_tables.h"
+#include "app/studio/features/explain/explain_tool.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+namespace {
+
+/// With its sign.
+std::string change_text(double change, const ReadingUnit& unit) {
+  return fmt::format("{:+.3g} {}", unit.scale * change, unit.text);
+}
+
+std::string newtons(double force) {
+  return fmt::format("{:.4g} N", force);
+}
+std::string newtons(const dvec3& force) {
+  return fmt::format("{:.3g}, {:.3g}, {:.3g} N", force.x, force.y, force.z);
+}
+
+/// What the method did is told in the colour of warnings.
+const ImVec4& color_of(Cause cause, const Palette& colors) {
+  const bool method = cause == Cause::sampling_noise || cause == Cause::star_field || cause == Cause::inverted_tets;
+  return cause == Cause::none ? colors.dim : method ? severity_color(colors, Severity::warning) : colors.accent;
+}
+
+void draw_verdict(UiState& ui, const UiInput& input, const Explanation& e) {
+  const Palette& colors = palette(ui.dark);
+  const std::string name = e.name.empty() ? "" : " (" + e.name + ")";
+  caption(fmt::format("Taxel {}{}, step {}, {:.6g} s", e.id, name, input.frame->step, e.time).c_str());
+  if (!e.change) {
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("There is no step before this one of the same layout: nothing to compare with.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  ImGui::Indent(8);
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(e.change->verdict.text.c_str());
+  ImGui::PopTextWrapPos();
+  ui.widgets.note_item("Verdict");
+  ImGui::Unindent(8);
+  const float bottom = ImGui::GetItemRectMax().y;
+  ImGui::GetWindowDrawList()->AddRectFilled(top, ImVec2(top.x + 3, bottom),
+                                            to_u32(color_of(e.change->verdict.cause, colors)));
+}
+
+/// `text` is the exact reading with its unit.
+void property_exact(const char* name, const ExactReading& exact, const std::string& text, const ReadingUnit& unit) {
+  property(name, exact.value ? fmt::format("{} \xc2\xb1 {:.1g}", text, unit.scale * exact.error) : "there is none");
+  if (!exact.value) tooltip(exact.missing);
+}
+
+void draw_exact(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
+  if (!header(ui, "Exact and sampled") || !begin_properties("exact")) return;
+  const NumberPair readings = pair_in_unit(e.reading, e.change ? e.change->reading.before : e.reading, unit);
+  const double exact = e.exact.value.value_or(0);
+  const double exact_before = e.exact_before ? e.exact_before->value.value_or(exact) : exact;
+  const NumberPair exacts = pair_in_unit(exact, exact_before, unit);
+  property("Reading", readings.first);
+  property_exact("Exact integral", e.exact, exacts.first, unit);
+  if (e.change) property("Reading before", readings.second);
+  if (e.exact_before) property_exact("Exact before", *e.exact_before, exacts.second, unit);
+  end_properties();
+}
+
+void draw_change(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
+  if (!e.change || !header(ui, "Change since the step before") || !begin_properties("change")) return;
+  const StepChange& c = *e.change;
+  property("Reading", change_text(c.verdict.change, unit));
+  property("by samples", change_text(c.verdict.noise, unit));
+  property("by the field", change_text(c.verdict.field, unit));
+  property("by the contact", change_text(c.verdict.contact, unit));
+  const auto samples = [&](const char* name, const SampleChange& s) {
+    property(name, fmt::format("{} samples, {}", s.count, change_text(s.change, unit)));
+  };
+  samples("Began to hit", c.began);
+  samples("Ceased", c.ceased);
+  samples("Stayed", c.stayed);
+  constexpr int kForceDigits = 4;
+  const NumberPair forces = number_pair(c.force.before, c.force.now, kForceDigits);
+  property("Force", fmt::format("{} to {} N", forces.first, forces.second));
+  end_properties();
+}
+
+void draw_budget(UiState& ui, const ForceBudget& b) {
+  if (!header(ui, "Force budget") || !begin_properties("budget")) return;
+  property("Surfaces", newtons(b.surfaces_W));
+  property("Taxels together", newtons(b.taxels_W));
+  property("This taxel", newtons(b.taxel_W));
+  if (b.net_W) property("As simulated", newtons(*b.net_W));
+  property("Pressed", newtons(b.pressed));
+  property("over taxels", newtons(b.covered));
+  property("over none", newtons(b.uncovered));
+  end_properties();
+}
+
+void draw_found(UiState& ui, const UiInput& input, const Explanation& e) {
+  const ReadingUnit unit = shown_unit(e.aggregate);
+  draw_verdict(ui, input, e);
+  checkbox(ui, "Ghost of the step before", &ui.saved.overlays.ghost);
+  tooltip("Its contact surfaces, as lines in the view");
+  draw_exact(ui, e, unit);
+  draw_change(ui, e, unit);
+  if (header(ui, "Convergence")) draw_convergence(ui, e);
+  if (header(ui, "Polygons")) {
+    draw_scatter(ui, e);
+    draw_polygons(ui, e);
+  }
+  if (header(ui, "Samples")) draw_samples(ui, e);
+  draw_budget(ui, e.budget);
+}
+
+/// Why there is nothing to show.
+std::string reason(const UiState& ui, const UiInput& input) {
+  if (input.sensor(ui) == nullptr) return "No sensor is simulated.";
+  if (ui.selection.empty()) return "Click a bar or a taxel: its reading is explained, in the step that is shown.";
+  if (input.explained && !input.explained->problem.empty()) return input.explained->problem;
+  return input.playing ? "Pause, and the reading is explained." : "The reading is being explained ...";
+}
+
+}  // namespace
+
+void draw_explain_panel(UiState& ui, const UiInput& input) {
+  if (ui.explain.wants_focus) ImGui::SetNextWindowFocus();
+  ui.explain.wants_focus = false;
+  if (input.frame && input.frame->step != ui.explain.step) ui.explain.polygon.reset();  // numbers of another step
+  if (input.frame) ui.explain.step = input.frame->step;
+  if (begin_panel(ui, kExplainTitle, &ui.saved.panels.explain)) {
+    if (const Explanation* found = shown_explanation(ui, input)) {
+      draw_found(ui, input, *found);
+    } else {
+      ImGui::PushTextWrapPos();
+      ImGui::TextDisabled("%s", reason(ui, input).c_str());
+      ImGui::PopTextWrapPos();
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

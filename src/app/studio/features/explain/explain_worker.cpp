@@ -1,0 +1,89 @@
+#include "app/studio/features/explain/explain_worker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/index.h"
+#include "core/sensor/explain/reading_floor.h"
+
+namespace taxel::studio {
+namespace {
+
+SensorStep step_of(const SensorFrameState& state, double time) {
+  SensorStep step;
+  step.time = time;
+  step.X_WM = state.X_WM;
+  for (const ContactSurface& surface : state.surfaces) step.surfaces.push_back(&surface);
+  step.hits = &state.hits;
+  step.readings = state.readings;
+  step.force_W = state.force_W;
+  return step;
+}
+
+/// The step before, where the same layout read it.
+const SensorFrameState* state_before(const SimFrame& frame, int sensor) {
+  const StepBefore* before = frame.before.get();
+  if (before == nullptr || at(sensor) >= before->sensors.size() ||
+      before->scene->sensors[at(sensor)] != frame.scene->sensors[at(sensor)])
+    return nullptr;
+  return &before->sensors[at(sensor)];
+}
+
+/// The largest reading of the taxel in the run as far as it is recorded, or of the sensor.
+double largest_known(const SimFrame& frame, int sensor, int taxel, const SensorModel& model) {
+  double largest = reading_floor(model);
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  if (lanes == nullptr || lanes->rows() == 0) return largest;
+  std::size_t first = 0;
+  for (int s = 0; s < sensor; ++s) first += frame.sensors[at(s)].readings.size();
+  const std::size_t count = frame.sensors[at(sensor)].readings.size();
+  for (std::size_t k = 0; k < count && first + k < lanes->reading_count; ++k)
+    if (frame.breakpoints.of_sensor || static_cast<int>(k) == taxel)
+      largest = std::max(largest, largest_reading(*lanes, first + k));
+  return largest;
+}
+
+}  // namespace
+
+bool ExplainWorker::Job::operator==(const Job& other) const {
+  const SimFrame &a = *frame, &b = *other.frame;
+  return wish == other.wish && a.step == b.step && a.runs == b.runs && a.scene == b.scene &&
+         (a.before == nullptr) == (b.before == nullptr) && a.breakpoints == b.breakpoints;
+}
+
+ExplainWorker::ExplainWorker(std::function<void()> wake)
+    : worker_([this](const Job& job, Progress& progress) { return attempt(job, progress); }, std::move(wake),
+              Overtaken::cancel) {}
+
+void ExplainWorker::explain(const SimFramePtr& frame, const std::optional<ui::ExplainWish>& wish) {
+  const bool there = frame && wish && at(wish->sensor) < frame->sensors.size();
+  worker_.ask(there ? std::optional(Job{frame, *wish}) : std::nullopt);
+}
+
+ui::ExplainedPtr ExplainWorker::attempt(const Job& job, Progress& progress) {
+  auto out = std::make_shared<ui::ExplainedStep>();
+  out->wish = job.wish;
+  out->step = job.frame->step;
+  try {
+    const SimFrame& frame = *job.frame;
+    const SensorModelPtr& model = frame.scene->sensors[at(job.wish.sensor)];
+    const std::vector<Taxel>& taxels = model->layout.taxels;
+    const auto taxel =
+        std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == job.wish.taxel; });
+    const SensorStep now = step_of(frame.sensors[at(job.wish.sensor)], frame.time);
+    std::optional<SensorStep> before;
+    if (const SensorFrameState* state = state_before(frame, job.wish.sensor))
+      before = step_of(*state, frame.before->time);
+    const int number = taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
+    const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
+                               largest_known(frame, job.wish.sensor, number, *model), frame.breakpoints.of_sensor};
+    out->explanation = explainer_.explain(model, number, now, before ? &*before : nullptr, limits, &progress);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    out->problem = error.what();
+  }
+  return out;
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,14 @@
+// Legends of the overlays about receptive fields and repair: what their colours mean, with numbers.
+#pragma once
+
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::ui {
+
+/// In the lower right corner of the view, one above the other, the lowest ending at `bottom` [pixel of the window].
+void draw_field_legends(const UiState& ui, const FieldNumbers& numbers, const SensorModel& model, float bottom);
+
+/// What the colours of a repair's changes mean, in the upper right corner of the view, beginning at `top`.
+void draw_repair_legend(const UiState& ui, const SensorModel& model, float top);
+
+}  // namespace taxel::ui

@@ -1,0 +1,157 @@
+#include "app/studio/features/files/dialogs.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/studio/app/actions.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// A load that takes less is not worth a bar.
+constexpr double kShowAfterSeconds = 0.5;
+
+constexpr auto kCardFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_AlwaysAutoResize;
+
+void help_row(const char* key, const char* where, const char* what) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", key);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", what);
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", where);
+}
+
+ImVec2 middle_of(const Rect& rect) {
+  return {rect.center_x(), rect.center_y()};
+}
+
+}  // namespace
+
+void draw_help(UiState& ui) {
+  if (!ui.saved.panels.help) return;
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(36 * ImGui::GetFontSize(), 0.8f * viewport->Size.y), ImGuiCond_Appearing);
+  constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
+                          ImGuiWindowFlags_NoCollapse;
+  if (ImGui::Begin("Keys and mouse", &ui.saved.panels.help, kFlags)) {
+    ui.widgets.note_item("Keys and mouse");
+    if (ImGui::BeginTable("keys", 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) {
+      ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 0.28f);
+      ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.54f);
+      ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 0.18f);
+      for (const Gesture& g : gestures()) help_row(g.gesture, to_string(g.context), g.label);
+      for (const Binding& b : bindings()) {
+        if (b.chord != 0) help_row(chord_names(b).c_str(), to_string(b.context), b.label);
+      }
+      ImGui::EndTable();
+    }
+  }
+  ImGui::End();
+}
+
+void draw_loading(UiState& ui, const UiInput& input) {
+  const Loading& loading = input.loading;
+  if (!loading.active || loading.seconds < kShowAfterSeconds) return;
+  ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);
+  ImGui::Begin("Loading", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Text("Loading %s", loading.what.c_str());
+  const float width = 20 * ImGui::GetFontSize();
+  // A negative fraction animates a bar of unknown length.
+  ImGui::ProgressBar(
+      loading.fraction > 0 ? static_cast<float>(loading.fraction) : -static_cast<float>(ImGui::GetTime()),
+      ImVec2(width, 0), loading.fraction > 0 ? nullptr : "");
+  ui.widgets.note_item("Progress");
+  if (loading.can_cancel) {
+    if (button(ui, "Cancel loading", ImVec2(-1, 0))) ui.ask(CancelLoading{});
+  } else {
+    ImGui::TextDisabled("Building the scene");
+  }
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+}
+
+void draw_unsaved_question(UiState& ui, const UiInput& input) {
+  constexpr const char* kTitle = "Unsaved changes";
+  if (ui.asks_unsaved && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_AlwaysAutoResize;
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
+  ImGui::Text("%s has changes that are not saved.", input.name.c_str());
+  ImGui::Spacing();
+  const ImVec2 size(8 * ImGui::GetFontSize(), 0);
+  std::optional<UnsavedAnswer> answer;
+  if (button(ui, "Save", size)) answer = UnsavedAnswer::save;
+  ImGui::SameLine();
+  if (button(ui, "Discard", size)) answer = UnsavedAnswer::discard;
+  ImGui::SameLine();
+  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer = UnsavedAnswer::cancel;
+  if (answer || !ui.asks_unsaved) ImGui::CloseCurrentPopup();
+  if (answer) {
+    ui.asks_unsaved = false;
+    ui.ask(AnswerUnsaved{*answer});
+  }
+  ImGui::EndPopup();
+}
+
+void draw_recovery_card(UiState& ui) {
+  constexpr const char* kTitle = "Unsaved work was kept";
+  if (ui.recovery.empty()) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+  constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_AlwaysAutoResize;
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
+  ImGui::Text("%s", ui.recovery.c_str());
+  ImGui::TextDisabled("%s", ui.recovery_detail.c_str());
+  ImGui::Spacing();
+  const ImVec2 size(9 * ImGui::GetFontSize(), 0);
+  std::optional<bool> recover;
+  if (button(ui, "Recover", size)) recover = true;
+  ImGui::SameLine();
+  if (button(ui, "Throw away", size)) recover = false;
+  if (recover) {
+    ImGui::CloseCurrentPopup();
+    ui.recovery.clear();
+    ui.ask(AnswerRecovery{*recover});
+  }
+  ImGui::EndPopup();
+}
+
+void draw_start_card(UiState& ui) {
+  ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // their own colour is the card's
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
+  ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushFont(nullptr, 1.3f * kTextHeight);
+  ImGui::TextUnformatted("Drop a mesh or a layout here");
+  ImGui::PopFont();
+  ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   .yaml   .taxelproj   MuJoCo XML");
+  ImGui::Spacing();
+  if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui);
+  ImGui::SameLine();
+  if (button(ui, "Fingertip sweep", ImVec2(11 * ImGui::GetFontSize(), 0))) ui.ask(OpenFingertipSweep{});
+  if (!ui.saved.recent.empty()) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("Recent");
+    for (const std::string& file : ui.saved.recent) {
+      if (selectable(ui, file.c_str(), false)) ui.ask(OpenFile{file});
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(2);
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,25 @@
+// Generating taxels: the frame of the pattern on the skin, its preview, and taking it over.
+#pragma once
+
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::ui {
+
+/// Opens the panel with the frame at the middle of the view, and lengths that suit the mesh; once more closes it.
+void toggle_generate(UiState& ui, const UiInput& input);
+/// The previewed taxels go, nothing of them is left.
+void close_generate(UiState& ui);
+/// Adds the previewed taxels as one step, selected, and closes the panel. Nothing while there are none.
+void accept_generate(UiState& ui, const UiInput& input);
+[[nodiscard]] bool can_accept_generate(const UiState& ui, const UiInput& input);
+
+/// Asks for a preview where what it depends on has changed; closes the panel where there is nothing to edit any more.
+void keep_preview_current(UiState& ui, const UiInput& input);
+
+/// While the panel is open and no tool is in the hand: a click on the skin puts the frame there, a drag that begins on
+/// its centre moves it along. True: the mouse was the frame's. x, y: pointer in pixels of the view.
+bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
+/// Ctrl+wheel: by 5 degrees a notch.
+void turn_pattern(UiState& ui, double notches);
+
+}  // namespace taxel::ui

@@ -1,0 +1,159 @@
+#include "app/studio/features/generate/generate_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/features/generate/generate.h"
+#include "app/studio/features/generate/pattern_fields.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+struct Kind {
+  const char* name;
+  PatternKind kind;
+  const char* tip;
+};
+constexpr std::array kKinds{
+    Kind{"Grid", PatternKind::grid, "Rows and columns, on a plane or projected onto the skin"},
+    Kind{"Ring", PatternKind::ring, "At equal angles around an axis, at the height of the frame"},
+    Kind{"Helix", PatternKind::helix, "Around an axis and along it"},
+    Kind{"Spiral", PatternKind::spiral, "The spiral of a sunflower's head: equal area each"},
+    Kind{"Spread", PatternKind::spread, "N taxels as far apart along the skin as can be, over the painted region"},
+    Kind{"Table", PatternKind::table, "Points of a CSV file"},
+    Kind{"Image", PatternKind::image, "The dots of a picture that lies over the skin"},
+    Kind{"Preset", PatternKind::preset, "Taxels of a known sensor"},
+};
+
+bool has_frame(PatternKind kind) {
+  return kind != PatternKind::spread && kind != PatternKind::table;
+}
+
+void draw_kinds(UiState& ui) {
+  constexpr std::size_t kPerRow = 4;
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    if (i % kPerRow != 0) ImGui::SameLine(0, 3);
+    if (small_choice(ui, kKinds[i].name, ui.generate.pattern.kind == kKinds[i].kind)) {
+      ui.generate.pattern.kind = kKinds[i].kind;
+      ui.generate.file_problem.clear();
+    }
+    tooltip(kKinds[i].tip);
+  }
+}
+
+std::string outcome_text(const GenerateState& g) {
+  if (g.waiting()) return "Making the preview...";
+  if (!g.ghosts) return "";
+  std::string text =
+      fmt::format("{} taxel{}", grouped(static_cast<long long>(g.ghosts->size())), g.ghosts->size() == 1 ? "" : "s");
+  if (g.left_out > 0) text += fmt::format(", {} left out", grouped(g.left_out));
+  if (g.least_distance > 0 && std::isfinite(g.least_distance))
+    text += fmt::format(", {} or more apart", in_mm(g.least_distance));
+  return text;
+}
+
+void draw_outcome(const UiState& ui) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(outcome_text(ui.generate).c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void draw_problems(UiState& ui) {
+  const GenerateState& g = ui.generate;
+  ImGui::PushTextWrapPos(0);
+  for (const std::string& problem : {g.file_problem, g.waiting() ? std::string() : g.problem}) {
+    if (problem.empty()) continue;
+    ImGui::TextColored(palette(ui.dark).error, "%s", problem.c_str());
+    ui.widgets.note_item("Problem");
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void draw_buttons(UiState& ui, const UiInput& input) {
+  const ImVec2 size(7 * ImGui::GetFontSize(), 0);
+  const bool ready = can_accept_generate(ui, input);
+  // Enter in a field takes over what is typed there, and nothing more.
+  const bool entered = ready && !ImGui::GetIO().WantTextInput && ui.tool.tool == Tool::none && ui.tour_step < 0 &&
+                       !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
+                       ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+  ImGui::BeginDisabled(!ready);
+  const bool accepted = button(ui, "Add taxels", size);
+  tooltip("Adds them as one step (Enter)");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  const bool cancelled = button(ui, "Cancel", size);
+  tooltip("Nothing is added (Esc)");
+  if (accepted || entered) return accept_generate(ui, input);
+  if (cancelled) close_generate(ui);
+}
+
+}  // namespace
+
+void draw_generate_panel(UiState& ui, const UiInput& input) {
+  GenerateState& g = ui.generate;
+  keep_preview_current(ui, input);
+  if (!g.open) return;
+  bool open = true;
+  const float line = ImGui::GetFontSize();
+  ImGui::SetNextWindowSize({22 * line, 32 * line}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({ui.view.rect.x1 - 23 * line, ui.view.rect.y0 + line}, ImGuiCond_FirstUseEver);
+  if (g.wants_focus) ImGui::SetNextWindowFocus();
+  g.wants_focus = false;
+  if (begin_panel(ui, kGenerateTitle, &open)) {
+    draw_kinds(ui);
+    ImGui::Spacing();
+    draw_problems(ui);
+    // What fields need more than there is room for scrolls; the outcome and the buttons stay in sight.
+    const float footer = 2 * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
+    if (ImGui::BeginChild("fields", ImVec2(0, -footer))) {
+      draw_pattern_fields(ui, input);
+      if (has_frame(g.pattern.kind)) caption("In the view: click or drag moves, Ctrl+wheel turns");
+    }
+    ImGui::EndChild();
+    ImGui::Separator();
+    draw_outcome(ui);
+    draw_buttons(ui, input);
+  }
+  ImGui::End();
+  if (!open && g.open) close_generate(ui);
+}
+
+void draw_pattern_frame(const UiState& ui, const UiInput& input) {
+  const GenerateState& g = ui.generate;
+  if (!g.open || !has_frame(g.pattern.kind) || !input.model) return;
+  const Pose X_WM = shown_pose(ui, input);
+  const auto on_screen = [&](const dvec3& p_M) {
+    const dvec3 pixel = ui.camera().project(X_WM * p_M, ui.view.width, ui.view.height);
+    return ImVec2(ui.view.rect.x0 + static_cast<float>(pixel.x), ui.view.rect.y0 + static_cast<float>(pixel.y));
+  };
+  const double angle = g.pattern.turn_deg * glm::pi<double>() / 180;
+  const dvec3 across = glm::cross(g.frame.normal, g.frame.along_row);
+  const dvec3 u = std::cos(angle) * g.frame.along_row + std::sin(angle) * across;
+  const dvec3 v = glm::cross(g.frame.normal, u);
+  constexpr double kArm = 0.07;  // of the mesh's diagonal
+  const double arm = kArm * input.model->mesh->bounds().diagonal();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = on_screen(g.frame.center);
+  const ImU32 halo = IM_COL32(0, 0, 0, 160);
+  const auto arm_line = [&](const dvec3& direction, ImU32 color) {
+    const ImVec2 end = on_screen(g.frame.center + arm * direction);
+    list.AddLine(at, end, halo, 4.5f);
+    list.AddLine(at, end, color, 2.5f);
+  };
+  arm_line(u, IM_COL32(235, 87, 87, 255));
+  arm_line(v, IM_COL32(111, 207, 96, 255));
+  list.AddCircleFilled(at, 6.5f, halo);
+  list.AddCircleFilled(at, 5, IM_COL32_WHITE);
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,178 @@
+#include "app/studio/features/inspector/layout_settings.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/widgets/choice_field.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr FieldUnit kDirection{"", 0, 3}, kPerSquareMillimetre{"1/mm^2", 6, -1}, kKilopascals{"kPa", 3, -1},
+    kSecondsPerMetre{"s/m", 0, -1};
+/// Whole numbers up to here are exact as they are typed.
+constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
+
+/// A row with a number; what was typed goes into `value`.
+bool number_row(UiState& ui, const char* name, const char* tip, double& value, const FieldUnit& unit) {
+  begin_property(name, tip);
+  const auto typed = number_field(ui, name, {value}, unit);
+  if (typed) value = *typed;
+  show_refusal(ui, name);
+  return typed.has_value();
+}
+
+/// A row with a choice among the words of a layout file.
+template <class E>
+bool word_row(UiState& ui, const char* name, const char* tip, E& value) {
+  begin_property(name, tip);
+  const auto chosen = word_field(ui, name, value);
+  if (chosen) value = *chosen;
+  show_refusal(ui, name);
+  return chosen.has_value();
+}
+
+bool direction_row(UiState& ui, const char* name, const char* tip, dvec3& value) {
+  begin_property(name, tip);
+  const auto typed = vector_field(ui, name, {value}, kDirection);
+  if (typed) value[typed->axis] = typed->value;
+  return typed.has_value();
+}
+
+void draw_layout(UiState& ui, const Layout& layout) {
+  if (!header(ui, "Layout") || !begin_properties("layout")) return;
+  begin_property("Layout name", "Of the layout, not of its file");
+  if (const auto name = text_field(ui, "Layout name", {layout.name})) ask_edit(ui, SetName{*name});
+  property("Mesh", layout.mesh.file.substr(layout.mesh.file.find_last_of('/') + 1));
+  tooltip(layout.mesh.file);
+  SensorFrame frame = layout.frame;
+  bool changed = direction_row(ui, "Distal", "Where the finger points, in the frame of the mesh file", frame.distal);
+  changed = direction_row(ui, "Pad", "Where it touches, at right angles to distal", frame.pad) || changed;
+  if (changed) ask_edit(ui, SetFrame{frame});
+  end_properties();
+}
+
+void draw_region(UiState& ui, const Project& project) {
+  begin_property(
+      "Painted region",
+      "Faces of the mesh that the brush has painted: there the samples lie, and there Spread evenly puts taxels");
+  if (project.layout.sampling.region->empty()) {
+    ImGui::TextUnformatted("the whole mesh");
+    return;
+  }
+  ImGui::Text("%s faces", grouped(static_cast<long long>(project.layout.sampling.region->size())).c_str());
+  ImGui::SameLine();
+  if (ImGui::SmallButton("Clear")) ui.ask(EditProject{SetRegion{}, {}});
+  ui.widgets.note_item("Clear the region");
+}
+
+/// What came of it.
+void draw_sample_counts(UiState& ui, const SensorModel& model) {
+  const ModelSummary& s = ui.summary;
+  const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
+  property("Samples", grouped(static_cast<long long>(model.samples.size())));
+  property("Used", fmt::format("{} ({:.1f} %)", grouped(s.used_samples), 100.0 * s.used_samples / total));
+  property("Shared", fmt::format("{} ({:.1f} %)", grouped(s.shared_samples), 100.0 * s.shared_samples / total));
+  property("Uncovered skin", in_mm2(s.skin_area - s.used_area));
+}
+
+void draw_sampling(UiState& ui, const UiInput& input, const Project& project) {
+  if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
+  Sampling sampling = project.layout.sampling;
+  bool changed = number_row(ui, "Density (1/mm\u00b2)", "Samples per area of skin. The paper uses 1 to 10 per mm\u00b2",
+                            sampling.density, kPerSquareMillimetre);
+  begin_property("Seed", "The same seed gives the same samples on every machine");
+  if (const auto seed = whole_field(ui, "Seed", sampling.seed, kLargestSeed)) {
+    sampling.seed = *seed;
+    changed = true;
+  }
+  show_refusal(ui, "Seed");
+  changed = word_row(ui, "Weights",
+                     "What a sample stands for: an equal part of the skin, or the area nearest to it (Voronoi)",
+                     sampling.weights) ||
+            changed;
+  changed = word_row(ui, "Shells", "Closed surfaces that are sampled: outer ones, or those inside of them as well",
+                     sampling.shells) ||
+            changed;
+  if (changed) ask_edit(ui, SetSampling{sampling});
+  draw_region(ui, project);
+  draw_sample_counts(ui, *input.model);
+  end_properties();
+}
+
+void draw_fields(UiState& ui, const Layout& layout) {
+  if (!header(ui, "Receptive fields") || !begin_properties("fields")) return;
+  ReceptiveFieldRule rule = layout.receptive_field;
+  bool changed = word_row(ui, "Metric", "Distances from a taxel's centre: straight (the paper), or along the surface",
+                          rule.metric);
+  changed = number_row(ui, "Largest angle (\u00b0)",
+                       "Between a taxel's normal and those of its samples. The paper uses 45\u00b0", rule.max_angle_deg,
+                       kExactDegrees) ||
+            changed;
+  if (changed) ask_edit(ui, SetReceptiveField{rule});
+  end_properties();
+}
+
+void draw_readout(UiState& ui, const Layout& layout) {
+  if (!header(ui, "Readout") || !begin_properties("readout")) return;
+  Readout readout = layout.readout;
+  bool changed = word_row(ui, "Aggregate",
+                          "What a taxel makes of its samples. weighted_mean is the paper's formula, weighted_sum what "
+                          "its released code computes; force is in newtons",
+                          readout.aggregate);
+  changed =
+      word_row(ui, "Misses", "A ray that meets nothing counts as zero, or is left out", readout.misses) || changed;
+  changed =
+      word_row(ui, "Ray direction", "Against the normal of the skin at each sample, or of the taxel", readout.ray) ||
+      changed;
+  changed = number_row(ui, "Largest depth (mm)",
+                       "How far rays go. 0: twice the thickness of a pad, the largest radius for a star",
+                       readout.max_depth, kExactMillimetres) ||
+            changed;
+  begin_property("Shear", "Records the friction that each taxel feels beside its reading");
+  if (const auto shear = switch_field(ui, "Shear", readout.shear)) {
+    readout.shear = *shear;
+    changed = true;
+  }
+  if (changed) ask_edit(ui, SetReadout{readout});
+  end_properties();
+}
+
+void draw_material_settings(UiState& ui, const Layout& layout) {
+  if (!header(ui, "Material") || !begin_properties("material")) return;
+  Material m = layout.material;
+  bool changed = word_row(ui, "Field",
+                          "How pressure grows inside: a pad over a rigid core, or tetrahedra from the centroid (the "
+                          "paper's released code)",
+                          m.field);
+  changed = number_row(ui, "Modulus (kPa)", "Hydroelastic modulus: the pressure at full depth. 0: rigid", m.modulus,
+                       kKilopascals) ||
+            changed;
+  changed = number_row(ui, "Thickness (mm)", "Of the pad. 0: chosen from the size", m.thickness, kExactMillimetres) ||
+            changed;
+  changed =
+      number_row(ui, "Dissipation (s/m)", "Damping of Hunt and Crossley", m.dissipation, kSecondsPerMetre) || changed;
+  changed = number_row(ui, "Friction", "Coefficient of Coulomb", m.friction, kExactNumber) || changed;
+  if (changed) ask_edit(ui, SetMaterial{m});
+  end_properties();
+}
+
+}  // namespace
+
+void draw_layout_settings(UiState& ui, const UiInput& input) {
+  const Project& project = *input.editing.project;
+  draw_sampling(ui, input, project);
+  draw_fields(ui, project.layout);
+  draw_readout(ui, project.layout);
+  draw_material_settings(ui, project.layout);
+  draw_layout(ui, project.layout);
+  draw_calibration_settings(ui, project.layout);
+}
+
+}  // namespace taxel::ui

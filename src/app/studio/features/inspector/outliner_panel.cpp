@@ -1,0 +1,104 @@
+#include "app/studio/features/inspector/outliner_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/app/dock_layout.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr auto kOpenNode = ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_SpanAvailWidth;
+constexpr auto kLeafNode =
+    ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth;
+
+void leaf(const std::string& text, const std::string& detail) {
+  ImGui::TreeNodeEx(text.c_str(), kLeafNode);
+  if (detail.empty()) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", detail.c_str());
+}
+
+/// With its subtaxels below it.
+void draw_taxel(UiState& ui, const Taxel& taxel) {
+  const bool bare = taxel.subtaxels.empty();
+  auto flags =
+      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_OpenOnDoubleClick;
+  if (bare) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  if (ui.selection.contains(taxel.id)) flags |= ImGuiTreeNodeFlags_Selected;
+  const std::string name = fmt::format("{}{}{}", taxel.id, taxel.name.empty() ? "" : "  ", taxel.name);
+  const bool open = ImGui::TreeNodeEx(fmt::format("{}##taxel{}", name, taxel.id).c_str(), flags);
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) click_taxel(ui, taxel.id, ImGui::GetIO().KeyShift);
+  ui.widgets.note_item(fmt::format("Node of taxel {}", taxel.id));
+  if (!open || bare) return;
+  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
+    ImGui::TreeNodeEx(fmt::format("Subtaxel {}   {}", i, in_mm(taxel.subtaxels[i].radius)).c_str(), kLeafNode);
+    ui.widgets.note_item(fmt::format("Subtaxel {} of taxel {}", i, taxel.id));
+    if (ImGui::IsItemClicked()) click_taxel(ui, taxel.id, false);
+  }
+  ImGui::TreePop();
+}
+
+void draw_taxels(UiState& ui, const Layout& layout) {
+  const std::string title = fmt::format("Taxels  {}##taxels", layout.taxels.size());
+  const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
+  ui.widgets.note_item("Taxels of the layout");
+  if (!open) return;
+  for (const Taxel& taxel : layout.taxels) draw_taxel(ui, taxel);
+  ImGui::TreePop();
+}
+
+void draw_sensor(UiState& ui, const SensorModel& model, const Layout& layout, const std::string& name) {
+  const bool open = ImGui::TreeNodeEx(name.c_str(), kOpenNode);
+  ui.widgets.note_item(name);
+  if (!open) return;
+  leaf("Mesh", fmt::format("{} triangles", grouped(model.mesh->face_count())));
+  if (model.mesh->shell_count() > 1) leaf("Shells", std::to_string(model.mesh->shell_count()));
+  draw_taxels(ui, layout);
+  leaf("Samples", grouped(static_cast<long long>(model.samples.size())));
+  leaf("Rays", grouped(static_cast<long long>(model.rays.size())));
+  ImGui::TreePop();
+}
+
+void draw_scene(UiState& ui, const UiInput& input) {
+  const SimScene& scene = *input.frame->scene;
+  if (!ImGui::TreeNodeEx("Scene", kOpenNode)) return;
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    const std::string geom = i < scene.sensor_geoms.size() ? scene.sensor_geoms[i] : fmt::format("sensor {}", i);
+    const std::string label = fmt::format("{}##sensor{}", geom, i);
+    if (selectable(ui, label.c_str(), ui.selection.sensor == static_cast<int>(i)) &&
+        ui.selection.sensor != static_cast<int>(i)) {
+      ui.selection = {static_cast<int>(i), {}};
+    }
+    ImGui::SameLine();
+    if (scene.sensors[i]->taxel_count() > 0) {
+      ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
+    } else {
+      ImGui::TextDisabled("soft, no taxels");
+    }
+  }
+  for (const SceneGeom& geom : scene.geoms) {
+    if (geom.sensor < 0) leaf(geom.name.empty() ? "(unnamed)" : geom.name, geom.plane ? "plane" : "geom");
+  }
+  ImGui::TreePop();
+}
+
+}  // namespace
+
+void draw_outliner(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kOutlinerTitle, &ui.saved.panels.outliner)) {
+    if (input.model) {
+      const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
+      draw_sensor(ui, *input.model, layout, input.name.empty() ? "layout" : input.name);
+    }
+    if (input.frame && input.frame->scene) draw_scene(ui, input);
+    if (!input.model && !input.frame) ImGui::TextDisabled("Nothing is open.");
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,126 @@
+#include "app/studio/features/map/map_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/reading_range.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr double kPart = 0.46;       // of the distance of neighbours: radius of the discs
+constexpr float kLargest = 2.2f;     // radius, in heights of text
+constexpr float kRimFrom = 6.0f;     // radius [pixel], below which a rim would hide the colour
+constexpr double kLightFrom = 0.62;  // of the range: colours on which dark text is read
+
+/// Where the map lies in the panel.
+struct Fit {
+  ImVec2 middle;
+  dvec2 center{0};
+  double scale = 1;  // [pixel/m]
+  float radius = 1;
+  [[nodiscard]] ImVec2 at(const dvec2& p) const {
+    return {middle.x + static_cast<float>(scale * (p.x - center.x)),
+            middle.y - static_cast<float>(scale * (p.y - center.y))};
+  }
+};
+
+Fit fit(const FlatMap& map, ImVec2 origin, ImVec2 size) {
+  const float line = ImGui::GetFontSize();
+  dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+  for (const dvec2& p : map.places) lo = glm::min(lo, p), hi = glm::max(hi, p);
+  Fit out;
+  out.middle = {origin.x + 0.5f * size.x, origin.y + 0.5f * size.y};
+  out.center = 0.5 * (lo + hi);
+  const dvec2 extent = hi - lo + dvec2(2 * kPart * map.apart);  // with the discs at the rim
+  const dvec2 room(static_cast<double>(size.x - 0.6f * line), static_cast<double>(size.y - 0.6f * line));
+  out.scale = std::min(extent.x > 0 ? room.x / extent.x : room.x, extent.y > 0 ? room.y / extent.y : room.y);
+  const double radius = map.apart > 0 ? kPart * map.apart * out.scale : 0.5 * std::min(room.x, room.y);
+  out.radius = std::clamp(static_cast<float>(radius), 1.5f, kLargest * line);
+  return out;
+}
+
+void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
+  const float size = kSmallText * ImGui::GetFontSize();
+  const float width = kSmallText * ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
+                                      {std::round(center.x - 0.5f * width), std::round(center.y - 0.5f * size)}, color,
+                                      text.c_str());
+}
+
+void draw_disc(UiState& ui, const MapDisc& disc, bool read, const PressureRange& range) {
+  const Palette& colors = palette(ui.dark);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at(static_cast<float>(disc.x), static_cast<float>(disc.y));
+  const auto radius = static_cast<float>(disc.radius);
+  const bool selected = ui.selection.contains(disc.taxel_id);
+  list.AddCircleFilled(at, radius, read ? pressure_color(range, disc.value) : to_u32(colors.field));
+  if (selected || radius > kRimFrom)
+    list.AddCircle(at, radius, to_u32(selected ? colors.accent : colors.line), 0, (selected ? 3.0f : 1.0f));
+  const std::string id = std::to_string(disc.taxel_id);
+  if (kSmallText * ImGui::CalcTextSize(id.c_str()).x > 1.8f * radius) return;
+  const bool light = read && disc.value - range.lo > kLightFrom * (range.hi - range.lo);
+  draw_text(at, light ? IM_COL32(20, 24, 30, 255) : read ? IM_COL32_WHITE : to_u32(colors.text), id);
+}
+
+std::string hover_text(const Taxel& taxel, const MapDisc& disc, bool read, const ReadingUnit& unit) {
+  std::string text = fmt::format("Taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : ", ", taxel.name);
+  return read ? text + "\n" + in_unit(disc.value, unit) : text;
+}
+
+void draw_map(UiState& ui, const UiInput& input, const SensorModel& model) {
+  const SensorFrameState* state = input.shown_state(ui);
+  const std::vector<Taxel>& taxels = model.layout.taxels;
+  const bool read = state != nullptr && state->readings.size() == taxels.size();
+  const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
+  const PressureRange range = reading_range(ui, input);
+  caption((std::string(read ? unit.text : "Taxels") +
+           (ui.map.map.unrolled ? ", unrolled: the pad in the middle, distal up" : ", seen along their mean normal"))
+              .c_str());
+  const ImVec2 origin = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+  if (!(size.x > 8 && size.y > 8)) return;
+  ImGui::InvisibleButton("##map", size);
+  ui.widgets.note_item("Map");
+  const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Fit place = fit(ui.map.map, origin, size);
+  int under = -1;
+  for (std::size_t k = 0; k < taxels.size(); ++k) {
+    const ImVec2 at = place.at(ui.map.map.places[k]);
+    ui.map.discs.push_back({taxels[k].id, read ? state->readings[k] : 0.0, static_cast<double>(at.x),
+                            static_cast<double>(at.y), static_cast<double>(place.radius)});
+    draw_disc(ui, ui.map.discs.back(), read, range);
+    const float r = place.radius;
+    ui.widgets.note(kMapTitle, fmt::format("Disc {}", taxels[k].id), {at.x - r, at.y - r, at.x + r, at.y + r});
+    if (hovered && std::hypot(mouse.x - at.x, mouse.y - at.y) <= place.radius) under = static_cast<int>(k);
+  }
+  if (under < 0) return;
+  const auto k = static_cast<std::size_t>(under);
+  ImGui::SetTooltip("%s", hover_text(taxels[k], ui.map.discs[k], read, unit).c_str());
+  if (pressed) click_taxel(ui, taxels[k].id, ImGui::GetIO().KeyShift);
+}
+
+}  // namespace
+
+void draw_map_panel(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kMapTitle, &ui.saved.panels.map)) {
+    const SensorModelPtr model = input.shown_model(ui);
+    if (!model || model->layout.taxels.empty()) {
+      ImGui::TextDisabled("There are no taxels.");
+    } else {
+      if (ui.map.model != model) ui.map = {model, flat_map(model->layout, model->skin->mesh().centroid()), {}};
+      draw_map(ui, input, *model);
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,143 @@
+#include "app/studio/features/menus/tour.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/app/dock_layout.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// What a step points at: a window, or from one widget to another.
+struct Step {
+  const char* title;
+  const char* text;
+  const char* window;
+  const char *first, *last;
+};
+
+constexpr std::array kSteps = {
+    Step{
+        "The sensor",
+        "Left-drag turns it, right-drag shifts it, the wheel zooms. In LAYOUT, Ctrl+click on the surface adds a taxel; "
+        "drag a selected one to slide it along.",
+        kViewTitle, nullptr, nullptr},
+    Step{"Two modes",
+         "LAYOUT edits taxels, SIMULATE presses and slides the sensor and shows contact, rays and readings. Ctrl+1 and "
+         "Ctrl+2 change between them.",
+         nullptr, "LAYOUT", "SIMULATE"},
+    Step{"All taxels",
+         "Every taxel is a row. Click selects, Shift+click adds. Edit > Generate taxels makes many at once: grids, "
+         "rings, spirals, N spread evenly, tables, pictures, known sensors.",
+         kTaxelsTitle, nullptr, nullptr},
+    Step{"Exact numbers",
+         "What is selected can be set here. Fields take arithmetic and units: 2*3.5 mm, 45 deg. Every edit can be "
+         "undone with Ctrl+Z.",
+         kInspectorTitle, nullptr, nullptr},
+    Step{"Try it",
+         "Run starts the simulation, and readings follow every edit. Ctrl+K finds any command by its name, F1 lists "
+         "all keys. This tour is under Help.",
+         nullptr, "Reset", "Step"},
+};
+
+Rect rect_of(const UiState& ui, const Step& step) {
+  if (step.window != nullptr) {
+    const ImGuiWindow* window = ImGui::FindWindowByName(step.window);
+    if (window == nullptr || !window->WasActive || window->Hidden) return {};
+    return {window->Pos.x, window->Pos.y, window->Pos.x + window->Size.x, window->Pos.y + window->Size.y};
+  }
+  const WidgetRegistry::Entry *a = ui.widgets.find(step.first), *b = ui.widgets.find(step.last);
+  if (a == nullptr || b == nullptr) return {};
+  return {std::min(a->rect.x0, b->rect.x0), std::min(a->rect.y0, b->rect.y0), std::max(a->rect.x1, b->rect.x1),
+          std::max(a->rect.y1, b->rect.y1)};
+}
+
+/// Beside the part where there is most room, or within it where it fills the window.
+ImVec2 card_place(const Rect& part, const ImVec2& size, const ImGuiViewport& viewport, float gap) {
+  const ImVec2 lo = viewport.Pos, hi(viewport.Pos.x + viewport.Size.x, viewport.Pos.y + viewport.Size.y);
+  ImVec2 at(part.center_x() - 0.5f * size.x, part.y0 + 3 * gap);
+  if (part.empty()) {
+    at = {0.5f * (lo.x + hi.x - size.x), 0.5f * (lo.y + hi.y - size.y)};
+  } else if (part.x1 + gap + size.x < hi.x && part.width() < 0.5f * viewport.Size.x && part.height() > size.y) {
+    at = {part.x1 + gap, part.center_y() - 0.5f * size.y};
+  } else if (part.x0 - gap - size.x > lo.x && part.width() < 0.5f * viewport.Size.x && part.height() > size.y) {
+    at = {part.x0 - gap - size.x, part.center_y() - 0.5f * size.y};
+  } else if (part.height() < 0.5f * viewport.Size.y) {
+    at.y = part.y1 + gap + size.y < hi.y ? part.y1 + gap : part.y0 - gap - size.y;
+  }
+  at.x = std::clamp(at.x, lo.x + gap, std::max(lo.x + gap, hi.x - gap - size.x));
+  at.y = std::clamp(at.y, lo.y + gap, std::max(lo.y + gap, hi.y - gap - size.y));
+  return at;
+}
+
+/// A frame around the part, and a line to it from the card.
+void point_at(const UiState& ui, const Rect& part, bool window, const ImVec2& card, const ImVec2& size) {
+  if (part.empty()) return;
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  const ImU32 color = to_u32(palette(ui.dark).accent);
+  constexpr float kFrameWidth = 3;
+  const float margin = window ? 2.0f : -4.0f;  // inside of a window, around widgets
+  const ImVec2 a(part.x0 + margin, part.y0 + margin), b(part.x1 - margin, part.y1 - margin);
+  list.AddRect(a, b, color, 4, kFrameWidth);
+  const ImVec2 from(std::clamp(part.center_x(), card.x, card.x + size.x),
+                    std::clamp(part.center_y(), card.y, card.y + size.y));
+  const ImVec2 to(std::clamp(from.x, a.x, b.x), std::clamp(from.y, a.y, b.y));
+  list.AddLine(from, to, color, kFrameWidth);
+}
+
+void draw_card(UiState& ui, const Step& step) {
+  const int last = static_cast<int>(kSteps.size()) - 1;
+  ImGui::TextDisabled("%s", fmt::format("{} of {}", ui.tour_step + 1, kSteps.size()).c_str());
+  ImGui::SameLine();
+  ImGui::TextUnformatted(step.title);
+  ui.widgets.note_item(step.title);
+  ImGui::Spacing();
+  ImGui::TextWrapped("%s", step.text);
+  ImGui::Spacing();
+  ImGui::BeginDisabled(ui.tour_step == 0);
+  if (button(ui, "Back")) --ui.tour_step;
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  const bool entered = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+  if (small_choice(ui, ui.tour_step < last ? "Next" : "Finish", true) || entered)
+    ui.tour_step = ui.tour_step < last ? ui.tour_step + 1 : -1;
+  ImGui::SameLine();
+  if (ui.tour_step >= 0 && ui.tour_step < last && button(ui, "Skip the tour")) ui.tour_step = -1;
+}
+
+}  // namespace
+
+void draw_tour(UiState& ui) {
+  if (ui.tour_step < 0 || ui.tour_step >= static_cast<int>(kSteps.size())) return;
+  ui.saved.tour_seen = true;
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  const Step& step = kSteps[static_cast<std::size_t>(ui.tour_step)];
+  const float line = ImGui::GetFontSize();
+  const ImVec2 size(24 * line, 9 * line);
+  const Rect part = rect_of(ui, step);
+  const ImVec2 at = card_place(part, size, *ImGui::GetMainViewport(), 1.2f * line);
+  point_at(ui, part, step.window != nullptr, at, size);
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNavInputs;
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).panel);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.dark).accent);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(line, 0.8f * line));
+  if (ImGui::Begin("Tour", nullptr, kFlags)) {
+    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    draw_card(ui, step);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(2);
+}
+
+}  // namespace taxel::ui

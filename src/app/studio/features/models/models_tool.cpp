@@ -1,0 +1,41 @@
+#include "app/studio/features/models/models_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taxel::ui {
+
+std::optional<ModelsWish> models_wish(const UiState& ui, const UiInput& input) {
+  if (!ui.saved.panels.models || ui.mode != Mode::simulate || input.sensor(ui) == nullptr) return std::nullopt;
+  return ModelsWish{ui.selection.sensor};
+}
+
+const ComparedSteps* shown_comparison(const UiState& ui, const UiInput& input) {
+  const std::optional<ModelsWish> wish = models_wish(ui, input);
+  const ComparedPtr& found = input.compared;
+  if (!wish || !found || found->sensor != wish->sensor || found->model != input.shown_model(ui)) return nullptr;
+  return found.get();
+}
+
+std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel) {
+  std::vector<double> curve;
+  for (const ComparedStep& step : compared.steps)
+    curve.push_back(step.readings[model].has(taxel) ? step.readings[model].values[taxel] : std::nan(""));
+  return curve;
+}
+
+int compared_taxel(const UiState& ui, const ComparedSteps& compared) {
+  if (const int active = active_index(ui.selection, compared.model->layout); active >= 0) return active;
+  int best = compared.steps.empty() || compared.model->layout.taxels.empty() ? -1 : 0;
+  double largest = 0;
+  for (const ComparedStep& step : compared.steps) {
+    const std::vector<double>& readings = step.readings[ReadingModel::reading].values;
+    const auto most = std::max_element(readings.begin(), readings.end());
+    if (most == readings.end() || !(*most > largest)) continue;
+    largest = *most;
+    best = static_cast<int>(most - readings.begin());
+  }
+  return best;
+}
+
+}  // namespace taxel::ui

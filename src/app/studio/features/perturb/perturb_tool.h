@@ -1,0 +1,25 @@
+// Selecting a body and dragging it, by the habits of MuJoCo's viewer.
+#pragma once
+
+#include "app/studio/app/ui_state.h"
+#include "ui/scene/pick/picking.h"
+
+namespace taxel::ui {
+
+/// The geom that was picked, also where it is a sensor's and drawn from its model; -1: none.
+[[nodiscard]] int picked_geom(const SimScene& scene, const Pick& pick);
+
+/// Selects the body under the pointer, and where it would be grabbed; the world, or nothing: none.
+void select_body(UiState& ui, const UiInput& input, const std::optional<Pick>& under);
+void deselect_body(UiState& ui);
+
+/// What a drag by so many pixels does to a body grabbed at a point: a pull keeps the point under the pointer, in the
+/// upright plane that faces the camera, or `level`; a turn is a full one for the height of the view, about the vertical
+/// and the horizontal of the picture, or, `level`, about those of the ground.
+[[nodiscard]] Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Perturb::Kind kind,
+                                   bool level, const dvec3& grabbed_W);
+
+/// Ctrl+left-drag turns, Ctrl+right-drag and Ctrl+Alt+left-drag pull, Shift: level. True: the mouse is taken.
+bool handle_perturb_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
+
+}  // namespace taxel::ui

@@ -1,0 +1,35 @@
+// Editing the way points of a scenario in the 3-D view.
+#pragma once
+
+#include "app/studio/app/ui_state.h"
+#include "app/studio/features/taxel/gesture_edit.h"
+
+namespace taxel::ui {
+
+/// The document's scenario where the running scene is built of it, as it is edited; null: there is none.
+[[nodiscard]] const Scenario* edited_scenario(const UiState& ui, const UiInput& input);
+
+/// The document's path as it is edited, or nothing where its scenario is of another kind.
+[[nodiscard]] std::optional<ShownPath> edited_path(const UiState& ui, const UiInput& input);
+
+/// Way points that do much the same as the scenario that runs: what a path begins with.
+[[nodiscard]] std::vector<WayPoint> points_to_begin_with(const UiState& ui, const UiInput& input);
+
+/// Adds one where the finger is now: behind the selected one, else at the end.
+void add_way_point(UiState& ui, const UiInput& input);
+/// The selected one. A path keeps two.
+void delete_way_point(UiState& ui, const UiInput& input);
+/// Whether one is selected that can be moved.
+[[nodiscard]] bool has_way_point(const UiState& ui, const UiInput& input);
+/// It is where the gesture begins; false: there is none.
+bool take_way_point(UiState& ui, const UiInput& input);
+/// As the gesture has moved it: with the pointer in the plane that faces the camera, along an axis of the world, or by
+/// a number.
+[[nodiscard]] GestureEdit moved_way_point(const UiState& ui, const UiInput& input);
+/// Of the selected one, while it is dragged: it is where it was.
+void cancel_way_point_drag(UiState& ui);
+
+/// A click on a mark selects it, a drag moves it in the plane that faces the camera. True: the mouse is taken.
+bool handle_path_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
+
+}  // namespace taxel::ui

@@ -1,0 +1,124 @@
+#include "app/studio/features/scene/attach_section.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <misc/cpp/imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/studio/app/actions.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr std::size_t kFewGeoms = 8;  // that need no filter
+constexpr float kMostRows = 7;        // of the list, before it scrolls
+
+const SceneAttachment* attachment_on(const UiInput& input, const std::string& geom) {
+  const auto found = std::find_if(input.attached.begin(), input.attached.end(),
+                                  [&](const SceneAttachment& attached) { return attached.geom == geom; });
+  return found != input.attached.end() ? &*found : nullptr;
+}
+
+void draw_sensors(UiState& ui, const UiInput& input) {
+  const SimScene& scene = *input.frame->scene;
+  if (scene.sensors.empty()) ImGui::TextDisabled("None yet: choose a geom, attach a layout.");
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    const std::string& geom = scene.sensor_geoms[i];
+    const SceneAttachment* attached = attachment_on(input, geom);
+    ImGui::AlignTextToFramePadding();
+    if (selectable(ui, fmt::format("{}##sensor of{}", geom, i).c_str(), ui.selection.sensor == static_cast<int>(i),
+                   ImGuiSelectableFlags_AllowOverlap) &&
+        ui.selection.sensor != static_cast<int>(i))
+      ui.selection = {static_cast<int>(i), {}, ui.selection.body};
+    if (attached != nullptr) tooltip(attached->layout);
+    ImGui::SameLine();
+    if (scene.sensors[i]->taxel_count() > 0) {
+      ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(),
+                          attached != nullptr ? "attached" : "declared");
+    } else {
+      ImGui::TextDisabled("soft, no taxels");
+    }
+    if (attached == nullptr) continue;
+    ImGui::SameLine();
+    if (button(ui, fmt::format("Detach##{}", geom).c_str())) ui.ask(DetachLayout{geom});
+    ui.widgets.note_item("Detach " + geom);
+  }
+}
+
+/// Whether the geom carries no layout yet; it may be soft.
+bool takes_layout(const SimScene& scene, const SceneGeom& geom) {
+  return geom.sensor < 0 || scene.sensors[static_cast<std::size_t>(geom.sensor)]->taxel_count() == 0;
+}
+
+void choose(std::vector<std::string>& geoms, const std::string& geom) {
+  const auto found = std::find(geoms.begin(), geoms.end(), geom);
+  if (found == geoms.end()) {
+    geoms.push_back(geom);
+  } else {
+    geoms.erase(found);
+  }
+}
+
+/// Geoms without a sensor; a click chooses, another one no more.
+void draw_geoms(UiState& ui, const SimScene& scene) {
+  if (scene.geoms.size() > kFewGeoms) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##geom filter", "Filter geoms", &ui.controls.filter);
+    ui.widgets.note_item("Filter geoms", true);
+  }
+  const float rows = std::min(kMostRows, static_cast<float>(scene.geoms.size()));
+  if (ImGui::BeginChild("geoms", ImVec2(0, (rows + 0.5f) * ImGui::GetTextLineHeightWithSpacing()),
+                        ImGuiChildFlags_FrameStyle)) {
+    for (const SceneGeom& geom : scene.geoms) {
+      if (!takes_layout(scene, geom) || geom.plane || !contains_word(geom.name, ui.controls.filter)) continue;
+      const bool chosen =
+          std::find(ui.controls.geoms.begin(), ui.controls.geoms.end(), geom.name) != ui.controls.geoms.end();
+      if (selectable(ui, fmt::format("{}##geom", geom.name).c_str(), chosen)) choose(ui.controls.geoms, geom.name);
+      ImGui::SameLine();
+      ImGui::TextDisabled("%s", geom.body.c_str());
+    }
+  }
+  ImGui::EndChild();
+}
+
+void draw_attach(UiState& ui, const UiInput& input) {
+  const SimScene& scene = *input.frame->scene;
+  std::erase_if(ui.controls.geoms, [&](const std::string& name) {
+    return std::none_of(scene.geoms.begin(), scene.geoms.end(),
+                        [&](const SceneGeom& geom) { return geom.name == name && takes_layout(scene, geom); });
+  });
+  const auto flags = scene.sensors.empty() ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+  if (!ImGui::TreeNodeEx("Attach a layout##section", flags)) {
+    ui.widgets.note_item("Attach a layout");
+    return;
+  }
+  ui.widgets.note_item("Attach a layout");
+  draw_geoms(ui, scene);
+  const std::size_t chosen = ui.controls.geoms.size();
+  ImGui::BeginDisabled(chosen == 0);
+  const std::string label =
+      chosen > 1 ? fmt::format("Attach a layout to {} geoms...###Attach", chosen) : "Attach a layout...###Attach";
+  if (button(ui, label.c_str(), ImVec2(-1, 0))) ui.ask(AttachLayout{ui.controls.geoms, ""});
+  ImGui::EndDisabled();
+  ImGui::TreePop();
+}
+
+void draw_save(UiState& ui) {
+  if (button(ui, "Save scene as...", ImVec2(-1, 0))) ui.ask(SaveScene{});
+  tooltip("A copy with its sensors declared, as any program with MuJoCo and the plugin reads it");
+}
+
+}  // namespace
+
+void draw_attach_section(UiState& ui, const UiInput& input) {
+  if (!header(ui, "Sensors")) return;
+  draw_sensors(ui, input);
+  draw_attach(ui, input);
+  draw_save(ui);
+}
+
+}  // namespace taxel::ui

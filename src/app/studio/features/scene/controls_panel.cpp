@@ -1,0 +1,137 @@
+#include "app/studio/features/scene/controls_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/features/scene/attach_section.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr FieldUnit kMillimetre{"mm", -3, 3};
+constexpr double kDegree = 180 / std::numbers::pi, kMillimetresPerMetre = 1000;
+/// Of what has no limits: an actuator, as in MuJoCo's viewer; half a turn and a tenth of a metre of a joint.
+constexpr ControlRange kAnyControl{-1, 1}, kAnyAngle{-std::numbers::pi, std::numbers::pi}, kAnyLength{-0.1, 0.1};
+
+void ask_edit_scene(UiState& ui, const SceneEdit& edit) {
+  ui.ask(SendCommand{EditSceneCommand{edit}});
+}
+
+void draw_actuators(UiState& ui, const SimFrame& frame) {
+  const std::vector<SceneActuator>& actuators = frame.scene->controls.actuators;
+  if (actuators.empty() || !header(ui, "Actuators") || !begin_properties("actuators")) return;
+  for (std::size_t i = 0; i < actuators.size() && i < frame.controls.controls.size(); ++i) {
+    const SceneActuator& actuator = actuators[i];
+    double value = frame.controls.controls[i];
+    if (property_slider(ui, actuator.name, "Actuator " + actuator.name, &value, 1, "%.4g",
+                        actuator.range.value_or(kAnyControl)))
+      ask_edit_scene(ui, SetControl{static_cast<int>(i), value});
+  }
+  end_properties();
+}
+
+/// Read while the scene runs, set while it does not.
+void draw_joints(UiState& ui, const UiInput& input, const SimFrame& frame) {
+  const std::vector<SceneJoint>& joints = frame.scene->controls.joints;
+  if (joints.empty() || !header(ui, "Joints") || !begin_properties("joints")) return;
+  ImGui::BeginDisabled(input.playing);
+  for (std::size_t i = 0; i < joints.size() && i < frame.controls.joints.size(); ++i) {
+    const SceneJoint& joint = joints[i];
+    double value = frame.controls.joints[i];
+    const ControlRange any = joint.hinge ? kAnyAngle : kAnyLength;
+    if (property_slider(ui, joint.name, "Joint " + joint.name, &value, joint.hinge ? kDegree : kMillimetresPerMetre,
+                        joint.hinge ? "%.1f\u00b0" : "%.2f mm", joint.range.value_or(any)))
+      ask_edit_scene(ui, SetJoint{static_cast<int>(i), value});
+  }
+  ImGui::EndDisabled();
+  end_properties();
+}
+
+void draw_keyframes(UiState& ui, const SimFrame& frame) {
+  const std::vector<SceneKeyframe>& keyframes = frame.scene->controls.keyframes;
+  if (keyframes.empty() || !header(ui, "Keyframes")) return;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    if (button(ui, fmt::format("{}##keyframe{}", keyframes[i].name, i).c_str()))
+      ui.ask(SendCommand{LoadKeyframeCommand{static_cast<int>(i)}});
+    tooltip("Begin anew from here, paused");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", fmt::format("at {:.4g} s", keyframes[i].time).c_str());
+  }
+}
+
+void draw_mocaps(UiState& ui, const UiInput& input, const SimFrame& frame) {
+  const std::vector<std::string>& bodies = frame.scene->controls.mocaps;
+  if (bodies.empty() || !header(ui, "Mocap bodies")) return;
+  if (input.runs_scenario) return caption("The scenario leads it along its path.");
+  for (std::size_t i = 0; i < bodies.size() && i < frame.controls.mocaps.size(); ++i) {
+    if (!begin_properties(("mocap" + bodies[i]).c_str())) continue;
+    Pose X_WB = frame.controls.mocaps[i];
+    begin_property((bodies[i] + " (mm)").c_str(), "Position. In the view: double-click, then Ctrl+right-drag");
+    if (const auto changed = vector_field(ui, "Mocap " + bodies[i], {X_WB.p}, kMillimetre)) {
+      X_WB.p[changed->axis] = changed->value;
+      ask_edit_scene(ui, SetMocap{static_cast<int>(i), X_WB});
+    }
+    const dvec3 angles = kDegree * glm::eulerAngles(X_WB.q);
+    property("Turned", fmt::format("{:.1f}, {:.1f}, {:.1f}\u00b0", angles.x, angles.y, angles.z));
+    end_properties();
+  }
+}
+
+void draw_equalities(UiState& ui, const SimFrame& frame) {
+  const std::vector<SceneEquality>& equalities = frame.scene->controls.equalities;
+  if (equalities.empty() || !header(ui, "Equality constraints")) return;
+  for (std::size_t i = 0; i < equalities.size() && i < frame.controls.equalities.size(); ++i) {
+    bool active = frame.controls.equalities[i];
+    if (checkbox(ui, fmt::format("{}##equality{}", equalities[i].name, i).c_str(), &active))
+      ask_edit_scene(ui, SetEquality{static_cast<int>(i), active});
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", equalities[i].kind.c_str());
+  }
+}
+
+void draw_physics(UiState& ui, const SimScene& scene) {
+  if (!header(ui, "Physics") || !begin_properties("physics")) return;
+  const dvec3& g = scene.controls.gravity;
+  property("Gravity", fmt::format("{:.4g}, {:.4g}, {:.4g} m/s\u00b2", g.x, g.y, g.z));
+  property("Time step", fmt::format("{:.4g} ms", 1e3 * scene.timestep));
+  property("Integrator", scene.controls.integrator);
+  const auto count = scene.controls.bodies.size();
+  const auto shown = std::count_if(scene.geoms.begin(), scene.geoms.end(),
+                                   [&](const SceneGeom& geom) { return shows(ui.saved.overlays, geom); });
+  property("Bodies, geoms", fmt::format("{}, {} drawn", count - std::min<std::size_t>(count, 1), shown));
+  end_properties();
+}
+
+}  // namespace
+
+void draw_controls_panel(UiState& ui, const UiInput& input) {
+  if (std::exchange(ui.controls.wants_focus, false)) ImGui::SetNextWindowFocus();
+  const bool visible = begin_panel(ui, kControlsTitle, &ui.saved.panels.controls);
+  if (visible && (!input.frame || !input.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
+  if (visible && input.frame && input.frame->scene) {
+    const SimFrame& frame = *input.frame;
+    if (input.is_scene) draw_attach_section(ui, input);
+    const bool past = frame.recorded || input.replay != 0;
+    if (past) caption("A step of the past is shown: End goes on to the newest.");
+    ImGui::BeginDisabled(past);
+    draw_actuators(ui, frame);
+    draw_joints(ui, input, frame);
+    draw_keyframes(ui, frame);
+    draw_mocaps(ui, input, frame);
+    draw_equalities(ui, frame);
+    ImGui::EndDisabled();
+    draw_physics(ui, *frame.scene);
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,62 @@
+#include "app/studio/features/select/area_select.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/studio/features/taxel/gesture.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// A lasso gets a corner where the pointer has gone so far [pixels].
+constexpr double kLassoStep = 2;
+
+template <class Inside>
+void select_where(UiState& ui, const UiInput& input, const Inside& inside) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Layout* layout = input.shown_layout(ui);
+  if (layout == nullptr) return;
+  if (!io.KeyShift && !io.KeyCtrl) ui.selection.clear();
+  const GestureView view = gesture_view(ui, input);
+  const std::vector<int>& hidden = input.editing.project->hidden;
+  for (const Taxel& taxel : layout->taxels) {
+    const bool seen = ui.saved.overlays.sensor_transparent || view.faces_eye(taxel);
+    if (!seen || !inside(view.pixel_of(taxel.center))) continue;
+    if (std::binary_search(hidden.begin(), hidden.end(), taxel.id)) continue;
+    io.KeyCtrl ? ui.selection.remove(taxel.id) : ui.selection.add(taxel.id);
+  }
+}
+
+}  // namespace
+
+bool in_polygon(const std::vector<dvec2>& corners, const dvec2& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    if ((a.y > point.y) == (b.y > point.y)) continue;
+    // Where the edge crosses the row of the point: to its right it counts.
+    const double x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    if (point.x < x) inside = !inside;
+  }
+  return inside;
+}
+
+bool draw_area(UiState& ui, const UiInput& input, const dvec2& at, bool hovered) {
+  std::vector<dvec2>& area = ui.tool.area;
+  const bool lasso = ui.tool.tool == Tool::lasso;
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) area = {at};
+  if (area.empty()) return false;
+  if (lasso && glm::distance(area.back(), at) >= kLassoStep) area.push_back(at);
+  if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return false;
+  if (lasso) {
+    select_where(ui, input, [&](const dvec2& pixel) { return in_polygon(area, pixel); });
+  } else {
+    const dvec2 lo = glm::min(area.front(), at), hi = glm::max(area.front(), at);
+    select_where(ui, input, [&](const dvec2& p) { return p.x >= lo.x && p.y >= lo.y && p.x <= hi.x && p.y <= hi.y; });
+  }
+  return true;
+}
+
+}  // namespace taxel::ui

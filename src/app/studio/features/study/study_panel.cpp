@@ -1,0 +1,161 @@
+#include "app/studio/features/study/study_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/features/study/study_plots.h"
+#include "app/studio/features/study/study_varied.h"
+#include "core/base/error.h"
+#include "ui/widgets/choice_field.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr std::uint64_t kMostPerParameter = 100;
+constexpr const char* kNone = "none";
+constexpr float kWidth = 44, kHeight = 36;  // at first, in heights of text
+
+/// What the document has of it.
+double value_now(const Project& project, const Varied& varied) {
+  if (varied.key == kDensityKey) return project.layout.sampling.density;
+  if (varied.key == kSeedKey) return static_cast<double>(project.layout.sampling.seed);
+  return project.scenario.*varied.value;
+}
+
+struct ParameterFields {
+  const char* name;
+  std::string& key;
+  double& from;
+  double& to;
+  int& count;
+};
+
+/// Half of what the document has to twice of it, where nothing was chosen.
+void begin_with(const Project& project, const Varied& varied, ParameterFields& p) {
+  const double now = value_now(project, varied);
+  p.from = varied.key == kSeedKey ? now : 0.5 * now;
+  p.to = varied.key == kSeedKey ? now + p.count - 1 : 2 * now;
+}
+
+void draw_parameter(UiState& ui, const Project& project, ParameterFields p) {
+  const std::vector<Varied> all = varied_in(project.scenario);
+  std::vector<std::string_view> names{kNone};
+  for (const Varied& one : all) names.push_back(one.name);
+  auto at = std::find_if(all.begin(), all.end(), [&](const Varied& one) { return one.key == p.key; });
+  begin_property(p.name, "What is varied");
+  const auto made = choice_of(ui, p.name, names, at == all.end() ? 0 : static_cast<std::size_t>(at - all.begin()) + 1);
+  if (made) {
+    at = *made == 0 ? all.end() : all.begin() + static_cast<std::ptrdiff_t>(*made) - 1;
+    if (at != all.end()) begin_with(project, *at, p);
+  }
+  p.key = at == all.end() ? "" : at->key;
+  if (at == all.end()) return;
+  if (p.from == 0 && p.to == 0) begin_with(project, *at, p);
+  const auto row = [&](const char* what, double& value) {
+    const std::string name = fmt::format("{} {}", p.name, what);
+    const std::string_view unit = at->unit_text();
+    begin_property(unit.empty() ? name.c_str() : fmt::format("{} ({})", name, unit).c_str());
+    if (const auto typed = number_field(ui, name, {value}, at->unit)) value = *typed;
+    show_refusal(ui, name);
+  };
+  row("from", p.from);
+  row("to", p.to);
+  const std::string name = fmt::format("{} values", p.name);
+  begin_property(name.c_str());
+  if (const auto typed = whole_field(ui, name, static_cast<std::uint64_t>(p.count), kMostPerParameter))
+    p.count = std::max(1, static_cast<int>(*typed));
+  show_refusal(ui, name);
+}
+
+StudyParameter parameter_of(const ParameterFields& p) {
+  StudyParameter parameter{p.key, {}};
+  for (int i = 0; i < p.count; ++i) {
+    const double u = p.count > 1 ? static_cast<double>(i) / (p.count - 1) : 0;
+    const double value = (1 - u) * p.from + u * p.to;
+    parameter.values.push_back(p.key == kSeedKey ? std::round(value) : value);
+  }
+  return parameter;
+}
+
+void run_study(UiState& ui, const Scenario& scenario) {
+  StudyState& s = ui.study;
+  Study study{scenario, {}};
+  if (!s.key.empty()) study.parameters.push_back(parameter_of({"", s.key, s.from, s.to, s.count}));
+  if (!s.key2.empty()) study.parameters.push_back(parameter_of({"", s.key2, s.from2, s.to2, s.count2}));
+  try {
+    check_study(study);
+    s.problem.clear();
+    s.cancelled = false;
+    s.before = std::move(s.wish);
+    s.wish = StudyWish{++s.number, study};
+  } catch (const Error& e) {
+    s.problem = e.what();
+  }
+}
+
+void draw_fields(UiState& ui, const UiInput& input, const Project& project) {
+  StudyState& s = ui.study;
+  if (begin_properties("study")) {
+    draw_parameter(ui, project, {"Vary", s.key, s.from, s.to, s.count});
+    draw_parameter(ui, project, {"And", s.key2, s.from2, s.to2, s.count2});
+    end_properties();
+  }
+  if (s.wish && input.study.busy) {
+    const float width = ImGui::CalcTextSize("Cancel study").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::ProgressBar(static_cast<float>(input.study.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
+    ImGui::SameLine();
+    if (button(ui, "Cancel study")) {
+      s.wish = std::exchange(s.before, std::nullopt);
+      s.cancelled = true;
+    }
+  } else if (button(ui, "Run study", ImVec2(-1, 0))) {
+    run_study(ui, project.scenario);
+  }
+  if (!s.problem.empty()) ImGui::TextWrapped("%s", s.problem.c_str());
+}
+
+void draw_result(UiState& ui, const UiInput& input, const Project& project) {
+  const StudyCurvesPtr& curves = input.study.curves;
+  if (ui.study.cancelled) {
+    ImGui::TextWrapped("%s", curves ? "The study was cancelled. Below is the one before it."
+                                    : "The study was cancelled: none of its runs is kept.");
+  }
+  if (curves && !curves->problem.empty()) {
+    ImGui::TextWrapped("%s", curves->problem.c_str());
+  } else if (curves) {
+    draw_study_plots(ui, input, project, *curves);
+  } else if (!ui.study.cancelled) {
+    caption("Runs the scenario once for each value. A click on a run makes its values the document's.");
+  }
+}
+
+}  // namespace
+
+void draw_study_panel(UiState& ui, const UiInput& input) {
+  const float line = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
+  const ImVec2 size(std::min(kWidth * line, room.x), std::min(kHeight * line, room.y));
+  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos(ImVec2(std::min(ui.view.rect.x0 + line, corner.x + room.x - size.x),
+                                 std::min(ui.view.rect.y0 + 3 * line, corner.y + room.y - size.y)),
+                          ImGuiCond_FirstUseEver);
+  if (begin_panel(ui, kStudyTitle, &ui.saved.panels.study)) {
+    if (!input.editing.project || !input.simulates_document) {
+      ImGui::TextDisabled("No layout is simulated.");
+    } else {
+      draw_fields(ui, input, *input.editing.project);
+      draw_result(ui, input, *input.editing.project);
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,71 @@
+#include "app/studio/features/study/study_worker.h"
+
+#include <algorithm>
+
+#include "core/sim/study/side_by_side.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// The sensor with the samples that a run asks for.
+SensorModelPtr model_of(const StudyRun& run, const SensorModelPtr& model, SensorCache& cache, Progress& progress) {
+  if (!run.density && !run.seed) return model;
+  Layout layout = model->layout;
+  layout.sampling.density = run.density.value_or(layout.sampling.density);
+  layout.sampling.seed = run.seed.value_or(layout.sampling.seed);
+  SensorBuild how;
+  how.cache = &cache;
+  progress.stop_if_cancelled();
+  return build_sensor_model(layout, model->loaded, "", layout.name, how);
+}
+
+void record_run(Simulator& simulator, StudyCurve& curve, const Progress& progress) {
+  try {
+    while (!simulator.finished()) {
+      progress.stop_if_cancelled();
+      simulator.step();
+      if (!simulator.row_due()) continue;
+      const SimRow row = simulator.row();
+      curve.time.push_back(row.time);
+      curve.readings.resize(row.readings.front().size());
+      for (std::size_t k = 0; k < curve.readings.size(); ++k) curve.readings[k].push_back(row.readings.front()[k]);
+    }
+  } catch (const Error& e) {
+    curve.error = e.what();
+  }
+}
+
+StudyCurvesPtr run_study(const StudyJob& job, Progress& progress) {
+  auto curves = std::make_shared<StudyCurves>();
+  curves->study = job.wish.study;
+  for (const Taxel& taxel : job.model->layout.taxels) curves->taxel_ids.push_back(taxel.id);
+  for (const StudyRun& run : runs_of(job.wish.study)) curves->runs.push_back({run, {}, {}, {}});
+  SensorCache cache;
+  try {
+    run_side_by_side(
+        static_cast<int>(curves->runs.size()),
+        [&](int i) {
+          const StudyRun& run = curves->runs[static_cast<std::size_t>(i)].run;
+          return Simulator::make_scenario(model_of(run, job.model, cache, progress), run.scenario);
+        },
+        [&](int i, Simulator& simulator) {
+          record_run(simulator, curves->runs[static_cast<std::size_t>(i)], progress);
+        },
+        progress);
+  } catch (const Error& e) {
+    curves->problem = e.what();
+  }
+  for (const StudyCurve& curve : curves->runs) {
+    if (!curve.time.empty()) curves->longest = std::max(curves->longest, curve.time.back());
+    for (const std::vector<double>& readings : curve.readings)
+      for (const double reading : readings) curves->largest_reading = std::max(curves->largest_reading, reading);
+  }
+  return curves;
+}
+
+}  // namespace
+
+StudyWorker::StudyWorker(std::function<void()> wake) : worker_(run_study, std::move(wake), Overtaken::cancel) {}
+
+}  // namespace taxel::studio

@@ -1,0 +1,157 @@
+#include "app/studio/features/table/taxel_cells.h"
+
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr std::array kColumns = {
+    CellColumn{TableColumn::id, "Id", "Names the taxel in files and readings", 3.3f},
+    CellColumn{TableColumn::name, "Name", "", 6.2f},
+    CellColumn{TableColumn::radius, "r", "Radius of the receptive field [mm]", 2.8f},
+    CellColumn{TableColumn::samples, "Samples", "In the receptive field", 4.0f},
+    CellColumn{TableColumn::x, "x", "Centre, frame of the mesh file [mm]", 3.8f},
+    CellColumn{TableColumn::y, "y", "Centre, frame of the mesh file [mm]", 3.8f},
+    CellColumn{TableColumn::z, "z", "Centre, frame of the mesh file [mm]", 3.8f},
+    CellColumn{TableColumn::nx, "nx", "Outward normal, frame of the mesh file", 3.4f},
+    CellColumn{TableColumn::ny, "ny", "Outward normal, frame of the mesh file", 3.4f},
+    CellColumn{TableColumn::nz, "nz", "Outward normal, frame of the mesh file", 3.4f},
+};
+
+/// The next cell that can be typed in, to the right or the left, from row to row; the same one at the ends.
+TableCell next_cell(const UiState& ui, const Layout& layout, TableCell cell, bool back) {
+  std::vector<TableColumn> columns;
+  for (const CellColumn& each : kColumns)
+    if (is_editable(each.column)) columns.push_back(each.column);
+  const auto count = static_cast<std::ptrdiff_t>(columns.size());
+  std::ptrdiff_t column = std::find(columns.begin(), columns.end(), cell.column) - columns.begin();
+  const std::vector<int>& rows = ui.table.rows;
+  auto row = std::find_if(rows.begin(), rows.end(),
+                          [&](int i) { return layout.taxels[static_cast<std::size_t>(i)].id == cell.id; });
+  cell.begins = true;
+  cell.leaves_back.reset();
+  column += back ? -1 : 1;
+  if (column < 0 && row != rows.begin() && row != rows.end()) {
+    --row;
+    column = count - 1;
+  } else if (column >= count && row != rows.end() && row + 1 != rows.end()) {
+    ++row;
+    column = 0;
+  }
+  if (row != rows.end()) cell.id = layout.taxels[static_cast<std::size_t>(*row)].id;
+  cell.column = columns[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(column, 0, count - 1))];
+  return cell;
+}
+
+struct CellValue {
+  double number = 0;
+  FieldUnit unit;
+};
+CellValue value_of(const Taxel& taxel, TableColumn column) {
+  const auto axis_from = [&](TableColumn first) { return static_cast<int>(column) - static_cast<int>(first); };
+  if (column == TableColumn::radius) return {taxel.radius, kMillimetres};
+  if (column <= TableColumn::z) return {taxel.center[axis_from(TableColumn::x)], kMillimetres};
+  return {taxel.normal[axis_from(TableColumn::nx)], kPlain};
+}
+
+TaxelChange change_of(const Taxel& taxel, TableColumn column, double value) {
+  TaxelChange change;
+  change.id = taxel.id;
+  if (column == TableColumn::radius) {
+    change.radius = value;
+  } else if (column <= TableColumn::z) {
+    change.center = taxel.center;
+    (*change.center)[static_cast<int>(column) - static_cast<int>(TableColumn::x)] = value;
+  } else {
+    change.normal = taxel.normal;
+    (*change.normal)[static_cast<int>(column) - static_cast<int>(TableColumn::nx)] = value;
+  }
+  return change;
+}
+
+/// Asks for the edit when something else was typed.
+void draw_field(UiState& ui, const Taxel& taxel, TableColumn column, const std::string& name) {
+  TaxelChange change;
+  change.id = taxel.id;
+  if (column == TableColumn::name) {
+    change.name = text_field(ui, name, {taxel.name});
+    if (change.name) ask_edit(ui, SetTaxels{{change}});
+    return;
+  }
+  const CellValue value = value_of(taxel, column);
+  if (const auto typed = number_field(ui, name, {value.number}, value.unit))
+    ask_edit(ui, SetTaxels{{change_of(taxel, column, *typed)}});
+}
+
+}  // namespace
+
+std::span<const CellColumn> layout_columns() {
+  return kColumns;
+}
+
+void draw_text(const std::string& text, bool right, const ImVec4& color) {
+  const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  if (right && slack > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + slack);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+bool is_editable(TableColumn column) {
+  return column != TableColumn::id && column != TableColumn::samples && column != TableColumn::reading;
+}
+
+void edit_cell(UiState& ui, int id, TableColumn column) {
+  ui.table.cell = {id, is_editable(column) ? column : TableColumn::name, true, {}};
+}
+
+void draw_cell(UiState& ui, const Taxel& taxel, TableColumn column) {
+  const auto title = std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& c) { return c.column == column; });
+  const std::string name = fmt::format("Taxel {} {}", taxel.id, title->title);
+  const auto is_this = [&](const TableCell& cell) { return cell.id == taxel.id && cell.column == column; };
+  if (!ui.table.cell || !is_this(*ui.table.cell)) {
+    const Palette& colors = palette(ui.dark);
+    const bool refused = ui.fields.refused && ui.fields.refused->input.field == name;
+    const bool text = column == TableColumn::name;
+    const CellValue value = text ? CellValue{} : value_of(taxel, column);
+    const std::string shown = refused ? ui.fields.refused->input.typed
+                              : text  ? taxel.name
+                                      : shown_number(value.number, value.unit);
+    draw_text(shown.empty() ? " " : shown, !text, refused ? colors.error : colors.text);
+    ui.widgets.note_item(name, true);
+    return;
+  }
+  TableCell& cell = *ui.table.cell;
+  if (cell.begins) ImGui::SetKeyboardFocusHere();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(2, 0));
+  draw_field(ui, taxel, column, name);
+  ImGui::PopStyleVar();
+  if (ImGui::IsItemActive()) cell.begins = false;
+  if (ImGui::IsItemActive()) ImGui::SetKeyOwner(ImGuiKey_Tab, ImGui::GetItemID());  // not ImGui's to go on with
+  if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGuiKey_Tab, true)) {
+    cell.leaves_back = ImGui::GetIO().KeyShift;
+  } else if (ImGui::IsItemDeactivated()) {
+    ui.table.left = cell;
+    ui.table.cell.reset();
+  }
+}
+
+void leave_cell(UiState& ui, const Layout& layout) {
+  const std::optional<TableCell> left = std::exchange(ui.table.left, std::nullopt);
+  // Only after another item: then the field takes over in the next picture what was typed.
+  if (ui.table.cell && ui.table.cell->leaves_back) ImGui::ClearActiveID();
+  if (left && left->leaves_back) ui.table.cell = next_cell(ui, layout, *left, *left->leaves_back);
+  if (ui.table.cell && index_of(layout, ui.table.cell->id) < 0) ui.table.cell.reset();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,249 @@
+#include "app/studio/features/table/taxel_table_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <misc/cpp/imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/features/table/taxel_cells.h"
+#include "app/studio/features/table/taxel_order.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// What the table is about in this picture.
+struct Table {
+  const UiInput& input;
+  const Layout& layout;
+  const SensorModel& model;        ///< may be older than the layout
+  const SensorFrameState* sensor;  ///< null in LAYOUT
+  std::vector<int> in_model;       ///< index in the model of each taxel of the layout; -1: not in there yet
+  std::vector<int> samples;        ///< of each taxel of the layout
+  bool edited = false;
+};
+
+Table table_of(const UiState& ui, const UiInput& input, const Layout& layout, const SensorModel& model) {
+  Table table{input, layout, model, ui.mode == Mode::simulate ? input.sensor(ui) : nullptr, {}, {}, false};
+  table.edited = ui.mode == Mode::layout && input.editing.project;
+  const auto& known = model.layout.taxels;
+  std::unordered_map<int, std::size_t> indices;
+  for (std::size_t i = 0; i < layout.taxels.size(); ++i) {
+    const int id = layout.taxels[i].id;
+    int found = static_cast<int>(i);
+    if (i >= known.size() || known[i].id != id) {
+      if (indices.empty()) indices = taxel_indices(model.layout);
+      const auto at = indices.find(id);
+      found = at == indices.end() ? -1 : static_cast<int>(at->second);
+    }
+    table.in_model.push_back(found);
+    const auto k = static_cast<std::size_t>(std::max(0, found));
+    table.samples.push_back(found < 0 ? 0 : model.fields.first[k + 1] - model.fields.first[k]);
+  }
+  return table;
+}
+
+void draw_swatch(int color) {
+  const float size = ImGui::GetFontSize() * 0.72f;
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
+  if (color >= 0)
+    ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(color), 3);
+  ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
+}
+
+/// A triangle at the right end of the cell where the taxel has problems, which are told beside the pointer.
+void draw_mark(UiState& ui, int id) {
+  const std::vector<std::size_t> problems = ui.problems.of(id);
+  if (problems.empty()) return;
+  const float size = 0.8f * ImGui::GetFontSize();
+  const ImVec2 row = ImGui::GetItemRectMin();
+  const ImVec2 cell = ImGui::GetCursorScreenPos();
+  const float right = cell.x + ImGui::GetContentRegionAvail().x,
+              top = row.y + 0.5f * (ImGui::GetTextLineHeight() - size);
+  const Rect mark{right - size, top, right, top + size};
+  const ImU32 color = to_u32(severity_color(palette(ui.dark), ui.problems.worst(id)));
+  ImGui::GetWindowDrawList()->AddTriangleFilled({mark.center_x(), mark.y0}, {mark.x1, mark.y1}, {mark.x0, mark.y1},
+                                                color);
+  ui.widgets.note(kTaxelsTitle, fmt::format("Problems of taxel {}", id), mark);
+  if (!ImGui::IsMouseHoveringRect({mark.x0 - 2, mark.y0 - 2}, {mark.x1 + 2, mark.y1 + 2})) return;
+  std::string words;
+  for (const std::size_t i : problems) {
+    const Problem& problem = ui.problems.list[i];
+    words += fmt::format("{}{}: {}", words.empty() ? "" : "\n", to_string(problem.severity), problem.message);
+  }
+  if (ImGui::BeginTooltip()) {
+    ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::EndTooltip();
+}
+
+/// A row that is dragged takes the selected ones with it; rows move while they stand in the layout's order.
+void drag_row(UiState& ui, const Table& table, int id) {
+  if (!table.edited || ui.table.sorted || !ui.table.filter.empty()) return;
+  constexpr const char* kKind = "taxel row";
+  if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoHoldToOpenOthers)) {
+    if (!ui.selection.contains(id)) ui.selection.set(id);
+    ImGui::SetDragDropPayload(kKind, &id, sizeof(id));
+    ImGui::Text("Move %d taxel%s", static_cast<int>(ui.selection.taxels.size()),
+                ui.selection.taxels.size() == 1 ? "" : "s");
+    ImGui::EndDragDropSource();
+  }
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (ImGui::AcceptDragDropPayload(kKind) != nullptr)
+    ui.ask(EditProject{ReorderTaxels{moved_to(table.layout, ui.selection.taxels, id)}, {}});
+  ImGui::EndDragDropTarget();
+}
+
+void draw_id_cell(UiState& ui, const Table& table, int index) {
+  const int id = table.layout.taxels[static_cast<std::size_t>(index)].id;
+  const int known = table.in_model[static_cast<std::size_t>(index)];
+  draw_swatch(known < 0 ? -1 : table.model.color(known));
+  ImGui::SameLine(0, 6);
+  int flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
+  if (ui.table.cell && ui.table.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // by its field
+  if (ImGui::Selectable(fmt::format("{}##taxel{}", id, id).c_str(), ui.selection.contains(id), flags)) {
+    click_taxel(ui, id, ImGui::GetIO().KeyShift);
+    const int column = ImGui::TableGetHoveredColumn();
+    if (table.edited && column >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+      edit_cell(ui, id, layout_columns()[static_cast<std::size_t>(column)].column);
+  }
+  ui.widgets.note_item(fmt::format("Taxel {}", id));
+  drag_row(ui, table, id);
+  ImGui::SameLine(0, 0);
+  if (table.edited) draw_mark(ui, id);
+}
+
+bool is_hidden(const Table& table, int id) {
+  const Project* project = table.input.editing.project.get();
+  return table.edited && std::binary_search(project->hidden.begin(), project->hidden.end(), id);
+}
+
+void draw_row(UiState& ui, const Table& table, int index) {
+  const Taxel& taxel = table.layout.taxels[static_cast<std::size_t>(index)];
+  const int samples = table.samples[static_cast<std::size_t>(index)];
+  const ImVec4& dim = palette(ui.dark).dim;
+  ImGui::TableNextRow();
+  if (is_hidden(table, taxel.id)) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f * ImGui::GetStyle().Alpha);
+  ImGui::TableNextColumn();
+  draw_id_cell(ui, table, index);
+  if (table.edited) {
+    for (const CellColumn& column : layout_columns().subspan(1)) {
+      ImGui::TableNextColumn();
+      column.column == TableColumn::samples ? draw_text(grouped(samples), true, dim)
+                                            : draw_cell(ui, taxel, column.column);
+      if (column.column == TableColumn::name && is_hidden(table, taxel.id)) tooltip("Hidden: Alt+H shows all");
+    }
+  } else {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(taxel.name.c_str());
+    if (!taxel.name.empty()) tooltip(taxel.name);
+    ImGui::TableNextColumn();
+    draw_text(grouped(samples), true, dim);
+    ImGui::TableNextColumn();
+    const auto i = static_cast<std::size_t>(std::max(0, table.in_model[static_cast<std::size_t>(index)]));
+    if (table.sensor != nullptr && i < table.sensor->readings.size()) {
+      const double reading = table.sensor->readings[i];
+      draw_text(fmt::format("{:.2f}", shown_unit(table.model.layout.readout.aggregate).scale * reading), true,
+                reading > 0 ? palette(ui.dark).text : dim);
+    }
+  }
+  if (is_hidden(table, taxel.id)) ImGui::PopStyleVar();
+}
+
+void setup_columns(const UiState& ui, const Table& table) {
+  ImGui::TableSetupScrollFreeze(table.edited ? 1 : 0, 1);
+  const auto add = [](const CellColumn& column, ImGuiTableColumnFlags flags, float width) {
+    ImGui::TableSetupColumn(column.title, flags, width, static_cast<ImGuiID>(column.column));
+  };
+  if (table.edited) {
+    const float em = ImGui::GetFontSize();
+    for (const CellColumn& column : layout_columns()) add(column, ImGuiTableColumnFlags_WidthFixed, column.width * em);
+    return;
+  }
+  constexpr auto kStretch = ImGuiTableColumnFlags_WidthStretch;
+  const char* unit = ui.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
+  add({TableColumn::id, "Id", "", 0}, kStretch, 0.19f);
+  add({TableColumn::name, "Name", "", 0}, kStretch, 0.38f);
+  add({TableColumn::samples, "Samples", "", 0}, kStretch, 0.23f);
+  add({TableColumn::reading, unit, "", 0}, kStretch, 0.20f);
+}
+
+void draw_headers(UiState& ui, const Table& table) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
+  for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
+    ImGui::TableSetColumnIndex(column);
+    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
+    if (table.edited) tooltip(layout_columns()[static_cast<std::size_t>(column)].tip);
+  }
+  ImGui::PopStyleColor();
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  ui.table.sorted.reset();
+  if (specs == nullptr || specs->SpecsCount == 0) return;
+  ui.table.sorted = static_cast<TableColumn>(specs->Specs[0].ColumnUserID);
+  ui.table.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+}
+
+void draw_table(UiState& ui, const Table& table) {
+  auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
+               ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings;
+  flags |= table.edited ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingFixedFit
+                        : ImGuiTableFlags_SizingStretchProp;
+  const int columns = table.edited ? static_cast<int>(layout_columns().size()) : 4;
+  if (!ImGui::BeginTable(table.edited ? "taxels" : "readings", columns, flags)) return;
+  setup_columns(ui, table);
+  draw_headers(ui, table);
+  const TableNumbers numbers{table.sensor != nullptr ? &table.sensor->readings : nullptr, &table.samples};
+  ui.table.rows = table_rows(ui.table, table.layout, ui.problems, numbers);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(ui.table.rows.size()));
+  for (std::size_t row = 0; ui.table.cell && row < ui.table.rows.size(); ++row)
+    if (table.layout.taxels[static_cast<std::size_t>(ui.table.rows[row])].id == ui.table.cell->id)
+      clipper.IncludeItemByIndex(static_cast<int>(row));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_row(ui, table, ui.table.rows[static_cast<std::size_t>(i)]);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_taxel_table(UiState& ui, const UiInput& input) {
+  if (begin_panel(ui, kTaxelsTitle, &ui.saved.panels.taxels)) {
+    const SensorModelPtr model = input.shown_model(ui);
+    const Layout* layout = input.shown_layout(ui);
+    if (model && layout != nullptr && !layout->taxels.empty()) {
+      const Table table = table_of(ui, input, *layout, *model);
+      ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+      ImGui::SetNextItemWidth(-1);
+      ImGui::InputTextWithHint("##filter", "Filter: id, name, problem", &ui.table.filter);
+      ui.widgets.note_item("Filter taxels", true);
+      if (const auto& refused = ui.fields.refused; refused && refused->input.field.starts_with("Taxel "))
+        show_refusal(ui, refused->input.field);
+      ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
+      draw_table(ui, table);
+      ImGui::PopStyleVar();
+      ImGui::PopFont();
+      if (!table.edited) ui.table.cell.reset();
+      leave_cell(ui, *layout);
+    } else {
+      ImGui::TextDisabled(model ? "This layout has no taxels." : "Nothing is open.");
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

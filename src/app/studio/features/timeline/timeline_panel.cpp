@@ -1,0 +1,157 @@
+#include "app/studio/features/timeline/timeline_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/app/dock_layout.h"
+#include "app/studio/features/timeline/timeline_lanes.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/flow.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr FieldUnit kPercent{"", -2, 1};
+
+constexpr float kThresholdField = 3.1f, kLeastLanes = 7.5f;  // in heights of text
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Buttons as those of a film; in one row.
+float film_width() {
+  float width = 4 * ImGui::GetFontSize() + 3;
+  for (const char* label : {"< Event", "Event >", "Newest", "Loop"}) width += 3 + button_width(label);
+  return width;
+}
+
+void draw_film(UiState& ui, const UiInput& input) {
+  const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  const auto text_button = [&](const char* label, Action action, const char* tip) {
+    ImGui::SameLine(0, 3);
+    if (button(ui, label)) perform(action, ui, input);
+    tooltip(tip);
+  };
+  const bool back = input.replay<0, forth = input.replay> 0;
+  if (icon_button(ui, "Backwards", back ? Icon::pause : Icon::backwards, {2 * line, height}, nullptr,
+                  "Play recorded steps backwards (Shift+Space)"))
+    perform(Action::play_backwards, ui, input);
+  ImGui::SameLine(0, 3);
+  if (icon_button(ui, "Replay", forth ? Icon::pause : Icon::run, {2 * line, height}, nullptr,
+                  "Play recorded steps; Run (Space) simulates on from the step that is shown"))
+    ui.ask(ReplayHistory{forth ? 0 : 1});
+  text_button("< Event", Action::previous_event, "Previous event (Shift+Left)");
+  text_button("Event >", Action::next_event, "Next event (Shift+Right)");
+  text_button("Newest", Action::newest_step, "The newest step (End)");
+  ImGui::SameLine(0, 3);
+  if (toggle(ui, "Loop", input.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
+    perform(Action::loop_range, ui, input);
+}
+
+/// A switch with its threshold. Returns the new part, where one was entered.
+struct Threshold {
+  const char *label, *tip, *field, *field_tip;
+  [[nodiscard]] float width() const {
+    return button_width(label) + kThresholdField * ImGui::GetFontSize() + 6 + ImGui::CalcTextSize("%").x;
+  }
+};
+std::optional<double> draw_threshold(UiState& ui, const Threshold& what, bool& on, double part) {
+  if (toggle(ui, what.label, on, what.tip)) on = !on;
+  ImGui::SameLine(0, 3);
+  const std::optional<double> entered =
+      number_field(ui, what.field, {part}, kPercent, kThresholdField * ImGui::GetFontSize());
+  tooltip(what.field_tip);
+  ImGui::SameLine(0, 3);
+  ImGui::TextDisabled("%%");
+  return entered;
+}
+
+void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
+  const Breakpoints& now = input.frame->breakpoints;
+  Breakpoints wanted = now;
+  constexpr Threshold kJumps{"Jumps", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
+                             "A jump: from one step to the next, as part of the taxel's largest reading so far"};
+  flow.next(ImGui::CalcTextSize("Pause at").x + 5 + kJumps.width(), 1.1f * ImGui::GetFontSize());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Pause at");
+  ImGui::SameLine(0, 5);
+  if (const auto part = draw_threshold(ui, kJumps, wanted.on_jump, now.jump); part && *part > 0) wanted.jump = *part;
+  constexpr Threshold kEqual{"at equal force", "Pause when a taxel jumps while the force stays", "Force change",
+                             "The force stays where it changes by no more than this part of itself"};
+  flow.next(kEqual.width());
+  if (const auto part = draw_threshold(ui, kEqual, wanted.at_equal_force, now.equal_force); part && *part >= 0)
+    wanted.equal_force = *part;
+  constexpr Threshold kOff{"samples off",
+                           "Pause when samples and surface disagree: a taxel reads something else than the exact\n"
+                           "integral over its field. Working that out in every step slows the simulation down",
+                           "Samples off by", "As part of the taxel's largest reading so far"};
+  flow.next(kOff.width());
+  if (const auto part = draw_threshold(ui, kOff, wanted.on_disagreement, now.disagreement); part && *part > 0)
+    wanted.disagreement = *part;
+  flow.next(button_width("of sensor"));
+  if (toggle(ui, "of sensor", now.of_sensor,
+             "Measure jumps against the largest reading of all taxels of the sensor,\n"
+             "not against each taxel's own"))
+    wanted.of_sensor = !now.of_sensor;
+  if (!(wanted == now)) ui.ask(SetBreakpoints{wanted});
+}
+
+/// How much is kept, and what it costs.
+void draw_memory(UiState& ui, const UiInput& input, Flow& flow) {
+  const HistoryState& history = input.frame->history;
+  const std::string last = grouped(static_cast<long long>(history.last));
+  const std::string kept = fmt::format("   {:.0f} MB, {} of", 1e-6 * static_cast<double>(history.bytes),
+                                       grouped(static_cast<long long>(history.steps)));
+  const auto past = [&](const std::string& step) { return fmt::format("step {} of {}{}", step, last, kept); };
+  const std::string text =
+      input.frame->recorded ? past(grouped(static_cast<long long>(input.frame->step))) : "step " + last + kept;
+  const float field = 4.4f * ImGui::GetFontSize();
+  const auto width = [&](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x + field + 6; };
+  flow.last(width(text), width(past(last)));  // where a step of the past is shown the lanes stay where they are
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", text.c_str());
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("Steps are kept as they were computed.\nRecording one takes %s of %s.",
+                      duration_text(history.step_seconds).c_str(), duration_text(input.frame->step_seconds).c_str());
+  ImGui::SameLine(0, 6);
+  const std::optional<double> steps =
+      number_field(ui, "Kept steps", {static_cast<double>(history.limits.steps)}, {"", 0, 0}, field);
+  if (steps && *steps >= 1 && *steps <= 1e7) {
+    StepHistoryLimits limits = history.limits;
+    limits.steps = static_cast<std::size_t>(*steps);
+    ui.ask(SetHistoryLimits{limits});
+  }
+  tooltip("At most so many steps are kept");
+}
+
+}  // namespace
+
+void draw_timeline_panel(UiState& ui, const UiInput& input) {
+  ui.timeline.lanes = {};
+  if (begin_panel(ui, kTimelineTitle, &ui.saved.panels.timeline)) {
+    const bool recorded = input.frame && input.frame->history.lanes && input.frame->history.lanes->rows() > 0;
+    if (!recorded || input.sensor(ui) == nullptr) {
+      ImGui::TextDisabled("No sensor is simulated.");
+    } else {
+      ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+      Flow flow(9);
+      flow.next(film_width());
+      draw_film(ui, input);
+      draw_breakpoints(ui, input, flow);
+      draw_memory(ui, input, flow);
+      ImGui::PopStyleVar();
+      const ImVec2 room = ImGui::GetContentRegionAvail();
+      draw_timeline_lanes(ui, input, {room.x, std::max(room.y, kLeastLanes * ImGui::GetFontSize())});
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,60 @@
+#include "app/studio/features/video/video_card.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr int kMostEvery = 1'000'000, kMostRate = 240;
+
+void whole_number(UiState& ui, const char* label, int* value, int most, const char* tip) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", label);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(4 * ImGui::GetFontSize());
+  ImGui::InputInt((std::string("##") + label).c_str(), value, 0);
+  ui.widgets.note_item(label);
+  tooltip(tip);
+  *value = std::clamp(*value, 1, most);
+}
+
+}  // namespace
+
+void draw_video_settings(UiState& ui) {
+  whole_number(ui, "Steps per picture", &ui.video.every, kMostEvery, "Of the recorded steps, or of the loop");
+  ImGui::SameLine();
+  whole_number(ui, "Pictures per second", &ui.video.rate, kMostRate, "Of the video");
+  ImGui::SameLine();
+  checkbox(ui, "Whole window", &ui.video.window);
+  tooltip("Instead of the 3-D view alone");
+}
+
+void draw_video_card(UiState& ui, const UiInput& input) {
+  const VideoProgress& video = input.video;
+  if (!video.active || ui.video.window) return;  // it would be in the pictures
+  ImGui::SetNextWindowPos({ui.view.rect.center_x(), ui.view.rect.y0 + 2 * ImGui::GetFontSize()}, ImGuiCond_Always,
+                          ImVec2(0.5f, 0));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);
+  constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::Begin("Video", nullptr, kFlags);
+  const std::string text =
+      video.encoding ? "Encoding the video" : fmt::format("Picture {} of {}", video.done, video.total);
+  ImGui::TextUnformatted(text.c_str());
+  const float done = video.total > 0 ? static_cast<float>(video.done) / static_cast<float>(video.total) : 0.0f;
+  ImGui::ProgressBar(done, ImVec2(16 * ImGui::GetFontSize(), 0));
+  if (button(ui, "Cancel video", ImVec2(-1, 0))) ui.ask(CancelVideo{});
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+}
+
+}  // namespace taxel::ui

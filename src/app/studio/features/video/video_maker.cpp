@@ -1,0 +1,138 @@
+#include "app/studio/features/video/video_maker.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+
+extern char** environ;
+
+namespace taxel::studio {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kPictureName = "frame_{:06}.png";
+
+bool is_video(const std::string& path) {
+  return path.ends_with(".mp4") || path.ends_with(".gif");
+}
+
+/// How ffmpeg makes a video of the pictures in its working folder's `staging`.
+std::vector<std::string> encoder_arguments(const std::string& path, const fs::path& staging, int rate) {
+  const bool gif = path.ends_with(".gif");
+  // A palette of its own for a GIF; even sides for the colours of an MP4, which every player knows.
+  const std::string filter = gif ? "split[a][b];[a]palettegen[p];[b][p]paletteuse" : "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+  std::vector<std::string> arguments{"ffmpeg",
+                                     "-nostdin",
+                                     "-y",
+                                     "-loglevel",
+                                     "error",
+                                     "-framerate",
+                                     std::to_string(rate),
+                                     "-i",
+                                     (staging / "frame_%06d.png").string(),
+                                     "-vf",
+                                     filter};
+  if (!gif) arguments.insert(arguments.end(), {"-pix_fmt", "yuv420p"});
+  arguments.push_back((staging / (gif ? "video.gif" : "video.mp4")).string());
+  return arguments;
+}
+
+}  // namespace
+
+VideoMaker::VideoMaker(const std::string& path, const StepRange& steps, const ui::VideoState& settings,
+                       std::uint64_t shown)
+    : path_(path), settings_(settings), shown_(shown) {
+  for (std::uint64_t step = steps.first; step <= steps.last; step += static_cast<std::uint64_t>(settings.every))
+    steps_.push_back(step);
+  folder_name_ = is_video(path) ? fs::path(path).replace_extension("").string() + "_frames" : path;
+  folder_ = std::make_unique<OutputFolder>(folder_name_);
+}
+
+VideoMaker::~VideoMaker() {
+  if (encoder_ == 0) return;
+  ::kill(encoder_, SIGTERM);
+  int status = 0;
+  ::waitpid(encoder_, &status, 0);
+}
+
+std::optional<std::uint64_t> VideoMaker::wanted() const {
+  return taken_ < steps_.size() ? std::optional(steps_[taken_]) : std::nullopt;
+}
+
+std::string VideoMaker::next_file() const {
+  return (folder_->staging() / fmt::format(fmt::runtime(kPictureName), taken_ + 1)).string();
+}
+
+ui::VideoProgress VideoMaker::progress() const {
+  return {true, encoder_ != 0, taken_, steps_.size()};
+}
+
+/// As a process of its own, without a shell. False: there is no ffmpeg.
+bool VideoMaker::start_encoder() {
+  std::vector<std::string> arguments = encoder_arguments(path_, folder_->staging(), settings_.rate);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  const std::string log = (folder_->staging() / "encoder.log").string();
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  const int failed = ::posix_spawnp(&encoder_, "ffmpeg", &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed != 0) encoder_ = 0;
+  return failed == 0;
+}
+
+/// What the encoder said last.
+std::string VideoMaker::encoder_words() const {
+  std::string text;
+  try {
+    text = read_file(folder_->staging() / "encoder.log");
+  } catch (const Error&) {  // it said nothing
+  }
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text.substr(text.find_last_of('\n') == std::string::npos ? 0 : text.find_last_of('\n') + 1);
+}
+
+VideoMade VideoMaker::keep_pictures(const std::string& why) {
+  std::error_code ignored;
+  for (const char* other : {"encoder.log", "video.mp4", "video.gif"}) fs::remove(folder_->staging() / other, ignored);
+  // Pictures of a longer video that lies there would be taken for some of this one.
+  for (std::size_t i = taken_ + 1;; ++i) {
+    const std::string name = fmt::format(fmt::runtime(kPictureName), i);
+    if (!fs::exists(fs::path(folder_name_) / name, ignored)) break;
+    folder_->leave_out(name);
+  }
+  folder_->commit();
+  const std::string where = fs::absolute(folder_name_).string();
+  return {fmt::format("{}{} pictures are in {}", why, taken_, where), why.empty()};
+}
+
+std::optional<VideoMade> VideoMaker::finish() {
+  if (!is_video(path_)) return keep_pictures("");
+  if (encoder_ == 0) {
+    if (start_encoder()) return std::nullopt;
+    return keep_pictures(path_ + " is not made, for there is no ffmpeg on this machine: ");
+  }
+  int status = 0;
+  if (::waitpid(encoder_, &status, WNOHANG) == 0) return std::nullopt;
+  encoder_ = 0;
+  const fs::path made = folder_->staging() / (path_.ends_with(".gif") ? "video.gif" : "video.mp4");
+  std::error_code failed;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !fs::exists(made, failed))
+    return keep_pictures(fmt::format("{} is not made, for ffmpeg failed ({}): ", path_, encoder_words()));
+  fs::rename(made, path_, failed);
+  if (failed) throw Error(path_, fmt::format("cannot be written: {}", failed.message()));
+  return VideoMade{fmt::format("Made {} of {} pictures", fs::absolute(path_).string(), taken_), true};
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,17 @@
+// What the overlap of the bodies has and the contact surface left out, by reason.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::ui {
+
+/// The sums over all surfaces of a sensor, by reason.
+std::array<RejectedPolygons, kRejections> left_out(const SensorFrameState& sensor);
+
+/// Colour, reason, count, area and force, in the lower right corner of the view. Returns its upper edge.
+float draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor);
+
+}  // namespace taxel::ui

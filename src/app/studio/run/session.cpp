@@ -1,0 +1,374 @@
+#include "app/studio/run/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+namespace taxel::studio {
+
+namespace {
+
+/// A simulation that does not answer for so long has died.
+constexpr std::chrono::seconds kPatience{120};
+/// Pictures of a preview in a script, so that it may see it, aim at what it shows, and press and release a button.
+constexpr int kPreviewPictures = 4;
+
+/// The same of a load that takes seconds.
+constexpr int kLoadPictures = 8;
+constexpr std::uintmax_t kLargeFile = 32'000'000;  // bytes
+
+/// Readings of a frame, all sensors one after the other, as trace rows have them.
+std::vector<double> all_readings(const SimFrame& frame) {
+  std::vector<double> all;
+  for (const SensorFrameState& sensor : frame.sensors) {
+    all.insert(all.end(), sensor.readings.begin(), sensor.readings.end());
+  }
+  return all;
+}
+
+bool reads_by(const SimFrame& frame, const SensorModelPtr& model) {
+  const auto& sensors = frame.simulated->sensors;
+  return std::find(sensors.begin(), sensors.end(), model) != sensors.end();
+}
+
+void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
+  peaks.resize(std::max(peaks.size(), readings.size()));
+  for (std::size_t i = 0; i < readings.size(); ++i) peaks[i] = std::max(peaks[i], readings[i]);
+}
+
+}  // namespace
+
+Session::Session(bool by_clock, std::function<void()> wake)
+    : by_clock_(by_clock),
+      measure_(wake),
+      fields_(wake),
+      models_(wake),
+      explain_(wake),
+      study_(wake),
+      probe_(wake),
+      edits_(cache_, wake, [this](const SensorModelPtr& model) {
+        probe_.press_now(model);
+        fields_.make_now(model);
+      }) {
+  simulation_.set_clock_driven(by_clock);
+}
+
+/// Not by clock it waits until the command was executed. Returns the command's number.
+std::uint64_t Session::tell(SimCommand command) {
+  const std::uint64_t number = simulation_.send(std::move(command));
+  if (!by_clock_) settle([number](const SimFrame& frame) { return frame.commands >= number; });
+  return number;
+}
+
+template <class Done>
+void Session::settle(const Done& done) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    if (SimFramePtr frame = simulation_.newest_frame(); frame && done(*frame)) {
+      settled_ = std::move(frame);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  throw Error("the simulation does not answer");
+}
+
+void Session::open(const std::string& file, const SkinChoice& skin) {
+  reloading_ = false;
+  recovered_.reset();
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(file, missing);
+  load_pictures_ = 0;
+  load_pictures_due_ = !missing && size > kLargeFile ? kLoadPictures : 0;
+  loader_.start(file, skin);
+}
+
+void Session::reload() {
+  if (!document_ || document_->file.empty()) return;
+  reloading_ = true;
+  loader_.start(document_->file, document_->skin);
+}
+
+void Session::close() {
+  loader_.close();
+  pending_.reset();
+  polished_.reset();
+  document_.reset();
+  edits_.close();
+  drop_scene();
+}
+
+void Session::drop_scene() {
+  simulation_.send(PauseCommand{});
+  least_load_ = loads_ + 1;
+  frame_.reset();
+  settled_.reset();
+  explain_wish_.reset();
+  playing_ = runs_scenario_ = simulates_document_ = still_ = held_ = false;
+  attached_.clear();
+  replay_.stop();
+  loop_.reset();
+}
+
+bool Session::run_scenario(const Scenario& scenario) {
+  if (!document_ || !document_->model || document_->model->taxel_count() == 0) return false;
+  if (!edits_.problem().empty()) {
+    refusal_ = document_->name + ": " + edits_.problem();
+    return false;
+  }
+  if (edits_.is_open()) edits_.edit(SetScenario{scenario});
+  hand_over_wanted_ = hand_over_wanted_ || document_->previewed();
+  const bool elsewhere = !simulates_document_ || scenario.kind != scenario_.kind || scenario.place != scenario_.place;
+  build_scene({.document = *document_, .in_scenario = true, .scenario = scenario, .play = true, .framed = elsewhere});
+  return true;
+}
+
+void Session::build_scene(Pending pending) {
+  pending.load = ++loads_;
+  pending_ = std::move(pending);
+  if (pending_->in_scenario) {
+    simulation_.send(LoadScenarioCommand{pending_->document.model, pending_->scenario});
+  } else {
+    simulation_.send(LoadSceneCommand{pending_->document.file, pending_->attachments});
+  }
+  if (by_clock_) return;
+  settle([&](const SimFrame& frame) { return frame.loads >= loads_; });
+}
+
+/// Not by clock: whether the picture to come still shows the preview.
+bool Session::preview_is_due() const {
+  return loader_.polishing() && preview_pictures_ < kPreviewPictures;
+}
+
+SessionNews Session::update(bool hurry) {
+  SessionNews news;
+  if (!refusal_.empty()) news.messages.emplace_back(Severity::error, std::exchange(refusal_, ""));
+  const bool loads = !by_clock_ && !hurry && load_is_shown();
+  if (loads) ++load_pictures_;
+  const bool keep = loads || (!by_clock_ && !hurry && preview_is_due());
+  if (keep && !loads) ++preview_pictures_;
+  if (!by_clock_ && !keep) loader_.wait();
+  if (!keep || loader_.cancelled()) {
+    if (std::optional<LoadResult> result = loader_.take()) accept_result(std::move(*result), news);
+  }
+  take_edited(news);
+  hand_over_newest();
+  show_polished(news);
+  take_reading(news);
+  replay_by_clock();
+  SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
+  if (frame) accept_frame(std::move(frame), news);
+  start_held_run();
+  take_fields(news);
+  take_explanation(news);
+  take_models(news);
+  return news;
+}
+
+void Session::accept_result(LoadResult result, SessionNews& news) {
+  if (auto* document = std::get_if<Document>(&result)) {
+    preview_pictures_ = 1;
+    return accept_document(std::move(*document), news);
+  }
+  if (auto* polished = std::get_if<Polished>(&result)) {
+    polished_ = Replacement{std::move(*polished)};
+  } else if (const auto* failed = std::get_if<PolishFailed>(&result)) {
+    keep_preview(Severity::error, "The samples could not be polished: " + failed->reason, news);
+  } else if (std::holds_alternative<PolishCancelled>(result)) {
+    keep_preview(Severity::note, "Polishing was cancelled: the preview's samples stay.", news);
+  } else if (const auto* refused = std::get_if<LoadFailed>(&result)) {
+    news.messages.emplace_back(Severity::error, refused->reason);
+    resume_polishing();
+  } else {
+    news.messages.emplace_back(Severity::note, "Loading was cancelled.");
+    resume_polishing();
+  }
+}
+
+/// Hands polished samples to the simulation, or shows them where none runs.
+void Session::show_polished(SessionNews& news) {
+  if (!polished_ || polished_->number > 0 || pending_) return;
+  if (!simulates_document_ || !frame_ || !reads_by(*frame_, polished_->models.preview)) {
+    finish_polished(news);
+  } else {
+    polished_->number = ++replacements_;
+    simulation_.send(ReplaceModelCommand{polished_->models.preview, polished_->models.model});
+    if (by_clock_) return;
+    settle([&](const SimFrame& frame) { return frame.replacements >= replacements_; });
+  }
+}
+
+void Session::accept_document(Document document, SessionNews& news) {
+  if (reloading_ && edits_.is_open() && document.project && document_ && document.file == document_->file)
+    return accept_reload(document, news);
+  for (const std::string& note : document.notes) {
+    const bool only_told = document.kind == DocumentKind::mesh || !document.skin.mesh.empty();
+    news.messages.emplace_back(only_told ? Severity::note : Severity::warning, note);
+  }
+  if (!document.repair.empty()) {
+    const std::string name = std::filesystem::path(document.file).filename().string();
+    news.messages.emplace_back(Severity::note, name + ": " + document.repair);
+  }
+  if (!document.problem.empty()) news.messages.emplace_back(Severity::warning, document.file + ": " + document.problem);
+  if (document.model && !document.previewed()) {
+    for (const std::string& note : notes_of_samples(*document.model))
+      news.messages.emplace_back(Severity::warning, note);
+  }
+  const bool play = !reloading_ || playing();
+  const bool framed = !reloading_;
+  const bool layout_with_taxels = document.model && document.model->taxel_count() > 0 && !document.frame;
+  // What one saves, one goes on with; what cannot be simulated can be looked at.
+  const bool to_edit = document.kind == DocumentKind::project || !document.problem.empty();
+  if (document.kind == DocumentKind::scene || (layout_with_taxels && !to_edit)) {
+    const bool in_scenario = layout_with_taxels;
+    const Scenario scenario = in_scenario ? scenario_ : Scenario{};
+    const bool again = reloading_ && document_ && document.file == document_->file;
+    build_scene({.document = std::move(document),
+                 .in_scenario = in_scenario,
+                 .scenario = scenario,
+                 .attachments = again ? attached_ : std::vector<SceneAttachment>{},
+                 .play = play,
+                 .framed = framed,
+                 .another = !again});
+    return;
+  }
+  drop_scene();
+  news.doubtful_mesh = document.kind == DocumentKind::mesh || !document.problem.empty();
+  show_document(std::move(document));
+  if (document_->frame) show_saved_step();
+  news.another_document = true;
+  news.opened = still_ ? ui::Mode::simulate : ui::Mode::layout;
+  news.opened_file = document_->file;
+  news.saved_state = document_->state;
+  news.framed = framed;
+}
+
+void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
+  const bool answers = pending_ && frame->loads >= pending_->load;
+  if (!frame->error.empty() && (answers || frame->error != last_error_)) {
+    news.messages.emplace_back(Severity::error, frame->error);
+  }
+  last_error_ = frame->error;
+  if (answers && frame->error.empty()) accept_pending(*frame, news);
+  if (answers && pending_) refuse_pending();
+  const bool replaced = polished_ && polished_->number > 0 && frame->replacements >= polished_->number;
+  if (replaced && reads_by(*frame, polished_->models.model)) {
+    finish_polished(news);
+  } else if (replaced) {  // refused: the error was told
+    left_preview_ = std::exchange(polished_, std::nullopt)->models.preview;
+  }
+  const bool stands = frame->scene && frame->scene->timestep > 0;
+  if (!stands || frame->loads < least_load_) return;
+  tell_warnings(*frame, news);
+  tell_stop(*frame, news);
+  tell_saved(*frame, news);
+  tell_written(*frame, news);
+  if (!frame->recorded) note_pressures(*frame);
+  if (!held_ && answered(*frame) && (frame->finished || frame->failed || frame->stop)) playing_ = false;
+  frame_ = std::move(frame);
+  news.new_frame = true;
+}
+
+/// What was to be opened could not be simulated: what is open stays, and so does the work on its samples.
+void Session::refuse_pending() {
+  const bool another = pending_->another;
+  pending_.reset();
+  if (!another) return;
+  if (loader_.polishing()) loader_.close();
+  resume_polishing();
+}
+
+/// What the sensors found out about the scene since the frame before.
+void Session::tell_warnings(const SimFrame& frame, SessionNews& news) {
+  for (const std::string& warning : frame.warnings) {
+    if (warned_.insert(warning).second) news.messages.emplace_back(Severity::warning, warning);
+  }
+}
+
+void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
+  Pending pending = std::move(*pending_);
+  pending_.reset();
+  attached_ = std::move(pending.attachments);
+  if (pending.another) show_document(std::move(pending.document));
+  take_sensors(frame);
+  runs_scenario_ = pending.in_scenario;
+  scenario_ = pending.in_scenario ? pending.scenario : scenario_;
+  simulates_document_ = true;
+  still_ = false;
+  warned_.clear();
+  unspent_ = 0;
+  replay_.stop();
+  loop_.reset();
+  news.another_document = pending.another;
+  if (pending.shown) news.opened = ui::Mode::simulate;
+  news.opened_file = document_->file;
+  news.framed = pending.framed;
+  playing_ = pending.play;
+  held_ = true;  // until the end of update(), or longer
+  held_steps_ = 0;
+}
+
+void Session::note_pressures(const SimFrame& frame) {
+  const Trace& trace = *frame.trace;
+  if (std::exchange(noted_trace_, trace.edition) != trace.edition) {
+    peaks_.clear();
+    rows_seen_ = 0;
+    largest_pressure_ = 0;
+  }
+  for (; rows_seen_ < trace.rows.size(); ++rows_seen_) raise(peaks_, trace.rows[rows_seen_].readings);
+  raise(peaks_, all_readings(frame));
+  for (const SensorFrameState& sensor : frame.sensors) {
+    for (const ContactSurface& surface : sensor.surfaces) {
+      largest_pressure_ = std::max(largest_pressure_, surface.max_pressure());
+    }
+  }
+}
+
+void Session::fill(ui::UiInput& input, int selected_sensor) const {
+  input.frame = frame_;
+  input.model = document_ ? document_->model : nullptr;
+  input.probe = pressed_;
+  input.measured = measured_;
+  input.fields = shown_fields_;
+  input.explained = explained_;
+  input.compared = compared_;
+  input.study = {study_.newest(), study_.busy(), study_.fraction()};
+  input.name = document_ ? document_->name : "";
+  input.file = document_ ? document_->file : "";
+  input.simulates_document = simulates_document_;
+  input.scenario = scenario_;
+  input.runs_scenario = runs_scenario_;
+  input.is_scene = document_ && document_->kind == DocumentKind::scene;
+  input.attached = attached_;
+  input.playing = moves();
+  input.replay = replay_.direction();
+  input.loop = loop_;
+  input.speed = speed_;
+  input.peaks.clear();
+  if (frame_ && selected_sensor >= 0 && selected_sensor < static_cast<int>(frame_->sensors.size())) {
+    std::size_t first = 0;
+    const auto selected = static_cast<std::size_t>(selected_sensor);
+    for (std::size_t s = 0; s < selected; ++s) first += frame_->sensors[s].readings.size();
+    const std::size_t last = std::min(peaks_.size(), first + frame_->sensors[selected].readings.size());
+    for (std::size_t i = first; i < last; ++i) input.peaks.push_back(peaks_[i]);
+  }
+  input.loading = {};
+  input.polishing = {};
+  if (loader_.polishing()) {
+    input.polishing = {true, by_clock_ ? loader_.fraction() : 0};
+  }
+  edits_.fill(input.editing, input.polishing, by_clock_);
+  input.polishing.holds_run = holds_run();
+  if (loader_.loading()) {
+    const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
+    const bool timed = by_clock_;  // pictures that follow a script are the same every time
+    input.loading = {true, what, timed ? loader_.fraction() : 0, timed ? loader_.seconds() : 1, true};
+  } else if (pending_) {
+    const auto since = std::chrono::steady_clock::now() - pending_->asked;
+    input.loading = {true, pending_->document.name, 0, std::chrono::duration<double>(since).count(), false};
+  }
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,22 @@
+// Why a taxel of the simulation reads what it reads.
+#include "app/studio/run/session.h"
+
+namespace taxel::studio {
+
+void Session::explain(std::optional<ui::ExplainWish> wish) {
+  if (wish.has_value() != explain_wish_.has_value()) tell(FollowStepBeforeCommand{wish.has_value()});
+  explain_wish_ = wish;
+}
+
+/// Of the step that is shown; while the simulation runs by its clock the last one stays. Not by clock it waits.
+void Session::take_explanation(SessionNews& news) {
+  const bool runs = by_clock_ && frame_ && frame_->playing;
+  if (!runs || !explain_wish_) explain_.explain(frame_, explain_wish_);
+  if (!by_clock_) explain_.wait();
+  ui::ExplainedPtr newest = explain_.newest();
+  if (newest == explained_) return;
+  explained_ = std::move(newest);
+  news.new_reading = true;
+}
+
+}  // namespace taxel::studio

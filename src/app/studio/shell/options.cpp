@@ -1,0 +1,90 @@
+#include "app/studio/shell/options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace taxel::studio {
+
+namespace {
+
+/// "1280x800" into two numbers; the reason why not otherwise.
+std::string parse_size(const std::string& text, int& width_out, int& height_out) {
+  const std::size_t x = text.find('x');
+  const auto number = [](const std::string& digits) {
+    const bool good =
+        !digits.empty() && digits.size() <= 5 && digits.find_first_not_of("0123456789") == std::string::npos;
+    return good ? std::stoi(digits) : 0;
+  };
+  const int width = number(text.substr(0, x)), height = x == std::string::npos ? 0 : number(text.substr(x + 1));
+  constexpr int kLeast = 320, kMost = 16384;
+  if (std::min(width, height) < kLeast || std::max(width, height) > kMost) {
+    return "must be WIDTHxHEIGHT with 320 to 16384 pixels each, is " + text;
+  }
+  width_out = width;
+  height_out = height;
+  return {};
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, char** argv) {
+  ParsedOptions parsed;
+  Options& o = parsed.options;
+  std::string size, cut_out_size;
+  CLI::App app(
+      "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
+      "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
+      "taxelstudio");
+  app.add_option(
+      "FILE", o.file,
+      "Project (.taxelproj), layout (.taxels.json, or .yaml next to its mesh), mesh (.obj .stl .ply .off .gltf "
+      ".glb), MuJoCo scene (.xml) or saved step (.taxelframe); without one the fingertip sweep");
+  app.add_option("--scenario", o.scenario,
+                 "Begin with the scenario of this file (docs/project_format.md, a sweep.json or a scenario.json); a "
+                 "project has its own");
+  app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
+  CLI::Option* const script =
+      app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
+  app.add_flag("--live", o.live, "The simulation follows the clock while the script plays: no two runs are the same")
+      ->needs(script);
+  app.add_option("--screenshot", o.screenshot, "Write the last picture as PNG");
+  app.add_option("--cut-out", o.cut_out, "Write the last 3-D view alone as PNG with a transparent background");
+  app.add_option("--cut-out-size", cut_out_size, "Its size in pixels")->default_str("2400x1800");
+  app.add_option("--dump-state", o.dump_state, "Write the last state as JSON");
+  app.add_option("--size", size, "Size of the window in pixels")->default_str("1280x800");
+  app.add_option("--frames", o.frames, "Stop after so many frames (headless without a script: 60)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--plugins", o.plugins, "Load the plugin libraries of this folder first, for scenes that need them")
+      ->type_name("DIR");
+  app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
+  app.add_flag("--tour", o.tour, "Begin with the tour of the window");
+  app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
+  app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least every so many seconds")
+      ->default_str("30")
+      ->check(CLI::Range(0.01, 30.0));
+  app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");
+  app.add_flag("--version", o.version, "Print the version, the commit and the libraries' versions");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    parsed.exit_status = app.exit(help);
+    return parsed;
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "taxelstudio: %s\n", error.what());
+    parsed.exit_status = 2;
+    return parsed;
+  }
+  const auto take_size = [&](const char* option, const std::string& text, int& width, int& height) {
+    const std::string reason = text.empty() ? "" : parse_size(text, width, height);
+    if (reason.empty()) return;
+    std::fprintf(stderr, "taxelstudio: %s: %s\n", option, reason.c_str());
+    parsed.exit_status = 2;
+  };
+  take_size("--size", size, o.width, o.height);
+  take_size("--cut-out-size", cut_out_size, o.cut_out_width, o.cut_out_height);
+  if (o.headless && o.script.empty() && o.frames == 0) o.frames = 60;
+  return parsed;
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,172 @@
+// The program with a window: wires session, interface, renderer, window and script together.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/studio/app/ui_state.h"
+#include "app/studio/document/autosave.h"
+#include "app/studio/document/file_watch.h"
+#include "app/studio/document/mesh_comparison.h"
+#include "app/studio/dump/state_json.h"
+#include "app/studio/features/generate/pattern_worker.h"
+#include "app/studio/features/real/real_overlay.h"
+#include "app/studio/features/video/video_maker.h"
+#include "app/studio/run/session.h"
+#include "app/studio/script/script_player.h"
+#include "app/studio/shell/options.h"
+#include "app/studio/shell/window/input_queue.h"
+#include "app/studio/shell/window/window.h"
+#include "app/studio/shell/window/window_painter.h"
+#include "core/sim/host/recording_journal.h"
+
+namespace taxel::studio {
+
+/// ImGui's, ImPlot's and their OpenGL backend's contexts: made and destroyed together.
+class InterfaceContext {
+ public:
+  explicit InterfaceContext(Window& window);
+  ~InterfaceContext();
+  InterfaceContext(const InterfaceContext&) = delete;
+  InterfaceContext& operator=(const InterfaceContext&) = delete;
+};
+
+class Studio {
+ public:
+  explicit Studio(const Options& options);
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  /// Until the window is closed, the script ends or the wanted frames are drawn. False where it drew offscreen and the
+  /// file of the command line was refused. Throws Error where a script fails.
+  bool run();
+
+ private:
+  void run_by_clock();
+  void run_by_frames();
+  void take(const std::vector<InputEvent>& events);
+  void act_on(const SessionNews& news);
+  /// Frames each camera that waits for it, and the present one if it does not show the sensor after a change of mode.
+  void frame_cameras();
+  void update_range();
+  void draw_picture(double seconds);
+  void draw_contents();
+  void note_cost(double layout, double window);
+  void fill_window();  ///< with the picture laid out last
+  void carry_out_requests();
+  void carry_out(const ui::Request& request);
+  bool carry_out_in_time(const ui::Request& request);
+  bool carry_out_real(const ui::Request& request);
+  void read_real(const std::string& path);
+  void act_on_real(ui::RealTask task);
+  void apply_gains();
+  void begin_video(const std::string& path);
+  void make_video();  ///< one picture of it, if one is ready
+  void set_mode(ui::Mode mode);
+  /// Runs the document's scenario. Otherwise a message in the view says what is missing, and the result is false.
+  bool run_or_say_why_not();
+  bool carry_out_edit(const ui::Request& request);
+  bool carry_out_save(const ui::Request& request);
+  bool carry_out_generate(const ui::Request& request);
+  void preview_pattern();
+  [[nodiscard]] PatternAnswerPtr fresh_preview() const;
+  bool take_preview();
+  void read_points(const std::string& path);
+  void open_file(const ui::OpenFile& file);
+  bool hold_if_unsaved(const ui::Request& request);
+  void edit_document(const std::function<void(EditSession&)>& body, bool in_gesture = false,
+                     const std::optional<ui::FieldInput>& from = std::nullopt);
+  void set_mesh_unit(double metres);
+  void watch_files();
+  void tell_change(const std::string& file, FileChange change);
+  void tell_mesh(ComparedMesh compared);
+  void tell_other_mesh();
+  void add_notice(ui::FileNotice notice);
+  [[nodiscard]] bool has_notice(const std::string& file) const;
+  void answer_notice(const ui::AnswerNotice& answer);
+  void wrote(const std::string& file, const Project& written);
+  void save_project(const std::string& path, bool replace);
+  [[nodiscard]] bool can_export(ui::FileTask task) const;
+  void save_scene(const ui::SaveScene& wanted);
+  bool carry_out_in_scene(const ui::Request& request);
+  void export_file(const ui::ExportFile& wanted);
+  void export_when_ready();
+  [[nodiscard]] bool samples_are_final() const;
+  std::vector<std::string> write_export(const ui::ExportFile& wanted);
+  [[nodiscard]] gl::RgbaImage cut_out(int width, int height);
+  [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
+  void ask_for_file(ui::FileTask task, const std::string& problem);
+  void copy_taxels();
+  void paste_taxels();
+  void start_autosave();
+  void keep_unsaved();
+  /// Writes unsaved edits for the next start: a signal ends the program.
+  void keep_unsaved_at_end();
+  void offer_recovery();
+  void offer_recording();
+  void answer_recovery(bool recover);
+  void answer_left_recording(bool recover);
+  [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
+  void answer_unsaved(ui::UnsavedAnswer answer);
+  [[nodiscard]] Project project_to_save() const;
+  [[nodiscard]] std::optional<ui::Camera> camera_of_project() const;  ///< as it was saved; none: it was not
+  void update_title();
+  void load_settings();
+  void save_settings();
+  void finish_outputs();
+  void save_screenshot(const std::string& file);
+  void save_numbered_screenshot();
+  void save_state(const std::string& file);
+  [[nodiscard]] ImVec2 locate(const Target& target) const;
+  [[nodiscard]] bool input_taken() const;
+  [[nodiscard]] double waiting_time() const;
+  /// The user, the script or a signal ends the program.
+  [[nodiscard]] bool is_over() const;
+  ScriptStage script_stage();
+
+  Options options_;
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<InterfaceContext> context_;
+  std::unique_ptr<ui::SceneRenderer> renderer_;
+  std::optional<WindowPainter> painter_;
+  ui::UiState ui_;
+  ui::UiInput input_;
+  Session session_;
+  std::unique_ptr<ScriptPlayer> script_;
+  InputQueue input_queue_;
+  bool quit_ = false, screenshot_wanted_ = false;
+  /// Cameras, one per mode, that are to be framed as soon as their mode has something to show.
+  std::array<bool, 2> turns_cameras_{};
+  bool checks_view_ = false;  ///< the mode has changed: a sensor outside the view is to be framed
+  /// Of the project (of LAYOUT) or step (of SIMULATE) that was opened: what the cameras turn to.
+  std::array<std::optional<ui::Camera>, 2> saved_cameras_;
+  bool anything_opened_ = false, argument_refused_ = false;
+  float themed_scale_ = 0;
+  int pictures_due_ = 3;
+  std::optional<ui::Request> held_;       ///< what is to be done when unsaved edits are saved or given up
+  std::string layout_without_mesh_;       ///< file, waiting for its mesh; empty: none waits
+  bool leave_unsaved_ = false;            ///< the user said so
+  std::optional<ui::ExportFile> export_;  ///< what waits for polished samples
+  Autosave autosave_;
+  FileWatch watch_;
+  std::string document_hash_;  ///< of the file of the document, as it was read or written
+  RealOverlay real_;
+  std::optional<VideoMaker> video_;
+  MeshComparison comparison_;
+  std::optional<ComparedMesh> compared_;        ///< that a notice offers
+  std::vector<LostDocument> lost_;              ///< to be offered, the first one now
+  std::vector<LeftRecording> left_recordings_;  ///< to be offered after lost_
+  Pace pace_;
+  int draws_at_dump_ = 0;
+  std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;
+  int pace_window_pictures_ = 0;
+  PatternWorker patterns_;  // last: it ends first
+};
+
+}  // namespace taxel::studio

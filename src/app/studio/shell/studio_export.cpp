@@ -1,0 +1,134 @@
+// What the document goes out as: layout, tables, a sheet to print, pictures.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/app/camera_tool.h"
+#include "app/studio/document/project_files.h"
+#include "app/studio/document/sheet_pictures.h"
+#include "app/studio/shell/studio.h"
+#include "app/studio/shell/window/png.h"
+#include "core/base/files.h"
+#include "core/layout/file/layout_format.h"
+#include "core/layout/file/taxels_csv.h"
+#include "core/run/bundle/frame_bundle.h"
+#include "core/sensor/layout_sheet.h"
+#include "core/sensor/samples_csv.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// Whether it tells of samples, which are to be those that everybody gets of this layout: polished.
+bool tells_of_samples(ui::FileTask task) {
+  return task == ui::FileTask::export_samples || task == ui::FileTask::export_sheet;
+}
+
+std::string today() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
+}
+
+}  // namespace
+
+bool Studio::can_export(ui::FileTask task) const {
+  if (task == ui::FileTask::export_picture) return input_.model || input_.frame;
+  if (task == ui::FileTask::export_frame) return input_.frame && !input_.frame->sensors.empty();
+  if (task == ui::FileTask::export_recording) return input_.frame && input_.frame->history.steps > 0;
+  if (task == ui::FileTask::keep_recording) return true;
+  if (task == ui::FileTask::export_video) return input_.frame && input_.frame->history.steps > 0 && !video_;
+  return session_.edits().is_open();
+}
+
+void Studio::export_file(const ui::ExportFile& wanted) {
+  if (!can_export(wanted.task)) return;
+  if (wanted.path.empty()) return ask_for_file(wanted.task, "");
+  if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
+  if (wanted.task == ui::FileTask::export_recording) return session_.export_recording(wanted.path);
+  if (wanted.task == ui::FileTask::export_video) return begin_video(wanted.path);
+  if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
+  if (tells_of_samples(wanted.task) && !samples_are_final()) {
+    export_ = wanted;
+    session_.polish();
+    ui::add_message(ui_, Severity::note, wanted.path + " will be written as soon as the samples are polished.",
+                    ImGui::GetTime());
+    return;
+  }
+  try {
+    const std::vector<std::string> lost = write_export(wanted);
+    std::string text = "Exported " + wanted.path;
+    for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
+    ui::add_message(ui_, Severity::note, text, ImGui::GetTime());
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ask_for_file(wanted.task, error.what());
+  }
+}
+
+bool Studio::samples_are_final() const {
+  return input_.model && input_.editing.compiled && input_.model->quality == SampleQuality::polished;
+}
+
+/// What was asked for while samples were polished; a layout that cannot be compiled will never have any.
+void Studio::export_when_ready() {
+  if (!export_) return;
+  if (!session_.edits().is_open()) {
+    export_.reset();
+  } else if (samples_are_final()) {
+    export_->replace = true;  // that was asked
+    export_file(*std::exchange(export_, std::nullopt));
+  } else if (session_.idle() && !input_.polishing.active && !input_.editing.compiled) {
+    ui::add_message(ui_, Severity::error, export_->path + ": not written: " + input_.editing.problem, ImGui::GetTime());
+    export_.reset();
+  }
+}
+
+/// Returns what the format could not hold.
+/// As the view shows it: its lines and points grow with it.
+gl::RgbaImage Studio::cut_out(int width, int height) {
+  ui::SceneInput scene = ui::scene_input(ui_, input_);
+  if (ui_.view.height > 0) scene.scale *= std::max(1.0, static_cast<double>(height) / ui_.view.height);
+  return renderer_->cut_out(scene, ui_.camera(), width, height);
+}
+
+std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
+  const EditSession& edits = session_.edits();
+  ui_.view.drawn = false;  // pictures are drawn where the view's was
+  switch (wanted.task) {
+    case ui::FileTask::export_taxels:
+      write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));
+      break;
+    case ui::FileTask::export_samples:
+      write_file_atomically(wanted.path, samples_to_csv(*input_.model, edits.mesh()->loaded.file_face_of));
+      break;
+    case ui::FileTask::export_sheet: {
+      const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, input_.model)};
+      write_file_atomically(wanted.path, layout_sheet(*input_.model, content));
+      break;
+    }
+    case ui::FileTask::export_frame:
+      write_file_atomically(wanted.path,
+                            frame_to_bundle(*input_.frame, {{"picture.png", png_bytes(renderer_->picture())},
+                                                            {"state.json", state_to_json(ui_, input_, pace_)}}));
+      break;
+    case ui::FileTask::export_picture:
+      if (wanted.width < 1 || wanted.height < 1)
+        throw Error(wanted.path,
+                    fmt::format("a picture of {} x {} pixels cannot be made", wanted.width, wanted.height));
+      write_png(wanted.path, cut_out(wanted.width, wanted.height));
+      break;
+    default: {
+      const LayoutFormat* format = layout_format_of(wanted.path);
+      if (format != nullptr && format->write != nullptr && format != &layout_formats().front())
+        return format->write(wanted.path, edits.project()->layout);
+      const Project written = with_mesh_on_disk(*edits.project(), wanted.path, edits.mesh());
+      taxel::export_layout(wanted.path, written);
+      wrote(wanted.path, written);
+    }
+  }
+  return {};
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,248 @@
+// Saving, exporting, and what happens to unsaved edits when the document is left.
+#include <fmt/format.h>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/document/file_listing.h"
+#include "app/studio/document/project_files.h"
+#include "app/studio/dump/settings.h"
+#include "app/studio/features/files/file_dialog.h"
+#include "app/studio/shell/studio.h"
+#include "core/mesh/mesh_io.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// What leaves the document that is open.
+bool leaves_document(const ui::Request& request) {
+  return std::holds_alternative<ui::OpenFile>(request) || std::holds_alternative<ui::OpenFingertipSweep>(request) ||
+         std::holds_alternative<ui::CloseDocument>(request) || std::holds_alternative<ui::Quit>(request);
+}
+
+}  // namespace
+
+/// A layout without mesh is opened on the bare mesh that is open, or waits for the next mesh.
+void Studio::open_file(const ui::OpenFile& file) {
+  SkinChoice skin;
+  skin.mesh = file.mesh;
+  std::string path = file.path;
+  if (!path.empty() && needs_mesh(path) && skin.mesh.empty()) {
+    if (!session_.edits().is_open() || session_.kind() != DocumentKind::mesh) {
+      layout_without_mesh_ = path;
+      ui::add_message(ui_, Severity::note, path + ": holds no mesh: drop or open its mesh file as well",
+                      ImGui::GetTime());
+      return;
+    }
+    skin.mesh = session_.file();
+  } else if (!path.empty() && is_mesh_file(path) && !layout_without_mesh_.empty()) {
+    skin.mesh = path;
+    path = layout_without_mesh_;
+  }
+  layout_without_mesh_.clear();
+  session_.open(path, skin);
+}
+
+bool Studio::hold_if_unsaved(const ui::Request& request) {
+  if (!leaves_document(request) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;
+  held_ = request;
+  ui_.asks_unsaved = true;
+  return true;
+}
+
+void Studio::answer_unsaved(ui::UnsavedAnswer answer) {
+  ui_.asks_unsaved = false;
+  if (!held_) return;
+  if (answer == ui::UnsavedAnswer::save) {
+    save_project("", false);
+  } else if (answer == ui::UnsavedAnswer::discard) {
+    leave_unsaved_ = true;
+    ui_.ask(*std::exchange(held_, std::nullopt));
+  } else {
+    held_.reset();
+  }
+}
+
+bool Studio::carry_out_save(const ui::Request& request) {
+  if (const auto* save = std::get_if<ui::SaveProject>(&request)) {
+    save_project(save->path, save->replace);
+  } else if (std::holds_alternative<ui::SaveProjectAs>(request)) {
+    ask_for_file(ui::FileTask::save_project, "");
+  } else if (const auto* scene = std::get_if<ui::SaveScene>(&request)) {
+    save_scene(*scene);
+  } else if (const auto* wanted = std::get_if<ui::ExportFile>(&request)) {
+    export_file(*wanted);
+  } else if (std::holds_alternative<ui::DialogClosed>(request)) {
+    held_.reset();
+  } else if (const auto* answer = std::get_if<ui::AnswerUnsaved>(&request)) {
+    answer_unsaved(answer->answer);
+  } else if (const auto* notice = std::get_if<ui::AnswerNotice>(&request)) {
+    answer_notice(*notice);
+  } else if (const auto* found = std::get_if<ui::AnswerRecovery>(&request)) {
+    answer_recovery(found->recover);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// The document with the camera as it stands.
+Project Studio::project_to_save() const {
+  Project project = *session_.edits().project();
+  const ui::Camera& camera = ui_.cameras[0];
+  project.view = View{camera.target, camera.azimuth_deg, camera.elevation_deg, camera.distance, camera.fov_deg};
+  return project;
+}
+
+std::optional<ui::Camera> Studio::camera_of_project() const {
+  if (!session_.edits().is_open() || !session_.edits().project()->view) return std::nullopt;
+  const View& view = *session_.edits().project()->view;
+  ui::Camera camera;
+  camera.target = view.target;
+  camera.azimuth_deg = view.azimuth_deg;
+  camera.elevation_deg = view.elevation_deg;
+  camera.distance = view.distance;
+  camera.fov_deg = view.fov_deg;
+  return camera;
+}
+
+void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
+  const bool again = ui_.dialog.task == task && !problem.empty();
+  const std::string typed = ui_.dialog.path;
+  ui::begin_dialog(ui_, task);
+  const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
+  const SuggestedFile suggested = suggested_file(session_.file(), input_.name,
+                                                 folder                               ? "-recording"
+                                                 : task == ui::FileTask::export_video ? "-video"
+                                                                                      : ui::extension_of(task));
+  list_folder(ui_.dialog, suggested.folder.empty() || again ? ui_.dialog.folder : suggested.folder);
+  ui_.dialog.path = again ? typed : suggested.name;
+  ui_.dialog.error = problem;
+}
+
+/// Asks once more before another file is lost.
+bool Studio::may_write(const std::string& path, ui::FileTask task, bool replace) {
+  std::error_code ignored;
+  const bool own = !session_.file().empty() && std::filesystem::equivalent(path, session_.file(), ignored);
+  const bool changed = own && has_notice(session_.file());  // what is there now is not what was opened
+  if (replace || (own && !changed) || !std::filesystem::exists(path, ignored)) return true;
+  const std::string name = std::filesystem::path(path).filename().string();
+  ask_for_file(task,
+               name + (changed ? " was changed by another program." : " exists.") + " The same again replaces it.");
+  ui_.dialog.path = path;
+  ui_.dialog.exists = path;
+  return false;
+}
+
+void Studio::save_project(const std::string& path, bool replace) {
+  if (!session_.edits().is_open()) return;
+  const bool known = session_.kind() == DocumentKind::project;
+  if (path.empty() && !known) return ask_for_file(ui::FileTask::save_project, "");
+  const std::string file = path.empty() ? session_.file() : path;
+  if (!may_write(file, ui::FileTask::save_project, replace)) return;
+  try {
+    const Project written = with_mesh_on_disk(project_to_save(), file, session_.edits().mesh());
+    write_project(file, written);
+    wrote(file, written);
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    return ask_for_file(ui::FileTask::save_project, error.what());
+  }
+  session_.saved_as(file);
+  document_hash_ = hash_of(file);
+  remember_recent(ui_.saved, file);
+  ui::add_message(ui_, Severity::note, "Saved " + file, ImGui::GetTime());
+  if (held_) ui_.ask(*std::exchange(held_, std::nullopt));
+}
+
+void Studio::save_scene(const ui::SaveScene& wanted) {
+  if (session_.kind() != DocumentKind::scene || !session_.frame()) return;
+  if (wanted.path.empty()) return ask_for_file(ui::FileTask::save_scene, "");
+  std::error_code ignored;
+  if (std::filesystem::equivalent(wanted.path, session_.file(), ignored))
+    return ask_for_file(ui::FileTask::save_scene, "That is the scene that is open, which stays as it is.");
+  if (may_write(wanted.path, ui::FileTask::save_scene, wanted.replace)) session_.save_scene(wanted.path);
+}
+
+void Studio::start_autosave() {
+  const std::filesystem::path folder =
+      options_.state_dir.empty() ? state_folder() : std::filesystem::path(options_.state_dir);
+  try {
+    autosave_.start(folder / "autosave");
+    lost_ = autosave_.lost();
+    left_recordings_ = left_recordings(folder / "recordings");
+    session_.keep_recordings_in((folder / "recordings").string());
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::warning, error.what(), 0);
+  }
+  offer_recovery();
+}
+
+void Studio::keep_unsaved_at_end() {
+  const bool dirty = session_.edits().dirty();
+  autosave_.leave(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0, input_.name,
+                  session_.file());
+}
+
+void Studio::keep_unsaved() {
+  if (!autosave_.started()) return;
+  const bool dirty = session_.edits().dirty();
+  const std::string failure =
+      autosave_.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
+                       input_.name, session_.file(), steady_seconds());
+  if (!failure.empty()) ui::add_message(ui_, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
+}
+
+void Studio::offer_recovery() {
+  ui_.recovery.clear();
+  if (lost_.empty()) return offer_recording();
+  const LostDocument& lost = lost_.front();
+  ui_.recovery = lost.name + " was edited and not saved when the program ended.";
+  ui_.recovery_detail = fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
+}
+
+void Studio::offer_recording() {
+  if (left_recordings_.empty()) return;
+  const LeftRecording& left = left_recordings_.front();
+  ui_.recovery =
+      fmt::format("A recording of {} steps was not written when the program ended.", left.recording.rows.size());
+  ui_.recovery_detail = fmt::format("{:.6g} s to {:.6g} s, to be written as {}", left.recording.rows.front().time,
+                                    left.recording.rows.back().time, left.target);
+}
+
+/// A recording that cannot be written stays for the next start.
+void Studio::answer_left_recording(bool recover) {
+  if (left_recordings_.empty()) return;
+  const LeftRecording left = std::move(left_recordings_.front());
+  left_recordings_.erase(left_recordings_.begin());
+  try {
+    if (recover) {
+      const std::string file = write_left_recording(left).string();
+      ui::add_message(ui_, Severity::note,
+                      fmt::format("Recorded {} steps in {}, without the scene", left.recording.rows.size(), file),
+                      ImGui::GetTime());
+    } else {
+      discard_left_recording(left);
+    }
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, fmt::format("{} (offered again at the next start)", error.what()),
+                    ImGui::GetTime());
+  }
+}
+
+void Studio::answer_recovery(bool recover) {
+  if (lost_.empty()) {
+    answer_left_recording(recover);
+    return offer_recovery();
+  }
+  const LostDocument lost = lost_.front();
+  lost_.erase(lost_.begin());
+  if (recover) {
+    autosave_.take_over(lost);
+    session_.recover(lost);
+  } else {
+    Autosave::forget(lost);
+  }
+  offer_recovery();
+}
+
+}  // namespace taxel::studio

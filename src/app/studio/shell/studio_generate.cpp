@@ -1,0 +1,94 @@
+// What the Generate panel asks of the program: previews, and the files that patterns are made from.
+#include "app/studio/document/file_listing.h"
+#include "app/studio/features/brush/brush.h"
+#include "app/studio/shell/studio.h"
+#include "core/base/files.h"
+#include "core/layout/sensor_presets.h"
+
+namespace taxel::studio {
+
+namespace {
+
+std::vector<ui::PresetNote> preset_notes() {
+  std::vector<ui::PresetNote> notes;
+  for (const std::string& name : sensor_preset_names()) {
+    const SensorPreset preset = make_sensor_preset(name);
+    notes.push_back({preset.name, preset.layout.name, preset.source, preset.unverified});
+  }
+  return notes;
+}
+
+}  // namespace
+
+bool Studio::carry_out_generate(const ui::Request& request) {
+  if (std::holds_alternative<ui::PreviewPattern>(request)) {
+    preview_pattern();
+  } else if (std::holds_alternative<ui::DropPreview>(request)) {
+    patterns_.drop();
+  } else if (const auto* points = std::get_if<ui::ReadPoints>(&request)) {
+    read_points(points->path);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Studio::preview_pattern() {
+  ui::GenerateState& g = ui_.generate;
+  const ui::PatternJob& job = g.asked;
+  if (!job.skin || !input_.model) return;
+  if (job.pattern.kind == PatternKind::preset && g.presets.empty()) g.presets = preset_notes();
+  PatternRequest request{g.number, job.pattern, {}, job.skin};
+  PatternSource& source = request.source;
+  source.frame = job.frame;
+  source.sensor = job.sensor;
+  source.painted = !job.region->empty();
+  source.faces = ui::skin_faces(*input_.model, *job.region);
+  if (job.table) source.table = *job.table;
+  source.table_file = job.table_file;
+  source.image = job.image;
+  patterns_.make(std::move(request));
+}
+
+/// Null: there is none that is not shown yet.
+PatternAnswerPtr Studio::fresh_preview() const {
+  const ui::GenerateState& g = ui_.generate;
+  PatternAnswerPtr answer = patterns_.newest();
+  return answer && g.open && g.waiting() && answer->number == g.number ? answer : nullptr;
+}
+
+/// Not by clock it waits, so that the same script gives the same pictures.
+bool Studio::take_preview() {
+  if (!options_.by_clock()) patterns_.wait();
+  const PatternAnswerPtr answer = fresh_preview();
+  if (!answer) return false;
+  ui::GenerateState& g = ui_.generate;
+  g.shown = answer->number;
+  g.problem = answer->problem;
+  g.left_out = answer->made.left_out;
+  g.least_distance = answer->made.least_distance;
+  g.ghosts = answer->problem.empty() ? std::make_shared<const std::vector<Taxel>>(answer->made.taxels) : nullptr;
+  return true;
+}
+
+void Studio::read_points(const std::string& path) {
+  ui::GenerateState& g = ui_.generate;
+  const std::string file = std::filesystem::absolute(path).string();
+  g.file_problem.clear();
+  try {
+    if (is_picture(file)) {
+      g.image = std::make_shared<const GreyImage>(read_grey_image(file));
+      g.image_path = file;
+      g.pattern.kind = PatternKind::image;
+    } else {
+      g.table = std::make_shared<const std::string>(read_file(file));
+      g.table_path = file;
+      g.table_file = std::filesystem::path(file).filename().string();
+      g.pattern.kind = PatternKind::table;
+    }
+  } catch (const Error& error) {
+    g.file_problem = error.what();
+  }
+}
+
+}  // namespace taxel::studio

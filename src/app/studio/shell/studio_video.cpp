@@ -1,0 +1,51 @@
+// Videos of the recorded steps: each is shown, and its picture taken, whatever the pace at which it is drawn.
+#include "app/studio/app/actions.h"
+#include "app/studio/shell/studio.h"
+#include "app/studio/shell/window/png.h"
+
+namespace taxel::studio {
+
+void Studio::begin_video(const std::string& path) {
+  const HistoryState& history = input_.frame->history;
+  StepRange steps{history.first, history.last};
+  if (input_.loop) steps = {std::max(input_.loop->first, steps.first), std::min(input_.loop->last, steps.last)};
+  session_.set_playing(false);
+  ui_.mode = ui::Mode::simulate;  // where steps are seen
+  try {
+    video_.emplace(path, steps, ui_.video, input_.frame->step);
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ask_for_file(ui::FileTask::export_video, error.what());
+  }
+}
+
+void Studio::make_video() {
+  if (!video_) return;
+  pictures_due_ = std::max(pictures_due_, 1);
+  try {
+    const std::optional<std::uint64_t> wanted = video_->wanted();
+    if (wanted) {
+      const HistoryState& history = input_.frame->history;
+      if (session_.playing() || *wanted < history.first || *wanted > history.last)
+        throw Error("The video is not made: the simulation ran on.");
+      if (input_.frame->step != *wanted) return session_.scrub(*wanted);
+      if (video_->of_window()) {
+        painter_->forget();
+        fill_window();  // what was shown last may be gone
+      }
+      write_png(video_->next_file(), video_->of_window() ? window_->read() : renderer_->picture());
+      video_->taken();
+      if (video_->wanted()) session_.scrub(*video_->wanted());
+      return;
+    }
+    const std::optional<VideoMade> made = video_->finish();
+    if (!made) return;
+    ui::add_message(ui_, made->complete ? Severity::note : Severity::warning, made->text, ImGui::GetTime());
+    session_.scrub(video_->shown_before());
+  } catch (const Error& error) {
+    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+  }
+  video_.reset();
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,156 @@
+// What somebody else does to the files that are open, and what can be done about it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "app/studio/app/actions.h"
+#include "app/studio/document/documents.h"
+#include "app/studio/shell/studio.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::studio {
+
+namespace {
+
+std::string name_of(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+std::vector<ui::FileOffer> offers_for(const ComparedMesh& compared) {
+  if (compared.distances.taxels == 0) return {ui::FileOffer::use_mesh};
+  return {ui::FileOffer::use_mesh, ui::FileOffer::project_back};
+}
+
+/// A sentence, or nothing.
+std::string distances_sentence(const ComparedMesh& compared) {
+  const std::string text = distances_text(compared.distances);
+  return text.empty() ? "" : " " + text + ".";
+}
+
+}  // namespace
+
+/// Stays in view until it is answered, and in the list of messages.
+void Studio::add_notice(ui::FileNotice notice) {
+  std::erase_if(ui_.notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
+  ui::add_message(ui_, Severity::warning, notice.text, ImGui::GetTime());
+  ui_.messages.back().toast = false;
+  ui_.notices.push_back(std::move(notice));
+  pictures_due_ = std::max(pictures_due_, 3);
+}
+
+bool Studio::has_notice(const std::string& file) const {
+  return std::any_of(ui_.notices.begin(), ui_.notices.end(),
+                     [&](const ui::FileNotice& notice) { return notice.file == file; });
+}
+
+void Studio::watch_files() {
+  std::vector<std::string> files;
+  if (!session_.file().empty() && session_.kind() != DocumentKind::mesh) files.push_back(session_.file());
+  for (const SceneAttachment& attached : input_.attached) files.push_back(attached.layout);
+  if (session_.kind() == DocumentKind::scene && input_.frame) {
+    const std::vector<std::string>& sources = input_.frame->simulated->files;
+    std::copy_if(sources.begin(), sources.end(), std::back_inserter(files), [&](const std::string& source) {
+      return std::find(files.begin(), files.end(), source) == files.end();
+    });
+  }
+  if (session_.edits().is_open()) {
+    const std::string& mesh = session_.edits().project()->layout.mesh.file;
+    if (mesh != built_in_mesh().name) files.push_back(mesh);
+  }
+  watch_.watch(files);
+  std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) {
+    return std::find(files.begin(), files.end(), notice.file) == files.end();
+  });
+  const std::chrono::duration<double> clock = std::chrono::steady_clock::now().time_since_epoch();
+  for (const auto& [file, change] : watch_.look(options_.by_clock() ? clock.count() : ImGui::GetTime()))
+    tell_change(file, change);
+  if (!options_.by_clock()) comparison_.wait();
+  if (std::optional<ComparedMesh> compared = comparison_.take()) tell_mesh(std::move(*compared));
+}
+
+void Studio::tell_change(const std::string& file, FileChange change) {
+  const bool scene = session_.kind() == DocumentKind::scene;
+  const bool document = file == session_.file() && session_.kind() != DocumentKind::mesh;
+  const std::string which =
+      name_of(file) + (scene && !document ? fmt::format(", which {} uses,", name_of(session_.file())) : "");
+  if (change == FileChange::changed && !document && !scene)
+    return comparison_.start(session_.edits().project()->layout);
+  if (change == FileChange::deleted) {
+    if (document && session_.edits().is_open()) session_.edits().mark_unsaved();
+    const char* const rest = scene      ? "The scene stays open as it was read."
+                             : document ? "Nothing is lost: saving writes it again."
+                                        : "It stays open; saving or exporting writes it beside the new file.";
+    return add_notice({file, fmt::format("{} was deleted or moved. {}", which, rest), {}});
+  }
+  if (document && hash_of(file) == document_hash_) return;  // only touched
+  const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
+                                 : "Reading it again is a step that undo takes back.";
+  add_notice({file, fmt::format("{} was changed by another program. {}", which, rest), {ui::FileOffer::reload}});
+}
+
+void Studio::tell_mesh(ComparedMesh compared) {
+  const OpenMeshPtr open = session_.edits().mesh();
+  const std::string& file = compared.ref.file;
+  if (!session_.edits().is_open() || !open || session_.edits().project()->layout.mesh.file != file) return;
+  if (!compared.mesh)
+    return add_notice({file,
+                       fmt::format("{} was changed and cannot be read now: {}. The mesh that was read stays open.",
+                                   name_of(file), compared.failure),
+                       {}});
+  if (compared.mesh->loaded.sha256 == open->loaded.sha256) return;
+  add_notice({file,
+              fmt::format("{} was replaced by another mesh: {} triangles, {} before.{}", name_of(file),
+                          ui::grouped(compared.mesh->loaded.mesh->face_count()),
+                          ui::grouped(open->loaded.mesh->face_count()), distances_sentence(compared)),
+              offers_for(compared)});
+  compared_ = std::move(compared);
+}
+
+/// What was opened was made on another mesh than the one that its file holds.
+void Studio::tell_other_mesh() {
+  if (!session_.edits().is_open() || !input_.model) return;
+  const Layout& layout = session_.edits().project()->layout;
+  const OpenMeshPtr mesh = session_.edits().mesh();
+  if (!mesh || layout.mesh.sha256.empty() || layout.mesh.sha256 == mesh->loaded.sha256) return;
+  ComparedMesh compared{layout.mesh, mesh, input_.model->skin, distances_to(*input_.model->skin, layout), ""};
+  compared.ref.sha256 = mesh->loaded.sha256;
+  add_notice({layout.mesh.file,
+              fmt::format("{} is not the mesh that this layout was made on: its hash differs.{}",
+                          name_of(layout.mesh.file), distances_sentence(compared)),
+              offers_for(compared)});
+  compared_ = std::move(compared);
+}
+
+void Studio::answer_notice(const ui::AnswerNotice& answer) {
+  if (!has_notice(answer.file)) return;
+  std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
+  if (!answer.taken) return;
+  if (*answer.taken == ui::FileOffer::reload) return session_.reload();
+  const std::optional<ComparedMesh> compared = std::exchange(compared_, std::nullopt);
+  if (!compared || compared->ref.file != answer.file) return;
+  edit_document([&](EditSession& edits) {
+    std::vector<Edit> steps;
+    if (*answer.taken == ui::FileOffer::project_back)
+      steps.emplace_back(projected_onto(*compared->skin, edits.project()->layout));
+    const bool same = compared->mesh == edits.mesh();
+    edits.add_mesh(compared->ref, compared->mesh);
+    steps.emplace_back(
+        ReplaceMesh{compared->ref, same ? *edits.project()->layout.sampling.region : std::vector<int>{}});
+    edits.edit_together(steps);
+  });
+}
+
+/// A file that we wrote is no news; and where its mesh had to be written too, that is said.
+void Studio::wrote(const std::string& file, const Project& written) {
+  watch_.accept(file);
+  if (file == session_.file()) document_hash_ = hash_of(file);
+  std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
+  const std::string& open = session_.edits().project()->layout.mesh.file;
+  if (written.layout.mesh.file == open || open == built_in_mesh().name) return;
+  ui::add_message(ui_, Severity::note,
+                  fmt::format("{} is gone: its mesh was written to {}", open, written.layout.mesh.file),
+                  ImGui::GetTime());
+}
+
+}  // namespace taxel::studio

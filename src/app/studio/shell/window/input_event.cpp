@@ -1,0 +1,55 @@
+#include "app/studio/shell/window/input_event.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace taxel::studio {
+
+namespace {
+
+struct Feeder {
+  ImGuiIO& io;
+  bool operator()(const MouseMove& e) const { return io.AddMousePosEvent(e.x, e.y), true; }
+  bool operator()(const MouseButton& e) const { return io.AddMouseButtonEvent(e.button, e.down), true; }
+  bool operator()(const MouseWheel& e) const { return io.AddMouseWheelEvent(e.x, e.y), true; }
+  bool operator()(const KeyPress& e) const { return io.AddKeyEvent(e.key, e.down), true; }
+  bool operator()(const TextInput& e) const { return io.AddInputCharacter(e.codepoint), true; }
+  bool operator()(const FocusChange& e) const { return io.AddFocusEvent(e.focused), true; }
+  bool operator()(const DropFiles&) const { return false; }
+  bool operator()(const ResizeWindow&) const { return false; }
+  bool operator()(const CloseWindow&) const { return false; }
+};
+
+bool same_name(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+struct Alias {
+  const char* name;
+  ImGuiKey key;
+};
+
+}  // namespace
+
+bool feed(const InputEvent& event, ImGuiIO& io) {
+  return std::visit(Feeder{io}, event);
+}
+
+ImGuiKey key_of_name(const std::string& name) {
+  constexpr std::array kAliases = {
+      Alias{".", ImGuiKey_Period},   Alias{"=", ImGuiKey_Equal},        Alias{"-", ImGuiKey_Minus},
+      Alias{"/", ImGuiKey_Slash},    Alias{"[", ImGuiKey_LeftBracket},  Alias{"]", ImGuiKey_RightBracket},
+      Alias{"esc", ImGuiKey_Escape}, Alias{"left", ImGuiKey_LeftArrow}, Alias{"right", ImGuiKey_RightArrow},
+      Alias{"up", ImGuiKey_UpArrow}, Alias{"down", ImGuiKey_DownArrow}, Alias{"return", ImGuiKey_Enter}};
+  for (const Alias& alias : kAliases) {
+    if (same_name(name, alias.name)) return alias.key;
+  }
+  for (int key = ImGuiKey_NamedKey_BEGIN; key < ImGuiKey_NamedKey_END; ++key) {
+    if (same_name(name, ImGui::GetKeyName(static_cast<ImGuiKey>(key)))) return static_cast<ImGuiKey>(key);
+  }
+  return ImGuiKey_None;
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,40 @@
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <implot.h>
+
+#include "app/studio/shell/studio.h"
+#include "app/studio/shell/window/fonts.h"
+
+namespace taxel::studio {
+
+InterfaceContext::InterfaceContext(Window& window) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImPlot::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigFlags |= ImGuiConfigFlags_DockingEnable | ImGuiConfigFlags_NavEnableKeyboard;
+  io.ConfigInputTrickleEventQueue = true;  // no click is lost, however many come within one frame
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would be another picture twice a second
+  io.IniFilename = nullptr;               // the program keeps the arrangement itself
+  io.BackendPlatformName = "taxelstudio";
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
+  platform.Platform_ClipboardUserData = &window;
+  platform.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+    static_cast<Window*>(ImGui::GetPlatformIO().Platform_ClipboardUserData)->set_clipboard(text);
+  };
+  platform.Platform_GetClipboardTextFn = [](ImGuiContext*) {
+    return static_cast<Window*>(ImGui::GetPlatformIO().Platform_ClipboardUserData)->clipboard().c_str();
+  };
+  load_fonts();
+  ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+InterfaceContext::~InterfaceContext() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImPlot::DestroyContext();
+  ImGui::DestroyContext();
+}
+
+}  // namespace taxel::studio

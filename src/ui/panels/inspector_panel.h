@@ -1,8 +1,0 @@
-// Values of the selected taxel, the sampling, the material, the scene and the sweep.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-void draw_inspector(UiState& ui, const UiInput& input);
-}  // namespace taxel::ui

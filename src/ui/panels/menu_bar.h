@@ -1,8 +1,0 @@
-// The menus, made from the table of bindings.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-void draw_menu_bar(UiState& ui, const UiInput& input);
-}  // namespace taxel::ui

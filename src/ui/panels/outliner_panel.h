@@ -1,8 +1,0 @@
-// What there is: the document's sensor, and the bodies of the running scene.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-void draw_outliner(UiState& ui, const UiInput& input);
-}  // namespace taxel::ui

@@ -1,8 +1,0 @@
-// The command palette (Ctrl+K): type part of a name, choose with the arrows, run with Enter.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-void draw_palette(UiState& ui, const UiInput& input);
-}  // namespace taxel::ui

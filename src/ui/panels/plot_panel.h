@@ -1,8 +1,0 @@
-// Readings over travel, as Figure 4 of the paper: divided by the largest reading of the run, or in kPa.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-void draw_plot_panel(UiState& ui, const UiInput& input);
-}  // namespace taxel::ui

@@ -1,9 +1,0 @@
-// The tour of the window: five steps, each beside the part that it speaks of.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-/// Back and Next, Enter for the next, Esc or Skip to end it; once ended it counts as seen.
-void draw_tour(UiState& ui);
-}  // namespace taxel::ui

@@ -1,8 +1,0 @@
-// The 3-D view: draws the scene when something changed, and what floats over it.
-#pragma once
-
-#include "ui/ui_state.h"
-
-namespace taxel::ui {
-void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer);
-}  // namespace taxel::ui

@@ -1,0 +1,31 @@
+// Taxels that are not in the layout yet: centres, arrows and, unless there are too many to be told apart, fields as
+// circles in their tangent planes.
+#pragma once
+
+#include <memory>
+
+#include "core/layout/layout.h"
+#include "ui/scene/paint/points.h"
+#include "ui/scene/paint/segments.h"
+#include "ui/scene/passes/look.h"
+
+namespace taxel::ui {
+
+class GhostMarks {
+ public:
+  /// Made anew where they are others than last time. Returns the length of the arrows [m].
+  double take(const std::shared_ptr<const std::vector<Taxel>>& taxels, const Look& look);
+
+  [[nodiscard]] const gl::Buffer& rings() const { return rings_; }
+  [[nodiscard]] const gl::Buffer& arrows() const { return arrows_; }
+  [[nodiscard]] const PointBuffer& centers() const { return centers_; }
+
+ private:
+  std::shared_ptr<const std::vector<Taxel>> taxels_;
+  const Look* look_ = nullptr;
+  gl::Buffer rings_, arrows_;
+  PointBuffer centers_;
+  double arrow_ = 0;
+};
+
+}  // namespace taxel::ui

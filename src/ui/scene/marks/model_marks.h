@@ -1,0 +1,69 @@
+// What is drawn of one sensor model and does not change with the simulation: samples, taxels, receptive fields.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "ui/scene/geometry/shown_fields.h"
+#include "ui/scene/paint/points.h"
+#include "ui/scene/paint/segments.h"
+#include "ui/scene/passes/look.h"
+#include "ui/scene/sensor_view.h"
+
+namespace taxel::ui {
+
+/// Samples coloured by their nearest taxel; unused ones grey and small, those of selected taxels largest. In an order
+/// of which the first of any number are spread over all.
+std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<int>& selected, const Look& look);
+
+/// Lies on the card; built once for a model, and for selected taxels what shows the selection.
+class ModelMarks {
+ public:
+  /// `hidden`: taxels that are left out, ascending. `rings`, by taxel: null where they are not known.
+  ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, std::shared_ptr<const FieldRings> rings);
+  [[nodiscard]] bool is_for(const SensorModelPtr& model, const std::vector<int>& hidden, const Look& look,
+                            const std::shared_ptr<const FieldRings>& rings) const {
+    return model == model_ && hidden == hidden_ && &look == look_ && rings == ring_pieces_;
+  }
+  /// Ascending.
+  void select(const std::vector<int>& taxels);
+
+  [[nodiscard]] SurfacePoints& samples() { return samples_; }
+  [[nodiscard]] int sample_count() const { return static_cast<int>(model_->samples.size()); }
+  [[nodiscard]] double sample_spacing() const { return spacing_; }  ///< between neighbours on the skin, about [m]
+  /// Normals of the samples as short lines; made when first asked for.
+  const gl::Buffer& sample_normals();
+
+  // With the normals of faces and taxels, so that those that look away can be drawn apart.
+  [[nodiscard]] const gl::Buffer& rings() const { return rings_; }
+  [[nodiscard]] const gl::Buffer& arrows() const { return arrows_; }
+  [[nodiscard]] const PointBuffer& centers() const { return centers_; }
+  struct Selected {
+    gl::Buffer rings, arrows;
+    PointBuffer centers;
+  };
+  [[nodiscard]] const Selected& selected() const { return selected_marks_; }
+
+ private:
+  [[nodiscard]] bool hides(int taxel) const { return std::binary_search(hidden_.begin(), hidden_.end(), taxel); }
+  void append_ring(int taxel, float width, std::uint32_t color, Segments& out) const;
+  [[nodiscard]] Segment arrow_segment(int taxel, float width) const;
+  [[nodiscard]] PointMark center_mark(int taxel) const;
+
+  SensorModelPtr model_;
+  std::vector<int> hidden_;
+  const Look* look_;
+  std::shared_ptr<const FieldRings> ring_pieces_;
+  SurfacePoints samples_;
+  PointBuffer centers_;
+  gl::Buffer rings_, arrows_;
+  std::optional<gl::Buffer> sample_normals_;
+  Selected selected_marks_;
+  std::optional<std::vector<int>> selected_;
+  double spacing_ = 0;
+};
+
+/// Length of a taxel's arrow: no longer than taxels are apart. [m]
+double taxel_arrow_length(const SensorModel& model);
+
+}  // namespace taxel::ui

@@ -1,0 +1,367 @@
+#include "ui/scene/marks/sensor_marks.h"
+
+#include "ui/scene/marks/filtered_marks.h"
+#include "ui/scene/marks/ray_marks.h"
+#include "ui/scene/marks/traction_marks.h"
+#include "ui/scene/passes/frame_uniforms.h"
+
+namespace taxel::ui {
+namespace {
+
+// How far marks are drawn before the surface they lie on, in parts of their depth.
+constexpr float kPaintOnSkin = 0.002f, kOnSkin = 0.004f, kOnContact = 0.003f, kBeforeContact = 0.005f;
+constexpr float kHiddenDim = 0.28f, kHiddenRayDim = 0.55f;
+constexpr float kBeforeSkin = 0.02f;                           // taxels, which stick out
+constexpr double kSamplePart = 0.5;                            // of the distance between samples
+constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
+constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
+constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
+constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
+constexpr int kMostSeenThrough = 300;                       // taxels
+constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7,
+                kSelectedWayPoint = 1.5f;
+constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
+constexpr float kTractionOutline = 0.25f;
+constexpr double kForceScale = 0.012;  // [m/N]
+constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
+
+/// Marks on the far side: nothing of them is seen through a solid skin, nor told apart among many.
+bool far_side_seen(const SceneInput& input, const SensorView& view) {
+  return input.overlays.sensor_transparent && view.model->taxel_count() <= kMostSeenThrough;
+}
+
+/// Null: no map is on, or it is not worked out yet.
+const SensorFields* shown_map(const SceneInput& input, const SensorView& view) {
+  const FieldMap map = field_map(input.overlays);
+  if (map == FieldMap::none || !input.fields || input.fields->wish.map != map) return nullptr;
+  return input.fields->of(view.model);
+}
+
+}  // namespace
+
+/// Those by geodesic distance come from outside; null: not yet.
+std::shared_ptr<const FieldRings> SensorMarks::rings_of(const SceneInput& input, const SensorView& view) {
+  if (const SensorFields* fields = input.fields ? input.fields->of(view.model) : nullptr) return fields->rings;
+  if (view.model->layout.receptive_field.metric == Metric::geodesic) return nullptr;
+  StraightRings& straight = straight_[view.index];
+  if (straight.model != view.model) {
+    straight.rings = std::make_shared<const FieldRings>(straight.geometry.rings(*view.model));
+    straight.model = view.model;
+  }
+  return straight.rings;
+}
+
+ModelMarks& SensorMarks::marks_of(const Scene& scene, const SensorView& view) {
+  std::unique_ptr<ModelMarks>& marks = marks_[view.index];
+  std::shared_ptr<const FieldRings> rings = rings_of(scene.input, view);
+  if (!marks || !marks->is_for(view.model, view.hidden_taxels, scene.look, rings)) {
+    marks = std::make_unique<ModelMarks>(view.model, view.hidden_taxels, scene.look, std::move(rings));
+  }
+  marks->select(view.selected_taxels);
+  return *marks;
+}
+
+void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look& look, int height,
+                       SegmentPass& segments, PointPass& points) {
+  const double pixels = 0.5 * height / input.scale / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
+  const Scene scene{input, camera, look, pixels, segments, points};
+  const std::vector<SensorView> views = sensor_views(input);
+  tractions_.reset();
+  for (const SensorView& view : views) {
+    if (input.overlays.taxels) draw_taxels(scene, view, false);
+    draw_paint(scene, view);
+    if (input.overlays.readings_on_skin && view.state != nullptr) draw_skin_readings(scene, view);
+    draw_fields(scene, view);
+  }
+  for (const SensorView& view : views) {
+    if (view.state == nullptr) continue;
+    const bool selected = view.selected_taxel >= 0;
+    if (input.overlays.rays && !selected) draw_rays(scene, view);
+    draw_contact(scene, view);
+    if (input.overlays.tractions) draw_tractions(scene, view);
+    if (input.overlays.contact_surface) draw_explained(scene, view);
+    if (input.overlays.filtered_polygons) draw_filtered(scene, view);
+    if (input.overlays.rays && selected) draw_rays(scene, view);
+  }
+  draw_path(scene);
+  draw_plans(scene);
+  draw_measure(scene);
+  for (const SensorView& view : views) {
+    if (input.overlays.taxels) draw_taxels(scene, view, true);
+    if (input.overlays.normal_angles) draw_normals(scene, view);
+    if (view.state != nullptr && input.overlays.contact_surface) draw_force(scene, view);
+  }
+  note_numbers(input, views);
+}
+
+FieldPaint& SensorMarks::paint_of(const SensorView& view) {
+  std::unique_ptr<FieldPaint>& paint = field_paint_[view.index];
+  if (!paint || paint->model() != view.model) paint = std::make_unique<FieldPaint>(view.model);
+  return *paint;
+}
+
+void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  if (!scene.input.region->empty() && view.state == nullptr)
+    paint_.draw(region_.take(view.model->repaired, scene.input.region), state);
+  if (scene.input.repair_changes && view.state == nullptr && view.model->mesh != view.model->loaded)
+    repair_.draw(view.model->repaired, view.model->loaded, paint_, scene.segments, state);
+  if (shown_map(scene.input, view) == nullptr) return;
+  state.depth_write = scene.input.fields->wish.map == FieldMap::coverage;
+  paint_.draw(paint_of(view).map(scene.input.fields), state);
+}
+
+void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
+  const double length = taxel_arrow_length(*view.model);
+  const auto size =
+      static_cast<float>(std::clamp(length * scene.pixels_per_metre / kFullSizeArrow, kSmallestMark, 1.0));
+  const FieldPaint::Normals& normals = paint_of(view).normals(length, pack(scene.look.ray_hit));
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin, .facing = Facing::eye};
+  state.clipped = scene.input.clip.has_value();
+  scene.segments.draw_lines(normals.skin, state);
+  scene.segments.draw_arrows(normals.arrows, state, scene.look.mark_outline, size);
+}
+
+void SensorMarks::note_numbers(const SceneInput& input, const std::vector<SensorView>& views) {
+  numbers_ = {};
+  if (views.empty()) return;
+  if (const SensorFields* fields = shown_map(input, views.front())) {
+    numbers_.coverage = fields->coverage;
+    numbers_.comparison = fields->comparison;
+  } else {
+    numbers_.due = field_map(input.overlays) != FieldMap::none;
+  }
+  numbers_.tractions = tractions_;
+  if (input.overlays.normal_angles) numbers_.normals = paint_of(views.front()).normal_numbers();
+}
+
+void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool towards) {
+  if (!scene.input.overlays.receptive_fields || !(towards || far_side_seen(scene.input, view))) return;
+  const ModelMarks& marks = marks_of(scene, view);
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  state.facing = towards ? Facing::eye : Facing::away;
+  if (!towards) state.dim = kHiddenDim;
+  scene.segments.draw_lines(marks.rings(), state);
+  scene.segments.draw_lines(marks.selected().rings, state);
+}
+
+void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
+  ModelMarks& marks = marks_of(scene, view);
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  draw_rings(scene, view, false);
+  if (scene.input.overlays.samples) {
+    const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
+    // Where they crowd, the eye cannot tell them apart: fewer and larger ones, spread evenly, look the same.
+    const double diameter = std::clamp(kSamplePart * std::max(spacing, kLeastSpacing), kSmallestSample, kLargestSample);
+    const double part = part_apart(spacing, kLeastSpacing);
+    state.facing = Facing::eye;
+    scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state, scene.camera.eye(),
+                      static_cast<int>(std::ceil(part * marks.sample_count())));
+    state.facing = Facing::all;
+  }
+  if (scene.input.overlays.sample_normals) scene.segments.draw_lines(marks.sample_normals(), state);
+  draw_rings(scene, view, true);
+}
+
+void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
+  if (!scene.input.overlays.contact_surface) return;
+  std::vector<SurfaceVertex> triangles;
+  Segments edges, rim;
+  for (const ContactSurface& surface : view.state->surfaces) {
+    append_triangles(surface, triangles);
+    append_rim(surface, scene.input.range, rim);
+    if (scene.input.overlays.contact_edges) append_edges(surface, 1.0f, pack(glm::vec4(0, 0, 0, 0.55f)), edges);
+  }
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact, .depth_write = true};
+  scene.segments.draw_lines(rim, {.world_from_model = state.world_from_model, .toward_eye = kOnContact});
+  surfaces_.draw(triangles, scene.input.range.lo, scene.input.range.hi, state);
+  state.toward_eye = kBeforeContact;
+  state.depth_write = false;
+  scene.segments.draw_lines(edges, state);
+}
+
+/// The surfaces of the step before as thin lines, where they were; the marked polygon of now boldly.
+void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
+  const SceneInput& input = scene.input;
+  if (const StepBefore* before = input.before.get();
+      before != nullptr && static_cast<std::size_t>(view.index) < before->sensors.size()) {
+    const SensorFrameState& was = before->sensors[static_cast<std::size_t>(view.index)];
+    Segments lines;
+    for (const ContactSurface& surface : was.surfaces)
+      append_edges(surface, kGhostWidth, pack(scene.look.ghost), lines);
+    scene.segments.draw_lines(lines, {.world_from_model = matrix(was.X_WM), .toward_eye = kBeforeContact});
+  }
+  if (view.index != input.selected_sensor || input.marked_polygon < 0) return;
+  const auto s = static_cast<std::size_t>(input.marked_surface), p = static_cast<std::size_t>(input.marked_polygon);
+  if (s >= view.state->surfaces.size() || p >= view.state->surfaces[s].polygons.size()) return;
+  const ContactSurface& surface = view.state->surfaces[s];
+  Segments under, outline;
+  append_edges(surface, surface.polygons[p], kMarkedWidth + 2, pack(scene.look.mark_outline), under);
+  append_edges(surface, surface.polygons[p], kMarkedWidth, pack(scene.look.selection), outline);
+  const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeContact};
+  scene.segments.draw_lines(under, state);
+  scene.segments.draw_lines(outline, state);
+}
+
+/// In the colours of the bars, looked up per fragment.
+void SensorMarks::draw_skin_readings(const Scene& scene, const SensorView& view) {
+  const SensorFields* fields = scene.input.fields ? scene.input.fields->of(view.model) : nullptr;
+  if (fields == nullptr || !fields->weights) return;
+  const SkinWeights& skin = *fields->weights;
+  std::vector<float> values;
+  skin.spread(view.state->readings, values);
+  std::vector<SurfaceVertex> triangles;
+  triangles.reserve(3 * skin.triangles.size());
+  for (const auto& corners : skin.triangles)
+    for (const int i : corners) {
+      const auto k = static_cast<std::size_t>(i);
+      triangles.push_back({skin.points[k], values[k]});
+    }
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  surfaces_.draw(triangles, scene.input.reading_range.lo, scene.input.reading_range.hi, state, Seen::front);
+}
+
+/// What bodies hide of them is dimmed: they begin on the contact surface, and reach into the sensor.
+void SensorMarks::draw_tractions(const Scene& scene, const SensorView& view) {
+  const TractionMarks marks = traction_marks(view, scene.input.range, scene.look);
+  if (view.index == scene.input.selected_sensor) tractions_ = marks.numbers;
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeContact};
+  MarkState behind = state;
+  behind.hidden = true;
+  behind.dim = kHiddenRayDim;
+  const glm::vec4 outline(glm::vec3(scene.look.mark_outline), kTractionOutline);
+  for (const Segments* arrows : {&marks.normal, &marks.friction}) {
+    scene.segments.draw_arrows(*arrows, behind, outline);
+    scene.segments.draw_arrows(*arrows, state, outline);
+  }
+}
+
+/// Before everything else, for what is left out lies on the skin or is a sliver.
+void SensorMarks::draw_filtered(const Scene& scene, const SensorView& view) {
+  const FilteredMarks marks = filtered_marks(view.state->surfaces);
+  const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin};
+  scene.segments.draw_lines(marks.edges, state);
+  const PointStyle dots{.diameter = kSelectedDotDiameter, .outline = scene.look.mark_outline, .outline_width = 0.6f};
+  scene.points.draw(marks.dots, dots, state);
+}
+
+/// Rays of all responding taxels go behind the contact surface, so that nothing tints its colours; those of a selected
+/// taxel are what one wants to see, and go before it. What solid bodies hide is dimmed.
+void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
+  const double spacing = marks_of(scene, view).sample_spacing() * scene.pixels_per_metre;
+  const RayMarks rays = ray_marks(view, scene.input.overlays.all_rays, scene.input.range, scene.look, spacing);
+  MarkState state{.world_from_model = matrix(view.X_WM)};
+  MarkState behind = state;
+  behind.hidden = true;
+  behind.dim = kHiddenRayDim;
+  PointStyle dots{.diameter = kDotDiameter};
+  if (view.selected_taxel >= 0) {
+    dots = {.diameter = kSelectedDotDiameter, .outline = scene.look.mark_outline, .outline_width = 0.6f};
+  }
+  scene.segments.draw_lines(rays.hits, behind);
+  scene.segments.draw_lines(rays.misses, state);
+  scene.segments.draw_lines(rays.hits, state);
+  scene.points.draw(rays.dots, dots, behind);
+  state.toward_eye = kBeforeContact;
+  scene.points.draw(rays.dots, dots, state);
+}
+
+void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {
+  if (!(towards || far_side_seen(scene.input, view))) return;
+  const ModelMarks& marks = marks_of(scene, view);
+  const double arrow = taxel_arrow_length(*view.model) * scene.pixels_per_metre;
+  const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  state.facing = towards ? Facing::eye : Facing::away;
+  if (!towards) state.dim = kHiddenDim;
+  scene.segments.draw_arrows(marks.arrows(), state, scene.look.mark_outline, size);
+  scene.segments.draw_arrows(marks.selected().arrows, state, scene.look.mark_outline, size);
+  state.toward_eye = kBeforeSkin;
+  PointStyle style{.diameter = size * kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f * size};
+  scene.points.draw(marks.centers(), style, state);
+  style = {.diameter = size * kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f * size};
+  scene.points.draw(marks.selected().centers, style, state);
+}
+
+void SensorMarks::draw_force(const Scene& scene, const SensorView& view) {
+  dvec3 from(0);
+  const double force = glm::length(view.state->force_W);
+  if (!(force > 0) || !pressure_centroid(*view.state, from)) return;
+  const double length = std::min(kForceScale * force, kForceLongest * view.model->mesh->bounds().diagonal());
+  const dvec3 base_W = view.X_WM * from;
+  const std::array<Segment, 1> arrow{
+      segment(base_W, base_W + length / force * view.state->force_W, kForceWidth, pack(scene.look.force))};
+  MarkState state{.toward_eye = kBeforeContact};
+  scene.segments.draw_arrows(arrow, state, scene.look.mark_outline);
+}
+
+/// What is planned: the painted region below all marks of taxels, those not in the layout yet above.
+void SensorMarks::draw_plans(const Scene& scene) {
+  if (!scene.input.ghosts) return;
+  const double arrow = ghosts_.take(scene.input.ghosts, scene.look) * scene.pixels_per_metre;
+  const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
+  MarkState state{.toward_eye = kOnSkin, .dim = kHiddenDim, .facing = Facing::away};
+  if (scene.input.overlays.sensor_transparent) scene.segments.draw_lines(ghosts_.rings(), state);
+  state.dim = 1;
+  state.facing = Facing::eye;
+  scene.segments.draw_lines(ghosts_.rings(), state);
+  scene.segments.draw_arrows(ghosts_.arrows(), state, scene.look.mark_outline, size);
+  state.toward_eye = kBeforeSkin;
+  const PointStyle style{
+      .diameter = size * kTaxelDiameter, .outline = scene.look.selection, .outline_width = 1.8f * size};
+  scene.points.draw(ghosts_.centers(), style, state);
+}
+
+void SensorMarks::draw_path(const Scene& scene) {
+  if (!scene.input.overlays.path || !scene.input.frame || !scene.input.frame->scene) return;
+  const std::optional<ShownPath>& edited = scene.input.path;
+  const std::vector<dvec3>& path = edited ? edited->line_W : scene.input.frame->scene->path_W;
+  Segments lines;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    lines.push_back(segment(path[i - 1], path[i], kPathWidth, pack(scene.look.path)));
+  }
+  MarkState state{.toward_eye = kOnSkin, .hidden = true, .dim = kHiddenDim};
+  scene.segments.draw_lines(lines, state);
+  state = {.toward_eye = kOnSkin};
+  scene.segments.draw_lines(lines, state);
+  if (edited) draw_way_points(scene, *edited);
+}
+
+/// Before all else, so that a hand finds them.
+void SensorMarks::draw_way_points(const Scene& scene, const ShownPath& path) {
+  std::vector<PointMark> marks;
+  for (std::size_t i = 0; i < path.points_W.size(); ++i) {
+    const bool selected = static_cast<int>(i) == path.selected;
+    marks.push_back(point_mark(path.points_W[i], dvec3(0), selected ? kSelectedWayPoint : 1.0,
+                               pack(selected ? scene.look.selection : scene.look.path)));
+  }
+  const PointStyle dots{.diameter = kMeasureDiameter, .outline = scene.look.mark_outline, .outline_width = 1.2f};
+  scene.points.draw(marks, dots, {.toward_eye = kBeforeContact, .hidden = true, .dim = kHiddenDim});
+  scene.points.draw(marks, dots, {.toward_eye = kBeforeContact});
+}
+
+/// Along the surface boldly, straight thinly.
+void SensorMarks::draw_measure(const Scene& scene) {
+  const std::uint32_t color = pack(scene.look.measure);
+  Segments lines;
+  if (const MeasuredPtr& measured = scene.input.measured) {
+    const std::vector<dvec3>& path = measured->path;
+    for (std::size_t i = 1; i < path.size(); ++i) lines.push_back(segment(path[i - 1], path[i], kPathWidth, color));
+    lines.push_back(segment(measured->wish.a, measured->wish.b, kStraightWidth, color));
+  }
+  std::vector<PointMark> ends;
+  for (const dvec3& p : scene.input.measure_points) ends.push_back(point_mark(p, dvec3(0), 1.0, color));
+  const PointStyle dots{.diameter = kMeasureDiameter, .outline = scene.look.mark_outline, .outline_width = 1.2f};
+  MarkState state{.toward_eye = kBeforeContact, .hidden = true, .dim = kHiddenDim};
+  scene.segments.draw_lines(lines, state);
+  state = {.toward_eye = kBeforeContact};
+  scene.segments.draw_lines(lines, state);
+  scene.points.draw(ends, dots, state);
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,74 @@
+// Everything that a sensor shows beyond its skin: samples, receptive fields, contact surface, rays, taxels, force.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "ui/scene/marks/ghost_marks.h"
+#include "ui/scene/marks/model_marks.h"
+#include "ui/scene/marks/repair_marks.h"
+#include "ui/scene/paint/field_paint.h"
+#include "ui/scene/paint/region_paint.h"
+#include "ui/scene/paint/surfaces.h"
+
+namespace taxel::ui {
+
+class SensorMarks {
+ public:
+  explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read), paint_(read) {}
+
+  /// Exact colours over the lit picture of `height` pixels; the frame's perspective must be bound.
+  void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
+            PointPass& points);
+  /// What the overlays of the last picture say.
+  [[nodiscard]] const FieldNumbers& numbers() const { return numbers_; }
+
+ private:
+  struct Scene {  // of one picture
+    const SceneInput& input;
+    const Camera& camera;
+    const Look& look;
+    double pixels_per_metre;  // of marks, at the camera's target
+    SegmentPass& segments;
+    PointPass& points;
+  };
+  ModelMarks& marks_of(const Scene& scene, const SensorView& view);
+  FieldPaint& paint_of(const SensorView& view);
+  std::shared_ptr<const FieldRings> rings_of(const SceneInput& input, const SensorView& view);
+  void draw_paint(const Scene& scene, const SensorView& view);
+  void draw_normals(const Scene& scene, const SensorView& view);
+  void note_numbers(const SceneInput& input, const std::vector<SensorView>& views);
+  void draw_rings(const Scene& scene, const SensorView& view, bool towards);
+  void draw_fields(const Scene& scene, const SensorView& view);
+  void draw_contact(const Scene& scene, const SensorView& view);
+  void draw_explained(const Scene& scene, const SensorView& view);
+  void draw_skin_readings(const Scene& scene, const SensorView& view);
+  void draw_tractions(const Scene& scene, const SensorView& view);
+  void draw_filtered(const Scene& scene, const SensorView& view);
+  void draw_rays(const Scene& scene, const SensorView& view);
+  void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
+  void draw_force(const Scene& scene, const SensorView& view);
+  void draw_path(const Scene& scene);
+  static void draw_way_points(const Scene& scene, const ShownPath& path);
+  void draw_plans(const Scene& scene);
+  void draw_measure(const Scene& scene);
+
+  SurfacePass surfaces_;
+  std::optional<TractionNumbers> tractions_;  // of the last picture
+  PaintPass paint_;
+  struct StraightRings {  // which nobody has to wait for
+    SensorModelPtr model;
+    FieldGeometry geometry;
+    std::shared_ptr<const FieldRings> rings;
+  };
+  std::map<int, StraightRings> straight_;  // by sensor, as all of these
+  std::map<int, std::unique_ptr<FieldPaint>> field_paint_;
+  RegionPaint region_;
+  RepairMarks repair_;
+  GhostMarks ghosts_;
+  FieldNumbers numbers_;
+  std::map<int, std::unique_ptr<ModelMarks>> marks_;
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,37 @@
+// A map of the receptive fields on the skin, and taxel normals beside the skin's; kept on the card.
+#pragma once
+
+#include <optional>
+
+#include "ui/scene/field_numbers.h"
+#include "ui/scene/geometry/shown_fields.h"
+#include "ui/scene/paint/paint.h"
+#include "ui/scene/paint/segments.h"
+
+namespace taxel::ui {
+
+class FieldPaint {
+ public:
+  explicit FieldPaint(SensorModelPtr model) : model_(std::move(model)) {}
+  [[nodiscard]] const SensorModelPtr& model() const { return model_; }
+
+  /// The map of `fields`, which holds this model.
+  const PaintBuffer& map(const ShownFieldsPtr& fields);
+  /// Taxel normals in the colour of their angle to the skin's, and the skin's normals beside them.
+  struct Normals {
+    gl::Buffer arrows, skin;
+  };
+  const Normals& normals(double length, std::uint32_t skin_rgba);
+
+  [[nodiscard]] const std::optional<NormalNumbers>& normal_numbers() const { return normal_numbers_; }
+
+ private:
+  SensorModelPtr model_;
+  ShownFieldsPtr fields_;
+  PaintBuffer map_;  // of those
+  std::optional<Normals> normals_;
+  std::uint32_t normals_rgba_ = 0;
+  std::optional<NormalNumbers> normal_numbers_;
+};
+
+}  // namespace taxel::ui

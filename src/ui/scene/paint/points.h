@@ -1,0 +1,71 @@
+// Round points of constant pixel size.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+
+#include "core/base/math.h"
+#include "ui/gl/buffer.h"
+#include "ui/scene/marks/mark_state.h"
+
+namespace taxel::ui {
+
+struct PointMark {
+  glm::vec3 position{0};
+  MarkNormal normal{0, 0, 0, 127};  ///< last: part of the size
+  std::uint32_t rgba = 0;           ///< sRGB, straight alpha, red in the lowest byte
+};
+
+PointMark point_mark(const dvec3& position, const dvec3& normal, double size, std::uint32_t rgba);
+
+struct PointStyle {
+  float diameter = 4;  ///< [pixel]; of a point of size 1
+  glm::vec4 outline{0, 0, 0, 0};
+  float outline_width = 0;  ///< [pixel], inside the diameter
+};
+
+/// Points that stay on the card.
+class PointBuffer {
+ public:
+  PointBuffer();
+  void upload(std::span<const PointMark> points, GLenum usage) { buffer_.upload(points, usage); }
+  /// The first `most` of them.
+  void draw(int most = std::numeric_limits<int>::max()) const;
+
+ private:
+  gl::Buffer buffer_;
+  gl::VertexArray array_;
+};
+
+/// Very many points on a surface, each seen from one side: those that look away do not get as far as the card.
+class SurfacePoints {
+ public:
+  SurfacePoints();
+  void upload(std::vector<PointMark> points);
+  /// Those of the first `most` that face an eye (frame of the points), in their order; about grazing ones the shader
+  /// decides.
+  void draw(const dvec3& eye, int most);
+
+ private:
+  std::vector<PointMark> points_;
+  std::vector<std::uint32_t> facing_;
+  gl::Buffer buffer_, indices_;
+  gl::VertexArray array_;
+};
+
+class PointPass {
+ public:
+  explicit PointPass(const gl::ShaderReader& read) : program_(read, "point") {}
+  void draw(const PointBuffer& points, const PointStyle& style, const MarkState& state,
+            int most = std::numeric_limits<int>::max()) const;
+  void draw(std::span<const PointMark> points, const PointStyle& style, const MarkState& state);
+  void draw(SurfacePoints& points, const PointStyle& style, const MarkState& state, const dvec3& eye_W, int most) const;
+
+ private:
+  void set(const PointStyle& style, const MarkState& state) const;
+  gl::Program program_;
+  PointBuffer stream_;
+};
+
+}  // namespace taxel::ui

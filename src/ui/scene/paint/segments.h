@@ -1,0 +1,50 @@
+// Lines and arrows of constant pixel width, gathered on the processor and drawn in one go.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/math.h"
+#include "ui/gl/buffer.h"
+#include "ui/gl/program.h"
+#include "ui/scene/color_map.h"
+#include "ui/scene/marks/mark_state.h"
+
+namespace taxel::ui {
+
+/// As `Segment` in shaders/segment.glsl (std430).
+struct Segment {
+  static constexpr double kWidest = 12.7;  ///< [pixel]
+  glm::vec3 a{0};
+  MarkNormal normal{0, 0, 0, 10};  ///< last: part of the widest width
+  glm::vec3 b{0};
+  std::uint32_t rgba = 0;  ///< sRGB, straight alpha, red in the lowest byte
+};
+using Segments = std::vector<Segment>;
+
+/// `width` [pixel] in steps of a tenth.
+inline Segment segment(const dvec3& a, const dvec3& b, float width, std::uint32_t rgba,
+                       const dvec3& normal = dvec3(0)) {
+  return {glm::vec3(a), pack_normal(normal, static_cast<double>(width) / Segment::kWidest), glm::vec3(b), rgba};
+}
+
+/// Draws segments as lines (program "line") or as arrows from a to b (program "arrow").
+class SegmentPass {
+ public:
+  explicit SegmentPass(const gl::ShaderReader& read) : lines_(read, "line"), arrows_(read, "arrow") {}
+  void draw_lines(std::span<const Segment> segments, const MarkState& state);
+  void draw_lines(const gl::Buffer& segments, const MarkState& state) const;
+  void draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline);
+  /// `scale` multiplies the widths.
+  void draw_arrows(const gl::Buffer& segments, const MarkState& state, const glm::vec4& outline, float scale) const;
+
+ private:
+  void draw(const gl::Program& program, const gl::Buffer& segments, const MarkState& state) const;
+  void make_quads(GLsizei count) const;
+  gl::Program lines_, arrows_;
+  gl::Buffer stream_;
+  mutable gl::Buffer corners_;  // of as many quads as were ever asked for: four vertices each, six indices
+  mutable gl::VertexArray quads_;
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,35 @@
+// Background and grid, kept as pictures where drawing is dear: the background always, both while the camera rests.
+#pragma once
+
+#include <optional>
+
+#include "ui/scene/passes/ground.h"
+
+namespace taxel::ui {
+
+class Backdrop {
+ public:
+  /// Fills the colour of `target` (bound, of a single sample per pixel) with background and grid. Draws only what
+  /// changed; else copies, which costs a software renderer a tenth.
+  void fill(const gl::Framebuffer& target, const GroundPass& pass, const Ground& ground, const Camera& camera,
+            const Look& look, bool grid, double scale, SegmentPass& segments);
+
+ private:
+  struct Key {
+    dvec3 position{0};
+    dquat orientation{1, 0, 0, 0};
+    Camera camera;
+    const Look* look = nullptr;
+    bool grid = false;
+    double scale = 1;
+    int width = 0, height = 0;
+    bool operator==(const Key&) const = default;
+  };
+  void fill_background(const gl::Framebuffer& target, const GroundPass& pass, const Look& look);
+
+  std::optional<gl::Framebuffer> background_, picture_;
+  const Look* background_look_ = nullptr;
+  Key key_, last_;  ///< of picture_, and of the last call
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,72 @@
+#include "ui/scene/passes/key_shadow.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "ui/gl/state.h"
+#include "ui/scene/passes/top_view.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr double kMargin = 0.02;               // around what is shown, parts of its size: so that the edge is soft
+constexpr float kSlopeBias = 2.5f, kBias = 2;  // of glPolygonOffset
+
+/// Its z axis points towards the light.
+Pose facing(const dvec3& light) {
+  const dvec3 x = any_perpendicular(light);
+  return {glm::quat_cast(dmat3(x, glm::cross(light, x), light)), dvec3(0)};
+}
+
+}  // namespace
+
+KeyShadow::KeyShadow(const gl::ShaderReader& read, int texels)
+    : depth_(read, "caster.vert", "depth.frag"), map_(GL_DEPTH_COMPONENT32F, texels, texels) {
+  glTextureParameteri(map_.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTextureParameteri(map_.id(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTextureParameteri(map_.id(), wrap, GL_CLAMP_TO_BORDER);
+  constexpr std::array<float, 4> kLit{1, 1, 1, 1};
+  glTextureParameterfv(map_.id(), GL_TEXTURE_BORDER_COLOR, kLit.data());
+  glNamedFramebufferTexture(target_.id(), GL_DEPTH_ATTACHMENT, map_.id(), 0);
+  glNamedFramebufferDrawBuffer(target_.id(), GL_NONE);
+  glNamedFramebufferReadBuffer(target_.id(), GL_NONE);
+}
+
+void KeyShadow::make(const Aabb& shown_W, const Aabb& casters_W, const glm::vec3& light,
+                     const std::function<void(const gl::Program&)>& draw_casters) {
+  texel_ = 0;
+  if (shown_W.empty() || casters_W.empty()) return;
+  const Pose X_LW = facing(glm::normalize(dvec3(light))).inverse();
+  const Aabb shown = box_in(X_LW, shown_W), casters = box_in(X_LW, casters_W);
+  const dvec2 middle(shown.center());
+  const double half = (0.5 + kMargin) * std::max(shown.extent().x, shown.extent().y);  // square texels
+  const double deep = kMargin * casters.diagonal();
+  FrameUniforms frame;
+  frame.view_from_world = matrix(X_LW);
+  frame.clip_from_view = glm::mat4(glm::ortho(middle.x - half, middle.x + half, middle.y - half, middle.y + half,
+                                              -casters.hi.z - deep, -casters.lo.z + deep));
+  bind_frame(frame_, frame);
+  glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
+  glViewport(0, 0, map_.width(), map_.height());
+  gl::apply({});
+  glClearDepth(1);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(kSlopeBias, kBias);
+  depth_.use();
+  draw_casters(depth_);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  const glm::mat4 map_from_clip =
+      glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f));
+  map_from_world_ = map_from_clip * frame.clip_from_view * frame.view_from_world;
+  texel_ = static_cast<float>(2 * half / map_.width());
+}
+
+void KeyShadow::use(const gl::Program& program, GLuint unit) const {
+  map_.bind(unit);
+  program.set("key_map", static_cast<int>(unit));
+  program.set("map_from_world", map_from_world_);
+  program.set("key_texel", texel_);
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,212 @@
+#include "ui/scene/passes/mesh_pass.h"
+
+#include "ui/gl/state.h"
+#include "ui/scene/marks/mark_state.h"
+#include "ui/scene/scene_places.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f, kSelectedWidth = 3.0f;
+constexpr float kSeenThrough = 0.3f;      // of the alpha of lines that shine through
+constexpr std::size_t kMostCasts = 3000;  // edges of an outline, above which none is asked what stands before it
+constexpr double kGrazing = 0.03;         // of the skin's size: how far before its outline a ray may touch it
+constexpr float kTowardEye = 0.004f;      // edges in front of their faces
+constexpr double kShadowHeight = 0.14;    // of the sensors' size, at which their shadow is a third as dark
+
+/// Whether the skin stands clearly before a point of its own outline.
+bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
+  const double distance = glm::length(p - eye), nearer = distance - kGrazing * skin.mesh().bounds().diagonal();
+  return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
+}
+
+/// Whether the near plane may cut the item open.
+bool may_be_within(const MeshItem& item, const Camera& camera) {
+  const dvec3 eye = item.X_WM.inverse() * camera.eye(), around(2 * camera.near_plane());  // its corners lie farther
+  return item.mesh->mesh().bounds().overlaps({eye - around, eye + around});
+}
+
+/// Outlines the item where it is of the selected body.
+void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& input, const Look& look) {
+  item.selected = input.selected_body >= 0 && geom.body_index == input.selected_body;
+  if (item.selected) item.outline = look.selection;
+}
+
+/// Sites mark places: they cast no shadow, and those that MJCF has transparent hide nothing.
+void add_sites(const SceneInput& input, const Look& look, MeshCache& cache, MeshList& list) {
+  for (const SceneSite& site : input.frame->scene->marks.sites) {
+    const std::optional<Pose> X_WS = site_pose(*input.frame, site);
+    if (!X_WS || !shows(input.overlays, site)) continue;
+    const glm::vec3 albedo = linear_from_srgb({site.rgba[0], site.rgba[1], site.rgba[2]});
+    MeshItem item{&cache.get(site.mesh), *X_WS, albedo, look.solid_outline};
+    item.casts = false;
+    (site.rgba[3] < 1 ? list.skins : list.solids).push_back(item);
+  }
+}
+
+}  // namespace
+
+MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) {
+  MeshList list;
+  std::vector<MeshItem>& skins = input.overlays.sensor_transparent ? list.skins : list.solids;
+  for (const SensorView& view : sensor_views(input)) {
+    skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true,
+                     input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
+  }
+  if (!input.frame && input.probe && input.probe->mesh) {  // seen through: it stands before what it presses
+    MeshItem probe{&cache.get(input.probe->mesh), input.probe->X_MG, look.probe_albedo, look.probe_outline};
+    probe.casts = false;  // a tool that follows the pointer
+    list.skins.push_back(probe);
+  }
+  if (!input.frame || !input.frame->scene) return list;
+  const SimScene& scene = *input.frame->scene;
+  for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
+    const SceneGeom& geom = scene.geoms[i];
+    const auto sensor = static_cast<std::size_t>(std::max(geom.sensor, 0));
+    if (geom.sensor >= 0 && sensor < skins.size()) mark_selected(skins[sensor], geom, input, look);
+    if (!geom.mesh || geom.plane || geom.sensor >= 0 || !shows(input.overlays, geom)) continue;
+    const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
+    list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline});
+    mark_selected(list.solids.back(), geom, input, look);
+  }
+  add_sites(input, look, cache, list);
+  return list;
+}
+
+std::vector<PlacedMesh> casters_of(const MeshList& list) {
+  std::vector<PlacedMesh> out;
+  for (const auto* items : {&list.solids, &list.skins}) {
+    for (const MeshItem& item : *items) {
+      if (item.casts) out.push_back({item.mesh->shared_mesh(), item.X_WM});
+    }
+  }
+  return out;
+}
+
+MeshList sensors_of(const SceneInput& input, MeshCache& cache) {
+  MeshList list;
+  for (const SensorView& view : sensor_views(input)) {
+    list.skins.push_back({&cache.get(view.model->mesh), view.X_WM, glm::vec3(0), glm::vec4(0), true});
+  }
+  return list;
+}
+
+MeshPass::MeshPass(const gl::ShaderReader& read, int key_texels)
+    : solid_(read, "mesh.vert", "solid.frag"),
+      skin_(read, "mesh.vert", "skin.frag"),
+      caster_(read, "caster.vert", "height.frag"),
+      shadow_(read),
+      key_shadow_(read, key_texels) {}
+
+void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
+  if (!shadow_.begin(Pose{}, box_W, 1)) return;
+  const Aabb& box = shadow_.casters();
+  const double range = box.diagonal();
+  caster_.set("plane", glm::vec4(0, 0, 1, -box.lo.z));
+  caster_.set("range", static_cast<float>(range));
+  gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
+  glBlendEquation(GL_MIN);
+  caster_.use();
+  draw_casters(caster_, sensors, GL_FRONT);  // the lowest counts
+  shadow_.blur();
+  solid_.set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
+  solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kShadowHeight * range)));
+}
+
+void MeshPass::make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look) {
+  Aabb shown = box_W;
+  if (!sensors_W.empty()) {  // a table under a finger would leave few texels for the finger
+    const dvec3 around(sensors_W.diagonal());
+    shown.lo = glm::max(shown.lo, sensors_W.lo - around);
+    shown.hi = glm::min(shown.hi, sensors_W.hi + around);
+  }
+  key_shadow_.make(shown, box_W, look.key_direction,
+                   [&](const gl::Program& program) { draw_casters(program, list, GL_BACK); });
+}
+
+void MeshPass::draw_casters(const gl::Program& program, const MeshList& list, GLenum hidden) const {
+  for (const auto* items : {&list.solids, &list.skins}) {
+    for (const MeshItem& item : *items) {
+      if (!item.casts) continue;
+      program.set("world_from_mesh", matrix(item.X_WM));
+      item.mesh->draw_without(hidden);
+    }
+  }
+}
+
+void MeshPass::draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
+  gl::apply({});
+  set_clipped(clipped);
+  solid_.set("clipped", clipped ? 1.0f : 0.0f);
+  solid_.set("inside", clipped ? look.cut_inside : glm::vec4(0));
+  const float strength = shadow_.box().z > 0 ? look.skin_shadow : 0.0f;
+  shadow_.bind(0);
+  key_shadow_.use(solid_, 1);
+  solid_.use();
+  for (const MeshItem& item : list.solids) {
+    solid_.set("world_from_mesh", matrix(item.X_WM));
+    solid_.set("albedo", item.albedo);
+    solid_.set("strength", item.sensor ? 0.0f : strength);
+    if (clipped || may_be_within(item, camera)) {
+      item.mesh->draw();
+    } else {
+      item.mesh->draw_without(GL_BACK);
+    }
+  }
+  set_clipped(false);
+}
+
+void MeshPass::draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
+  gl::apply({.depth_write = false, .blend = true});
+  set_clipped(clipped);
+  skin_.set("clipped", clipped ? 1.0f : 0.0f);
+  skin_.set("front_alpha", look.skin_front_alpha);
+  skin_.set("back_alpha", look.skin_back_alpha);
+  skin_.use();
+  for (const MeshItem& item : list.skins) {
+    skin_.set("world_from_mesh", matrix(item.X_WM));
+    skin_.set("albedo", item.albedo);
+    const dvec3 direction_W = glm::normalize(camera.target - camera.eye());
+    item.mesh->draw_blended(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
+  }
+  set_clipped(false);
+}
+
+void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments,
+                             bool clipped) const {
+  for (const MeshItem& item : items) {
+    if (!item.mesh->has_outlines()) continue;
+    const TriMesh& mesh = item.mesh->mesh();
+    const std::vector<MeshEdge>& edges = item.mesh->edges();
+    const dvec3 eye = item.X_WM.inverse() * camera.eye();
+    const VisibleEdges visible = visible_edges(mesh, edges, eye);
+    const std::uint32_t full = pack(item.outline);
+    const std::uint32_t dim = pack(glm::vec4(glm::vec3(item.outline), kSeenThrough * item.outline.a));
+    const float width = item.selected ? kSelectedWidth : kOutlineWidth;
+    Segments lines;
+    const auto vertex = [&](int v) { return mesh.vertices()[static_cast<std::size_t>(v)]; };
+    for (const int i : visible.creases) {
+      const MeshEdge& e = edges[static_cast<std::size_t>(i)];
+      lines.push_back(segment(vertex(e.a), vertex(e.b), kCreaseWidth, item.transparent != nullptr ? dim : full));
+    }
+    const bool many = visible.outline.size() > kMostCasts;
+    for (const int i : visible.outline) {
+      const MeshEdge& e = edges[static_cast<std::size_t>(i)];
+      const bool behind = item.transparent != nullptr &&
+                          (many || lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b))));
+      lines.push_back(segment(vertex(e.a), vertex(e.b), width, behind ? dim : full));
+    }
+    segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
+  }
+}
+
+void MeshPass::draw_wires(const MeshList& list, const Look& look, SegmentPass& segments, bool clipped) const {
+  for (const auto* items : {&list.solids, &list.skins}) {
+    for (const MeshItem& item : *items) {
+      segments.draw_lines(item.mesh->wires(kWireWidth, pack(look.wire)),
+                          {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
+    }
+  }
+}
+
+}  // namespace taxel::ui

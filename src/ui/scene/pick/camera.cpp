@@ -1,0 +1,118 @@
+#include "ui/scene/pick/camera.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace taxel::ui {
+namespace {
+
+constexpr double kDegreesPerPixel = 0.35;
+constexpr double kElevationLimitDeg = 89.5;
+constexpr double kZoomPerNotch = 0.88;
+constexpr double kNearest = 1e-4, kFarthest = 1e3;  // of `distance` [m]: a tenth of a millimetre to a kilometre
+constexpr double kNearPart = 0.02, kFarPart = 50;   // of `distance`: near and far plane
+constexpr double kFrameMargin = 1.1;
+constexpr double kStraightDown = 1e-13;  // a shorter level part of a unit vector tells no direction
+
+/// Right, up and backward of the view: an orthonormal right-handed basis.
+struct Basis {
+  dvec3 right, up, back;
+};
+
+Basis basis(const Camera& camera) {
+  const double az = glm::radians(camera.azimuth_deg), el = glm::radians(camera.elevation_deg);
+  const dvec3 back(std::cos(el) * std::cos(az), std::cos(el) * std::sin(az), std::sin(el));
+  const dvec3 level(-std::sin(az), std::cos(az), 0), upright = glm::cross(back, level);
+  if (camera.roll_deg == 0) return {level, upright, back};
+  const double roll = glm::radians(camera.roll_deg);
+  const dvec3 right = std::cos(roll) * level + std::sin(roll) * upright;
+  return {right, glm::cross(back, right), back};
+}
+
+double half_height(const Camera& camera) {
+  return std::tan(0.5 * glm::radians(camera.fov_deg));
+}
+
+}  // namespace
+
+dvec3 Camera::eye() const {
+  return target + distance * basis(*this).back;
+}
+
+glm::dmat4 Camera::view() const {
+  const Basis b = basis(*this);
+  const dvec3 e = eye();
+  glm::dmat4 m(1.0);
+  for (int i = 0; i < 3; ++i) {
+    m[i][0] = b.right[i];
+    m[i][1] = b.up[i];
+    m[i][2] = b.back[i];
+  }
+  m[3] = {-glm::dot(b.right, e), -glm::dot(b.up, e), -glm::dot(b.back, e), 1};
+  return m;
+}
+
+glm::dmat4 Camera::projection(double aspect) const {
+  return glm::perspective(glm::radians(fov_deg), aspect, near_plane(), kFarPart * distance);
+}
+
+double Camera::near_plane() const {
+  return kNearPart * distance;
+}
+
+dvec3 Camera::project(const dvec3& p_W, int width, int height) const {
+  const Basis b = basis(*this);
+  const dvec3 d = p_W - eye();
+  const double depth = -glm::dot(b.back, d);
+  const double pixels = 0.5 * height / (half_height(*this) * depth);  // per metre at that depth
+  return {0.5 * width + pixels * glm::dot(b.right, d), 0.5 * height - pixels * glm::dot(b.up, d), depth};
+}
+
+Ray Camera::pixel_ray(double x, double y, int width, int height) const {
+  const Basis b = basis(*this);
+  const double scale = 2.0 * half_height(*this) / height;  // view units per pixel at depth 1
+  Ray ray;
+  ray.origin = eye();
+  ray.direction = glm::normalize((x - 0.5 * width) * scale * b.right + (0.5 * height - y) * scale * b.up - b.back);
+  return ray;
+}
+
+void Camera::orbit(double dx_pixels, double dy_pixels) {
+  azimuth_deg = std::remainder(azimuth_deg - kDegreesPerPixel * dx_pixels, 360.0);
+  elevation_deg = std::clamp(elevation_deg + kDegreesPerPixel * dy_pixels, -kElevationLimitDeg, kElevationLimitDeg);
+}
+
+void Camera::pan(double dx_pixels, double dy_pixels, int height, bool horizontal) {
+  const Basis b = basis(*this);
+  const double metres = 2.0 * distance * half_height(*this) / height;  // per pixel at the target
+  const dvec3 away = glm::cross(dvec3(0, 0, 1), b.right);              // from the eye, level
+  target -= metres * dx_pixels * b.right;
+  target += metres * dy_pixels * (horizontal ? away : b.up);
+}
+
+void Camera::zoom(double wheel_notches) {
+  distance = std::clamp(distance * std::pow(kZoomPerNotch, wheel_notches), kNearest, kFarthest);
+}
+
+void Camera::look_from(const Pose& X_WC, double depth) {
+  const dmat3 R = X_WC.rotation();
+  const dvec3 &right = R[0], &back = R[2];
+  const double level_part = std::hypot(back.x, back.y);
+  elevation_deg = glm::degrees(std::atan2(back.z, level_part));
+  azimuth_deg = glm::degrees(level_part > kStraightDown ? std::atan2(back.y, back.x) : std::atan2(-right.x, right.y));
+  roll_deg = 0;
+  const Basis unrolled = basis(*this);
+  roll_deg = glm::degrees(std::atan2(glm::dot(right, unrolled.up), glm::dot(right, unrolled.right)));
+  distance = std::clamp(depth, kNearest, kFarthest);
+  target = X_WC.p - distance * back;
+}
+
+void Camera::frame(const Aabb& box_W) {
+  if (box_W.empty()) return;
+  target = box_W.center();
+  const double radius = 0.5 * box_W.diagonal();
+  if (radius > 0) {
+    distance = std::clamp(kFrameMargin * radius / std::sin(0.5 * glm::radians(fov_deg)), kNearest, kFarthest);
+  }
+}
+
+}  // namespace taxel::ui
