@@ -1,4 +1,4 @@
-// The module's only entry: MuJoCo runs it when it loads the library.
+// The only entry point of the plugin library. MuJoCo calls it when it loads the library.
 #include "core/sim/plugin/plugin_table.h"
 
 mjPLUGIN_LIB_INIT(taxel_sensor) {

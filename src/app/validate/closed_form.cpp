@@ -10,7 +10,7 @@ namespace taxel {
 ClosedFormCheck CheckedCase::limit(const std::string& quantity, const std::string& unit, double computed,
                                    Relation relation, double limit) const {
   const double excess = relation == Relation::at_most ? computed - limit : limit - computed;
-  // written so that a computed NaN stays one and fails
+  // This comparison lets a computed NaN become a NaN error, which fails.
   const double error = excess <= 0 ? 0 : excess / std::abs(limit);
   return {form, setting, quantity, unit, computed, limit, error, 0, relation};
 }
@@ -21,8 +21,8 @@ void Statistic::add(double computed, double exact) {
   exact_sum_ += exact;
   error_sum_ += error;
   ++count_;
-  constexpr double kRounding = 1e-12;  // of errors that differ by less the first one counts, on every machine
-  const bool worse = !std::isnan(worst_error_) && !(error < worst_error_ + kRounding);  // a NaN stays the worst
+  constexpr double kRounding = 1e-12;  // the first of nearly equal errors wins, on every machine
+  const bool worse = !std::isnan(worst_error_) && !(error < worst_error_ + kRounding);  // a NaN remains the worst
   if (count_ == 1 || worse) {
     worst_error_ = error;
     worst_computed_ = computed;

@@ -1,4 +1,4 @@
-// One row of the validation: what was computed, what it must be, how far apart they are.
+// One row of the validation: a computed quantity, its exact value and the error.
 #pragma once
 
 #include <limits>
@@ -9,26 +9,27 @@ namespace taxel {
 
 enum class Relation { equal, at_most, at_least };
 
-/// One quantity of one case.
+/// One quantity of one case against its closed form.
 struct ClosedFormCheck {
   std::string form;      ///< "A1"
   std::string setting;   ///< bodies, sizes, depth
   std::string quantity;  ///< "force, mean of 200"
-  std::string unit;      ///< "1" where it has none
-  double computed = 0;   ///< mean over the poses, or the pose of the largest error
-  double exact = 0;      ///< of the closed form; the limit where `relation` is an inequality
-  double error = 0;      ///< relative to `exact`; for an inequality how far it is broken, 0 where it holds
-  double bound = 0;      ///< largest error allowed
+  std::string unit;      ///< "1" for a number without a unit
+  double computed = 0;   ///< mean over the poses, or the value with the largest error
+  double exact = 0;      ///< value of the closed form, or the limit of an inequality
+  /// Relative to `exact`. For an inequality the amount by which it is violated, or 0.
+  double error = 0;
+  double bound = 0;  ///< largest allowed error
   Relation relation = Relation::equal;
   [[nodiscard]] bool pass() const { return error <= bound; }
 };
 using ClosedFormChecks = std::vector<ClosedFormCheck>;
 
-/// What the checks of one case have in common.
+/// The case that several checks share.
 struct CheckedCase {
   std::string form, setting;
 
-  /// `computed` must be at most (or at least) `limit`.
+  /// Returns the check that `computed` is at most, or at least, `limit`.
   [[nodiscard]] ClosedFormCheck limit(const std::string& quantity, const std::string& unit, double computed,
                                       Relation relation, double limit) const;
 };
@@ -37,10 +38,10 @@ struct CheckedCase {
 class Statistic {
  public:
   void add(double computed, double exact);
-  /// Mean of the computed and of the exact values, mean of the sizes of the errors.
+  /// Returns the means of the computed values, the exact values and the absolute errors.
   [[nodiscard]] ClosedFormCheck mean(const CheckedCase& about, const std::string& quantity, const std::string& unit,
                                      double bound) const;
-  /// The pose of the largest error.
+  /// Returns the values with the largest error.
   [[nodiscard]] ClosedFormCheck worst(const CheckedCase& about, const std::string& quantity, const std::string& unit,
                                       double bound) const;
   [[nodiscard]] double mean_error() const { return error_sum_ / count_; }

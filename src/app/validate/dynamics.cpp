@@ -13,7 +13,7 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr const char* kIntegrators[] = {"Euler", "RK4", "implicit", "implicitfast", "discrete"};
 
-// A ball: the star of a sphere of true volume, which is its medial-axis field.
+// The ball has a star field on a sphere with the exact volume, which is its medial-axis field.
 constexpr double kRadius = 0.02, kModulus = 5e4, kMass = 0.05;
 
 SoftOnFloor ball(const std::string& integrator, double dissipation) {
@@ -25,7 +25,7 @@ SoftOnFloor ball(const std::string& integrator, double dissipation) {
   return setup;
 }
 
-/// The root of a rising function between low and high.
+/// Returns the root of an increasing function between low and high.
 template <class Function>
 double root(const Function& rising, double low, double high) {
   for (int i = 0; i < 100; ++i) {
@@ -35,7 +35,7 @@ double root(const Function& rising, double low, double high) {
   return 0.5 * (low + high);
 }
 
-/// F(x) of A1.
+/// Returns F(x) of A1.
 double ball_force(double x) {
   return kPi * kModulus * x * x * (1 - 2 * x / (3 * kRadius));
 }
@@ -108,7 +108,7 @@ ClosedFormChecks validate_energy() {
     for (int n = 0; n < 2000; ++n) {
       const double now = run.energy();
       run.step();
-      if (!run.touching()) {  // in flight no energy is hidden in the skin
+      if (!run.touching()) {  // in flight the skin stores no energy
         largest = std::max(largest, now / before);
         before = now;
         flights += was_touching ? 1 : 0;
@@ -117,14 +117,15 @@ ClosedFormChecks validate_energy() {
     }
   }
   const CheckedCase about{"A9", "the ball bouncing and sliding, d = 0.5 s/m, steps of 0.5 ms, every integrator"};
-  // in flight the integrators themselves keep the energy only to rounding
+  // In flight the integrators preserve the energy up to rounding.
   return {about.limit("energy over that of the flight before", "1", largest, Relation::at_most, 1 + 1e-9),
           about.limit("bounces", "1", flights, Relation::at_least, 8)};
 }
 
 namespace {
 
-/// A soft block on a slope that stands level: gravity leans. It starts about as deep as it will rest.
+/// Returns a soft block on a slope. The floor is horizontal and gravity is tilted instead. The block starts at about
+/// the depth at which it rests.
 SoftOnFloor block(const char* integrator, double theta) {
   constexpr double E = 2e4, H = 0.005, mass = 0.1;
   const dvec3 half(0.03, 0.03, 0.015);
@@ -132,7 +133,7 @@ SoftOnFloor block(const char* integrator, double theta) {
   setup.skin = std::make_shared<const TriMesh>(make_box(half));
   setup.material = {FieldKind::pad, E, H, 20, 0.5};
   setup.mass = mass;
-  setup.center = -0.014;  // near the floor, so that friction does not tip it
+  setup.center = -0.014;  // near the floor, so that friction does not tip the block
   setup.start = half.z - mass * kGravity * std::cos(theta) / (4 * half.x * half.y * E / H);
   setup.gravity = kGravity * dvec3(std::sin(theta), 0, -std::cos(theta));
   setup.integrator = integrator;
@@ -151,7 +152,7 @@ ClosedFormChecks validate_slope() {
     for (const char* integrator : kIntegrators) {
       SoftOnFloorRun run(block(integrator, angle * degree));
       run.step(400);
-      for (int n = 0; n < 20; ++n) {  // steady: in every step
+      for (int n = 0; n < 20; ++n) {  // the creep is steady in every step
         run.step();
         creep.add(run.velocity().x, exact);
       }

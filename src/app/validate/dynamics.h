@@ -1,22 +1,22 @@
-// A9: bodies moved by hydroelastic contact through MuJoCo, under each of its integrators, against closed forms. Part of
-// `taxel validate`; the static forms are in project/validation.
+// A9: the motion of bodies in hydroelastic contact, with each of MuJoCo's integrators, against closed forms.
 #pragma once
 
 #include "app/validate/closed_form.h"
 
 namespace taxel {
 
-/// A soft ball comes to rest where F(x) = m g (A1).
+/// Checks that a soft ball comes to rest at the depth x with F(x) = m g (A1).
 ClosedFormChecks validate_rest_depth();
-/// A soft ball thrown at the floor without gravity leaves it with the speed of Hunt and Crossley, never faster than
-/// 1/d.
+/// Checks that a soft ball that hits the floor without gravity rebounds with the speed of Hunt and Crossley, which is
+/// less than 1/d.
 ClosedFormChecks validate_rebound();
-/// A ball that bounces and slides loses energy from flight to flight for d > 0.
+/// Checks that a ball that bounces and slides loses energy from flight to flight for d > 0.
 ClosedFormChecks validate_energy();
-/// On a slope, tan(theta) < mu: a steady creep of vs tan(pi tan(theta)/(2 mu)); above: acceleration g (sin - mu cos).
+/// Checks the motion of a block on a slope: a steady creep of vs tan(pi tan(theta)/(2 mu)) if tan(theta) < mu,
+/// otherwise an acceleration of g (sin(theta) - mu cos(theta)).
 ClosedFormChecks validate_slope();
 
-/// All of the above. Takes some seconds.
+/// Runs all of the above. Takes some seconds.
 ClosedFormChecks validate_dynamics();
 
 }  // namespace taxel

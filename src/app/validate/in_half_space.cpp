@@ -7,10 +7,10 @@
 namespace taxel {
 namespace {
 
-/// The part of a cube below a plane, by inclusion and exclusion of corner simplices: for n with positive components and
-/// the plane n.x = t over the cube [0, L]^3,
+/// Returns the part of a cube below a plane, by inclusion and exclusion of corner simplices. For n with positive
+/// components and the plane n.x = t over the cube [0, L]^3,
 ///   V(t) = sum over corners s in {0, L}^3 of (-1)^|s| (t - n.s)+^3 / (6 nx ny nz),
-/// each term the simplex {x >= s, n.x <= t}, whose centroid is s + (t - n.s)/4 (1/nx, 1/ny, 1/nz).
+/// in which each term is the simplex {x >= s, n.x <= t} with the centroid s + (t - n.s)/4 (1/nx, 1/ny, 1/nz).
 struct Part {
   double volume = 0;
   dvec3 centroid{0};
@@ -31,7 +31,7 @@ Part cube_below_plane(double edge, const dvec3& n, double t) {
   return part;
 }
 
-/// A unit vector whose components are all above 0.1: the sum over corners loses digits where one is small.
+/// Returns a unit vector with components above 0.1, because the sum over corners loses digits if one of them is small.
 dvec3 random_upward(const CounterRng& rng) {
   return glm::normalize(dvec3(0.1) + dvec3(rng.uniform(0), rng.uniform(1), rng.uniform(2)));
 }
@@ -66,10 +66,10 @@ ClosedFormChecks validate_polyhedron_in_half_space() {
   Statistic force, line;  // ratios to the exact values of each pose
   for (int i = 0; i < kPoses; ++i) {
     const CounterRng rng(3, static_cast<std::uint64_t>(i));
-    const dvec3 n = random_upward(rng);  // points up, in the cube's frame
+    const dvec3 n = random_upward(rng);  // the upward direction in the cube's frame
     const double t = (0.1 + 0.85 * rng.uniform(3)) * L * (n.x + n.y + n.z);
     const Part below = cube_below_plane(L, n, t);
-    // the cube's frame turned so that n points up; its corner at -half lies t below the half-space's surface
+    // The cube's frame is rotated so that n points up. The corner at -half is t below the half-space's surface.
     Pose X_WA = random_stand(3, i);
     X_WA.q = X_WA.q * turn_up(n);
     X_WA.p.z = glm::dot(n, half) - t;

@@ -38,7 +38,7 @@ SphereErrors press_soft_sphere(double resolution, int directions) {
 
 ClosedFormChecks validate_soft_sphere_on_plane() {
   constexpr int kDirections = 200;
-  constexpr std::array<double, 3> kResolutions{0.17, 0.085, 0.0425};  // edge over radius: h, h/2, h/4
+  constexpr std::array<double, 3> kResolutions{0.17, 0.085, 0.0425};  // edge length over radius: h, h/2, h/4
   std::array<SphereErrors, 3> errors;
   for (std::size_t i = 0; i < 3; ++i) errors[i] = press_soft_sphere(kResolutions[i], kDirections);
   const CheckedCase about{"A1", fmt::format("soft sphere of {} tets on a rigid plane, R = 0.05 m, E = 50000 Pa, x/R = "
@@ -50,7 +50,7 @@ ClosedFormChecks validate_soft_sphere_on_plane() {
       errors[0].peak.mean(about, "largest pressure", "Pa", 0.03)};
   const CheckedCase finer{"A1", "the same with edges of half and a quarter the length"};
   for (std::size_t i = 1; i < 3; ++i) {
-    // order: the power of the edge length with which the mean error falls
+    // The order is the power of the edge length with which the mean error falls.
     const double order = std::log2(errors[i - 1].force.mean_error() / errors[i].force.mean_error());
     checks.push_back(errors[i].force.mean(finer, fmt::format("force, {} tets", errors[i].tets), "N", 0.01));
     checks.push_back(finer.limit(fmt::format("order of the error, {} to {} tets", errors[i - 1].tets, errors[i].tets),
@@ -59,8 +59,8 @@ ClosedFormChecks validate_soft_sphere_on_plane() {
   return checks;
 }
 
-/// A4. At the depth x the plane cuts the box in L1 x L2; p = (E/H) min(x, s), s the distance to the nearest side: full
-/// depth over (L1 - 2x)(L2 - 2x), and below it the integral over x of what is left, (L1 - 2z)(L2 - 2z).
+/// A4. At the depth x the plane cuts the box in L1 x L2; p = (E/H) min(x, s) with the distance s to the nearest side.
+/// F = (E/H) times the integral of the area (L1 - 2z)(L2 - 2z) over z from 0 to x.
 ClosedFormChecks validate_soft_box_on_plane() {
   constexpr double E = 5e4;
   constexpr int kPoses = 50;
@@ -118,7 +118,7 @@ ClosedFormChecks validate_lying_cylinder() {
     X_WA.p.z = h;
     long_press.at(X_WA, Pose{});
     short_press.at(X_WA, Pose{});
-    // the ends are the same: their difference is that of a stretch without ends
+    // Both cylinders have the same ends, so the difference of the forces is that of a piece without ends.
     force.add((long_press.force_W().z - short_press.force_W().z) / (2 * (kLong - kShort)), exact);
     area.add((long_press.surface().area() - short_press.surface().area()) / (2 * (kLong - kShort)), 2 * a);
   }

@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-/// All samples in the order of one coordinate.
+/// The samples, sorted by one coordinate.
 class Line {
  public:
   Line(std::span<const SurfacePlace> samples, int axis) : axis_(axis), order_(samples.size()) {
@@ -21,7 +21,7 @@ class Line {
     std::size_t sample = 0;
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest sample of the same wall, but not the one with number `except` in sorted().
+  /// Returns the nearest sample on the same wall, without the sample at index `except` in sorted().
   [[nodiscard]] Nearest nearest(const SurfacePlace& place, std::size_t except) const {
     const double x = place.position[axis_];
     const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), x,
@@ -41,7 +41,8 @@ class Line {
     return best;
   }
   [[nodiscard]] const std::vector<SurfacePlace>& sorted() const { return sorted_; }
-  [[nodiscard]] std::size_t sample(std::size_t place) const { return order_[place]; }  ///< that is sorted()[place]
+  /// Returns the number of the sample sorted()[place].
+  [[nodiscard]] std::size_t sample(std::size_t place) const { return order_[place]; }
 
  private:
   int axis_;
@@ -81,7 +82,7 @@ SampleScore score_samples(const TriMesh& mesh, std::span<const SurfacePlace> sam
   for (const double r : rho) score.rho_mean += r / n;
 
   score.area.assign(samples.size(), 0.0);
-  const double radius = densest / std::sqrt(3.0);  // of the circle around a triangle of the densest packing
+  const double radius = densest / std::sqrt(3.0);  // circumradius of a triangle of the densest packing
   for (int f = 0; f < mesh.face_count(); ++f) {
     const double wanted = mesh.face_areas()[static_cast<std::size_t>(f)] / mesh.area() * n * per_sample;
     const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(wanted))));

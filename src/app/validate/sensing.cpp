@@ -19,7 +19,7 @@ namespace {
 constexpr int kSamples = 10000;
 constexpr std::uint64_t kSeed = 42;
 
-/// What an even set must reach.
+/// The bounds of a uniform set of samples.
 struct EvennessBounds {
   double area_cv, gap;
 };
@@ -46,7 +46,7 @@ struct Tube {
   double radius = 0.01, half_length = 0.02;
   int sides = 48, rings = 24;
 
-  [[nodiscard]] double width() const { return 2.0 * radius * std::sin(kPi / sides); }  // of a side
+  [[nodiscard]] double width() const { return 2.0 * radius * std::sin(kPi / sides); }  // width of a side
   [[nodiscard]] TriMesh mesh() const {
     std::vector<dvec3> vertices;
     std::vector<ivec3> faces;
@@ -66,7 +66,7 @@ struct Tube {
     }
     return {std::move(vertices), std::move(faces)};
   }
-  /// Where a point of a side lies once the tube is unrolled: along the circumference and along the axis.
+  /// Returns the coordinates of a point on the unrolled tube: along the circumference and along the axis.
   [[nodiscard]] dvec2 unrolled(int face, const dvec3& x) const {
     const int side = face / 2 % sides;
     const double angle = 2.0 * kPi * side / sides;
@@ -82,7 +82,8 @@ dvec3 random_point(const TriMesh& mesh, int face, const CounterRng& rng, std::ui
   return a + u * (b - a) + v * (c - a);
 }
 
-/// The readings of a FlatPatch whose rays feel p = 1 + slope x at their origins, against p at the taxels' centres.
+/// Checks the readings of a FlatPatch with the pressure p = 1 + slope x at the origins of its rays against p at the
+/// taxels' centres.
 void read_flat_patch(const SensorModel& model, Statistic& statistic) {
   const auto pressure = [](double x) { return 1.0 + FlatPatch::kSlope * x; };
   RayHits hits;
@@ -104,7 +105,7 @@ ClosedFormChecks validate_samples() {
   return checks;
 }
 
-/// Shortest paths cross edges straight once the faces between are unrolled; the shorter way round counts.
+/// Shortest paths are straight lines on the unrolled faces; the distance is the shorter one around the tube.
 ClosedFormChecks validate_geodesics() {
   constexpr int kSources = 50, kTargets = 20;
   const Tube tube;

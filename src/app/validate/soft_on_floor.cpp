@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kName = "closed form of dynamics";
 constexpr const char* kMeshFile = "skin.obj";
 
-/// The skin with one taxel below; what it reads does not matter.
+/// Returns a layout with one taxel at the bottom of the skin, whose reading is not used.
 SensorModelPtr sensor_of(const SoftOnFloor& setup) {
   Layout layout;
   layout.name = kName;
@@ -76,7 +76,7 @@ void SoftOnFloorRun::set_velocity(const dvec3& v) {
 }
 
 double SoftOnFloorRun::energy() const {
-  mj_fwdPosition(scene_.model.get(), data_.get());  // a step leaves positions behind the velocities
+  mj_fwdPosition(scene_.model.get(), data_.get());  // a step does not update derived positions
   mj_energyPos(scene_.model.get(), data_.get());
   mj_energyVel(scene_.model.get(), data_.get());
   return data_->energy[0] + data_->energy[1];

@@ -1,5 +1,4 @@
-// One free soft body over a rigid floor, stepped by MuJoCo with the sensor plugin: what the closed forms of dynamics
-// need.
+// A free soft body over a rigid floor, simulated by MuJoCo with the sensor plugin, for the closed forms of dynamics.
 #pragma once
 
 #include <string>
@@ -11,10 +10,10 @@
 namespace taxel {
 
 struct SoftOnFloor {
-  TriMeshPtr skin;    ///< around the body's origin
-  Material material;  ///< friction also of the floor
-  double mass = 0;    ///< [kg], spread evenly ...
-  double center = 0;  ///< ... about this height above the body's origin [m]
+  TriMeshPtr skin;    ///< surface of the body, around its origin
+  Material material;  ///< the floor has the same friction
+  double mass = 0;    ///< total mass of the body [kg]
+  double center = 0;  ///< height of the centre of mass above the body's origin [m]
   double start = 0;   ///< height of the body's origin over the floor [m]
   dvec3 gravity{0, 0, -9.81};
   std::string integrator = "Euler";
@@ -23,15 +22,18 @@ struct SoftOnFloor {
 
 class SoftOnFloorRun {
  public:
-  /// Throws Error, as a scene that cannot be compiled does.
+  /// Compiles the scene. Throws Error.
   explicit SoftOnFloorRun(const SoftOnFloor& setup);
   void step(int count = 1);
-  [[nodiscard]] double height() const { return data_->qpos[2]; }  ///< of the body's origin over the floor [m]
-  [[nodiscard]] dvec3 velocity() const { return {data_->qvel[0], data_->qvel[1], data_->qvel[2]}; }  ///< [m/s]
+  /// Returns the height of the body's origin over the floor [m].
+  [[nodiscard]] double height() const { return data_->qpos[2]; }
+  /// Returns the velocity of the body [m/s].
+  [[nodiscard]] dvec3 velocity() const { return {data_->qvel[0], data_->qvel[1], data_->qvel[2]}; }
   void set_velocity(const dvec3& v);
-  /// Kinetic energy and that of the height, without what a pressed skin stores [J].
+  /// Returns the kinetic and the potential energy, without the energy in a deformed skin [J].
   [[nodiscard]] double energy() const;
-  [[nodiscard]] bool touching() const;  ///< in the state that the last step began with
+  /// Returns whether the body touched the floor at the beginning of the last step.
+  [[nodiscard]] bool touching() const;
 
  private:
   CompiledScene scene_;

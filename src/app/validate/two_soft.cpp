@@ -66,11 +66,11 @@ ClosedFormChecks validate_two_soft_spheres() {
 
 namespace {
 
-/// A soft box over a soft slab that is pressed from above only, pB = kB (depth below its top). Over a point of the
-/// box's lower face at the distance s from its nearest side, pA = kA min(s, z), z the height above that face, and the
-/// slab's depth there is x - z. Pressures are equal at z = x kB/(kA + kB), or, nearer to the side, where pB = kA s: so
-/// p = kA min(s, z*), as if the box stood on a rigid plane at the depth z* = x kB/(kA + kB), and A4 gives the force; on
-/// the plateau p = kA z* = x/(1/kA + 1/kB).
+/// Returns the force of a soft box on a soft slab that is pressed only from above, pB = kB (depth below its top). Over
+/// a point of the box's lower face at the distance s from its nearest side, pA = kA min(s, z), z the height above that
+/// face, and the slab's depth there is x - z. Pressures are equal at z = x kB/(kA + kB), or, nearer to the side, where
+/// pB = kA s: so p = kA min(s, z*), as if the box stood on a rigid plane at the depth z* = x kB/(kA + kB), and A4 gives
+/// the force; on the plateau p = kA z* = x/(1/kA + 1/kB).
 double stacked_force(double stiffness_A, double stiffness_B, double L1, double L2, double x) {
   const double z = x * stiffness_B / (stiffness_A + stiffness_B);
   return stiffness_A * (z * L1 * L2 - z * z * (L1 + L2) + 4 * z * z * z / 3);
@@ -110,7 +110,7 @@ ClosedFormChecks validate_stacked_slabs() {
     checks.push_back(force.worst(about, "force", "N", stack.bound));
     checks.push_back(peak.worst(about, "pressure", "Pa", stack.bound));
   }
-  // EB -> infinity: a rigid plane, A4
+  // For EB -> infinity the slab becomes a rigid plane, as in A4.
   Press on_stiff(box, soft_plane(1e6 * EA, half.z)), on_rigid(box, rigid_plane());
   Statistic force;
   for (int i = 0; i < kPoses; ++i) {

@@ -1,6 +1,6 @@
-// Contact and sensing against closed forms: what is computed, what the integral gives, how far apart they are. These
-// are the numbers of `taxel validate` and of docs/validation.md; A9, which needs a simulation, is in sim/validation.
-// Sources: Elandt et al. 2019 and elementary integrals, each with its derivation where it is computed.
+// Static contact and sensing against closed forms: the numbers of `taxel validate` and of docs/validation.md. The
+// motion, A9, is in dynamics.h. Sources are Elandt et al. 2019 and elementary integrals; each derivation is at its
+// function.
 #pragma once
 
 #include "app/validate/closed_form.h"
@@ -8,7 +8,7 @@
 namespace taxel {
 
 /// A1: soft sphere, p = E (1 - r/R), on a rigid plane; F = pi E x^2 (1 - 2x/(3R)), area pi a^2, a^2 = 2Rx - x^2, p_max
-/// = E x/R. With the order of convergence as the tessellation gets finer.
+/// = E x/R. Includes the order of convergence with finer tessellations.
 ClosedFormChecks validate_soft_sphere_on_plane();
 /// A2: rigid sphere in a soft half-space, p = kappa depth; F = kappa pi x^2 (R - x/3), area 2 pi R x.
 ClosedFormChecks validate_sphere_in_half_space();
@@ -22,25 +22,26 @@ ClosedFormChecks validate_standing_cylinder();
 ClosedFormChecks validate_lying_cylinder();
 /// A7: two soft spheres; the rim is the lens circle, on the axis p0 = x kA kB/(kA + kB), k = E/R.
 ClosedFormChecks validate_two_soft_spheres();
-/// A8: a soft box on a soft slab; p = x/(HA/EA + HB/EB) where both are pressed from above only; rigid in the limit.
+/// A8: a soft box on a soft slab; p = x/(HA/EA + HB/EB) if both are pressed only from above; rigid in the limit.
 ClosedFormChecks validate_stacked_slabs();
 
-/// B1: how even the samples are, by score_samples(): distances to the nearest one, Voronoi areas, the widest gap.
+/// B1: uniformity of the samples by score_samples(): distances to the nearest sample, Voronoi areas, largest empty
+/// circle.
 ClosedFormChecks validate_samples();
 /// B2: geodesic distances on a polyhedral cylinder, which unrolls into a plane: d^2 = du^2 + dz^2.
 ClosedFormChecks validate_geodesics();
-/// B3: the mean of a linear pressure, weighted by (r - d)^2 over a disc on a flat patch, is that at its centre: by
-/// samples of equal weight and of their Voronoi areas, 25, 100 and 400 a taxel.
+/// B3: the mean of a linear pressure, weighted by (r - d)^2 over a disc on a flat patch, is the pressure at the centre:
+/// with samples of equal weight and of Voronoi areas, 25, 100 and 400 for each taxel.
 ClosedFormChecks validate_weighted_mean();
 
-/// The samples of B1 on the fingertip, for a picture: x,y,z,rho,area,quality with a head, rho and area as
-/// score_samples() gives them.
+/// Returns the samples of B1 on the fingertip for an image, as CSV with a header: x,y,z,rho,area,quality, with rho and
+/// area of score_samples().
 std::string samples_for_picture();
 
-/// All of the above, in this order. Takes some seconds.
+/// Runs A1 to A8 and B1 to B3 in this order. Takes some seconds.
 ClosedFormChecks validate_statics();
 
-/// What two soft spheres share, the ends of A7.
+/// Two soft spheres in contact, for A7.
 struct TwoSpheres {
   double radius_A = 0, modulus_A = 0, radius_B = 0, modulus_B = 0;
   double depth = 0;  ///< radius_A + radius_B - distance of the centres [m]
@@ -48,7 +49,7 @@ struct TwoSpheres {
 struct TwoSpheresContact {
   double rim_radius = 0, axis_pressure = 0, force = 0, area = 0;
 };
-/// By quadrature over the radius, to 1e-9.
+/// Returns the contact by quadrature over the radius, with a relative error of 1e-9.
 TwoSpheresContact two_spheres_contact(const TwoSpheres& spheres);
 
 }  // namespace taxel

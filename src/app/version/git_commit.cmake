@@ -1,4 +1,4 @@
-# Writes OUT, a source file that names the commit of SOURCE; "unknown" where SOURCE is not a checkout of its own.
+# Writes OUT, a source file with the commit of SOURCE, or "unknown" if SOURCE is not the root of a git checkout.
 set(commit "unknown")
 find_program(GIT git)
 if(GIT)

@@ -1,4 +1,4 @@
-// Which build this is: its version, the commit it was built from, the MuJoCo it runs with. For every program alike.
+// Version of the program, the commit that it was built from, and version of MuJoCo.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@ namespace taxel {
 
 struct Versions {
   std::string taxel;  ///< "0.1.0"
-  std::string
-      commit;  ///< abbreviated hash, "-dirty" behind it where tracked files were changed; "unknown" outside of git
-  std::string mujoco;  ///< of the library that is loaded
+  /// Abbreviated hash, followed by "-dirty" if tracked files were changed; "unknown" outside of a git checkout.
+  std::string commit;
+  std::string mujoco;  ///< version of the loaded library
 };
+/// Returns the versions of this build.
 Versions versions();
 
-/// One line: "taxel 0.1.0, commit 8d066bf12345, MuJoCo 4.0.1".
+/// Returns one line, such as "taxel 0.1.0, commit 8d066bf12345, MuJoCo 4.0.1".
 std::string version_line(const std::string& program);
 
 }  // namespace taxel
