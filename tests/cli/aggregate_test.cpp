@@ -1,5 +1,5 @@
-// The paper's formula and what its released code computes, for the same contact: one switch, in the layout or on the
-// command line.
+// The paper's formula and the formula of its released code on the same contact, chosen in the layout or on the command
+// line.
 #include <cmath>
 #include <map>
 
@@ -20,7 +20,7 @@ Json aggregate_patch(const char* word) {
   return Json::array({{{"op", "replace"}, {"path", "/readout/aggregate"}, {"value", word}}});
 }
 
-/// A folder with a contact of the finger, and a coarse layout on it.
+/// Makes a folder with a contact of the finger and a coarse layout.
 fs::path contact_folder() {
   const fs::path folder = test_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "tests" / "golden" / "finger_on_box.json", folder);
@@ -28,7 +28,7 @@ fs::path contact_folder() {
   return folder;
 }
 
-/// By taxel: the sum of w = (r - d)^2 over its samples, added up from the fields' own file.
+/// Returns the sum of w = (r - d)^2 over the samples of each taxel, from the file of the fields.
 std::map<int, double> weight_sums(const fs::path& folder) {
   taxel_json({"samples", "changed.taxels.json", "--fields", "fields.csv"}, folder);
   const Table fields = read_csv(folder / "fields.csv");
@@ -38,7 +38,7 @@ std::map<int, double> weight_sums(const fs::path& folder) {
   return sums;
 }
 
-// sum w p / sum w (the paper) and sum w p (its released code), both from the same samples and hits.
+// Expected: sum w p / sum w (the paper) and sum w p (its released code) from the same samples and hits.
 TEST(ReleasedCode, StandsBesideThePaperInOneContact) {
   const fs::path folder = contact_folder();
   const Json read = taxel_json({"read", "changed.taxels.json", "finger_on_box.json"}, folder);
@@ -53,12 +53,12 @@ TEST(ReleasedCode, StandsBesideThePaperInOneContact) {
     EXPECT_NEAR(released, sum, kRounding * sum);
     EXPECT_NEAR(paper, sum / divisor, kRounding * paper);
     EXPECT_NEAR(released, paper * divisor, kRounding * released);
-    pressed += paper > 100 && released > 0 && released < 0.1 * paper;  // (6 mm)^2 times a hundred samples: far apart
+    pressed += paper > 100 && released > 0 && released < 0.1 * paper;  // the weights add up to (6 mm)^2 times a hundred
   }
   EXPECT_GE(pressed, 4);
 }
 
-// More samples: the paper's reading stays, the released one grows with their number.
+// With more samples the paper's reading stays equal; that of the released code grows with their number.
 TEST(ReleasedCode, GrowsWithTheDensityAsThePaperDoesNot) {
   const fs::path folder = contact_folder();
   const auto at = [&](const char* density) {
@@ -92,7 +92,7 @@ TEST(ReleasedCode, SwitchAndLayoutGiveTheSameBytes) {
   EXPECT_EQ(read({"--aggregate", "weighted_mean"}), paper) << "the option goes over the layout";
 }
 
-/// Column by column, `released` is `paper` times the taxel's sum of weights; all else is the same.
+/// Expects each reading of `released` to be that of `paper` times the taxel's sum of weights, and all else to be equal.
 void expect_released(const Table& paper, const Table& released, std::map<int, double> weights) {
   double largest = 0;
   for (const auto& [head, values] : paper) {
@@ -123,7 +123,7 @@ TEST(ReleasedCode, InASweep) {
   expect_released(paper, released, weight_sums(folder));
 }
 
-// Declared in the scene or attached: the option goes over every layout, and the folder that is written says so.
+// The option replaces the aggregate of every layout, declared in the scene or attached, also in the written folder.
 TEST(ReleasedCode, InAnyScene) {
   const fs::path folder = contact_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
@@ -146,7 +146,7 @@ TEST(ReleasedCode, InAnyScene) {
   expect_released(run({"paper/scene.xml"}, "a"), run({"paper/scene.xml", "--aggregate", "weighted_sum"}, "b"), weights);
 }
 
-// The integral needs what samples do not: a model that is switched to it has to get it.
+// The integral needs data that samples do not need; a model that is switched to the integral must have it.
 TEST(Aggregates, ForceBySwitchAndByLayoutAreTheSame) {
   const fs::path folder = contact_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);

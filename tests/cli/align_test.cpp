@@ -1,4 +1,4 @@
-// `taxel align`: a recording made of a run, moved, scaled and disturbed, is laid over it again; bad tables are refused.
+// `taxel align`: a shifted, scaled and disturbed copy of a run is aligned with the run; bad tables are refused.
 #include <cmath>
 #include <sstream>
 
@@ -12,8 +12,8 @@ fs::path short_sweep() {
   return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
-/// What a real sensor might give of the run: taxel k in `100 + 10 k` counts per kPa over a floor of 200, in
-/// milliseconds of a clock of its own.
+/// Returns a table like that of a real sensor: taxel k in `100 + 10 k` counts per kPa above 200, in milliseconds of
+/// another clock.
 std::string real_table(const fs::path& run, double clock) {
   const Table table = read_csv(run / "readings.csv");
   std::ostringstream text;
@@ -53,7 +53,7 @@ TEST(Align, FindsTheShiftAndTheGainsThatARecordingWasMadeWith) {
             "time,taxel_0,real_0,fitted_0,taxel_3,real_3,fitted_3,taxel_4,real_4,fitted_4,taxel_9,real_9,fitted_9");
   EXPECT_EQ(std::count(aligned.begin(), aligned.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
   EXPECT_EQ(file_text(run / "readings.csv"), before);
-  // by the mapping that was written, and by a given shift
+  // Align again with the written mapping and with a given shift.
   const Json again = taxel_json({"align", run.string(), "real.csv", "--map", "real.recmap.json"}, folder);
   EXPECT_EQ(again["taxels"], found["taxels"]);
   const Json given =

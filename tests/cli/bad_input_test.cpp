@@ -1,4 +1,4 @@
-// Bad input: one clear line, exit status 2, nothing written.
+// Bad input gives one clear line and exit status 2, and no file is written.
 #include <algorithm>
 
 #include "cli/taxel_program.h"
@@ -11,13 +11,13 @@ Json replace(const std::string& path, const Json& value) {
   return Json::array({{{"op", "replace"}, {"path", path}, {"value", value}}});
 }
 
-/// A layout on a mesh of this text.
+/// Writes a layout on a mesh of this text.
 fs::path layout_on(const fs::path& folder, const std::string& obj) {
   write_text(folder / "m.obj", obj);
   return changed_layout(folder, replace("/mesh/file", "m.obj"));
 }
 
-/// samples and sweep refuse a layout alike.
+/// Expects `taxel samples` and `taxel sweep` to refuse a layout with the same line.
 void expect_layout_refused(const fs::path& layout, const std::string& complaint) {
   expect_refusal(taxel({"samples", layout.string()}), "taxel: " + complaint);
   const fs::path out = layout.parent_path() / "out" / "deep";
@@ -98,7 +98,7 @@ TEST(BadInput, Scenes) {
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename().string());
   std::sort(left.begin(), left.end());
-  EXPECT_EQ(left, (std::vector<std::string>{"broken.xml", "plain.xml"}));  // no log files, no half outputs
+  EXPECT_EQ(left, (std::vector<std::string>{"broken.xml", "plain.xml"}));  // no log files and no incomplete output
 }
 
 TEST(BadInput, FoldersThatCannotBeWritten) {

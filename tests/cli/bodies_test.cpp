@@ -1,5 +1,5 @@
-// Bodies from files through the real program: what is wrong with a mesh is said, with the place and what was done;
-// pressure fields are reported, written and read; height fields and tets are shapes like others.
+// Bodies from files: problems of a mesh are reported with their place and repair; pressure fields are reported, written
+// and read; height fields and tets are shapes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ class Obj {
 
 const Json kSoft = {{"modulus", 5e4}, {"thickness", 0.004}};
 
-/// A case of m.obj, soft unless told otherwise, 1 mm deep in a plane.
+/// Writes a case of m.obj, soft by default, 1 mm deep in a plane.
 fs::path mesh_case(const std::string& obj, const Json& material = kSoft, double half = 0.02) {
   const fs::path folder = test_folder();
   write_text(folder / "m.obj", obj);
@@ -83,7 +83,7 @@ fs::path mesh_case(const std::string& obj, const Json& material = kSoft, double 
   return folder;
 }
 
-/// The contact is computed, with exactly one warning, which holds these words.
+/// Expects a contact with exactly one warning, which contains these words.
 void expect_contact_warns(const std::string& obj, const std::string& words, const Json& material = kSoft,
                           double half = 0.02) {
   const fs::path folder = mesh_case(obj, material, half);
@@ -97,7 +97,7 @@ void expect_contact_warns(const std::string& obj, const std::string& words, cons
   EXPECT_EQ(taxel({"check", "case.json"}, folder).status, 1);
 }
 
-/// What `taxel mesh` and `taxel check` say of the file itself.
+/// Expects the messages of `taxel mesh` and `taxel check` about the file.
 void expect_mesh_told(const std::string& obj, const std::string& code, const std::string& words) {
   const fs::path folder = test_folder();
   write_text(folder / "m.obj", obj);
@@ -128,11 +128,11 @@ TEST(BadMesh, Open) {
 TEST(BadMesh, NonManifold) {
   const auto with_fin = [](const char* tip) { return Obj().box(0.02).vertex(tip).face({7, 8, 9}).text(); };
   const Json sound = taxel_json({"contact", "case.json"}, mesh_case(Obj().box(0.02).text()));
-  const std::string fin = with_fin("0 0.02 0.026");  // 1.2 % of the area; at most 2 % go as fins
+  const std::string fin = with_fin("0 0.02 0.026");  // 1.2 % of the area; fins of up to 2 % are removed
   const Json soft = taxel_json({"contact", "case.json"}, mesh_case(fin));
   EXPECT_NE(soft["warnings"].dump().find("1 fin removed"), std::string::npos) << soft["warnings"];
   EXPECT_EQ(soft["area"], sound["area"]);
-  // 7 %: the hole around it is filled by the same face turned, and both go.
+  // With 7 % of the area its hole is filled by the reversed face, and both faces are removed.
   const Json large = taxel_json({"contact", "case.json"}, mesh_case(with_fin("0 0 0.05")));
   EXPECT_NE(large["warnings"].dump().find("2 folded faces removed"), std::string::npos) << large["warnings"];
   EXPECT_NEAR(large["area"].get<double>(), sound["area"].get<double>(), 1e-9 * sound["area"].get<double>());
@@ -236,7 +236,7 @@ TEST(FieldReports, OfLayoutsAreListedByCheck) {
   EXPECT_EQ((*find("field_report"))["pointer"], "/material");
   const std::string message = (*find("field_report"))["message"];
   EXPECT_NE(message.find("6012 tets"), std::string::npos);
-  EXPECT_NE(message.find("; one layer of prisms, 0.0"), std::string::npos) << message;  // % of the modulus
+  EXPECT_NE(message.find("; one layer of prisms, 0.0"), std::string::npos) << message;  // in percent of the modulus
   ASSERT_NE(find("field_thickness_limited"), problems.end());
   EXPECT_EQ(find("field_inverted"), problems.end());
 }
@@ -262,9 +262,8 @@ TEST(FieldReports, StandInTheResultOfAContact) {
   EXPECT_EQ(field["limited"]["worst_place"].size(), 3U);
 }
 
-/// A blade that cuts 2 mm into a concave edge of short pieces, along the plane between its faces: at the tip the
-/// distance to the skin is 2 mm, the depth below the planes of the faces 1.4. One layer of prisms would read the
-/// latter.
+/// A blade that cuts 2 mm into a concave edge, along the plane between its faces. At the tip the distance to the skin
+/// is 2 mm, and the depth below the planes of the faces is 1.4 mm, which a single layer of prisms would give.
 TEST(FieldReports, TwoLayersOfPrismsFollowTheDistanceBelowAConcaveEdge) {
   const TriMesh step = make_l_block(0.0005, 20);
   std::string obj;
@@ -272,7 +271,7 @@ TEST(FieldReports, TwoLayersOfPrismsFollowTheDistanceBelowAConcaveEdge) {
   for (const ivec3& f : step.faces()) obj += fmt::format("f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
   const fs::path folder = test_folder();
   write_text(folder / "step.obj", obj);
-  const double middle = 0.005 + 0.002 * std::sqrt(0.5);  // of the blade; the edge is at x = z = 5 mm
+  const double middle = 0.005 + 0.002 * std::sqrt(0.5);  // middle of the blade; the edge is at x = z = 5 mm
   const Json json = {
       {"format", "contact-case"},
       {"version", 1},
@@ -307,12 +306,12 @@ TEST(Tets, WrittenAndReadAgainGiveTheSameForce) {
   EXPECT_GT(own["polygons"], 20);
   for (const char* key : {"force", "area", "polygons", "centroid"}) EXPECT_EQ(own[key], read[key]) << key;
   EXPECT_EQ(own["fields"][0]["tets"], read["fields"][0]["tets"]);
-  // Without the file's pressures: distances to the boundary. A capsule's own field but for the facets.
+  // Without pressures in the file the field is the distance to the boundary: that of a capsule, except for the facets.
   std::string text = file_text(folder / "capsule.vtk");
   write_text(folder / "capsule.vtk", text.substr(0, text.find("POINT_DATA")));
   const double force = taxel_json({"contact", "tets.json"}, folder)["force"][2];
   EXPECT_NEAR(force, own["force"][2].get<double>(), 0.02 * force);
-  // Rigid: the boundary.
+  // A rigid body is the boundary.
   json["a"]["material"]["modulus"] = 0;
   json["b"]["material"] = {{"modulus", 5e4}, {"thickness", 0.02}};
   write_text(folder / "rigid.json", json.dump());

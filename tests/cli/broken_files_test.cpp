@@ -1,5 +1,5 @@
-// Every file of tests/fixtures/broken through `taxel check` and the command that would use it: each is refused or
-// warned of with its expected message, within 5 s and 1 GB. Files that cannot be kept in the tree are made here.
+// Every file of tests/fixtures/broken through `taxel check` and the command that would use it: each gives the
+// expected error or warning within 5 s and 1 GB. Files that cannot be in the repository are made here.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ const fs::path kBroken = fs::path(TAXEL_SOURCE_DIR) / "tests" / "fixtures" / "br
 
 /// A line of expected.tsv.
 struct BrokenFile {
-  std::string name;     ///< of the file
-  std::string command;  ///< that would use the file
-  std::string message;  ///< part of what `taxel check` says
+  std::string name;     ///< name of the file
+  std::string command;  ///< command that uses the file
+  std::string message;  ///< part of the message of `taxel check`
 };
 
 std::vector<BrokenFile> broken_files() {
@@ -31,14 +31,14 @@ std::vector<BrokenFile> broken_files() {
   return files;
 }
 
-/// Runs taxel with at most 5 s and about 1 GB of memory: address space, of which libraries and threads take a part.
+/// Runs taxel with at most 5 s and about 1 GB of address space, which includes libraries and threads.
 Outcome bounded_taxel(const std::vector<std::string>& arguments, const fs::path& folder) {
   std::vector<std::string> words{"5", "/bin/sh", "-c", "ulimit -v 1500000; exec \"$0\" \"$@\"", TAXEL_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return run_program("/usr/bin/timeout", words, folder);
 }
 
-/// Refused, or done with a warning.
+/// Expects that a file is refused, or used with a warning.
 void expect_not_silent(const Outcome& outcome) {
   const bool warned = outcome.status == 0 && outcome.err.find("warning: ") != std::string::npos;
   EXPECT_TRUE(outcome.status == 1 || outcome.status == 2 || warned) << "exit status " << outcome.status;
@@ -69,7 +69,7 @@ TEST(BrokenFiles, AreAllListed) {
   EXPECT_EQ(listed, present);
 }
 
-/// Pipes, devices and folders under the names of files: opening them never waits.
+/// Pipes, devices and folders with the names of files are refused without waiting.
 TEST(BrokenFiles, ThatAreNotRegularAreRefused) {
   const fs::path folder = test_folder();
   for (const std::string name :
@@ -123,12 +123,12 @@ TEST(BrokenFiles, WhatScenesNameMustBeRegular) {
   }
 }
 
-/// A recording with one flipped bit, and those who read recordings.
+/// A recording with one flipped bit is refused by all commands that read recordings.
 TEST(BrokenFiles, RecordingsMustMatchTheirChecksums) {
   const fs::path folder = test_folder(), run = shared_box_sweep({"--density", "1e6"});
   for (const fs::directory_entry& entry : fs::directory_iterator(run)) fs::copy(entry, folder);
   std::string bytes = file_text(folder / "readings.npz");
-  bytes[bytes.find("readings.npy") + 12 + 128 + 4] ^= 1;  // behind its name and NPY's head of 128 bytes
+  bytes[bytes.find("readings.npy") + 12 + 128 + 4] ^= 1;  // after its name and NPY's header of 128 bytes
   write_text(folder / "readings.npz", bytes);
   write_text(folder / "replay.json", R"({"kind": "replay", "source": "."})");
   using Arguments = std::vector<std::string>;

@@ -1,5 +1,5 @@
-// Soft pairs without taxels through `taxel run`: closed forms A1 to A9 of the contact model, in MuJoCo scenes whose
-// bodies are fixed, so that depth is known, or move freely.
+// Soft pairs without taxels through `taxel run`: closed forms A1 to A9 of the contact model, in MuJoCo scenes with
+// fixed bodies, whose depth is known, or free bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr double kGravity = 9.81;
 
-/// A scene with one `taxel.contact`.
+/// Returns a scene with one `taxel.contact`.
 std::string scene_of(const std::string& keys, const std::string& bodies,
                      const std::string& option = "gravity='0 0 0'") {
   return "<mujoco><option timestep='0.001' " + option +
@@ -28,12 +28,12 @@ std::string key(const std::string& name, const std::string& value) {
 std::string materials(const std::string& json) {
   return key("materials", "{" + json + "}");
 }
-/// Names of geoms are those of their bodies; `body` gets it in place of {}.
+/// Returns a body with one geom of this name.
 std::string body(const std::string& name, const std::string& pos, const std::string& geom, const char* joint = "") {
   return "<body pos='" + pos + "'>" + joint + "<geom name='" + name + "' " + geom + "/></body>";
 }
 
-/// The table that `taxel run` writes of the scene.
+/// Returns the table that `taxel run` writes for the scene.
 Table run_scene(const fs::path& folder, const std::string& xml, double seconds = 0.002) {
   write_text(folder / "scene.xml", xml);
   const Outcome outcome = taxel({"run", "scene.xml", "--seconds", fmt::format("{}", seconds), "--out", "out"}, folder);
@@ -44,7 +44,7 @@ Table run_scene(const fs::path& folder, const std::string& xml, double seconds =
 struct Contact {
   double force_z = 0, area = 0, polygons = 0;
 };
-/// What acts on a soft geom in the first row.
+/// The force on a soft geom in the first row.
 Contact contact_of(const Table& table, const std::string& prefix = "") {
   if (table.empty()) return {};
   return {table.at(prefix + "force_z").front(), table.at(prefix + "area").front(),
@@ -64,7 +64,7 @@ TEST(ContactPair, A1SoftSphereOnPlane) {
   EXPECT_NEAR(c.force_z, std::numbers::pi * kModulus * x * x * (1 - 2 * x / (3 * R)), 0.03 * c.force_z);
   EXPECT_NEAR(c.area, std::numbers::pi * (2 * R * x - x * x), 0.03 * c.area);
   EXPECT_GE(c.polygons, 10);
-  // no taxels, no columns of taxels
+  // Without taxels there are no columns of taxels.
   EXPECT_EQ(table.size(), 7U);
 }
 
@@ -75,7 +75,7 @@ TEST(ContactPair, A2RigidSphereInSoftHalfSpace) {
       scene_of(
           materials(R"("floor": {"modulus": 1e5, "thickness": 0.02}, "ball": {"resolution": 0.003, "friction": 0})"),
           kFloor + body("ball", fmt::format("0 0 {}", R - x), "type='sphere' size='.05'", "<freejoint/>"))));
-  EXPECT_NEAR(-c.force_z, kappa * std::numbers::pi * x * x * (R - x / 3), 0.02 * -c.force_z);  // on the floor
+  EXPECT_NEAR(-c.force_z, kappa * std::numbers::pi * x * x * (R - x / 3), 0.02 * -c.force_z);  // force on the floor
   EXPECT_NEAR(c.area, 2 * std::numbers::pi * R * x, 0.02 * c.area);
 }
 
@@ -147,7 +147,7 @@ TEST(ContactPair, A8StackedSlabsAndTheLimitOfARigidOne) {
     EXPECT_NEAR(contact_of(table, "low/").force_z, -up.force_z, 1e-9 * up.force_z);
     return up.force_z;
   };
-  const double expected = x / (H / 1e5 + H / 3e5) * L * L;  // but for a rim of the width of x
+  const double expected = x / (H / 1e5 + H / 3e5) * L * L;  // except at a rim of width x
   EXPECT_NEAR(press(1e5, 3e5), expected, 0.01 * expected);
   const double rigid = kModulus / H * (x * L * L - x * x * 2 * L + 4 * x * x * x / 3);  // A4
   EXPECT_NEAR(press(1e5, 1e11), rigid, 0.002 * rigid);
@@ -172,7 +172,7 @@ TEST(ContactPair, A9BallComesToRestWhereItsForceIsItsWeight) {
   EXPECT_NEAR(table.at("area").back(), std::numbers::pi * (2 * R * x - x * x), 0.04 * table.at("area").back());
 }
 
-/// Positions of a soft geom in all rows, world [m].
+/// Returns the positions of a soft geom in all rows, world frame [m].
 std::vector<std::array<double, 3>> positions(const fs::path& folder, const std::string& prefix = "") {
   const std::vector<double> flat =
       parse_npz(file_text(folder / "out" / "readings.npz")).at(prefix + "sensor_pos").doubles();
@@ -181,7 +181,7 @@ std::vector<std::array<double, 3>> positions(const fs::path& folder, const std::
   return rows;
 }
 
-/// A soft block of 0.5 kg that rests on a plane under gravity that leans by an angle: a slope.
+/// Returns a scene with a soft block of 0.5 kg on a plane under gravity that is tilted by an angle, as on a slope.
 std::string slope(double angle, double x) {
   return scene_of(
       materials(R"("block": {"modulus": 1e6, "dissipation": 20, "friction": 0.5}, "floor": {"friction": 0.5})") +
@@ -222,7 +222,7 @@ TEST(ContactPair, A9BounceLosesEnergyAndLeavesSlowerThanOneOverItsDissipation) {
   const std::vector<double>& force = table.at("ball/force_z");
   std::vector<double> z;
   for (const auto& p : positions(folder, "ball/")) z.push_back(p[2]);
-  // energy of free flight, between contacts: never grows
+  // The energy of free flight between contacts never grows.
   double last = 1e9, fastest = 0;
   int flights = 0;
   for (std::size_t i = 1; i + 1 < z.size(); ++i) {
@@ -295,7 +295,7 @@ TEST(ContactPair, TwoInstancesDoNotMakeOneGeomSoft) {
       << outcome.err;
 }
 
-/// A soft ball, a soft can and a rigid floor by the fields of the predecessor's scenes.
+/// Returns a scene with a soft ball, a soft can and a rigid floor with the fields of the predecessor's scenes.
 std::string old_scene(int apply) {
   return fmt::format(
       "<mujoco><option collision='all' timestep='0.001'/><size nconmax='3000' njmax='4000'/><custom>"
@@ -315,15 +315,15 @@ TEST(ContactPair, SceneOfThePredecessorRunsWithoutTaxels) {
   const Table table = run_scene(folder, old_scene(1), 0.4);
   ASSERT_FALSE(table.empty());
   EXPECT_NEAR(table.at("ball/force_z").back(), 0.1 * kGravity, 0.02);
-  // MuJoCo carries the rider, which has no field, on the can
+  // The rider has no field, so MuJoCo carries it on the can.
   EXPECT_NEAR(table.at("can/force_z").back(), 0.2 * kGravity, 0.05);
-  // the folder that was written runs the same way, with one contact
+  // The written folder runs in the same way, with one contact.
   const Outcome again = taxel({"run", "out/scene.xml", "--seconds", "0.4", "--out", "again"}, folder);
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_NEAR(read_csv(folder / "again" / "readings.csv").at("ball/force_z").back(), 0.1 * kGravity, 0.02);
   const Table sensed = run_scene(folder, old_scene(0), 0.4);
   ASSERT_FALSE(sensed.empty());
-  // MuJoCo's stiffer contact carries the ball on its surface
+  // MuJoCo's stiffer contact carries the ball on the surface of the can.
   EXPECT_LT(sensed.at("ball/force_z").back(), 0.5 * 0.1 * kGravity);
 }
 

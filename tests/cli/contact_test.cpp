@@ -44,8 +44,9 @@ TEST(Contact, A1SoftSphereOnAPlane) {
   EXPECT_NEAR(result["force"][2].get<double>(), force, 0.03 * force);
   EXPECT_NEAR(result["area"].get<double>(), std::numbers::pi * (2 * R * x - x * x),
               0.03 * std::numbers::pi * 2 * R * x);
-  EXPECT_NEAR(result["max_pressure"].get<double>(), E * x / R, 0.06 * E * x / R);  // one vertex tells it
-  EXPECT_NEAR(result["force"][0].get<double>(), 0, 1e-10 * force);  // a plane pushes along its normal alone
+  EXPECT_NEAR(result["max_pressure"].get<double>(), E * x / R,
+              0.06 * E * x / R);                                    // the largest pressure is that of one vertex
+  EXPECT_NEAR(result["force"][0].get<double>(), 0, 1e-10 * force);  // a plane pushes only along its normal
   EXPECT_NEAR(result["centroid"][2].get<double>(), 0, 1e-12);
   EXPECT_EQ(result["rejected"], Json::array());
   EXPECT_EQ(result["warnings"], Json::array());
@@ -64,8 +65,8 @@ TEST(Contact, A2RigidSphereInASoftHalfSpace) {
 }
 
 TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
-  // a box of 2a x 2b x 2c, its long edge along x held level and turned by 45 degrees: the wedge below depth x has the
-  // cross-section x^2, its centroid lies x/3 below the surface
+  // A box of 2a x 2b x 2c, rotated by 45 degrees about its long horizontal edge: the wedge below depth x has the
+  // cross-section x^2, and its centroid is x/3 below the surface.
   const double half_length = 0.03, x = 0.01, kappa = 5e4 / 0.1, half = 0.02;
   const Json box = {{"shape", {{"type", "box"}, {"size", {half_length, half, half}}}},
                     {"pos", {0, 0, half * std::sqrt(2.0) - x}},
@@ -77,8 +78,9 @@ TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
   EXPECT_NEAR(result["max_pressure"].get<double>(), kappa * x, 1e-10 * kappa * x);
 }
 
-/// p = (E/H)(R - r) at any depth: F = (E/H) pi (R x^2 - 2/3 x^3), also below the thickness of the pad. A mesh of the
-/// true volume has its vertices outside of the sphere, and p is (E/H) times the distance to the mesh: it is a fine one.
+/// p = (E/H)(R - r) at any depth: F = (E/H) pi (R x^2 - 2/3 x^3), also below the thickness of the pad. The vertices of
+/// a mesh with the exact volume are outside of the sphere, and p is (E/H) times the distance to the mesh, so the mesh
+/// is fine.
 TEST(Contact, PadPressedDeeperThanItsThicknessHasNoHole) {
   const double R = 0.05, kappa = 5e4 / 0.002;
   for (const double x : {0.0015, 0.003, 0.006}) {
@@ -123,14 +125,14 @@ TEST(Contact, VelocitiesDampAndRub) {
   };
   const Json still = {0, 0, 0};
   const double rest = force(still, still, still)[2];
-  // Hunt-Crossley: p = p0 (1 - d vn); the plane coming up is the same as the sphere coming down
+  // Hunt-Crossley: p = p0 (1 - d vn). A rising plane has the same effect as a falling sphere.
   EXPECT_NEAR(force({0, 0, -0.1}, still, still)[2], rest * 1.3, 1e-10 * rest);
   EXPECT_NEAR(force(still, still, {0, 0, 0.1})[2], rest * 1.3, 1e-10 * rest);
-  EXPECT_NEAR(force({0, 0, 1}, still, still)[2], 0, 1e-10 * rest);  // leaving fast: nothing pulls
-  // sliding against mu = 2 mu1 mu2/(mu1 + mu2) = 0.5, far above the regularisation speed of 0.1 mm/s
+  EXPECT_NEAR(force({0, 0, 1}, still, still)[2], 0, 1e-10 * rest);  // nothing pulls on a body that leaves fast
+  // Sliding with mu = 2 mu1 mu2/(mu1 + mu2) = 0.5, far above the regularisation speed of 0.1 mm/s
   const std::vector<double> sliding = force({0.5, 0, 0}, still, still);
   EXPECT_NEAR(sliding[0], -0.5 * rest * 2 / std::numbers::pi * std::atan(0.5 / 1e-4), 1e-6 * rest);
-  // rolling about y moves the touching point towards -x: friction pushes towards +x
+  // Rolling about y moves the contact point towards -x, so friction pushes towards +x.
   EXPECT_GT(force(still, {0, 10, 0}, still)[0], 0.49 * rest);
 }
 
@@ -148,7 +150,7 @@ TEST(Contact, PolygonFilesHoldTheSurface) {
     EXPECT_EQ(polygon["vertices"].size(), polygon["pressures"].size());
     EXPECT_NEAR(polygon["normal"][2].get<double>(), 1, 1e-12);
     for (std::size_t i = 2; i < polygon["vertices"].size();
-         ++i) {  // exact for a linear pressure: area x mean of corners
+         ++i) {  // area times mean of the corners is exact for a linear pressure
       const auto v = [&](std::size_t k) { return vector_of(polygon["vertices"][k]); };
       const double twice =
           (v(i - 1)[0] - v(0)[0]) * (v(i)[1] - v(0)[1]) - (v(i - 1)[1] - v(0)[1]) * (v(i)[0] - v(0)[0]);
@@ -224,7 +226,7 @@ TEST(Validate, ThePageInDocsIsWhatTheProgramWrites) {
   ASSERT_EQ(outcome.status, 0);
   const std::string page = file_text(fs::path(TAXEL_SOURCE_DIR) / "docs" / "validation.md");
   EXPECT_EQ(outcome.out, page.substr(0, outcome.out.size())) << "run: scripts/validation --no-bench";
-  // Behind it stands what bench_artifact writes, which takes a minute.
+  // The rest of the page is from bench_artifact, which takes a minute.
   EXPECT_EQ(page.substr(outcome.out.size()).rfind("\n## The artifact of the paper\n", 0), 0U);
 }
 

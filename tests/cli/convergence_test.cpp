@@ -15,7 +15,8 @@ fs::path contact_folder() {
   return folder;
 }
 
-// Each of the three is what a density of its own gives, to the last bit; without the option nothing changes.
+// Each of the three readings equals, to the last bit, that of a layout with this density. Without the option nothing
+// changes.
 TEST(ConvergenceOption, EqualsReadingsAtThoseDensities) {
   const fs::path folder = contact_folder();
   const auto read = [&](std::vector<std::string> options) {

@@ -1,4 +1,4 @@
-// `taxel explain` on recordings: the numbers of the recording, a verdict, and refusals that name what is wrong.
+// `taxel explain` on recordings: the recorded numbers, the diagnosis, and clear error messages.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// A sweep with few samples: its readings jump.
+/// Returns a sweep with few samples, whose readings jump.
 fs::path coarse_sweep() {
   return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
@@ -35,7 +35,7 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
   for (const Json& p : found["polygons"]) polygons += p["share"].get<double>();
   EXPECT_NEAR(share, 1, 1e-9);
   EXPECT_NEAR(polygons, 1, 1e-9);
-  // the budget: the force of the recorded row, and what of it taxels look at
+  // The budget is the force of the recorded row, divided into the parts over taxels and over none.
   const Table table = read_csv(run / "readings.csv");
   const Json& budget = found["budget"];
   for (std::size_t row = 0; row < table.at("time").size(); ++row) {
@@ -47,13 +47,13 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
               1e-9);
   EXPECT_GT(budget["covered"], 0);
   EXPECT_EQ(found["convergence"]["values"][1].get<double>(), jump.after);
-  // The exact integral is nearer to what four times the samples read than the few samples are.
+  // The exact integral is closer to the reading with four times the samples than the reading with few samples is.
   const double exact = found["exact"]["value"], four = found["convergence"]["values"][2];
   EXPECT_LT(std::abs(four - exact), std::abs(found["convergence"]["values"][0].get<double>() - exact));
 }
 
-// Of what the reading is made, each to the last digit or nearly: the samples by their weights, the polygons by their
-// force, the change by the samples that began and ceased to hit.
+// The parts add up to the whole, up to rounding: samples by weight and polygons by force to the reading, samples that
+// began and ceased to hit to the change.
 TEST(Explain, SamplesAndPolygonsAddUpToWhatWasRecorded) {
   const fs::path run = coarse_sweep();
   const RecordedJump jump = largest_jump(run);
@@ -143,8 +143,8 @@ TEST(Explain, RefusesWhatItCannotExplain) {
   EXPECT_EQ(taxel({"explain", (folder / "broken.npz").string(), "--taxel", "3", "--time", "1"}).status, 2);
 }
 
-/// The largest jump of a recording as a fraction of its taxel's own peak, of taxels that read 5 % of the largest
-/// reading.
+/// Returns the largest jump of a recording as a fraction of its taxel's own peak, among taxels that read at least 5 %
+/// of the largest reading.
 RecordedJump largest_own_jump(const fs::path& run, double& fraction) {
   RecordedJump jump;
   double top = 0;
@@ -165,9 +165,9 @@ RecordedJump largest_own_jump(const fs::path& run, double& fraction) {
   return jump;
 }
 
-/// The artifact of the paper, with few samples: a taxel that reads less than others jumps by much of its own peak,
-/// which is little of the sensor's; found, explained as sampling noise, and cured by the samples that the verdict
-/// names.
+/// The artifact of the paper with few samples: a taxel with small readings jumps by a large fraction of its own peak,
+/// which is a small fraction of the sensor's peak. The jump is found, explained as sampling noise, and cured by the
+/// number of samples that the diagnosis names.
 TEST(Explain, FindsAndCuresTheArtifactOfATaxelThatReadsLittle) {
   const fs::path run = shared_sweep({"--density", "5e5"});
   double fraction = 0;
@@ -176,7 +176,8 @@ TEST(Explain, FindsAndCuresTheArtifactOfATaxelThatReadsLittle) {
   const Json v = explain(run, jump.taxel, jump.time)["verdict"];
   EXPECT_EQ(v["cause"], "sampling_noise") << v["text"];
   EXPECT_GT(std::abs(v["noise"].get<double>()), 0.5 * std::abs(v["change"].get<double>()));
-  const double of_taxel = 0.1 * std::abs(jump.after - jump.before) / fraction;  // a jump is a tenth of the own peak
+  const double of_taxel =
+      0.1 * std::abs(jump.after - jump.before) / fraction;  // a jump is a tenth of the taxel's own peak
   EXPECT_NEAR(v["limit"].get<double>(), of_taxel, 1e-9 * of_taxel);
   const Json of_sensor = taxel_json({"explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time",
                                      std::to_string(jump.time), "--of-sensor"})["verdict"];

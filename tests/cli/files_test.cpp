@@ -1,4 +1,4 @@
-// `taxel samples`, `mesh` and `check` on files, and the helps.
+// `taxel samples`, `taxel mesh` and `taxel check` on files, and the help texts.
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -34,7 +34,7 @@ TEST(Help, VersionNamesCommitAndMuJoCo) {
       << outcome.out;
 }
 
-/// Every sample lies on the face that its row names, a face of the file's outer shells.
+/// Expects every sample on the face that its row names, a face of the file's outer shells.
 void expect_on_faces(const Table& f, const TriMesh& mesh) {
   const std::vector<int> outer = outer_shells(mesh);
   double off = 0, tilted = 0;
@@ -51,7 +51,7 @@ void expect_on_faces(const Table& f, const TriMesh& mesh) {
   EXPECT_LT(tilted, 1e-12);
 }
 
-/// Rows of F and G agree with each other and with the summary.
+/// Expects the rows of both files to agree with each other and with the summary.
 void expect_consistent(const fs::path& layout, const fs::path& folder, double radius) {
   const Json summary =
       taxel_json({"samples", layout.string(), "--out", "f.csv", "--fields", "g.csv", "--quiet"}, folder);
@@ -85,7 +85,7 @@ TEST(Samples, TablesAgree) {
                   *load_mesh(fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/fingertip.obj").mesh);
 }
 
-/// In the file a triangle without area and a cavity come before the skin: neither is sensed, both are counted.
+/// The file has a triangle without area and a cavity before the skin. Neither is sensed, and both are counted.
 TEST(Samples, FacesAreNumberedAsInTheFile) {
   const fs::path folder = test_folder();
   const double half = 0.01;
@@ -102,7 +102,7 @@ TEST(Samples, FacesAreNumberedAsInTheFile) {
   const Table f = read_csv(folder / "f.csv");
   std::set<int> faces;
   for (std::size_t i = 0; i < f.at("x").size(); ++i) {
-    // two triangles on each side, in the order of box_obj: -z, +z, -y, +y, -x, +x
+    // Each side has two triangles, in the order of box_obj: -z, +z, -y, +y, -x, +x.
     const int face = static_cast<int>(f.at("face")[i]), side = (face - 13) / 2;
     ASSERT_GE(face, 13) << "12 of the cavity and one without area come first";
     ASSERT_LT(face, 25);
@@ -146,7 +146,7 @@ TEST(Samples, SeedDecidesAndThreadsDoNot) {
 
 TEST(Mesh, ReportsAndRepairs) {
   const fs::path folder = test_folder();
-  // a tetrahedron with one vertex twice and one face without area
+  // A tetrahedron with a duplicate vertex and a face without area.
   write_text(folder / "t.obj",
              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 5\nf 1 4 3\nf 4 5 1\n");
   const Json mesh = taxel_json({"mesh", "t.obj", "--scale", "2", "--out", "fixed.obj"}, folder);

@@ -1,4 +1,4 @@
-// Forces and shear of taxels through the program: they add up to the contact's force, and follow Coulomb's law.
+// Forces and shear of taxels add up to the contact's force and follow Coulomb's law.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// A folder with our fingertip's layout, coarse and with one change, and the case of the golden test.
+/// Makes a folder with a coarse layout of our fingertip with one change, and the case of the golden test.
 fs::path folder_with(const std::string& patch = "[]") {
   const fs::path folder = test_folder();
   Json changes = Json::parse(R"([{"op": "replace", "path": "/sampling/density", "value": 1e6}])");
@@ -62,7 +62,7 @@ TEST(Read, ForcesDoNotDependOnTheOrderOfTheTaxels) {
   EXPECT_EQ(before, after);
 }
 
-// On a plane all polygons have one normal: friction is one vector times the pressure, whatever the aggregate.
+// On a plane all polygons have the same normal, so friction is one vector times the pressure for every aggregate.
 TEST(Read, ShearOverTheReadingIsTheCoefficientOfFriction) {
   for (const char* aggregate : {"weighted_mean", "max", "force"}) {
     const fs::path folder =

@@ -1,6 +1,6 @@
-// Golden hashes: the same input gives the same bytes, whatever the threads, the build type and the day. Only sums,
-// products and roots lie behind these files, so they hold on every machine.
-// After a change that is meant: TAXEL_UPDATE_GOLDEN=1 test_cli --gtest_filter='Golden*'.
+// Golden hashes: the same input gives the same bytes with any number of threads and any build type. Only sums, products
+// and roots are used to compute these files, so the hashes are the same on every machine.
+// After an intended change run TAXEL_UPDATE_GOLDEN=1 test_cli --gtest_filter='Golden*'.
 #include <cstdlib>
 
 #include "cli/taxel_program.h"
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 const fs::path kGolden = fs::path(TAXEL_SOURCE_DIR) / "tests" / "golden";
 
-/// Against golden/NAME; writes it first where that is asked for.
+/// Compares with golden/NAME, which is written first if the environment asks for it.
 void expect_golden(const std::string& name, const Json& found) {
   const fs::path file = kGolden / name;
   if (std::getenv("TAXEL_UPDATE_GOLDEN") != nullptr) write_text(file, found.dump(2) + "\n");
@@ -46,8 +46,8 @@ TEST(Golden, SamplesFieldsAndContactKeepTheirBytes) {
   expect_golden("hashes.json", previous);
 }
 
-/// Peaks of all taxels in a sweep, against golden/NAME. MuJoCo and libm may differ in the last bit between machines, so
-/// they are compared as numbers.
+/// Compares the peaks of all taxels in a sweep with golden/NAME, as numbers, because MuJoCo and libm may differ in the
+/// last bit between machines.
 void expect_golden_peaks(const std::string& name, const fs::path& sweep) {
   const Json sensor = Json::parse(file_text(sweep / "sweep.json"))["sensors"][0];
   Json peaks = Json::object();

@@ -1,5 +1,4 @@
-// The libraries that read, check and turn things do work that a user sees: half-edges (OpenMesh), GLB (tinygltf),
-// rotations (GLM), documents (nlohmann-json).
+// Results of libraries that a user sees: half-edges (OpenMesh), GLB (tinygltf), rotations (GLM), JSON (nlohmann-json).
 #include <cmath>
 
 #include "cli/taxel_program.h"
@@ -8,7 +7,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// A layout of one taxel on top of a box with half size 0.01, on this mesh file of the folder.
+/// Writes a layout with one taxel on top of a box with half size 0.01, on this mesh file of the folder.
 void write_box_layout(const fs::path& folder, const std::string& mesh) {
   Json layout = Json::parse(file_text(fingertip_layout()));
   Json taxel = layout["taxels"][0];
@@ -29,7 +28,7 @@ const Json* problem_of(const Json& problems, const std::string& code) {
 
 TEST(Libraries, HalfEdgesFindTheEdgeThatHasThreeFaces) {
   const fs::path folder = test_folder();
-  // a fin on the upper edge at +x: a triangle over corners 6 and 8 and a point above
+  // The fin is a triangle of corners 6 and 8, on the upper edge at +x, and a point above.
   write_text(folder / "fin.obj", box_obj(0.01) + "v 0.03 0 0.03\nf 6 8 9\n");
   const std::string bad = "1 edge with more than two faces, the first at (10, 0, 10) mm (3 faces)";
   const Outcome check = taxel({"check", "fin.obj", "--json"}, folder);
@@ -70,7 +69,7 @@ TEST(Libraries, TinygltfReadsWhatItWroteAndRefusesWhatWasCut) {
   const Json glb = taxel_json({"mesh", "box.glb"}, folder);
   EXPECT_EQ(glb["triangles"], 12);
   EXPECT_EQ(glb["closed"], true);
-  EXPECT_NEAR(glb["volume"].get<double>(), obj["volume"].get<double>(), 1e-6 * 8e-6);  // GLB holds floats
+  EXPECT_NEAR(glb["volume"].get<double>(), obj["volume"].get<double>(), 1e-6 * 8e-6);  // GLB contains floats
   write_box_layout(folder, "box.glb");
   EXPECT_EQ(taxel_json({"samples", "box.taxels.json", "--quiet"}, folder)["samples"], 2400);
   write_text(folder / "cut.glb", bytes.substr(0, bytes.size() / 2));

@@ -9,7 +9,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// A folder with ball.obj, a sphere of 10 mm that lacks a face and has a fin.
+/// Makes a folder with ball.obj, a sphere of 10 mm with a missing face and a fin.
 fs::path folder_with_broken_ball() {
   const fs::path folder = test_folder();
   save_mesh(folder / "ball.obj", with_fin(without_faces(make_icosphere(0.01, 3), {7}), 500, 0.002));
@@ -20,7 +20,7 @@ TEST(MeshRepair, WritesTheRepairedMeshAndReportsEachStep) {
   const fs::path folder = folder_with_broken_ball();
   const std::string before = read_file(folder / "ball.obj");
   const Json mesh = taxel_json({"mesh", "ball.obj", "--repair", "auto", "--out", "fixed.stl"}, folder);
-  EXPECT_EQ(mesh["closed"], false);  // of the file
+  EXPECT_EQ(mesh["closed"], false);  // the file itself is open
   const Json repair = mesh["repair"];
   EXPECT_EQ(repair["level"], "exact");
   EXPECT_EQ(repair["closed"], true);

@@ -1,4 +1,4 @@
-// `taxel models` on recordings: its curves, its table, and refusals.
+// `taxel models` on recordings: curves, table and errors.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ TEST(Models, CurvesAndTableAreOfTheRecording) {
   EXPECT_GT(of["tactile"]["peak"].get<double>(), 1e-5);
   EXPECT_GT(of["tactile"]["correlation"].get<double>(), 0.9);
   EXPECT_LT(of["tactile"]["peak"].get<double>(), 5e-3);
-  // MuJoCo's points carry the force of the contact: no taxel reads more than that.
+  // MuJoCo's contact points carry the force of the contact, so no taxel reads more than this force.
   double force = 0;
   for (std::size_t i = 0; i < recorded.at("time").size(); i += 8)
     force =

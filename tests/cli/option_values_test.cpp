@@ -1,4 +1,4 @@
-// Values of options that are not valid: each is refused before anything is computed.
+// Invalid values of options are refused before anything is computed.
 #include "cli/taxel_program.h"
 
 namespace taxel::test {

@@ -1,4 +1,4 @@
-// taxel play: every kind of scenario, end to end, and that a replay repeats the run that it came from.
+// `taxel play`: every kind of scenario from end to end, and a replay that repeats its original run.
 #include <cmath>
 
 #include "cli/taxel_program.h"
@@ -7,7 +7,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// `taxel play` of this scenario with few samples; the folder of the recording.
+/// Runs `taxel play` with this scenario and few samples. Returns the folder of the recording.
 fs::path play(const fs::path& folder, const std::string& name, const Json& scenario) {
   const fs::path file = folder / (name + ".json");
   write_text(file, Json{{"format", "taxel-scenario"}, {"version", 1}, {"scenario", scenario}}.dump());
@@ -76,7 +76,7 @@ TEST(Play, ARolledAndASlidFingerPassThePressureOn) {
     const Table table = read_csv(out / "readings.csv");
     EXPECT_GT(largest_reading(table), 0) << kind;
     const std::vector<double>& force = table.at("force_x");
-    EXPECT_GT(largest(force), 0) << kind;  // friction there and back
+    EXPECT_GT(largest(force), 0) << kind;  // friction in both directions
     EXPECT_LT(*std::min_element(force.begin(), force.end()), 0) << kind;
     const Arrays arrays = arrays_of(out);
     const std::vector<double> pos = arrays.at("mocap_pos").doubles(), quat = arrays.at("mocap_quat").doubles();
@@ -111,7 +111,7 @@ TEST(Play, ADropFallsAsGravityHasIt) {
     EXPECT_NEAR(pos[3 * r + 2] - pos[2], -9.81 * 0.5 * time[r] * (time[r] + 0.001), 1e-9);
     EXPECT_EQ(force[r], 0);
   }
-  EXPECT_GT(largest(force), 0.2);  // it weighs 0.2 N
+  EXPECT_GT(largest(force), 0.2);  // the weight is 0.2 N
 }
 
 TEST(Play, APathIsTheMocapBodysWay) {

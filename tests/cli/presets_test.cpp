@@ -1,4 +1,4 @@
-// taxel presets: what is listed, and that what is written is a layout that runs.
+// `taxel presets`: the list, and a written layout that runs.
 #include "cli/taxel_program.h"
 
 namespace taxel::test {

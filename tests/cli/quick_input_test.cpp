@@ -11,7 +11,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kMaxSeconds = 4;  // of processor time, all threads
+constexpr double kMaxSeconds = 4;  // processor time of all threads
 
 double seconds_of_children() {
   rusage usage{};
@@ -29,7 +29,7 @@ Outcome expect_quick(const std::vector<std::string>& arguments, const fs::path& 
   return outcome;
 }
 
-/// Tetrahedra, or single triangles, on a lattice.
+/// Returns the OBJ text of tetrahedra, or of single triangles, on a lattice.
 std::string obj_of_shells(int count, bool closed) {
   std::ostringstream obj;
   for (int i = 0; i < count; ++i) {

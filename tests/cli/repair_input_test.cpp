@@ -1,5 +1,5 @@
-// Meshes that need repair, through the program: repaired with a report, or refused in one line that names the place.
-// The file on disk is never changed.
+// Meshes that need repair are repaired with a report, or refused in one line that names the place. The file on disk is
+// never changed.
 #include "cli/taxel_program.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/finger_scene_xml.h"
@@ -18,7 +18,7 @@ TriMesh fingertip() {
   return *load_mesh(fingertip_layout().parent_path() / "../meshes/fingertip.obj").mesh;
 }
 
-/// OBJ text of our fingertip without one face, with a fin and with a folded pair of faces.
+/// Returns the OBJ text of our fingertip with a missing face, a fin and a folded pair of faces.
 std::string broken_fingertip() {
   const TriMesh whole = fingertip();
   std::vector<dvec3> vertices = whole.vertices();
@@ -33,7 +33,7 @@ std::string broken_fingertip() {
   return obj_text(TriMesh(std::move(vertices), std::move(faces)));
 }
 
-/// Our layout on a mesh of this text.
+/// Writes our layout on a mesh of this text.
 fs::path layout_on(const fs::path& folder, const std::string& obj, const Json& more = Json::array()) {
   write_text(folder / "m.obj", obj);
   Json patch = Json::array({set("/mesh/file", "m.obj"), set("/mesh/sha256", ""), set("/sampling/density", 1e6)});
@@ -93,7 +93,7 @@ TEST(RepairInput, RefusesFacesThatEncloseNothing) {
   EXPECT_NE(refused.err.find("/mesh/file: encloses nothing"), std::string::npos) << refused.err;
 }
 
-/// Our layout with one taxel at `center` on this mesh.
+/// Writes our layout with one taxel at `center` on this mesh.
 fs::path layout_of_one_taxel(const fs::path& folder, const TriMesh& mesh, const dvec3& center) {
   const Json taxel = {{"id", 0}, {"center", {center.x, center.y, center.z}}, {"normal", {0, 0, 1}}, {"radius", 0.003}};
   return layout_on(folder, obj_text(mesh), Json::array({set("/taxels", Json::array({taxel}))}));
@@ -148,7 +148,7 @@ TEST(RepairInput, Unites180Shells) {
       << steps;
 }
 
-/// A ball of 2 million triangles without one of them: filled exactly, and wrapped only with an edge.
+/// A ball of 2 million triangles with a missing one is filled exactly, and wrapped only with --edge.
 TEST(RepairInput, ClosesAMeshOfTwoMillionTriangles) {
   const fs::path folder = test_folder();
   constexpr int kRings = 1000;
@@ -230,7 +230,7 @@ TEST(RepairInput, SweepsABrokenMeshIntoAFolderThatRunsElsewhere) {
   const Json written = Json::parse(file_text(out / "finger.taxels.json"));
   EXPECT_FALSE(written["mesh"].contains("repair"));
   EXPECT_TRUE(load_mesh(out / "finger.obj").mesh->closed());
-  // The written layout has the samples of the one that was swept.
+  // The written layout has the samples of the layout in the sweep.
   const fs::path a = folder / "a.csv", b = folder / "b.csv";
   ASSERT_EQ(taxel({"samples", layout.string(), "--out", a.string()}).status, 0);
   ASSERT_EQ(taxel({"samples", (out / "finger.taxels.json").string(), "--out", b.string()}).status, 0);

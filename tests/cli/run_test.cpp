@@ -1,4 +1,4 @@
-// `taxel run` on scenes that are not ours: a layout attached to a geom, and two sensors that a scene declares.
+// `taxel run` on foreign scenes: a layout attached to a geom, and two sensors that a scene declares.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ fs::path folder_with_layout() {
 
 TEST(Run, AttachesALayoutToAGeom) {
   const fs::path folder = folder_with_layout();
-  // the plane would collide with the finger: that is what the sensor touches
+  // The sensor touches the plane, because the plane can collide with the finger.
   write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));
   const Json run = taxel_json(
       {"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "tip", "--seconds", "0.01", "--out", "out"},
@@ -35,7 +35,7 @@ TEST(Run, AttachesALayoutToAGeom) {
   for (const int id : {0, 3, 6, 9}) pad += table.at("taxel_" + std::to_string(id)).front();
   for (const int id : {1, 2, 7, 8}) side += table.at("taxel_" + std::to_string(id)).front();
   EXPECT_GT(pad, 10 * side);
-  // the folder that was written stands for itself; MuJoCo writes its XML with rounded numbers
+  // The written folder is complete. MuJoCo writes its XML with rounded numbers.
   const Json again = taxel_json({"run", "out/scene.xml", "--seconds", "0.01"}, folder);
   const double force = run["sensors"][0]["largest_force"];
   EXPECT_NEAR(again["sensors"][0]["largest_force"].get<double>(), force, 1e-9 * force);
@@ -61,18 +61,18 @@ TEST(Run, CalibratesEachSensorAndLeavesNoTableOfAnEarlierRun) {
     bool noisy = false;
     for (std::size_t i = 0; i < table.at("time").size(); ++i) {
       const double tared = raw.at(taxel)[i] - raw.at(taxel)[0];
-      EXPECT_NEAR(table.at(taxel)[i], tared, 6) << taxel << ", row " << i;  // the noise ends at 6 deviations
+      EXPECT_NEAR(table.at(taxel)[i], tared, 6) << taxel << ", row " << i;  // noise is at most 6 deviations
       noisy |= table.at(taxel)[i] != tared;
     }
     EXPECT_TRUE(noisy);
   }
   run(patch);
-  EXPECT_EQ(file_text(folder / "out" / "calibrated.csv"), first);  // by seed
+  EXPECT_EQ(file_text(folder / "out" / "calibrated.csv"), first);  // the seed determines the noise
   run(Json::array());
   EXPECT_FALSE(fs::exists(folder / "out" / "calibrated.csv"));
 }
 
-/// Hills and one of MuJoCo's own signed distance functions, 1 mm deep in the tip (at z = 30.5 mm) of a finger.
+/// A height field and a signed distance function of MuJoCo, 1 mm deep in the tip of a finger, at z = 30.5 mm.
 TEST(Run, TouchesHeightFieldsAndSignedDistanceFunctions) {
   const fs::path folder = folder_with_layout();
   const auto first_force = [&](const std::string& head, const std::string& ground) {
@@ -98,7 +98,7 @@ TEST(Run, TouchesHeightFieldsAndSignedDistanceFunctions) {
       "<asset><mesh name='t'><plugin instance='t'/></mesh></asset>",
       "<geom type='sdf' mesh='t' pos='0.03 0 0.0395'><plugin instance='t'/></geom>");
   EXPECT_LT(on_torus, -0.1 * std::abs(on_box));
-  EXPECT_GT(on_torus, on_box);  // a round touches less than a plane
+  EXPECT_GT(on_torus, on_box);  // a round body touches a smaller area than a plane
   expect_refusal(taxel({"run", "scene.xml", "--plugins", "gone"}, folder), "taxel: gone: is no folder");
   expect_refusal(taxel({"run", "scene.xml", "--plugins", "out"}, folder),
                  "taxel: out: holds no plugin that MuJoCo loads");
@@ -113,7 +113,7 @@ TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {
   const Table table = read_csv(folder / "out" / "readings.csv");
   EXPECT_EQ(table.size(), 2U + 2U * (5U + 12U));
   EXPECT_GT(table.at("thumb/force_z").front(), 0.01);
-  // the same finger beside itself reads the same, but for the rounding of its place
+  // A second finger at another position reads the same, up to the rounding of its position.
   EXPECT_NEAR(table.at("thumb/taxel_3").front(), table.at("index/taxel_3").front(),
               1e-6 * table.at("thumb/taxel_3").front());
   const auto arrays = parse_npz(file_text(folder / "out" / "readings.npz"));

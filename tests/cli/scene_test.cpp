@@ -1,4 +1,4 @@
-// `taxel run` on scenes as they come: the predecessor's, a whole hand, and such that cannot run.
+// `taxel run` on scenes of the predecessor, on a whole robot hand, and on scenes that cannot run.
 #include <cmath>
 
 #include "cli/taxel_program.h"
@@ -9,12 +9,12 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// The scenes of the predecessor as they were published: what lies on the foam weighs on it.
+/// The published scenes of the predecessor: the force on the foam is the weight of the bodies on it.
 TEST(Scenes, OldScenesRunUnmodifiedAndTheForceIsTheWeight) {
   const fs::path real = TAXEL_REAL_DATA;
   if (!fs::exists(real / "myrmex_box_world.xml")) GTEST_SKIP() << real << " is absent";
   const fs::path folder = test_folder();
-  // the box has MuJoCo's default density, the others say their mass
+  // The box has MuJoCo's default density; the other bodies have a mass.
   const std::vector<std::pair<std::string, double>> scenes{{"myrmex_box_world.xml", 1000 * 0.2 * 0.2 * 0.2},
                                                            {"myrmex_plate_world.xml", 0.375},
                                                            {"myrmex_spot_world.xml", 0.375}};
@@ -53,7 +53,7 @@ TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
     EXPECT_GT(largest, 100) << geom;
     sum += force;
   }
-  // held still: the fingers bear its weight, and their forces across cancel
+  // At rest the fingers carry the weight, and their horizontal forces cancel.
   EXPECT_NEAR(sum.z, -9.81 * 0.03, 0.02 * 9.81 * 0.03);
   EXPECT_LT(std::hypot(sum.x, sum.y), 0.02);
 }
@@ -82,13 +82,13 @@ TEST(Scenes, WhatCannotRunIsSaidWithFileBodyAndNumber) {
   };
   const std::string floor = finger_scene(finger_body("tip", 0, true, "<freejoint/>"));
   expect_refusal(run(attach, floor), "taxel: scene.xml: two layouts are attached to geom \"tip\": a geom takes one");
-  // a finger of a few grams on a soft pad, in steps that are far too long
+  // A finger of a few grams on a soft pad, with a time step that is far too long.
   std::string slow = floor;
   slow.insert(slow.find("<asset>"), "<option timestep='0.02'/>");
   const std::string told = run({}, slow).err;
   EXPECT_NE(told.find("is too stiff for the time step of 0.02 s"), std::string::npos) << told;
   EXPECT_NE(told.find("the largest stable step is 0.0"), std::string::npos) << told;
-  // an unstable joint
+  // An unstable joint.
   std::string wild = floor;
   wild.insert(
       wild.find("</worldbody>"),

@@ -1,5 +1,5 @@
-// What can be wrong with the sensing of a layout: each a named problem with the taxel's id, through `taxel check` and
-// `taxel samples`; nothing crashes, and what reads 0 says so.
+// Problems in the sensing of a layout: `taxel check` and `taxel samples` report each one with the taxel's id, also a
+// taxel that can only read 0. Nothing crashes.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ Json replaced(const std::string& path, const Json& value) {
   return Json::array({operation("replace", path, value)});
 }
 
-/// The problem of this code among those of a file; null where it is not listed exactly once.
+/// Returns the problem with this code of a file, or null if it is not listed exactly once.
 Json problem(const fs::path& file, const std::string& code) {
   const Outcome outcome = taxel({"check", file.string(), "--json"});
   const Json report = Json::parse(outcome.out);
@@ -30,7 +30,7 @@ Json problem(const fs::path& file, const std::string& code) {
   return count == 1 ? found : Json();
 }
 
-/// `check` lists an error of this code, place and message; `samples` stops with it.
+/// Expects `taxel check` to list an error with this code, place and message, and `taxel samples` to stop with it.
 void expect_error(const fs::path& layout, const std::string& code, const std::string& pointer,
                   const std::string& message) {
   const Json p = problem(layout, code);
@@ -43,7 +43,8 @@ void expect_error(const fs::path& layout, const std::string& code, const std::st
   expect_refusal(taxel({"samples", layout.string()}), "taxel: " + layout.string() + ": " + pointer + ": " + message);
 }
 
-/// `check` lists a warning of this code, place and message; `samples` goes on and says it too.
+/// Expects `taxel check` to list a warning with this code, place and message, and `taxel samples` to print it and
+/// continue.
 void expect_warning(const fs::path& layout, const std::string& code, const std::string& pointer,
                     const std::string& message) {
   const Json p = problem(layout, code);
@@ -67,7 +68,7 @@ TEST(BadSensing, ValuesThatNoFieldCanHave) {
   error("/sampling/density", 0, "density_not_positive", "must be greater than 0, is 0");
 }
 
-// JSON has no NaN: the word is refused by line, and so is a number that no double holds.
+// JSON has no NaN. The word is refused with its line, and so is a number that is too large for a double.
 TEST(BadSensing, NotANumber) {
   const fs::path folder = test_folder();
   const std::string text = file_text(changed_layout(folder, replaced("/taxels/3/radius", 12345)));
@@ -114,7 +115,7 @@ TEST(BadSensing, MoreThanTenMillionSamples) {
                  "taxel: " + fingertip_layout().string() + ": /sampling/density: " + message);
 }
 
-/// A contact of that layout.
+/// Returns the reading of the layout in a contact.
 Json reading_of(const fs::path& folder, std::vector<std::string> options = {}) {
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "tests" / "golden" / "finger_on_box.json", folder,
            fs::copy_options::overwrite_existing);
@@ -123,7 +124,7 @@ Json reading_of(const fs::path& folder, std::vector<std::string> options = {}) {
   return taxel_json(arguments, folder);
 }
 
-// Too few samples for so small a field, or a normal that no face has: both read 0 and say so.
+// Too few samples for a small field, or a normal that no face has: the taxel reads 0, with a warning.
 TEST(BadSensing, AFieldWithoutSamplesReadsZeroAndSaysSo) {
   const fs::path folder = test_folder();
   const auto expect_zero = [&](const Json& patch, const char* code, const std::string& message) {
@@ -167,7 +168,7 @@ fs::path nested_layout(const fs::path& folder, const Json& sampling) {
   return folder / "nested.taxels.json";
 }
 
-// Left out of sensing unless asked for, and said.
+// Inner shells are sensed only on request; a note says so.
 TEST(BadSensing, CavitiesAndIslandsAreLeftOutUnlessAskedFor) {
   const fs::path folder = test_folder();
   const auto samples = [&](const fs::path& layout, double area) {
@@ -183,7 +184,7 @@ TEST(BadSensing, CavitiesAndIslandsAreLeftOutUnlessAskedFor) {
   };
   const double outer = 24 * kHalf * kHalf, all = outer + 24 * (kCavity * kCavity + kIsland * kIsland);
 
-  // The taxel on the island is farther from the skin than its radius: an error, unless the island is sensed.
+  // The taxel on the island is farther from the skin than its radius, which is an error unless the island is sensed.
   const fs::path left_out = nested_layout(folder, {{"density", 2e6}});
   const Json said = problem(left_out, "mesh_has_cavity");
   EXPECT_EQ(said["severity"], "note");

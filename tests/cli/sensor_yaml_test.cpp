@@ -1,4 +1,4 @@
-// Sensor descriptions of the predecessor's code through the program: with a mesh next to them, and on geoms of scenes.
+// Sensor descriptions of the predecessor's code, with a mesh and on geoms of scenes.
 #include <algorithm>
 
 #include "cli/taxel_program.h"
@@ -7,7 +7,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// Two taxels on a box of half size 10 mm.
+/// Returns a sensor with two taxels on a box of half size 10 mm.
 std::string yaml_of(const std::string& type, const std::string& geom) {
   return "MujocoPlugins:\n  - type: mocap\n  - type: surfaces\n    SurfacePlugins:\n    - {type: s/" + type +
          ", sensorName: tip, geomName: " + geom +
@@ -66,7 +66,7 @@ TEST_F(SensorYamlCli, ChecksTheLayoutOnItsMesh) {
   EXPECT_NE(far.out.find("mm from the surface"), std::string::npos) << far.out;
 }
 
-/// A scene with the box as a mesh in millimetres, or as a box, and something below.
+/// Returns a scene with the box as a mesh in millimetres, or as a box, on another body.
 std::string scene_of(const std::string& geom) {
   return "<mujoco><asset><mesh name='m' file='box.obj' scale='0.001 0.001 0.001'/></asset><worldbody>"
          "<body pos='0 0 0.0095'><freejoint/><geom name='tip_geom' " +

@@ -1,4 +1,4 @@
-// `taxel contact` with every pair of shapes, rigid and soft: both orders feel the same contact, and B pushes A away.
+// `taxel contact` with every pair of shapes, rigid and soft: both orders give the same contact, and B pushes A away.
 #include <cmath>
 
 #include "cli/taxel_program.h"
@@ -7,7 +7,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// A shape by the words of a case, with its half height over its origin [m].
+/// A shape as JSON, and its half height above its origin [m].
 struct PairShape {
   const char* name;
   Json shape;
@@ -22,7 +22,7 @@ const PairShape kBounded[] = {{"sphere", {{"type", "sphere"}, {"size", {0.02}}},
                               {"mesh", {{"type", "mesh"}, {"file", "box.obj"}}, 0.016}};
 const PairShape kPlane{"plane", {{"type", "plane"}}, 0};
 
-/// Soft ones get a modulus; a soft plane has to be told its thickness.
+/// Returns a body with a modulus if it is soft. A soft plane also needs a thickness.
 Json body(const PairShape& shape, bool soft, const Json& pos, const Json& quat) {
   Json json = {{"shape", shape.shape}, {"pos", pos}, {"quat", quat}};
   if (std::string(shape.name) != "plane" && std::string(shape.name) != "mesh") json["resolution"] = 0.006;
@@ -31,7 +31,7 @@ Json body(const PairShape& shape, bool soft, const Json& pos, const Json& quat) 
   return json;
 }
 
-/// B stands 2 mm deep in what lies under it, a little aside and turned.
+/// Expects a contact of two bodies, one of which is 2 mm deep in the other, slightly shifted and rotated.
 void expect_contact(const PairShape& below, bool below_soft, const PairShape& above, bool above_soft) {
   SCOPED_TRACE(testing::Message() << (above_soft ? "soft " : "rigid ") << above.name << " on "
                                   << (below_soft ? "soft " : "rigid ") << below.name);

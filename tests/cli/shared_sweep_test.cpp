@@ -1,4 +1,4 @@
-// The cache of sweeps that tests of the command line share: a wrong entry would be tested in place of the program.
+// The cache of sweeps that the tests share. With a wrong entry the tests would not test the program.
 #include "cli/taxel_program.h"
 
 namespace taxel::test {

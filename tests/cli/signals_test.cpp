@@ -1,4 +1,4 @@
-// Signals while a command computes and writes: it finishes or leaves nothing, and its status names the signal.
+// Signals to a command that computes and writes: it writes complete files or none, and its status names the signal.
 #include <algorithm>
 #include <csignal>
 #include <thread>
@@ -9,7 +9,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// taxel in the background. Its stdout and stderr go to files in `folder`.
+/// A `taxel` process in the background. Its stdout and stderr go to files in `folder`.
 class Running {
  public:
   Running(const std::vector<std::string>& arguments, const fs::path& folder) : folder_(folder) {
@@ -37,7 +37,7 @@ class Running {
   pid_t child_ = 0;
 };
 
-/// Waits until `condition` holds, at most a minute.
+/// Waits until `condition` is true, for at most a minute.
 template <class Condition>
 bool wait_until(const Condition& condition) {
   for (int i = 0; i < 6000; ++i) {
@@ -47,7 +47,7 @@ bool wait_until(const Condition& condition) {
   return false;
 }
 
-/// Files below `folder` with a temporary name.
+/// Returns the files below `folder` with a temporary name.
 std::vector<std::string> temporary_paths(const fs::path& folder) {
   std::vector<std::string> found;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
@@ -66,7 +66,7 @@ void write_slow_study(const fs::path& file) {
                        .dump());
 }
 
-/// A kill at several phases: the rows that were on disk are found by the next run into the same folder.
+/// Kills a run in several phases. The next run into the same folder must find the rows on disk.
 void expect_rows_after_a_kill(const std::vector<std::string>& command, const std::string& file) {
   const fs::path folder = test_folder();
   if (!file.empty()) write_text(folder / "scenario.json", file);

@@ -1,11 +1,11 @@
-// taxel study: every run is the one that its values alone would make, however many run at a time.
+// `taxel study`: every run equals a single run with its values, for any number of simultaneous runs.
 #include "cli/taxel_program.h"
 
 namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// Short presses onto a plate.
+/// Returns the scenario of a short press onto a plate.
 Json press() {
   return {{"kind", "press"}, {"hold", 0}, {"clearance", 0.0002}, {"tilt_deg", 20}, {"shape", "plate"}};
 }

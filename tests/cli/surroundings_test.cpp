@@ -1,4 +1,4 @@
-// The machine around the program: full disks, folders that cannot be written, no home, a locale with decimal commas.
+// Unusual machines: full disks, folders that cannot be written, no home, a locale with decimal commas.
 #include <unistd.h>
 
 #include "cli/taxel_program.h"
@@ -21,7 +21,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 TEST(Surroundings, FilesThatDoNotFitAreNamedAndLeaveNothing) {
   const fs::path folder = test_folder();
-  // A limit of 4 kB for each file, as a stand-in for a full disk: writing ends with an error in the same place.
+  // A limit of 4 kB for each file replaces a full disk: writing fails in the same place.
   const std::string full = "trap '' XFSZ; ulimit -f 8";
   const Outcome sweep = taxel_after(full, "sweep --object box --density 1e5 --out out --quiet", folder);
   EXPECT_EQ(sweep.status, 2);
@@ -49,7 +49,7 @@ TEST(Surroundings, FoldersInThePlaceOfFilesLeaveTheOldSet) {
 TEST(Surroundings, ReadOnlyFoldersAreRefusedFirst) {
   const fs::path folder = test_folder();
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
-  // Root may write everywhere, but not without this capability.
+  // Root can write everywhere, but not without this capability.
   std::vector<std::string> words{TAXEL_PROGRAM, "sweep", "--out", "out"};
   if (::geteuid() == 0) words.insert(words.begin(), {"setpriv", "--bounding-set", "-dac_override"});
   const Outcome sweep = run_program("/usr/bin/env", words, folder);
@@ -66,7 +66,7 @@ TEST(Surroundings, NeedNoHomeAndNoEnvironment) {
 
 TEST(Surroundings, DecimalCommasChangeNoNumber) {
   const fs::path folder = test_folder();
-  // A locale of this test alone, compiled from the definitions of the package "locales".
+  // A locale for this test only, compiled from the definitions of the package "locales".
   ASSERT_EQ(run_program("/usr/bin/localedef", {"-i", "de_DE", "-f", "UTF-8", "./de_DE.UTF-8"}, folder).status, 0);
   const std::string german = "export LOCPATH=" + folder.string() + " LC_ALL=de_DE.UTF-8";
   const Outcome comma = run_program("/bin/sh", {"-c", german + "; locale decimal_point"}, folder);

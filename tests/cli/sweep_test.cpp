@@ -1,4 +1,4 @@
-// The fingertip sweep, end to end: which taxels respond, how smoothly, and that every number can be computed again.
+// The fingertip sweep from end to end: the responding taxels, their smoothness, and reproducible numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,20 +17,20 @@ double peak(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
-/// Largest change between two rows over the own peak.
+/// Returns the largest change between two rows, relative to the largest value.
 double largest_step(const std::vector<double>& values) {
   double step = 0;
   for (std::size_t i = 1; i < values.size(); ++i) step = std::max(step, std::abs(values[i] - values[i - 1]));
   return step / peak(values);
 }
 
-/// The pairs of taxels that respond, +x and -x: tip and pad mid of the paper's finger and of those with its layout.
+/// The pairs of responding taxels, at +x and -x: tip and middle of the pad, for the paper's finger and its layout.
 struct Pair {
   int tip, pad;
 };
 using Pairs = std::array<Pair, 2>;
 constexpr Pairs kPairs{{{4, 3}, {10, 9}}};
-constexpr Pairs kPaperPairs{{{4, 3}, {7, 8}}};  // as the released file counts
+constexpr Pairs kPaperPairs{{{4, 3}, {7, 8}}};  // numbers of the released file
 
 bool in_pairs(const Pairs& pairs, int id) {
   return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return id == p.tip || id == p.pad; });
@@ -41,8 +41,8 @@ double travel_of_peak(const Table& table, int id) {
   return table.at("travel")[static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin())];
 }
 
-/// The paper's result, its Figure 4: the taxels of `tip` and `pad mid` respond, they alone; the tip first, and more.
-/// `bounds`: least and largest peak of the pad over that of the tip.
+/// Expects the result of the paper's Figure 4: only the taxels of `tip` and `pad mid` respond, the tip first and more.
+/// `bounds` are the smallest and largest ratio of the pad's peak to the tip's peak.
 void expect_the_four(const Table& table, const Pairs& pairs, std::pair<double, double> bounds) {
   std::vector<double> peaks;
   for (int id = 0; id < 12; ++id) peaks.push_back(peak(table.at(taxel_column(id))));
@@ -66,7 +66,7 @@ void expect_the_four(const Table& table, const Pairs& pairs, std::pair<double, d
   }
 }
 
-/// Every curve begins and ends at 0, exactly, and its largest step is at most `most` of its own peak.
+/// Expects every curve to begin and end at exactly 0, with steps of at most `most` times its own peak.
 void expect_smooth_bells(const Table& table, const Pairs& pairs, double most) {
   for (int id = 0; id < 12; ++id) {
     EXPECT_EQ(table.at(taxel_column(id)).front(), 0) << "taxel " << id;
@@ -78,7 +78,7 @@ void expect_smooth_bells(const Table& table, const Pairs& pairs, double most) {
   for (const char* force : {"force_x", "force_y", "force_z"}) EXPECT_EQ(table.at(force).back(), 0);
 }
 
-/// Rows at even travel and time, `count` of them.
+/// Expects `count` rows at uniform travel and time.
 void expect_rows(const Table& table, std::size_t count) {
   const std::vector<double>& travel = table.at("travel");
   ASSERT_EQ(travel.size(), count);
@@ -90,7 +90,7 @@ void expect_rows(const Table& table, std::size_t count) {
   }
 }
 
-/// `taxel read` on the poses of a row, against the row.
+/// Compares `taxel read` on the poses of a row with the row.
 void expect_row_again(const fs::path& sweep, std::size_t row) {
   const auto arrays = parse_npz(file_text(sweep / "readings.npz"));
   const auto part = [&](const char* name, std::size_t width) {
@@ -115,7 +115,7 @@ void expect_row_again(const fs::path& sweep, std::size_t row) {
   EXPECT_EQ(read["polygons"].get<std::int64_t>(), arrays.at("polygons").integers()[row]);
 }
 
-/// The taxels' weighted means over their samples.
+/// Checks the weighted means of the taxels over their samples.
 void expect_figure_4(const fs::path& sweep, const Pairs& pairs = kPairs) {
   const Table table = read_csv(sweep / "readings.csv");
   expect_rows(table, 501);
@@ -123,7 +123,7 @@ void expect_figure_4(const fs::path& sweep, const Pairs& pairs = kPairs) {
   expect_smooth_bells(table, pairs, 0.09);
 }
 
-/// The exact force on each taxel's field, which has no noise of samples. The pad's taxel is pressed on a larger area.
+/// Checks the exact force on each taxel's field, which has no sampling noise. The contact area on the pad is larger.
 void expect_exact_figure_4(std::vector<std::string> options, const Pairs& pairs = kPairs) {
   options.insert(options.end(), {"--aggregate", "force"});
   const Table table = read_csv(shared_sweep(options) / "readings.csv");
@@ -150,7 +150,7 @@ TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMeshByTheExactForce) {
   expect_exact_figure_4({"--layout", real_layout().string()});
 }
 
-/// The paper's own files: the options that name them, or empty where they are absent.
+/// Returns the options that name the paper's own files, or nothing if the files are absent.
 std::vector<std::string> paper_files() {
   const fs::path folder = fs::path(TAXEL_REAL_DATA) / "paper";
   if (!fs::exists(folder / "curved_fingertip.yaml")) return {};
@@ -161,15 +161,15 @@ std::vector<std::string> paper_files() {
 
 TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnThePapersFiles) {
   SKIP_WITHOUT_REAL_DATA();
-  // The file asks for 1e6 samples per m^2, whose noise is as large as the contact's own steps.
+  // The noise of the file's 1e6 samples per m^2 is as large as the steps of the contact.
   std::vector<std::string> options = paper_files();
   options.insert(options.end(), {"--density", "1e7"});
   expect_figure_4(shared_sweep(options), kPaperPairs);
   expect_exact_figure_4(options, kPaperPairs);
 }
 
-/// The pairs `first` peak at 1.0, `second` at `ratio` of it, the others at 0.06 at most; all begin and end at 0, and no
-/// step between rows that are `kRowsApart` apart, 0.2 mm at most, is larger than 3 % of the taxel's own peak.
+/// Expects peaks of 1.0 for the pairs `first`, `ratio` for `second` and at most 0.06 for the others. All curves begin
+/// and end at 0, and no step over `kRowsApart` rows, at most 0.2 mm, exceeds 3 % of the taxel's own peak.
 void expect_released_demo(const fs::path& sweep, std::pair<int, int> first, std::pair<int, int> second, double ratio,
                           double others) {
   constexpr std::size_t kRowsApart = 2;
@@ -205,7 +205,7 @@ TEST(Sweep, AsInThePaperIsThePapersResultOnItsOwnFiles) {
 }
 
 TEST(Sweep, AsInThePaperRisesAndFallsOnOurFinger) {
-  // Rounder than the paper's finger: pad mid is pressed as much as the tip.
+  // Our finger is rounder than the paper's, so the middle of the pad reads as much as the tip.
   expect_released_demo(shared_sweep({"--as-in-the-paper"}), {3, 9}, {4, 10}, 0.985, 0.12);
 }
 
@@ -216,7 +216,7 @@ TEST(Sweep, OverABoxStaysOnItsTop) {
   for (const int id : {3, 4, 9, 10}) EXPECT_LE(largest_step(table.at(taxel_column(id))), 0.10) << "taxel " << id;
 }
 
-/// Our fingertip with geodesic fields, taxel 3 as two subtaxels and taxel 4 as one.
+/// Writes a layout of our fingertip with geodesic fields, taxel 3 as two subtaxels and taxel 4 as one.
 fs::path geodesic_layout() {
   Json layout = Json::parse(file_text(fingertip_layout()));
   layout["mesh"]["file"] = (fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/fingertip.obj").string();
@@ -236,7 +236,7 @@ fs::path geodesic_layout() {
   return file;
 }
 
-/// Our fingertip, coarsely sampled, with or without a calibration.
+/// Writes a layout of our fingertip with few samples, with or without a calibration.
 fs::path coarse_layout(const char* name, const Json& calibration) {
   Json layout = Json::parse(file_text(fingertip_layout()));
   layout["mesh"]["file"] = (fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/fingertip.obj").string();
@@ -253,7 +253,7 @@ TEST(Sweep, CalibratedValuesStandBesideTheReadings) {
                             {"range", {0, 3}}, {"quantisation", {{"bits", 8}}},
                             {"rate", 50},      {"taxels", {{{"id", 9}, {"gain", 2e-3}}, {{"id", 10}, {"dead", -1}}}}};
   const fs::path sweep = shared_box_sweep({"--layout", coarse_layout("calibrated.taxels.json", calibration).string()});
-  EXPECT_EQ(file_text(sweep / "readings.csv"), file_text(plain / "readings.csv"));  // raw readings stay
+  EXPECT_EQ(file_text(sweep / "readings.csv"), file_text(plain / "readings.csv"));  // raw readings are unchanged
   EXPECT_FALSE(fs::exists(plain / "calibrated.csv"));
   const Table raw = read_csv(sweep / "readings.csv"), table = read_csv(sweep / "calibrated.csv");
   EXPECT_EQ(table.size(), 14U);  // time, travel, 12 taxels
@@ -264,7 +264,7 @@ TEST(Sweep, CalibratedValuesStandBesideTheReadings) {
     const std::vector<double>&p = raw.at(taxel_column(id)), &v = table.at(taxel_column(id));
     const double gain = id == 9 ? 2e-3 : 1e-3;
     for (std::size_t i = 0; i < v.size(); ++i) {
-      // 50 values a second, 100 rows: each second row holds
+      // 50 values but 100 rows each second: every second row repeats a value
       const double expected = q * std::round(std::min(gain * p[i - i % 2], 3.0) / q);
       EXPECT_NEAR(v[i], id == 10 ? -1 : expected, 1e-12) << "taxel " << id << ", row " << i;
     }
@@ -320,7 +320,7 @@ TEST(Sweep, ReadOnARowsPosesGivesThatRowExactlyOnTheRealMesh) {
 }
 
 TEST(Sweep, StepsShrinkWithDensity) {
-  // Of one taxel the largest step is a matter of chance, by a fifth; so the largest of all four, and their mean.
+  // The largest step of one taxel varies by a fifth by chance, so the test uses the largest and the mean of all four.
   struct Steps {
     double largest = 0, mean = 0;
   };
@@ -374,7 +374,7 @@ TEST(Sweep, NpzHoldsWhatTheCsvHolds) {
   EXPECT_EQ(arrays.at("mocap_quat").shape, (std::vector<std::size_t>{steps, 4}));
   const std::vector<double> mocap = arrays.at("mocap_pos").doubles();
   const std::vector<std::int64_t> step = arrays.at("step").integers();
-  for (std::size_t row = 0; row < 241; ++row) {  // the way of the mocap body is the row's travel
+  for (std::size_t row = 0; row < 241; ++row) {  // the distance of the mocap body is the row's travel
     const auto at = 3 * static_cast<std::size_t>(step[row]);
     EXPECT_NEAR(std::hypot(mocap[at] - mocap[0], mocap[at + 1] - mocap[1], mocap[at + 2] - mocap[2]),
                 table.at("travel")[row], 1e-15);
@@ -392,8 +392,8 @@ TEST(Sweep, ForceIsThatOfAFingerThatFollows) {
     largest = std::max(largest, std::hypot(table.at("force_x")[i], table.at("force_y")[i], table.at("force_z")[i]));
   }
   EXPECT_DOUBLE_EQ(sensor["largest_force"].get<double>(), largest);
-  EXPECT_GT(sensor["deflection"].get<double>(), 1e-6);    // a dynamic body, softly held ...
-  EXPECT_LT(sensor["deflection"].get<double>(), 1.5e-4);  // ... that still presses nine tenths of the way
+  EXPECT_GT(sensor["deflection"].get<double>(), 1e-6);    // the body is dynamic and softly attached ...
+  EXPECT_LT(sensor["deflection"].get<double>(), 1.5e-4);  // ... and reaches nine tenths of the depth
   EXPECT_LT(sensor["deflection_deg"].get<double>(), 2);
   EXPECT_GT(table.at("force_z").back(), 0);
 }
@@ -426,7 +426,7 @@ TEST(Sweep, ItsFolderRunsElsewhere) {
   EXPECT_EQ(run["rows"], 5);
   EXPECT_EQ(run["sensors"][0]["geom"], "finger");
   const Table table = read_csv(folder / "out" / "readings.csv");
-  EXPECT_EQ(table.at("travel"), std::vector<double>(5, 0.0));  // nobody moves the mocap body here
+  EXPECT_EQ(table.at("travel"), std::vector<double>(5, 0.0));  // the mocap body does not move here
   EXPECT_TRUE(fs::exists(folder / "out" / "scene.xml"));
 }
 

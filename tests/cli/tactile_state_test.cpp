@@ -1,4 +1,4 @@
-// `--tactile-state`: the readings once more, as messages of tactile_msgs/TactileState.
+// `--tactile-state` writes the readings as messages of tactile_msgs/TactileState as well.
 #include <sstream>
 
 #include "cli/taxel_program.h"
@@ -33,7 +33,7 @@ TEST(TactileState, HasARowsReadingsPerSensor) {
   }
   EXPECT_EQ(row, table.at("time").size());
   EXPECT_GE(row, 2U);
-  // of this run only
+  // The file has the messages of this run only.
   taxel_json({"run", "scene.xml", "--seconds", "0.004", "--out", "out"}, folder);
   EXPECT_FALSE(fs::exists(folder / "out/tactile_state.jsonl"));
   expect_refusal(taxel({"run", "scene.xml", "--tactile-state"}, folder), "taxel: run: --tactile-state requires --out");

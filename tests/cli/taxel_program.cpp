@@ -13,8 +13,8 @@ namespace {
 
 const fs::path kScratch = fs::path(TAXEL_BINARY_DIR) / "tests" / "cli" / "scratch";
 
-/// Changes with all that every sweep depends on: the program, its libraries' versions, and the environment that decides
-/// how numbers are written.
+/// Returns a hash of everything that all sweeps depend on: the program, the versions of its libraries, and the
+/// environment variables that determine how numbers are written.
 std::string program_stamp() {
   static const std::string stamp = [] {
     std::string inputs = file_text(TAXEL_PROGRAM) + run_program(TAXEL_PROGRAM, {"--version"}, kScratch).out;
@@ -27,7 +27,7 @@ std::string program_stamp() {
   return stamp;
 }
 
-/// The bytes of a file, and those of the mesh that it names if it is a layout.
+/// Returns the bytes of a file, followed by those of its mesh if it is a layout.
 std::string file_inputs(const fs::path& file) {
   std::string inputs = file_text(file);
   const Json layout = Json::parse(inputs, nullptr, false);
@@ -36,7 +36,7 @@ std::string file_inputs(const fs::path& file) {
   return fs::is_regular_file(mesh) ? inputs + file_text(mesh) : inputs;
 }
 
-/// Changes with the options and with the content of the files that they name.
+/// Returns a hash of the options and of the files that they name.
 std::string folder_name(const std::vector<std::string>& options) {
   std::string inputs;
   for (const std::string& option : options) {
@@ -142,7 +142,7 @@ fs::path shared_sweep(const std::vector<std::string>& options) {
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = taxel(arguments);
   if (outcome.status != 0) throw std::runtime_error("taxel sweep failed: " + outcome.err);
-  fs::rename(making, folder, ec);  // another test may have been faster
+  fs::rename(making, folder, ec);  // fails if another test was faster
   if (ec) fs::remove_all(making);
   return folder;
 }

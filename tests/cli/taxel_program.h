@@ -15,7 +15,7 @@ namespace taxel::test {
 
 using Json = nlohmann::json;
 
-/// A folder for the running test; made anew.
+/// Returns an empty folder for the running test.
 std::filesystem::path test_folder();
 
 /// Runs taxel in the given folder.
@@ -27,36 +27,36 @@ Json taxel_json(std::vector<std::string> arguments, const std::filesystem::path&
 /// Expects exit status 2, nothing on stdout, and exactly this line on stderr.
 void expect_refusal(const Outcome& outcome, const std::string& line);
 
-/// Our fingertip's layout and mesh, and a copy of the layout with one change.
+/// Return the layout of our fingertip, and a copy of it with one change (a JSON patch).
 std::filesystem::path fingertip_layout();
 std::filesystem::path changed_layout(const std::filesystem::path& folder, const Json& patch);
 
-/// OBJ text of a box of half size `half` whose first corner is the file's vertex `first` (from 1): two triangles on
-/// each side, in the order -z, +z, -y, +y, -x, +x, facing outward, or inward as the wall of a cavity. Corner 1 + 2
-/// bits: the corner at +x has bit 0 set, at +y bit 1, at +z bit 2.
+/// Returns the OBJ text of a box of half size `half` whose first corner is the file's vertex `first` (from 1): two
+/// triangles on each side, in the order -z, +z, -y, +y, -x, +x, facing outward, or inward as the wall of a cavity.
+/// Corner 1 + 2 bits: the corner at +x has bit 0 set, at +y bit 1, at +z bit 2.
 std::string box_obj(double half, int first = 1, bool outward = true);
 
-/// Columns of a CSV file by their heads.
+/// The columns of a CSV file by name.
 using Table = std::map<std::string, std::vector<double>>;
 Table read_csv(const std::filesystem::path& path);
 
 /// The largest change of a taxel from a row of a recording to the next.
 struct RecordedJump {
-  int taxel = 0;        ///< its id
-  double time = 0;      ///< of the later row
-  std::size_t row = 0;  ///< the later one
+  int taxel = 0;        ///< id of the taxel
+  double time = 0;      ///< time of the later row [s]
+  std::size_t row = 0;  ///< index of the later row
   double before = 0, after = 0;
 };
 RecordedJump largest_jump(const std::filesystem::path& run);
 
-/// The folder of `taxel sweep` with these options; made once by whichever test needs it first, and made again when the
-/// program changed.
+/// Returns the output folder of `taxel sweep` with these options. The first test that needs it makes it; a changed
+/// program makes it again.
 std::filesystem::path shared_sweep(const std::vector<std::string>& options = {});
 
-/// The same with `--object box`, for tests of other things than the sweep: short, and in contact at its end.
+/// Returns the output folder of a short sweep over a box, which ends in contact.
 std::filesystem::path shared_box_sweep(std::vector<std::string> options = {});
 
-/// The real fingertip's layout; empty where it is absent.
+/// Returns the layout of the real fingertip, or an empty path if it is absent.
 std::filesystem::path real_layout();
 #define SKIP_WITHOUT_REAL_DATA()            \
   if (::taxel::test::real_layout().empty()) \

@@ -1,4 +1,4 @@
-// taxel mesh --decimate and --subdivide: numbers of faces, the report, and refusals.
+// `taxel mesh --decimate` and `--subdivide`: numbers of faces, report and errors.
 #include "cli/taxel_program.h"
 
 namespace taxel::test {

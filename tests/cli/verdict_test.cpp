@@ -1,5 +1,5 @@
-// The verdict of `taxel explain` on contacts whose artifact is known by construction, from the files a user has: a
-// scene, or a scenario around a layout, is run, and the largest jump of its recording explained.
+// The diagnosis of `taxel explain` on contacts with an artifact that is known by construction. A scene, or a scenario
+// around a layout, is recorded, and the largest jump of the recording is explained.
 #include <cmath>
 
 #include "cli/taxel_program.h"
@@ -10,7 +10,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// Of contacts in which samples are no matter: enough of them, and soon made.
+/// Number of samples per square metre that causes no noise and is fast to make.
 constexpr double kSamples = 1.5e6;
 
 fs::path run_scene(Touch touch) {
@@ -41,7 +41,7 @@ std::vector<std::string> explain_jump(const fs::path& run, const RecordedJump& j
   return {"explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time", std::to_string(jump.time)};
 }
 
-/// Explains the largest jump: the cause, whose part of the change is the largest, and the words.
+/// Expects this cause, the largest part of the change, and these words for the largest jump.
 void expect_verdict(const fs::path& run, const std::string& cause, const std::string& words) {
   const RecordedJump jump = largest_jump(run);
   const Json found = taxel_json(explain_jump(run, jump)), &v = found["verdict"];
@@ -64,13 +64,13 @@ void expect_verdict(const fs::path& run, const std::string& cause, const std::st
   if (largest == "contact") {
     EXPECT_EQ(cause == "redistribution", stays);
   }
-  // a taxel's polygons lie on tets that are inside out, or they do not
+  // Whether the taxel's polygons are on inverted tets.
   bool inverted = false;
   for (const Json& polygon : found["polygons"]) inverted |= polygon["inverted"].get<bool>();
   EXPECT_EQ(inverted, cause == "inverted_tets");
 }
 
-/// The same, as text: its first line.
+/// Expects these words in the first line of the explanation as text.
 void expect_first_line(const fs::path& run, const std::string& words) {
   const Outcome out = taxel(explain_jump(run, largest_jump(run)));
   EXPECT_EQ(out.status, 0);
@@ -114,7 +114,7 @@ TEST(Verdict, AnEggThatIsLedOverAnEdge) {
   expect_verdict(play_path(edge_comes_over_egg(0.68)), "contact", "The contact itself");
 }
 
-// Noise, with the number of samples that cures it: with so many the same step is no jump.
+// The diagnosis of noise names a number of samples. With this number the same step is no jump.
 TEST(Verdict, TheSamplesThatItNamesCureTheNoise) {
   Touch touch = few_samples(7e5, 3);
   const fs::path folder = test_folder();
@@ -140,7 +140,7 @@ TEST(Verdict, TheSamplesThatItNamesCureTheNoise) {
   EXPECT_EQ(cured["change"]["before"], strip["values_before"][2]);
 }
 
-// The same way as that of a ball whose jumps are explained above, but slow: nothing jumps.
+// A ball on the same path as above, but slow: nothing jumps.
 TEST(Verdict, ABallThatIsLedSlowly) {
   const fs::path run = run_scene(smooth(FieldKind::star));
   const RecordedJump jump = largest_jump(run);

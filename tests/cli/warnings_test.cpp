@@ -1,4 +1,4 @@
-// Runs whose result is of no use say so, and numbers that are not finite are refused.
+// Runs with a useless result warn, and numbers that are not finite are refused.
 #include "cli/taxel_program.h"
 
 namespace taxel::test {
