@@ -21,7 +21,7 @@ LIBRARIES = {
     "GLFW/": ["app/studio/**/*"],
     "imgui": ["ui/**/*", "app/studio/**/*"],
     "implot": ["ui/**/*", "app/studio/**/*"],
-    "CLI/": ["app/**/*"],
+    "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp"],
     "iostream": [],
     "fstream": [],
 }

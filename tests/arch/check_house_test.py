@@ -18,6 +18,7 @@ BROKEN = {
     "app/studio/features/probe/probe_tool.cpp": '#include "core/base/files.h"\n',
     "app/studio/features/probe/probe_worker.cpp": "#include <imgui.h>\n",
     "app/cli/i.cpp": "#include <imgui.h>\n",
+    "app/cli/commands/l.cpp": "#include <CLI/CLI.hpp>\n",
     "core/layout/sampling/j.cpp": "const double x = std::sin(1.0);\n",
     "core/base/rng.h": "std::normal_distribution<> normal;\n",
     "core/mesh/long.cpp": "// line\n" * 401,
@@ -30,6 +31,7 @@ FINE = {
     "core/layout/check/layout_check.cpp": "const double x = std::sin(1.0);\n",
     "core/sim/simulator.cpp": '#include <mujoco/mujoco.h>\n#include "core/hydro/traction.h"\n',
     "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/run/sim_frame.h"\n',
+    "app/cli/command_line.cpp": "#include <CLI/CLI.hpp>\n",
     "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
 }
 

@@ -11,7 +11,7 @@
 namespace taxel::cli {
 namespace {
 
-/// No line breaks: scripts read one line.
+/// Replaces line breaks by spaces, because scripts read messages line by line.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -28,25 +28,25 @@ void Console::result(std::string_view text) {
   }
 }
 
-/// A message begins on an empty line; the bar comes back with the next progress.
+/// Removes the bar, so that a message begins on an empty line. The next progress() shows the bar again.
 void Console::clear_bar() {
   if (shown_percent_ >= 0) fmt::print(stderr, "\r{:50}\r", "");
   shown_percent_ = -1;
 }
 
-void Console::say(std::string_view kind, const std::string& message) {
+void Console::print_message(std::string_view kind, const std::string& message) {
   if (options_.quiet) return;
   clear_bar();
   fmt::print(stderr, "taxel: {}: {}\n", kind, one_line(message));
 }
 void Console::note(const std::string& message) {
-  say("note", message);
+  print_message("note", message);
 }
 void Console::warn(const std::string& message) {
-  say("warning", message);
+  print_message("warning", message);
 }
 
-void Console::tell(const Problems& problems) {
+void Console::report(const Problems& problems) {
   for (const Problem& problem : problems) {
     const std::string line = problem.file + ": " + problem.pointer + ": " + problem.message;
     problem.severity == Severity::note ? note(line) : warn(line);

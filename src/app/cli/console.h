@@ -1,4 +1,4 @@
-// Where a command speaks: results on stdout, messages and progress on stderr.
+// Output of a command: results on stdout, messages and progress on stderr.
 #pragma once
 
 #include <string>
@@ -8,38 +8,39 @@
 
 namespace taxel::cli {
 
-/// Options that every command has.
+/// The options that every command has.
 struct CommonOptions {
-  bool json = false;   ///< the result on stdout as one JSON object
-  bool quiet = false;  ///< no messages and no progress on stderr, errors excepted
-  int threads = 0;     ///< 0: all cores
+  bool json = false;   ///< prints the result as one JSON object
+  bool quiet = false;  ///< prints errors only, no messages and no progress
+  int threads = 0;     ///< largest number of threads, or 0 for all cores
 };
 
+/// Prints the output of one command, as its common options ask for.
 class Console {
  public:
   explicit Console(const CommonOptions& options);
 
   [[nodiscard]] bool json() const { return options_.json; }
-  /// Text for stdout, as it is. Throws Error when stdout does not take it.
+  /// Prints text to stdout without changes. Throws Error if stdout cannot be written.
   void result(std::string_view text);
-  /// A line for stderr; --quiet drops it.
+  /// Print one line to stderr, unless --quiet was given.
   void note(const std::string& message);
   void warn(const std::string& message);
-  /// Notes and warnings that are not worth stopping for.
-  void tell(const Problems& problems);
-  /// How far a long work is, in [0, 1]: a bar, only on a terminal. 1 clears it.
+  /// Prints problems that do not stop the command, as notes and warnings.
+  void report(const Problems& problems);
+  /// Shows the progress of a long computation, in [0, 1], as a bar if stderr is a terminal. 1 removes the bar.
   void progress(double fraction);
 
  private:
-  void say(std::string_view kind, const std::string& message);
+  void print_message(std::string_view kind, const std::string& message);
   void clear_bar();
 
   CommonOptions options_;
   bool terminal_ = false;
-  int shown_percent_ = -1;  ///< of the bar that stands on the terminal; -1: none
+  int shown_percent_ = -1;  ///< percentage of the visible bar, or -1 without a bar
 };
 
-/// The one line that ends a failed run: "taxel: ..." on stderr.
+/// Prints the line that ends a failed run, "taxel: ...", to stderr.
 void print_failure(const std::string& message);
 
 }  // namespace taxel::cli

@@ -23,12 +23,12 @@ std::string_view embedded_file(std::string_view name);
 
 namespace {
 
-/// A layout with its mesh, wherever they came from.
+/// A layout with its mesh, from a file or from the program.
 struct Source {
   Layout layout;
   LoadedMesh mesh;
   std::string name;
-  std::vector<std::string> notes = {};  ///< of a layout of another program
+  std::vector<std::string> notes = {};  ///< losses in the import of another program's layout
 };
 
 Source read_source(const std::string& layout_file, const SkinChoice& skin) {
@@ -48,7 +48,8 @@ Source read_source(const std::string& layout_file, const SkinChoice& skin) {
   return {std::move(read.source.layout), std::move(read.source.mesh), layout_file, std::move(read.notes)};
 }
 
-/// Says what many samples cost before they are made. The area of the loaded mesh is an upper limit of the sampled area.
+/// Prints the memory of many samples before they are made. The area of the loaded mesh is an upper limit of the sampled
+/// area.
 void announce_samples(const Source& source, Console& console) {
   const double count = source.layout.sampling.density * source.mesh.mesh->area();
   if (count > kManySamples && count <= kMaxSamples)
@@ -58,7 +59,7 @@ void announce_samples(const Source& source, Console& console) {
                     source.name, source.layout.sampling.density, count, count * kBytesPerSample / (1U << 30U)));
 }
 
-/// Builds in another thread while this one moves the progress bar.
+/// Builds the model in another thread while this thread updates the progress bar.
 SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, SensorCache* cache, Console& console) {
   Progress progress;
   SensorBuild how(&progress);
@@ -89,7 +90,7 @@ SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& o
       build_with_progress(source, over.preview ? SampleQuality::preview : SampleQuality::polished, cache, console);
   for (const std::string& note : source.notes) console.note(source.name + ": " + note);
   for (const std::string& note : source.mesh.notes) console.note(source.name + ": /mesh/file: " + note);
-  console.tell(model->problems);
+  console.report(model->problems);
   if (file_face_of != nullptr) *file_face_of = std::move(source.mesh.file_face_of);
   return model;
 }

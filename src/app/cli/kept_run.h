@@ -1,4 +1,4 @@
-// Rows of a run on disk while it runs, so that a kill loses none that are complete.
+// Journal of a run on disk, so that a killed run loses no complete row.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,18 @@
 
 namespace taxel::cli {
 
-/// The journal of a run that writes into the folder `out`: OUT/unfinished.rows and OUT/unfinished.npz. The rows that a
-/// killed run has left there are written next to OUT first, with a warning that names the folder.
+/// Writes the rows of a run with the output folder `out` to OUT/unfinished.rows and OUT/unfinished.npz while it runs.
+/// Rows of an earlier run that was killed are written next to OUT first, with a warning that names the folder.
 class KeptRun {
  public:
-  /// `out` may be empty: then nothing is kept. Warns if left rows cannot be read or written.
+  /// Writes nothing if `out` is empty. Warns if the rows of an earlier run cannot be read or written.
   KeptRun(const std::string& out, Console& console);
-  /// Removes the journal: the run is written, or has failed.
+  /// Removes the journal, because the run was written or has failed.
   ~KeptRun();
   KeptRun(const KeptRun&) = delete;
   KeptRun& operator=(const KeptRun&) = delete;
 
-  /// Keeps the steps that `recording` has gained. If that fails, warns, and keeps no more.
+  /// Appends the new steps of `recording`. If that fails, warns and stops writing.
   void follow(const Recording& recording);
 
  private:

@@ -57,7 +57,7 @@ int play(const PlayedScenario& played, Console& console) {
     folder->write(played.file, sweep_file_json(report));
     report.files = folder->commit();
   }
-  console.result(console.json() ? recording_json(report) : recording_text(report));
+  print_report(console, report);
   return FinishOnSignal::exit_status(kDone);
 }
 

@@ -3,26 +3,28 @@
 
 #include <string>
 
-#include "app/cli/command.h"
+#include "app/cli/layout_options.h"
 #include "core/document/scenario/scenario.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {
 
+/// A scenario with all options of its run.
 struct PlayedScenario {
-  std::string command;  ///< that asks for it
-  std::string file;     ///< in `out`, for scenario, seed, versions and summary
+  std::string command;  ///< name of the command
+  std::string file;     ///< name in `out` of the file with scenario, seed, versions and summary
   Scenario scenario;
-  std::string layout;  ///< file; empty: the built-in fingertip
+  std::string layout;  ///< layout file; the built-in fingertip if empty
   LayoutOptions over;
-  std::string out;             ///< folder for the recording; empty: none is written
-  bool tactile_state = false;  ///< it has tactile_state.jsonl too
+  std::string out;             ///< folder for the recording; nothing is written if empty
+  bool tactile_state = false;  ///< writes tactile_state.jsonl as well
 };
 
-/// Records it, writes the recording, and prints what was recorded. The exit status; throws Error for bad input.
+/// Runs and records the scenario, writes the recording and prints its report. Returns the exit status. Throws Error for
+/// bad input.
 int play(const PlayedScenario& played, Console& console);
 
-/// Warns of a depth beyond the pad of the sensor, where no pad model is valid. Returns whether it did.
+/// Warns of a depth beyond the pad of the sensor, at which no pad model is valid. Returns whether it warned.
 bool warn_of_depth(const Scenario& scenario, const SensorModel& model, Console& console);
 
 }  // namespace taxel::cli

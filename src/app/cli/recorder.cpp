@@ -15,24 +15,26 @@
 namespace taxel::cli {
 namespace {
 
-/// What the sensors have to say, as soon as they know it, each once.
-class WarningsOfSensors {
+/// Prints each warning of the sensors once, as soon as it exists.
+class SensorWarnings {
  public:
-  WarningsOfSensors(const Simulator& simulator, Console& console) : simulator_(simulator), console_(console) { tell(); }
-  void tell() {
+  SensorWarnings(const Simulator& simulator, Console& console) : simulator_(simulator), console_(console) {
+    print_new();
+  }
+  void print_new() {
     for (std::string& text : simulator_.warnings()) {
-      if (const auto [at, fresh] = told_.insert(std::move(text)); fresh) console_.warn(*at);
+      if (const auto [at, is_new] = printed_.insert(std::move(text)); is_new) console_.warn(*at);
     }
   }
 
  private:
   const Simulator& simulator_;
   Console& console_;
-  std::set<std::string> told_;
+  std::set<std::string> printed_;
 };
 
-/// Throws Error if the run or its recording would be too large; announces a large recording. `seconds`: 0 for a
-/// scenario, of which every step has a pose of the mocap body and few steps have a row.
+/// Throws Error if the run or its recording would be too large, and prints a note for a large recording. `seconds` is 0
+/// for a scenario. A scenario records a pose of the mocap body in every step, but a row in few steps.
 void check_cost(const SimScene& scene, double seconds, Console& console) {
   constexpr double kAnnounced = 0.25 * static_cast<double>(kMaxRecordingBytes);
   const double steps = std::ceil((seconds > 0 ? seconds : scene.duration) / scene.timestep);
@@ -44,7 +46,7 @@ void check_cost(const SimScene& scene, double seconds, Console& console) {
                              steps * bytes_per_step / (1U << 20U)));
 }
 
-/// Throws Error if the recording has outgrown its limit, which check_cost() cannot foresee for rows of a scenario.
+/// Throws Error if the recording is too large. check_cost() cannot know the number of rows of a scenario.
 void check_size(const RunRecorder& recorder) {
   if (recorder.bytes() <= kMaxRecordingBytes) return;
   throw Error(fmt::format("the recording takes more than {} GiB of memory after {} rows: record fewer rows",
@@ -67,7 +69,7 @@ void check_row(const Recording& recording, long step) {
   }
 }
 
-/// Warns of sensors that have no contact in any row.
+/// Warns of sensors that have no contact, or read nothing in contact, in any row.
 void warn_of_no_contact(const Recording& recording, Console& console) {
   for (std::size_t s = 0; s < recording.sensors.size(); ++s) {
     const bool touched = std::any_of(recording.rows.begin(), recording.rows.end(),
@@ -95,13 +97,13 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   RunRecorder recorder(scene);
   const double limit = seconds > 0 ? seconds : scene.duration;
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
-  WarningsOfSensors warnings(simulator, console);
+  SensorWarnings warnings(simulator, console);
   const SensorTimes before = simulator.sensor_times();
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   for (long step = 0; step != last && !simulator.finished() && received_signal() == 0; ++step) {
     simulator.step();
-    warnings.tell();
+    warnings.print_new();
     recorder.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
     check_size(recorder);
     check_row(recorder.recording(), step + 1);

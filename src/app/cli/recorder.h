@@ -1,4 +1,4 @@
-// Runs a simulator and keeps what a recording holds.
+// Runs a simulator and records its rows.
 #pragma once
 
 #include "app/cli/console.h"
@@ -8,18 +8,18 @@
 
 namespace taxel::cli {
 
-/// What a run cost, and how far it went.
+/// Number of steps, simulated time and computing time of a run.
 struct RunCost {
   long steps = 0;
-  double simulated = 0;  ///< [s]
-  double wall = 0;       ///< spent in steps and rows [s]
-  SensorTimes sensors;   ///< parts of `wall`; the rest is MuJoCo's and the recording's
-  double cpu = 0;        ///< the same as processor time: what remains on a machine that is busy otherwise [s]
+  double simulated = 0;  ///< simulated time [s]
+  double wall = 0;       ///< wall time of all steps and rows [s]
+  SensorTimes sensors;   ///< parts of `wall`; MuJoCo and the recording used the rest
+  double cpu = 0;        ///< processor time of all steps and rows [s]
 };
 
-/// Steps until the scenario is over or `seconds` (0: no limit) have passed, and records every row that is due. A signal
-/// (signals.h) ends the run as well.
-/// `kept` (may be null) keeps the rows on disk meanwhile.
+/// Steps until the scenario or `seconds` of simulated time have ended, or a signal is received (signals.h), and records
+/// all rows that are due. There is no limit if `seconds` is 0. `kept`, which may be null, writes the rows to disk
+/// meanwhile. Throws Error if the recording is too large or contains a number that is not finite.
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept = nullptr);
 
 }  // namespace taxel::cli

@@ -3,6 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
+
+#include "app/version/version.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/layout/words.h"
+#include "core/run/recording/summary.h"
 
 namespace taxel::cli {
 namespace {
@@ -25,7 +31,7 @@ std::string head_text(const RecordingReport& report) {
                      s.depth, s.speed, s.tilt_deg);
 }
 
-/// A soft geom without taxels.
+/// Returns the lines of a soft geom without taxels.
 std::string contact_text(const RecordedSensorSummary& sensor, const std::vector<std::string>& touched) {
   constexpr std::size_t kMaxNames = 12;
   std::vector<std::string> names(touched.begin(),
@@ -53,29 +59,99 @@ std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSenso
   return text + "\n";
 }
 
-}  // namespace
-
+/// Returns the wall time that no sensor used [s].
 double rest_of(const RunCost& cost) {
   return cost.wall - cost.sensors.surfaces - cost.sensors.forces - cost.sensors.readings;
 }
 
-std::string recording_text(const RecordingReport& report) {
-  std::string text = head_text(report);
-  const std::vector<RecordedSensorSummary> sensors = summarize(report.recording);
-  for (std::size_t i = 0; i < sensors.size(); ++i) {
-    const bool contact = sensors[i].taxels.empty() && i < report.touched.size();
-    text +=
-        contact ? contact_text(sensors[i], report.touched[i]) : sensor_text(sensors[i], report.recording.sensors[i]);
+void visit_sensor(ReportWriter& w, const RecordedSensorSummary& summary, const SensorModel& model) {
+  const Layout& layout = model.layout;
+  w("geom", summary.geom);
+  w("layout", layout.name);
+  w("aggregate", to_word(layout.readout.aggregate));
+  w("density", layout.sampling.density);
+  w("seed", layout.sampling.seed);
+  w("samples", model.samples.size());
+  w("rays", model.rays.size());
+  w("largest_force", summary.largest_force);
+  w("largest_area", summary.largest_area);
+  if (layout.readout.aggregate == Aggregate::force) w("largest_uncovered", summary.largest_uncovered);
+  w("deflection", summary.deflection);
+  w("deflection_deg", summary.deflection_deg);
+  w.list("taxels", summary.taxels, [](ReportWriter& one, const TaxelSummary& taxel) {
+    one("id", taxel.id);
+    one("name", taxel.name);
+    one("peak", taxel.peak);
+    one("peak_travel", taxel.peak_travel);
+    one("largest_step", taxel.largest_step);
+    one("responds", taxel.responds);
+  });
+}
+
+}  // namespace
+
+void RecordingReport::visit_reproducible(ReportWriter& w) const {
+  w("format", "taxel-" + command);
+  w("version", 1);
+  if (scenario) {
+    w.object("scenario", [&](ReportWriter& object) { object.keys_of(scenario_to_json(*scenario)); });
+  } else {
+    w("scene", scene);
+    w("seconds", seconds);
   }
-  const RunCost& cost = report.cost;
-  text += fmt::format("{:.2f} s for samples and contact model\n", report.model_seconds);
+  if (!models.empty()) w("seed", models.front()->layout.sampling.seed);
+  w.object("versions", [v = versions()](ReportWriter& object) {
+    object("taxel", v.taxel);
+    object("commit", v.commit);
+    object("mujoco", v.mujoco);
+  });
+  w("timestep", recording.timestep);
+  w("steps", cost.steps);
+  w("rows", recording.rows.size());
+  const std::vector<RecordedSensorSummary> sensors = summarize(recording);
+  w.list("sensors", std::views::iota(std::size_t{0}, sensors.size()), [&](ReportWriter& sensor, std::size_t i) {
+    visit_sensor(sensor, sensors[i], *models[i]);
+    if (sensors[i].taxels.empty() && i < touched.size()) sensor("touches", touched[i]);
+  });
+}
+
+void RecordingReport::visit(ReportWriter& w) const {
+  visit_reproducible(w);
+  w("model_seconds", model_seconds);
+  w("simulated_seconds", cost.simulated);
+  w("wall_seconds", cost.wall);
+  w.object("wall_parts", [&](ReportWriter& parts) {
+    parts("surfaces", cost.sensors.surfaces);
+    parts("forces", cost.sensors.forces);
+    parts("readings", cost.sensors.readings);
+    parts("rest", rest_of(cost));
+  });
+  w("cpu_seconds", cost.cpu);
+  w("real_time_factor", cost.simulated / cost.wall);
+  w("files", files);
+}
+
+std::string sweep_file_json(const RecordingReport& report) {
+  ReportWriter writer;
+  report.visit_reproducible(writer);
+  return writer.text();
+}
+
+std::string RecordingReport::text() const {
+  std::string text = head_text(*this);
+  const std::vector<RecordedSensorSummary> sensors = summarize(recording);
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const bool contact = sensors[i].taxels.empty() && i < touched.size();
+    text += contact ? contact_text(sensors[i], touched[i]) : sensor_text(sensors[i], recording.sensors[i]);
+  }
+  text += fmt::format("{:.2f} s for samples and contact model\n", model_seconds);
   text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",
                       cost.wall, cost.cpu, cost.simulated, cost.simulated / cost.wall);
-  const auto percent = [&](double seconds) { return fmt::format("{:.0f} %", 100 * seconds / cost.wall); };
+  const auto percent = [&](double part) { return fmt::format("{:.0f} %", 100 * part / cost.wall); };
   text += fmt::format("of it contact surfaces {}, forces {}, rays and readings {}, MuJoCo and recording {}\n",
                       percent(cost.sensors.surfaces), percent(cost.sensors.forces), percent(cost.sensors.readings),
                       percent(rest_of(cost)));
-  if (!report.files.empty()) text += fmt::format("wrote {}: {}\n", report.folder, fmt::join(report.files, " "));
+  if (!files.empty()) text += fmt::format("wrote {}: {}\n", folder, fmt::join(files, " "));
   return text;
 }
 

@@ -1,4 +1,4 @@
-// What `taxel sweep` and `taxel run` tell of a recording: a table, a JSON object, and the sweep.json beside the data.
+// The report of `taxel sweep`, `taxel play` and `taxel run`, and the file sweep.json that is written with the data.
 #pragma once
 
 #include <optional>
@@ -6,34 +6,33 @@
 #include <vector>
 
 #include "app/cli/recorder.h"
-#include "app/version/version.h"
+#include "app/cli/report_writer.h"
 #include "core/document/scenario/scenario.h"
-#include "core/run/recording/summary.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {
 
 struct RecordingReport {
-  std::string command;                 ///< "sweep" or "run"
-  std::optional<Scenario> scenario;    ///< of a sweep
-  std::string scene;                   ///< file name of a run's scene
-  double seconds = 0;                  ///< asked for in a run [s]
+  std::string command;                 ///< "sweep", "play" or "run"
+  std::optional<Scenario> scenario;    ///< empty for "run"
+  std::string scene;                   ///< name of the scene file of "run"
+  double seconds = 0;                  ///< requested duration of "run" [s]
   std::vector<SensorModelPtr> models;  ///< parallel to the recording's sensors
   const Recording& recording;
   RunCost cost;
-  double model_seconds = 0;        ///< wall time spent on samples, fields and tets
-  std::vector<std::string> files;  ///< written, when --out was given
+  double model_seconds = 0;        ///< wall time of samples, fields and tets [s]
+  std::vector<std::string> files;  ///< names of the written files; empty without --out
   std::string folder;
-  std::vector<std::vector<std::string>> touched = {};  ///< names of the geoms that each sensor can touch
+  std::vector<std::vector<std::string>> touched = {};  ///< geoms that each sensor can touch, by sensor
+
+  /// Writes the content of sweep.json and the times of this run.
+  void visit(ReportWriter& w) const;
+  /// Writes scenario, seed, versions and summary, which are equal in two runs with the same input.
+  void visit_reproducible(ReportWriter& w) const;
+  [[nodiscard]] std::string text() const;
 };
 
-/// Wall time that no sensor took [s].
-double rest_of(const RunCost& cost);
-
-std::string recording_text(const RecordingReport& report);
-/// The result on stdout: what sweep.json holds, with the times of this run.
-std::string recording_json(const RecordingReport& report);
-/// sweep.json: scenario, seed, versions, summary; nothing that differs between two runs.
+/// Returns the text of sweep.json, which visit_reproducible() writes.
 std::string sweep_file_json(const RecordingReport& report);
 
 }  // namespace taxel::cli

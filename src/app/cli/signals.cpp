@@ -17,19 +17,20 @@ namespace taxel::cli {
 namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-constexpr int kSignalStatus = 128;  // as shells count
+constexpr int kSignalStatus = 128;  // as shells do, plus the number of the signal
 
 std::atomic<int> received{0};
 std::mutex finishing_mutex;
-int finishing = 0;  // FinishOnSignal objects
+int finishing = 0;  // number of FinishOnSignal objects
 
-/// Returns whether the command finishes by itself.
+/// Records a signal. Returns whether the command will end by itself.
 bool leave_to_command(int number) {
   const std::scoped_lock lock(finishing_mutex);
   const bool is_first = received.exchange(number) == 0;
   return is_first && finishing > 0;
 }
 
+/// Waits for signals and ends the process, unless the command will end by itself.
 void receive(const sigset_t& signals) {
   int number = 0;
   while (::sigwait(&signals, &number) == 0) {

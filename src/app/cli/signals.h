@@ -10,12 +10,12 @@ namespace taxel::cli {
 /// exists, the first signal only sets received_signal(); a second one ends the process.
 void handle_signals();
 
-/// Number of the signal that the command has received, or 0.
+/// Returns the number of the signal that the command has received, or 0.
 int received_signal();
-/// "SIGTERM", for messages.
+/// Returns the name of a signal for messages, such as "SIGTERM".
 const char* name_of_signal(int number);
 
-/// A command that checks received_signal() regularly and then writes what it has computed.
+/// A command that checks received_signal() regularly and then writes its results.
 class FinishOnSignal {
  public:
   FinishOnSignal();
@@ -23,7 +23,7 @@ class FinishOnSignal {
   FinishOnSignal(const FinishOnSignal&) = delete;
   FinishOnSignal& operator=(const FinishOnSignal&) = delete;
 
-  /// `status`, or 128 + the number of the received signal.
+  /// Returns `status`, or 128 + the number of the received signal.
   [[nodiscard]] static int exit_status(int status);
 };
 

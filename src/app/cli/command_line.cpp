@@ -1,0 +1,185 @@
+// The only file that includes CLI11, whose header takes longer to compile than any command.
+#include "app/cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "app/version/version.h"
+#include "core/base/error.h"
+
+namespace taxel::cli {
+namespace {
+
+/// A rule for finite numbers.
+template <class Rule>
+Check number(const char* expected, const Rule& rule) {
+  return {[expected, rule](const std::string& text) {
+            const std::optional<double> value = finite_number(text);
+            return value && rule(*value) ? std::string() : fmt::format("must be {}, is {}", expected, text);
+          },
+          ""};
+}
+
+/// A rule of CLI11.
+Check rule_of(const CLI::Validator& validator) {
+  return {[validator](const std::string& text) { return validator(text); }, validator.get_description()};
+}
+
+CLI::Option* add_value(CLI::App& app, const std::string& name, const OptionValue& value, const std::string& help) {
+  return std::visit(
+      [&](const auto& target) -> CLI::Option* {
+        using Target = std::decay_t<decltype(target)>;
+        if constexpr (std::is_same_v<Target, bool*>) {
+          return app.add_flag(name, *target, help);
+        } else if constexpr (std::is_pointer_v<Target>) {
+          CLI::Option* option = app.add_option(name, *target, help);
+          if (std::is_same_v<Target, std::vector<std::string>*> && name.starts_with("-"))
+            option->expected(1)->take_all();
+          return option;
+        } else {
+          return app.add_option_function<std::string>(name, target, help);
+        }
+      },
+      value);
+}
+
+}  // namespace
+
+std::optional<double> finite_number(const std::string& text) {
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+Check positive() {
+  return number("greater than 0", [](double v) { return v > 0; });
+}
+Check not_negative() {
+  return number("0 or more", [](double v) { return v >= 0; });
+}
+Check finite() {
+  return number("a finite number", [](double) { return true; });
+}
+
+Check whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool is_whole = error == std::errc() && end == text.data() + text.size();
+            return is_whole ? std::string() : fmt::format("must be a whole number from 0 to 2^64 - 1, is {}", text);
+          },
+          ""};
+}
+
+Check positive_number() {
+  return rule_of(CLI::PositiveNumber);
+}
+Check in_range(int low, int high) {
+  return rule_of(CLI::Range(low, high));
+}
+Check one_of(const std::vector<std::string>& words) {
+  return rule_of(CLI::IsMember(words));
+}
+
+OptionRules required() {
+  return {.text = "(required)", .is_required = true};
+}
+
+void OptionList::add(const std::string& name, const OptionValue& value, const std::string& help,
+                     const OptionRules& rules) {
+  CLI::Option* option = add_value(app_, name, value, help);
+  if (!rules.unit.empty()) option->type_name(rules.unit);
+  if (!rules.text.empty()) option->option_text(rules.text);
+  if (!rules.default_text.empty()) option->default_str(rules.default_text);
+  if (rules.check) {
+    const auto problem = [rule = rules.check->problem](const std::string& text) { return rule(text); };
+    option->check(CLI::Validator(problem, rules.check->text));
+  }
+  option->required(rules.is_required);
+  for (const std::string& other : rules.needs) option->needs(app_.get_option(other));
+  for (const std::string& other : rules.excludes) option->excludes(app_.get_option(other));
+}
+
+std::string OptionList::command() const {
+  return app_.get_name();
+}
+
+namespace {
+
+/// A subcommand of `parent` with the options that every command has.
+CLI::App* add_command(CLI::App& parent, CommonOptions& common, const CommandSpec& spec) {
+  CLI::App* app = parent.add_subcommand(spec.name, spec.text);
+  OptionList list(*app);
+  list.add("--json", &common.json, "The result on stdout as one JSON object");
+  list.add("--quiet", &common.quiet, "No messages and no progress bar on stderr");
+  list.add("--threads", &common.threads, "At most this many threads (default: all cores); results do not depend on it",
+           {.text = "N", .check = in_range(1, 4096)});
+  app->footer(
+      fmt::format("Lengths in metres, forces in newtons, pressures in pascals, angles in degrees where said.\n"
+                  "Example: {}",
+                  spec.example));
+  return app;
+}
+
+/// The usage error in one line. `app` is the command, or the program if no command was recognised.
+std::string usage_message(const CLI::App& app, const CLI::App& program, const CLI::ParseError& e) {
+  const bool is_command = &app != &program;
+  const std::vector<std::string> unknown = app.remaining();
+  if (!unknown.empty()) return fmt::format("unknown {} {}", is_command ? "argument" : "command", unknown.front());
+  return e.what();
+}
+
+/// Throws Error for the first option or argument with an empty value. An unset shell variable leaves such a value, and
+/// it must not mean the same as an option that is not given.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty())
+        throw Error(command.get_name(), option->get_name(), "must not be empty; leave the option out for its default");
+}
+
+Run printed(const std::string& text) {
+  return [text](Console& console) {
+    console.result(text);
+    return kDone;
+  };
+}
+
+}  // namespace
+
+ParsedCommandLine parse_command_line(int argc, char** argv) {
+  CLI::App program("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
+                   "taxel");
+  program.set_version_flag("--version", version_line("taxel"));
+  program.require_subcommand(1);
+  program.footer(
+      "`taxel COMMAND --help` shows a command's options, units and an example.\n"
+      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input; 128 + "
+      "N\nended by signal N, after writing what was computed.");
+  CommonOptions common;
+  std::vector<CLI::App*> apps;
+  std::vector<Run> runs;
+  for (const CommandSpec& spec : commands()) {
+    apps.push_back(add_command(program, common, spec));
+    OptionList list(*apps.back());
+    runs.push_back(spec.add(list));
+  }
+  const auto chosen = [&] { return std::find_if(apps.begin(), apps.end(), [](auto* app) { return app->parsed(); }); };
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return {printed(chosen() == apps.end() ? program.help() : (*chosen())->help("taxel")), common};
+  } catch (const CLI::CallForVersion&) {
+    return {printed(version_line("taxel") + "\n"), common};
+  } catch (const CLI::ParseError& e) {
+    if (chosen() == apps.end()) throw Error(usage_message(program, program, e));
+    throw Error((*chosen())->get_name(), usage_message(**chosen(), program, e));
+  }
+  refuse_empty_values(**chosen());
+  return {runs[static_cast<std::size_t>(chosen() - apps.begin())], common};
+}
+
+}  // namespace taxel::cli

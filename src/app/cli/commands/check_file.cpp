@@ -1,0 +1,227 @@
+#include "app/cli/commands/check_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/cli/default_layout.h"
+#include "core/base/files.h"
+#include "core/document/project_json.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/study.h"
+#include "core/hydro/fields/field_report.h"
+#include "core/layout/file/layout_json.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
+#include "core/sensor/contact_case/contact_case.h"
+#include "core/sensor/imported_source.h"
+#include "core/sensor/sensor_model.h"
+#include "core/sim/simulator.h"
+
+namespace taxel::cli {
+namespace {
+
+bool any_error(const Problems& problems) {
+  return std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.severity == Severity::error; });
+}
+
+/// Checks the layout on its mesh, then everything that compiling the layout finds.
+Problems check_layout_with_mesh(const Layout& layout, const LoadedMesh& loaded, const std::string& file) {
+  SensorCache cache;
+  SensorBuild how;
+  how.cache = &cache;
+  const RepairedMeshPtr repaired = repair_for(layout, loaded.mesh, cache, file);
+  const SensorSkinPtr skin = cache.skin(repaired->mesh, layout.sampling.shells);
+  Problems problems = check_layout_on_skin(layout, {*loaded.mesh, *repaired, *skin->sensed}, loaded.sha256, file);
+  if (any_error(problems)) return problems;
+  const SensorModelPtr model = build_sensor_model(layout, loaded.mesh, loaded.sha256, file, how);
+  problems = model->problems;
+  if (const auto* soft = std::get_if<SoftBody>(&model->body->geometry)) {
+    for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
+      if (p.severity == Severity::note) problems.push_back(std::move(p));  // the model lists the others
+    }
+  }
+  for (const Problems& found :
+       {check_layout_mesh(*model->repaired, file), check_loaded_mesh(*model->loaded, *model->repaired, file)})
+    problems.insert(problems.end(), found.begin(), found.end());
+  for (const std::string& note : loaded.notes) {
+    problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
+  }
+  return problems;
+}
+
+/// Checks the values first, then the layout on its mesh.
+Problems check_layout(const Layout& layout, const std::string& file) {
+  Problems problems = check_layout_values(layout, file);
+  LoadedMesh loaded;
+  try {
+    loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
+  } catch (const Error& e) {
+    problems.push_back({file, "/mesh/file", Severity::error, "mesh_unreadable", e.what(), ""});
+    return problems;
+  }
+  return any_error(problems) ? problems : check_layout_with_mesh(layout, loaded, file);
+}
+
+/// Lists the losses in the import of another program's layout, then checks it like any other layout if its mesh is
+/// known.
+Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
+  Problems problems;
+  const auto add_notes = [&](const std::vector<std::string>& notes) {
+    for (const std::string& text : notes) problems.push_back({file, "", Severity::note, "import", text, ""});
+  };
+  if (skin.mesh.empty()) {
+    const ImportedLayout imported = import_layout(file, skin.sensor);
+    add_notes(imported.notes);
+    problems.push_back({file, "", Severity::note, "import", "holds no mesh: only its values are checked",
+                        "name the mesh with --mesh FILE"});
+    return problems;
+  }
+  const ImportedSource read = read_any_source(file, skin);
+  add_notes(read.notes);
+  const Problems found = check_layout_with_mesh(read.source.layout, read.source.mesh, file);
+  problems.insert(problems.end(), found.begin(), found.end());
+  return problems;
+}
+
+Problems check_mesh_file(const std::string& file) {
+  const LoadedMesh loaded = load_mesh(file);
+  Problems problems = check_mesh(*loaded.mesh, file);
+  for (const std::string& note : loaded.notes)
+    problems.push_back({file, "", Severity::note, "mesh_repaired", note, ""});
+  return problems;
+}
+
+/// Checks that both bodies of a case can be made, that one of them is soft, and that one of them is not a plane.
+Problems check_case(const ContactCase& contact_case) {
+  Problems problems;
+  const std::string& file = contact_case.file;
+  const auto make = [&](const CaseBody& body, const std::string& name) -> HydroBodyPtr {
+    try {
+      const MadeBody made = make_case_body(contact_case, body, name);
+      for (const std::string& warning : made.warnings) {
+        problems.push_back({file, "/" + name, Severity::warning, "body_warning", warning, ""});
+      }
+      if (const FieldReport* report = made.model ? nullptr : made.field_report()) {
+        for (Problem& p : field_problems(*report, file, "/" + name)) {
+          if (p.severity == Severity::note) problems.push_back(std::move(p));  // the others are among the warnings
+        }
+      }
+      return made.body;
+    } catch (const Error& e) {
+      const bool own = e.file() == file;
+      problems.push_back(
+          {file, own ? e.where() : "/" + name, Severity::error, "body_not_made", own ? e.message() : e.what(), ""});
+      return nullptr;
+    }
+  };
+  const HydroBodyPtr a = make(contact_case.a, "a");
+  const HydroBodyPtr b = make(contact_case.b, "b");
+  if (a && b && !a->soft() && !b->soft())
+    problems.push_back(
+        {file, "", Severity::error, "both_rigid", "a and b are both rigid", "give a modulus to one of them"});
+  if (a && b && a->half_space() && b->half_space()) {
+    problems.push_back({file, "", Severity::error, "both_planes", "a and b are both planes: their contact has no end",
+                        "give one of them another shape"});
+  }
+  return problems;
+}
+
+/// Returns a sensor for trial scenarios: the built-in fingertip, which `taxel play` uses without --layout.
+SensorModelPtr trial_sensor() {
+  Console silent(CommonOptions{.quiet = true});
+  LayoutOptions quick;
+  quick.preview = true;
+  return load_model("", quick, silent);
+}
+
+/// Throws Error if the scenario cannot be made because a file that it names is missing or it takes too many steps.
+void expect_playable(const SensorModelPtr& sensor, const Scenario& scenario, const std::string& file) {
+  try {
+    (void)Simulator::make_scenario(sensor, scenario);
+  } catch (const Error& e) {
+    if (!e.file().empty()) throw;
+    throw Error(file, e.where(), e.message());
+  }
+}
+
+/// Tries some of the runs. Throws Error if none of them can be made, as `taxel study` does; otherwise lists the runs
+/// that cannot be made.
+Problems check_runs(const Study& study, const std::string& file) {
+  constexpr std::size_t kMaxTried = 16;  // spread over all runs, including the first and the last
+  const std::vector<StudyRun> runs = runs_of(study);
+  const std::size_t tried = std::min(runs.size(), kMaxTried);
+  const SensorModelPtr sensor = trial_sensor();
+  Problems problems;
+  for (std::size_t i = 0; i < tried; ++i) {
+    const std::size_t run = tried > 1 ? i * (runs.size() - 1) / (tried - 1) : 0;
+    try {
+      expect_playable(sensor, runs[run].scenario, file);
+    } catch (const Error& e) {
+      if (problems.size() + 1 == tried) throw;
+      problems.push_back({file, "", Severity::warning, "run_not_made",
+                          fmt::format("run {} of {} cannot be made: {}", run + 1, runs.size(), e.what()), ""});
+    }
+  }
+  return problems;
+}
+
+/// Checks the layout, with pointers from the project's root, then the files that its scenario names.
+Problems check_project_file(const std::string& text, const std::string& file) {
+  const Project project = parse_project(text, file);
+  Problems problems = check_layout(project.layout, file);
+  for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
+  const Scenario scenario = with_absolute_files(project.scenario, file);
+  if (scenario.object.empty() && scenario.source.empty()) return problems;
+  try {
+    expect_playable(trial_sensor(), scenario, file);
+  } catch (const Error& e) {
+    problems.push_back({file, "/scenario", Severity::error, "scenario_not_made", e.what(), ""});
+  }
+  return problems;
+}
+
+/// Returns the value of the top-level key "format" without parsing the whole text, or empty if there is none.
+std::string format_of(const std::string& text) {
+  const std::size_t key = text.find("\"format\"");
+  const std::size_t open = key == std::string::npos ? key : text.find('"', key + 8);
+  const std::size_t close = open == std::string::npos ? open : text.find('"', open + 1);
+  return close == std::string::npos ? "" : text.substr(open + 1, close - open - 1);
+}
+
+}  // namespace
+
+Problems check_file(const std::string& file, const SkinChoice& skin) {
+  const std::filesystem::path path(file);
+  if (is_mesh_file(path)) return check_mesh_file(file);
+  if (is_foreign_layout(path)) return check_foreign_layout(file, skin);
+  const std::string text = read_file(path);
+  const std::string extension = path.extension().string();
+  if (extension == ".xml" || extension == ".mjcf") {
+    Simulator::load(path);
+    return {};
+  }
+  const std::string format = format_of(text);
+  if (format == "contact-case") return check_case(parse_contact_case(text, file));
+  if (format == "taxel-sweep" || format == "taxel-play" || format == "taxel-scenario") {
+    expect_playable(trial_sensor(), with_absolute_files(parse_scenario(text, file), path), file);
+    return {};
+  }
+  if (format == "taxel-study") {
+    Study study = parse_study(text, file);
+    study.scenario = with_absolute_files(study.scenario, path);
+    return check_runs(study, file);
+  }
+  if (format == "taxel-project") return check_project_file(text, file);
+  if (!format.empty() && format != "taxel-layout") {
+    throw Error(
+        file, "/format",
+        "is \"" + format +
+            "\"; what can be checked is taxel-layout, taxel-project, taxel-scenario, taxel-study, contact-case, "
+            "taxel-sweep and taxel-play");
+  }
+  return check_layout(parse_layout(text, file), file);
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,40 @@
+// taxel play: runs any scenario around any layout.
+#include <memory>
+
+#include "app/cli/played_scenario.h"
+#include "core/document/scenario/scenario_json.h"
+
+namespace taxel::cli {
+namespace {
+
+struct Options {
+  std::string scenario, layout, out;
+  LayoutOptions over;
+  bool tactile_state = false;
+};
+
+}  // namespace
+
+Run add_play(OptionList& list) {
+  const auto options = std::make_shared<Options>();
+  list.add("scenario", &options->scenario,
+           "Scenario file (docs/project_format.md), or a sweep.json or scenario.json; what it names is looked for "
+           "beside it",
+           {.unit = "FILE", .is_required = true});
+  list.add("--layout", &options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)",
+           {.unit = "FILE"});
+  list.add("--out", &options->out,
+           "Folder for the files that `taxel sweep` writes, with scenario.json in place of sweep.json",
+           {.unit = "DIR"});
+  add_tactile_state(list, options->tactile_state);
+  add_skin(list, options->over.skin);
+  add_sampling(list, options->over);
+  add_aggregate(list, options->over.aggregate);
+  return [options](Console& console) {
+    return play({"play", "scenario.json", read_scenario_with_files(options->scenario), options->layout, options->over,
+                 options->out, options->tactile_state},
+                console);
+  };
+}
+
+}  // namespace taxel::cli

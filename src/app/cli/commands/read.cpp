@@ -1,0 +1,199 @@
+// taxel read: reads a layout in one contact.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <ranges>
+
+#include "app/cli/default_layout.h"
+#include "app/cli/report_writer.h"
+#include "core/layout/tangent_frame.h"
+#include "core/layout/words.h"
+#include "core/sensor/contact_case/contact_case.h"
+#include "core/sensor/convergence.h"
+#include "core/sensor/explain/samples_behind.h"
+#include "core/sensor/readout/reading.h"
+
+namespace taxel::cli {
+namespace {
+
+struct Options {
+  std::string layout;
+  std::string file;
+  LayoutOptions over;
+  bool convergence = false;
+};
+
+/// The readings of a layout in one contact, and the samples that each of them comes from. Lists are in layout order.
+struct ReadReport {
+  SensorModelPtr model;
+  Pose X_WM;                                                        ///< pose of the mesh file's frame
+  ContactResult result;                                             ///< contact of the layout's body, frame M
+  ForceReading force;                                               ///< frame M
+  std::vector<dvec2> shear;                                         ///< by the layout's aggregate
+  std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< by every aggregate
+  std::vector<std::vector<TaxelSampleReading>> behind;              ///< contributing samples of each taxel
+  std::optional<Convergence> convergence;                           ///< empty if not requested
+
+  [[nodiscard]] const Layout& layout() const { return model->layout; }
+  void visit(ReportWriter& w) const;
+  void visit_taxel(ReportWriter& w, std::size_t k) const;
+  void visit_convergence(ReportWriter& w) const;
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string convergence_text() const;
+};
+
+/// Returns the fraction of a taxel's samples whose rays hit a contact surface; 0 without samples.
+double covered(const std::vector<TaxelSampleReading>& samples) {
+  if (samples.empty()) return 0;
+  const auto hits = std::count_if(samples.begin(), samples.end(), [](const TaxelSampleReading& s) { return s.hit; });
+  return static_cast<double>(hits) / static_cast<double>(samples.size());
+}
+
+void ReadReport::visit_taxel(ReportWriter& w, std::size_t k) const {
+  const Taxel& taxel = layout().taxels[k];
+  const TangentFrame frame = tangent_frame(layout().frame, taxel.normal);
+  w("id", taxel.id);
+  w("name", taxel.name);
+  w("covered", covered(behind[k]));
+  w("tangents", std::array{X_WM.rotate(frame.e1), X_WM.rotate(frame.e2)});
+  w("normal_force", X_WM.rotate(force.normal[k]));
+  w.list("samples", behind[k], [](ReportWriter& one, const TaxelSampleReading& sample) {
+    one("sample", sample.sample);
+    one("hit", sample.hit);
+    one("depth", sample.depth);
+    one("pressure", sample.pressure);
+    one("weight", sample.weight);
+    one("share", sample.share);
+  });
+}
+
+void ReadReport::visit_convergence(ReportWriter& w) const {
+  w("aggregate", to_word(convergence->aggregate));
+  w("factors", Convergence::kFactors);
+  w("samples", convergence->samples);
+  w.list("taxels", std::views::iota(std::size_t{0}, layout().taxels.size()), [&](ReportWriter& one, std::size_t k) {
+    std::vector<double> values;
+    for (const std::vector<double>& of_taxels : convergence->values) values.push_back(of_taxels[k]);
+    one("id", layout().taxels[k].id);
+    one("values", values);
+    one("difference", convergence->difference(k));
+  });
+}
+
+void ReadReport::visit(ReportWriter& w) const {
+  w("force", result.wrench_W.force);
+  w("torque", result.wrench_W.torque);
+  w("area", result.surface.area());
+  w("polygons", result.surface.polygons.size());
+  w("aggregate", to_word(layout().readout.aggregate));
+  w.object("readings", [&](ReportWriter& by_aggregate) {
+    for (const auto& [how, values] : readings) by_aggregate(to_word(how), values);
+  });
+  w("shear", shear);
+  w.object("uncovered", [&](ReportWriter& uncovered) {
+    uncovered("force", force.uncovered);
+    uncovered("normal_force", X_WM.rotate(force.uncovered_normal));
+  });
+  w.list("taxels", std::views::iota(std::size_t{0}, behind.size()),
+         [&](ReportWriter& taxel, std::size_t k) { visit_taxel(taxel, k); });
+  if (convergence) w.object("convergence", [&](ReportWriter& object) { visit_convergence(object); });
+}
+
+std::string ReadReport::convergence_text() const {
+  std::string text = fmt::format("\n{} with 1/4, 1 and 4 times the samples: {} on the skin\n",
+                                 to_word(convergence->aggregate), fmt::join(convergence->samples, ", "));
+  text += fmt::format("{:>6} {:<16} {:>14} {:>14} {:>14} {:>14}\n", "taxel", "name", "1/4", "1", "4", "4 less 1");
+  for (std::size_t k = 0; k < layout().taxels.size(); ++k) {
+    const Taxel& taxel = layout().taxels[k];
+    text += fmt::format("{:>6} {:<16}", taxel.id, taxel.name);
+    for (const std::vector<double>& values : convergence->values) text += fmt::format(" {:>14.6g}", values[k]);
+    text += fmt::format(" {:>14.3g}\n", convergence->difference(k));
+  }
+  return text;
+}
+
+std::string ReadReport::text() const {
+  const dvec3& total = result.wrench_W.force;
+  std::string text = fmt::format("force {} {} {} N on the layout, area {} m^2, {} polygons\n", total.x, total.y,
+                                 total.z, result.surface.area(), result.surface.polygons.size());
+  text += fmt::format("{:>6} {:<16} {:>8} {:>8}", "taxel", "name", "samples", "covered");
+  for (const auto& [how, values] : readings) text += fmt::format(" {:>14}", to_word(how));
+  text += '\n';
+  for (std::size_t k = 0; k < behind.size(); ++k) {
+    const Taxel& taxel = layout().taxels[k];
+    text +=
+        fmt::format("{:>6} {:<16} {:>8} {:>6.1f} %", taxel.id, taxel.name, behind[k].size(), 100 * covered(behind[k]));
+    for (const auto& [how, values] : readings) text += fmt::format(" {:>14.6g}", values[k]);
+    text += '\n';
+  }
+  text += fmt::format("force that no taxel reaches: {:.6g} N of {:.6g} N\n", force.uncovered,
+                      force.covered + force.uncovered);
+  text += "weighted_sum in Pa m^2, force in N, the others in Pa\n";
+  return convergence ? text + convergence_text() : text;
+}
+
+/// Returns the contact case with the layout as body a and the touched shape as body b. Throws Error naming the file.
+ContactCase case_of_layout(const Options& options) {
+  ContactCase contact_case = read_contact_case(options.file);
+  const auto is_free = [](const CaseBody& body) { return !body.shape; };
+  if (!is_free(contact_case.a) && !contact_case.b.layout.empty()) std::swap(contact_case.a, contact_case.b);
+  if (!is_free(contact_case.a)) {
+    throw Error(options.file, "/a", "must be the layout (pos, quat and no shape), is a shape");
+  }
+  if (!contact_case.b.layout.empty()) {
+    throw Error(options.file, "/b", "must be a shape: two layouts against each other cannot be read");
+  }
+  return contact_case;
+}
+
+int run(const Options& options, Console& console) {
+  const ContactCase contact_case = case_of_layout(options);
+  SensorCache cache;
+  const SensorModelPtr model = load_model(options.layout, options.over, console, nullptr, &cache);
+  const MadeBody other = make_case_body(contact_case, contact_case.b, "b");
+  if (!model->body->soft() && !other.body->soft())
+    throw Error(options.file, "/b/material/modulus", "must be greater than 0: the layout is rigid");
+  for (const std::string& warning : other.warnings) console.warn(options.file + ": " + warning);
+
+  ReadReport report{model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}};
+  IntersectWorkspace workspace;
+  evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
+  const ContactSurface* const surfaces[] = {&report.result.surface};
+  SensorReading reading;
+  const SurfaceMotion motions[] = {
+      {combine(model->body->material, other.body->material), relative_twist(contact_case.a, contact_case.b)}};
+  read_sensor(*model, surfaces, reading, RayPath::fastest, motions);
+  read_shear(*model, surfaces, motions, reading);
+  report.shear = reading.shear;
+  const RayHits hits = reading.hits;
+  const FieldWeights weights(model->layout, *model->skin);
+  reading.integral.integrate(*model, weights, surfaces, {}, report.force);
+  for (const Word<Aggregate>& how : kAggregateWords) {
+    report.readings.emplace_back(how.value, report.force.values);
+    if (how.value != Aggregate::force) aggregate(*model, hits, how.value, report.readings.back().second);
+  }
+  for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, hits.all(), k));
+  if (options.convergence) report.convergence = read_convergence(make_convergence_models(model, cache), surfaces);
+  print_report(console, report);
+  return kDone;
+}
+
+}  // namespace
+
+Run add_read(OptionList& list) {
+  const auto options = std::make_shared<Options>();
+  list.add("LAYOUT", &options->layout, "Layout file (*.taxels.json)", required());
+  list.add("CASE", &options->file,
+           "Contact case (JSON); its `a` holds the pose of the layout's mesh-file frame, `b` what it touches",
+           required());
+  add_skin(list, options->over.skin);
+  add_sampling(list, options->over);
+  add_aggregate(list, options->over.aggregate);
+  list.add("--convergence", &options->convergence,
+           "Read the same contact with a quarter of the samples and with four times as many, too");
+  return [options](Console& console) { return run(*options, console); };
+}
+
+}  // namespace taxel::cli

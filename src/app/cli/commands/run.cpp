@@ -1,0 +1,118 @@
+// taxel run: runs any MuJoCo scene with its tactile sensors.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/layout_options.h"
+#include "app/cli/recording_report.h"
+#include "app/cli/signals.h"
+#include "core/base/output_folder.h"
+#include "core/layout/file/layout_format.h"
+#include "core/sim/host/write_recording.h"
+#include "core/sim/plugin/plugin_folder.h"
+
+namespace taxel::cli {
+namespace {
+
+struct Options {
+  std::string scene, plugins, out;
+  std::vector<std::string> layouts, geoms;
+  SkinChoice skin;
+  std::optional<Aggregate> aggregate;
+  double seconds = 1.0;
+  bool tactile_state = false;
+};
+
+/// Returns the pairs of layout and geom. Layouts of other programs that name their geom need no --geom. Throws Error if
+/// the options do not form pairs.
+std::vector<SceneAttachment> attachments_of(const Options& options) {
+  const bool are_geoms_named =
+      options.geoms.empty() && std::all_of(options.layouts.begin(), options.layouts.end(),
+                                           [](const std::string& file) { return is_foreign_layout(file); });
+  if (options.layouts.size() != options.geoms.size() && !are_geoms_named)
+    throw Error("run", "--layout and --geom are given together, each as often as the other");
+  if (options.layouts.size() != 1 && options.skin != SkinChoice{})
+    throw Error("run", "--mesh, --scale and --sensor go with one --layout");
+  std::vector<SceneAttachment> attachments;
+  for (std::size_t i = 0; i < options.layouts.size(); ++i) {
+    if (options.skin != SkinChoice{} && !is_foreign_layout(options.layouts[i]))
+      throw Error(options.layouts[i], "has a mesh: --mesh, --scale and --sensor are for layouts without one");
+    attachments.push_back({are_geoms_named ? "" : options.geoms[i], options.layouts[i], options.skin});
+  }
+  return attachments;
+}
+
+int run(const Options& options, Console& console) {
+  const std::vector<SceneAttachment> attachments = attachments_of(options);
+  if (!options.plugins.empty()) load_plugin_folder(options.plugins);
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
+
+  const auto start = std::chrono::steady_clock::now();
+  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, attachments, options.aggregate);
+  const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const SimScene& scene = *simulator->scene();
+  if (scene.sensors.empty()) {
+    throw Error(options.scene,
+                "declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom");
+  }
+  for (const SensorModelPtr& model : scene.sensors) {
+    Problems problems = model->problems;  // repairs of meshes are among the warnings of the simulator
+    std::erase_if(problems, [](const Problem& p) { return p.code.starts_with("repair_"); });
+    console.report(problems);
+  }
+  if (!(options.seconds >= 0.5 * scene.timestep))  // record() rounds to whole steps
+    throw Error(
+        "run", fmt::format("--seconds: must be at least half of the time step, {} s, is {} s: no row would be recorded",
+                           scene.timestep, options.seconds));
+  const FinishOnSignal finish;
+  RunCost cost;
+  KeptRun kept(options.out, console);
+  const Recording recording = record(*simulator, options.seconds, console, cost, &kept);
+  const std::string scene_name = std::filesystem::path(options.scene).filename().string();
+  RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
+                         cost,  model_seconds, {},         options.out};
+  for (const std::vector<TouchedBody>& touched : scene.touched) {
+    std::vector<std::string>& names = report.touched.emplace_back();
+    for (const TouchedBody& one : touched) names.push_back(one.name);
+  }
+  if (folder) {
+    put_recording(*folder, recording, simulator.get(), options.tactile_state);
+    folder->write("sweep.json", sweep_file_json(report));
+    report.files = folder->commit();
+  }
+  print_report(console, report);
+  return FinishOnSignal::exit_status(kDone);
+}
+
+}  // namespace
+
+Run add_run(OptionList& list) {
+  const auto options = std::make_shared<Options>();
+  list.add("SCENE", &options->scene, "MuJoCo scene (.xml)", required());
+  list.add("--layout", &options->layouts, "Attach this layout (*.taxels.json, .yaml, .csv) ...", {.unit = "FILE"});
+  list.add("--geom", &options->geoms,
+           "... to the geom of this name; both may be given again, in pairs. A .yaml that names its geom needs none, "
+           "and takes the geom's mesh and scale if --mesh is not given",
+           {.unit = "NAME"});
+  add_skin(list, options->skin);
+  add_aggregate(list, options->aggregate);
+  list.add("--plugins", &options->plugins,
+           "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed distance "
+           "functions) or your own",
+           {.unit = "DIR"});
+  list.add("--seconds", &options->seconds, "How long to run [s]; a row every step",
+           {.unit = "S", .check = positive(), .default_text = fmt::format("{}", options->seconds)});
+  list.add(
+      "--out", &options->out,
+      "Folder for the files that `taxel sweep` writes: readings.csv, readings.npz, sweep.json (here: scene, seeds, "
+      "versions), scene.xml with its meshes and layouts",
+      {.unit = "DIR"});
+  add_tactile_state(list, options->tactile_state);
+  return [options](Console& console) { return run(*options, console); };
+}
+
+}  // namespace taxel::cli

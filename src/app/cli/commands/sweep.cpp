@@ -1,0 +1,112 @@
+// taxel sweep: runs the fingertip sweep of the paper around any layout.
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "app/cli/played_scenario.h"
+#include "core/document/scenario/scenario_json.h"
+
+namespace taxel::cli {
+namespace {
+
+/// An option that sets a number of the scenario.
+struct NumberFlag {
+  const char* name;
+  double Scenario::*value;
+  const char* unit;
+  Check (*check)();
+  const char* text;
+};
+constexpr std::array<NumberFlag, 10> kFlags{
+    {{"--depth", &Scenario::depth, "M", positive,
+      "How far below the top of the object the lowest point of the finger is led [m]"},
+     {"--speed", &Scenario::speed, "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
+     {"--before", &Scenario::before, "M", not_negative,
+      "Start: lowest point of the finger this far before the edge, 0.012 on a box; on an edge at least as far as the "
+      "finger touches [m]"},
+     {"--past", &Scenario::past, "M", not_negative, "End: this far past the edge, as --before [m]"},
+     {"--tilt", &Scenario::tilt_deg, "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
+     {"--record-every", &Scenario::record_every, "M", positive, "A row per this travel [m]"},
+     {"--timestep", &Scenario::timestep, "S", positive, "Of the simulation [s]"},
+     {"--mass", &Scenario::finger_mass, "KG", positive, "Of the finger [kg]"},
+     {"--box", &Scenario::box_size, "M", positive, "Edge length of the box [m]"},
+     {"--edge-radius", &Scenario::edge_radius, "M", positive, "Radius of the round on the edge [m]"}}};
+
+struct Options {
+  std::string layout, out, scenario, object;
+  std::array<std::optional<double>, kFlags.size()> numbers;
+  LayoutOptions over;
+  bool tactile_state = false;
+};
+
+/// Returns the scenario before any number of an option replaces its own.
+Scenario base_of(const Options& options) {
+  if (options.over.as_in_the_paper) return default_scenario(ScenarioKind::paper);
+  Scenario scenario = options.scenario.empty() ? Scenario{} : read_scenario(options.scenario);
+  if (options.object.empty()) return scenario;
+  const std::optional<ObjectShape> shape = from_word<ObjectShape>(options.object);
+  return shape ? with_shape(scenario, *shape) : with_object(scenario, options.object);
+}
+
+/// Sets the number of an option. Throws Error if the scenario does not use the number.
+void set_number(Scenario& scenario, const NumberFlag& flag, double value) {
+  for (const ScenarioParameter& parameter : scenario_parameters()) {
+    if (parameter.value != flag.value || parameter.used_by(scenario)) continue;
+    if (parameter.used_by(scenario.kind, ObjectShape::edge))
+      throw Error("", flag.name, "is used by the object \"edge\" only");
+    throw Error("", flag.name, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind)));
+  }
+  scenario.*flag.value = value;
+}
+
+/// Returns the scenario that the options describe. Throws Error if it is not valid or is of another kind.
+Scenario scenario_of(const Options& options) {
+  Scenario scenario = base_of(options);
+  if (scenario.kind != ScenarioKind::sweep && scenario.kind != ScenarioKind::paper)
+    throw Error(options.scenario,
+                fmt::format("is a scenario of the kind \"{}\": `taxel play` runs it", to_word(scenario.kind)));
+  for (std::size_t i = 0; i < kFlags.size(); ++i)
+    if (options.numbers[i]) set_number(scenario, kFlags[i], *options.numbers[i]);
+  check_scenario(scenario);
+  return scenario;
+}
+
+}  // namespace
+
+Run add_sweep(OptionList& list) {
+  const auto options = std::make_shared<Options>();
+  list.add("--layout", &options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)",
+           {.unit = "FILE"});
+  list.add("--out", &options->out,
+           "Folder for readings.csv, readings.npz, calibrated.csv if the layout has a calibration, shear.csv if it "
+           "asks for shear, sweep.json, scene.xml with its mesh and layout",
+           {.unit = "DIR"});
+  add_tactile_state(list, options->tactile_state);
+  list.add("--scenario", &options->scenario, "Take the parameters below from a sweep.json; options go over it",
+           {.unit = "FILE"});
+  const Scenario defaults;
+  for (std::size_t i = 0; i < kFlags.size(); ++i)
+    list.add(kFlags[i].name, &options->numbers[i], kFlags[i].text,
+             {.unit = kFlags[i].unit,
+              .check = kFlags[i].check(),
+              .default_text = fmt::format("{}", defaults.*kFlags[i].value)});
+  list.add("--object", &options->object,
+           "edge (default: a box that stands on an edge), box (over its edge and onto its top), plate, sphere, or a "
+           "mesh file in metres",
+           {.unit = "NAME|FILE"});
+  list.add("--as-in-the-paper", &options->over.as_in_the_paper,
+           "The paper's released demo on this layout: its path over its box, star field, 1e6 samples per m^2 of equal "
+           "weight, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3",
+           {.excludes = {"--scenario", "--object"}});
+  add_skin(list, options->over.skin);
+  add_sampling(list, options->over);
+  add_aggregate(list, options->over.aggregate);
+  return [options](Console& console) {
+    return play({"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out,
+                 options->tactile_state},
+                console);
+  };
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,70 @@
+#include "app/cli/layout_options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/layout/words.h"
+
+namespace taxel::cli {
+
+dvec3 parse_scale(const std::string& command, const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const double number = finite_number(word).value_or(0);
+    if (number == 0)
+      throw Error(command, "--scale", fmt::format("must be one number or three, none of them 0, is {}", text));
+    numbers.push_back(number);
+  }
+  if (numbers.size() != 1 && numbers.size() != 3)
+    throw Error(command, "--scale", fmt::format("must be one number or three, is {}", text));
+  return numbers.size() == 3 ? dvec3(numbers[0], numbers[1], numbers[2]) : dvec3(numbers[0]);
+}
+
+void add_skin(OptionList& list, SkinChoice& choice) {
+  list.add("--mesh", &choice.mesh,
+           "Mesh of a layout that holds none (sensor .yaml, table .csv); replaces that of one that does",
+           {.unit = "FILE"});
+  const auto read_scale = [command = list.command(), &choice](const std::string& text) {
+    choice.scale = parse_scale(command, text);
+  };
+  list.add("--scale", read_scale,
+           "Multiply coordinates of --mesh by one number, or by three: X,Y,Z (0.001 for mm; default: the unit with "
+           "which the taxels are on the mesh)",
+           {.unit = "X"});
+  list.add("--sensor", &choice.sensor, "Sensor of a .yaml file that holds several: its name, or that of its geom",
+           {.unit = "NAME"});
+}
+
+void add_sampling(OptionList& list, LayoutOptions& options) {
+  list.add("--density", &options.density, "Samples per square metre (default: the layout's)",
+           {.unit = "PER_M2", .check = positive()});
+  list.add("--seed", &options.seed, "Seed of the samples (default: the layout's)",
+           {.unit = "N", .check = whole_number()});
+}
+
+void add_tactile_state(OptionList& list, bool& is_wanted) {
+  list.add("--tactile-state", &is_wanted,
+           "Also tactile_state.jsonl in the folder of --out: a line a row with the fields of ROS's "
+           "tactile_msgs/TactileState; a channel a sensor, calibrated where its layout has a calibration",
+           {.needs = {"--out"}});
+}
+
+void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate) {
+  const Check is_word{[](const std::string& text) {
+                        const bool is_known = from_word<Aggregate>(text).has_value();
+                        return is_known ? std::string()
+                                        : fmt::format("must be one of {}, is {}", word_list<Aggregate>(), text);
+                      },
+                      ""};
+  list.add("--aggregate", [&aggregate](const std::string& text) { aggregate = from_word<Aggregate>(text); },
+           "How a taxel's samples make its reading (default: the layout's): weighted_mean is the paper's formula, "
+           "weighted_sum what its released code computes, which does not divide; " +
+               word_list<Aggregate>(),
+           {.unit = "WORD", .check = is_word});
+}
+
+}  // namespace taxel::cli
