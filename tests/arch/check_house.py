@@ -10,7 +10,7 @@ LAYERS = ["base", "mesh", "layout", "hydro", "sensor", "document", "run", "sim"]
 LIBRARIES = {
     "OpenMesh/": ["core/mesh/topology/*", "core/mesh/repair/**/*"],
     "manifold/": ["core/mesh/repair/**/*"],
-    "tiny_gltf.h": ["core/mesh/formats/gltf_io.cpp"],
+    "tiny_gltf.h": ["core/mesh/formats/gltf.cpp"],
     "nlohmann/": ["**/*_json.cpp"],
     "yaml-cpp/": ["core/layout/file/*"],
     "zip.h": ["core/run/recording/*"],

@@ -1,7 +1,7 @@
 // Meshes that need repair are repaired with a report, or refused in one line that names the place. The file on disk is
 // never changed.
 #include "cli/taxel_program.h"
-#include "core/mesh/mesh_io.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "fixtures/finger_scene_xml.h"
 #include "fixtures/pad_meshes.h"
 #include "unit/mesh/broken_mesh.h"
@@ -30,7 +30,7 @@ std::string broken_fingertip() {
   faces.emplace_back(some.x, some.y, fin);
   faces.emplace_back(other.x, other.y, fin + 1);
   faces.emplace_back(other.y, other.x, fin + 1);
-  return obj_text(TriMesh(std::move(vertices), std::move(faces)));
+  return write_obj(TriMesh(std::move(vertices), std::move(faces)));
 }
 
 /// Writes our layout on a mesh of this text.
@@ -96,7 +96,7 @@ TEST(RepairInput, RefusesFacesThatEncloseNothing) {
 /// Writes our layout with one taxel at `center` on this mesh.
 fs::path layout_of_one_taxel(const fs::path& folder, const TriMesh& mesh, const dvec3& center) {
   const Json taxel = {{"id", 0}, {"center", {center.x, center.y, center.z}}, {"normal", {0, 0, 1}}, {"radius", 0.003}};
-  return layout_on(folder, obj_text(mesh), Json::array({set("/taxels", Json::array({taxel}))}));
+  return layout_on(folder, write_obj(mesh), Json::array({set("/taxels", Json::array({taxel}))}));
 }
 
 /// A surface without an inside becomes a body, and the report says so.
@@ -193,7 +193,7 @@ TEST(RepairInput, RunsASceneAndReportsTheRepairOfItsLayout) {
   const fs::path folder = test_folder();
   const std::string obj = broken_fingertip();
   layout_on(folder, obj);
-  write_text(folder / "fingertip.obj", obj_text(fingertip()));
+  write_text(folder / "fingertip.obj", write_obj(fingertip()));
   const std::string floor_and_finger = finger_body("tip", 0, true, "<freejoint/>");
   const auto run = [&](const std::string& xml, const std::vector<std::string>& more) {
     write_text(folder / "scene.xml", xml);
@@ -213,7 +213,7 @@ TEST(RepairInput, RunsASceneAndReportsTheRepairOfItsLayout) {
   ASSERT_EQ(attached.status, 0) << attached.err;
   EXPECT_NE(attached.err.find("\"taxels of tip\": mesh of the layout: repaired: "), std::string::npos) << attached.err;
   // A sound mesh has nothing to report.
-  layout_on(folder, obj_text(fingertip()));
+  layout_on(folder, write_obj(fingertip()));
   const Outcome sound = run(finger_scene(floor_and_finger, {"tip"}, "changed.taxels.json"), {});
   EXPECT_EQ(sound.err.find("repaired"), std::string::npos) << sound.err;
 }

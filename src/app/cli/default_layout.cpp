@@ -4,16 +4,13 @@
 
 #include <chrono>
 #include <future>
-#include <numeric>
 #include <string_view>
 
 #include "app/cli/signals.h"
-#include "core/base/hash.h"
 #include "core/base/limits.h"
 #include "core/document/paper_setting.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/sampling/poisson_disk.h"
-#include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/imported_source.h"
 
@@ -35,14 +32,8 @@ Source read_source(const std::string& layout_file, const SkinChoice& skin) {
   if (layout_file.empty()) {
     if (skin != SkinChoice{}) throw Error("--mesh, --scale and --sensor go with --layout");
     const std::string name = "fingertip.taxels.json";
-    const std::string_view obj = embedded_file("assets/meshes/fingertip.obj");
-    PolygonSoup soup = read_obj(obj, "fingertip.obj");
-    std::vector<int> file_face_of(soup.triangles.size());
-    std::iota(file_face_of.begin(), file_face_of.end(), 0);
-    const auto mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
     return {parse_layout(std::string(embedded_file("assets/layouts/fingertip.taxels.json")), name),
-            {mesh, sha256_hex(obj), std::move(file_face_of), {}},
-            name};
+            read_mesh(embedded_file("assets/meshes/fingertip.obj"), "fingertip.obj"), name};
   }
   ImportedSource read = read_any_source(layout_file, skin);
   return {std::move(read.source.layout), std::move(read.source.mesh), layout_file, std::move(read.notes)};

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/mesh/mesh_io.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/inertia.h"
@@ -58,7 +58,7 @@ std::string scene_xml(const SoftOnFloor& s) {
 
 SoftOnFloorRun::SoftOnFloorRun(const SoftOnFloor& setup) {
   register_sensor_plugin();
-  scene_ = compile_scene(scene_xml(setup), {{kMeshFile, obj_text(*setup.skin)}}, kName);
+  scene_ = compile_scene(scene_xml(setup), {{kMeshFile, write_obj(*setup.skin)}}, kName);
   data_.reset(mj_makeData(scene_.model.get()));
   if (data_ == nullptr) throw Error(kName, "MuJoCo cannot make the simulation data");
   instance_ = sensor_instances(*scene_.model).at(0);

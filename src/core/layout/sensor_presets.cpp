@@ -6,8 +6,8 @@
 #include "core/layout/generators/grid.h"
 #include "core/layout/generators/place.h"
 #include "core/layout/presets.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/mesh_io.h"
 
 namespace taxel {
 namespace {
@@ -20,7 +20,7 @@ SensorPreset begin(const std::string& name, const std::string& title, TriMeshPtr
   SensorPreset preset;
   preset.name = name;
   preset.layout.name = title;
-  preset.layout.mesh = {name + ".obj", dvec3(1.0), sha256_hex(obj_text(*mesh))};
+  preset.layout.mesh = {name + ".obj", dvec3(1.0), sha256_hex(write_obj(*mesh))};
   preset.mesh = std::move(mesh);
   return preset;
 }

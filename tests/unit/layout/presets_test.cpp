@@ -10,6 +10,7 @@
 #include "core/layout/check/layout_check.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/sensor_presets.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"
 
@@ -61,7 +62,7 @@ TEST(SensorPresets, HaveNoProblemsOnTheirMeshes) {
     EXPECT_FALSE(preset.source.empty()) << name;
     EXPECT_FALSE(preset.unverified.empty()) << name;
     const std::string& sha256 = preset.layout.mesh.sha256;
-    EXPECT_EQ(sha256, sha256_hex(obj_text(*preset.mesh))) << name;
+    EXPECT_EQ(sha256, sha256_hex(write_obj(*preset.mesh))) << name;
     Problems problems = check_layout_values(preset.layout, name);
     for (const Problem& p : check_layout_on_mesh(preset.layout, MeshIndex(preset.mesh), sha256, name))
       problems.push_back(p);

@@ -1,5 +1,3 @@
-#include "core/mesh/formats/gltf_io.h"
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

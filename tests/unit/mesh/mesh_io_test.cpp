@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "fixtures/temp_folder.h"
 #include "unit/mesh/random_mesh.h"
 
@@ -46,6 +47,19 @@ TEST(MeshIo, StlAndGlbGoRoundToFloat) {
     for (int f = 0; f < mesh.face_count(); ++f) {
       for (int c = 0; c < 3; ++c) EXPECT_EQ(glm::vec3(loaded.vertex(f, c)), glm::vec3(mesh.vertex(f, c)));
     }
+  }
+}
+
+TEST(MeshFormat, ListsExtensionsByWhatIsReadAndWritten) {
+  EXPECT_EQ(extensions(can_read), ".obj .stl .ply .off .gltf .glb");
+  EXPECT_EQ(extensions(can_write), ".obj .stl .off .glb");
+}
+
+TEST(MeshFormat, HasOneRowPerExtension) {
+  for (const MeshFormat& format : kMeshFormats) {
+    EXPECT_EQ(find_mesh_format("folder.x/mesh" + std::string(format.extension)), &format) << format.extension;
+    EXPECT_TRUE(can_read(format) || can_write(format)) << format.extension;
+    EXPECT_FALSE(format.name.empty()) << format.extension;
   }
 }
 

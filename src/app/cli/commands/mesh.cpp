@@ -6,6 +6,7 @@
 #include "app/cli/commands/mesh_repair.h"
 #include "app/cli/commands/mesh_topology.h"
 #include "app/cli/layout_options.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/topology/mesh_check.h"
 
 namespace taxel::cli {
@@ -88,12 +89,12 @@ int run(const Options& options, Console& console) {
 
 Run add_mesh(OptionList& list) {
   const auto options = std::make_shared<Options>();
-  list.add("FILE", &options->file, "Mesh: .obj .stl .ply .off .gltf .glb", required());
+  list.add("FILE", &options->file, "Mesh: " + extensions(can_read), required());
   list.add("--scale", &options->scale, "Multiply coordinates by one number, or by three: X,Y,Z (0.001 for mm)",
            {.text = "X=1"});
   add_repair_options(list, options->repair);
   add_topology_options(list, options->topology);
-  list.add("--out", &options->out, "Write the mesh as repaired, decimated or subdivided: .obj .stl .off .glb",
+  list.add("--out", &options->out, "Write the mesh as repaired, decimated or subdivided: " + extensions(can_write),
            {.unit = "FILE"});
   return [options](Console& console) { return run(*options, console); };
 }

@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <numeric>
 #include <string_view>
 
 #include "app/studio/document/shown_model.h"
-#include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/document/project_json.h"
 #include "core/document/scenario/scenario_json.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/frame_guess.h"
-#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/topology/mesh_check.h"
 #include "core/run/bundle/frame_bundle.h"
@@ -236,11 +234,8 @@ DocumentKind document_kind(const std::filesystem::path& file) {
   if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
   if (extension == kFrameBundleExtension) return DocumentKind::frame;
   if (is_mesh_file(file)) return DocumentKind::mesh;
-  throw Error(
-      file.string(),
-      "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml), mesh (.obj .stl .ply .off .gltf "
-      ".glb), "
-      "MuJoCo scene (.xml) or saved step (.taxelframe)");
+  throw Error(file.string(), "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml), mesh (" +
+                                 extensions(can_read) + "), MuJoCo scene (.xml) or saved step (.taxelframe)");
 }
 
 bool needs_mesh(const std::filesystem::path& file) {
@@ -267,12 +262,7 @@ Document load_document(const std::filesystem::path& file, const SkinChoice& skin
 Document built_in_fingertip(const SensorBuild& how) {
   const std::string layout_name = "fingertip.taxels.json";
   const BuiltInMesh obj = built_in_mesh();
-  PolygonSoup soup = read_obj(obj.bytes, obj.name);
-  LoadedMesh mesh;
-  mesh.mesh = std::make_shared<const TriMesh>(std::move(soup.vertices), std::move(soup.triangles));
-  mesh.sha256 = sha256_hex(obj.bytes);
-  mesh.file_face_of.resize(static_cast<std::size_t>(mesh.mesh->face_count()));
-  std::iota(mesh.file_face_of.begin(), mesh.file_face_of.end(), 0);
+  LoadedMesh mesh = read_mesh(obj.bytes, obj.name);
   Project project;
   project.layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
   project.layout.mesh.file = obj.name;

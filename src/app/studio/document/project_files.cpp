@@ -7,6 +7,7 @@
 #include "app/studio/document/documents.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "core/mesh/formats/mesh_format.h"
 
 namespace taxel::studio {
 
@@ -53,7 +54,7 @@ Project with_mesh_on_disk(Project project, const fs::path& file, const OpenMeshP
   if (ref.file == built_in.name) {
     ref.file = written_to(folder, built_in.name, built_in.bytes);
   } else if (mesh && !fs::exists(ref.file, ignored)) {
-    const std::string bytes = obj_text(*mesh->loaded.mesh);
+    const std::string bytes = write_obj(*mesh->loaded.mesh);
     ref = {written_to(folder, fs::path(ref.file).stem().string() + ".obj", bytes), dvec3(1.0), sha256_hex(bytes)};
   }
   return project;

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/mesh/formats/mesh_format.h"
+
 namespace taxel::studio {
 
 namespace {
@@ -34,10 +36,10 @@ ParsedOptions parse_options(int argc, char** argv) {
       "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
       "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
       "taxelstudio");
-  app.add_option(
-      "FILE", o.file,
-      "Project (.taxelproj), layout (.taxels.json, or .yaml next to its mesh), mesh (.obj .stl .ply .off .gltf "
-      ".glb), MuJoCo scene (.xml) or saved step (.taxelframe); without one the fingertip sweep");
+  app.add_option("FILE", o.file,
+                 "Project (.taxelproj), layout (.taxels.json, or .yaml next to its mesh), mesh (" +
+                     extensions(can_read) +
+                     "), MuJoCo scene (.xml) or saved step (.taxelframe); without one the fingertip sweep");
   app.add_option("--scenario", o.scenario,
                  "Begin with the scenario of this file (docs/project_format.md, a sweep.json or a scenario.json); a "
                  "project has its own");

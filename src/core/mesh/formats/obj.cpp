@@ -1,13 +1,14 @@
-// Wavefront OBJ: v and f lines. Texture coordinates, normals, groups and materials are passed over.
+// Wavefront OBJ: v and f lines. Texture coordinates, normals, groups and materials are skipped.
 #include <fmt/format.h>
 
-#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_cursor.h"
 
 namespace taxel {
 namespace {
 
-/// "7", "7/1", "7//3", "7/1/3", or counted from the end: "-1".
+/// Returns the vertex of a corner: "7", "7/1", "7//3" or "7/1/3"; a negative number counts back from the last vertex.
+/// `vertex_count` is the number of vertices read so far, `total` the number of vertices of the file.
 int corner_of(const TextCursor& cursor, std::string_view word, int vertex_count, int total) {
   const long long index = cursor.integer(word.substr(0, word.find('/')));
   if (index > 0 && index <= total) return static_cast<int>(index - 1);
@@ -39,6 +40,13 @@ PolygonSoup read_obj(std::string_view bytes, const std::string& file) {
     }
   }
   return soup;
+}
+
+std::string write_obj(const TriMesh& mesh) {
+  std::string text;
+  for (const dvec3& v : mesh.vertices()) text += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
+  for (const ivec3& f : mesh.faces()) text += fmt::format("f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
+  return text;
 }
 
 }  // namespace taxel

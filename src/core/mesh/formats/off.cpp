@@ -1,17 +1,18 @@
-// Object File Format, text form: OFF, COFF, NOFF, STOFF and their mixtures (a vertex begins with its coordinates).
+// Object File Format in its text form: OFF, COFF, NOFF, STOFF and their mixtures. A vertex's line begins with its three
+// coordinates in each of them.
 #include <fmt/format.h>
 
-#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_cursor.h"
 
 namespace taxel {
 namespace {
 
-constexpr long long kMost = 1LL << 30;
+constexpr long long kMaxCount = 1LL << 30;
 
 int count_from(const TextCursor& cursor, std::string_view word, const char* what) {
   const long long count = cursor.integer(word);
-  if (count < 0 || count > kMost) cursor.fail(fmt::format("{} {} cannot be", count, what));
+  if (count < 0 || count > kMaxCount) cursor.fail(fmt::format("{} {} cannot be", count, what));
   return static_cast<int>(count);
 }
 
@@ -49,6 +50,13 @@ PolygonSoup read_off(std::string_view bytes, const std::string& file) {
     soup.add_polygon(corners);
   }
   return soup;
+}
+
+std::string write_off(const TriMesh& mesh) {
+  std::string text = fmt::format("OFF\n{} {} 0\n", mesh.vertex_count(), mesh.face_count());
+  for (const dvec3& v : mesh.vertices()) text += fmt::format("{} {} {}\n", v.x, v.y, v.z);
+  for (const ivec3& f : mesh.faces()) text += fmt::format("3 {} {} {}\n", f.x, f.y, f.z);
+  return text;
 }
 
 }  // namespace taxel

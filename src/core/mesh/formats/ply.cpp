@@ -1,4 +1,5 @@
-// PLY (Stanford): ascii, binary little endian, binary big endian; any element and property order.
+// PLY (Stanford polygon format): ASCII, binary little endian and binary big endian; elements and properties may come in
+// any order.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/mesh/formats/polygon_soup.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_cursor.h"
 
 namespace taxel {
@@ -19,7 +20,7 @@ enum class Number { none, int8, uint8, int16, uint16, int32, uint32, float32, fl
 struct Property {
   std::string name;
   Number value = Number::none;
-  Number count = Number::none;  ///< of lists
+  Number count = Number::none;  ///< type of a list's length; none for a single number
 };
 
 struct Element {
@@ -33,8 +34,7 @@ enum class Encoding { ascii, little, big };
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
-  std::size_t size = 0;  ///< bytes
-  int lines = 0;
+  std::size_t size = 0;  ///< number of bytes
 };
 
 Number number_type(const TextCursor& cursor, std::string_view word) {
@@ -104,7 +104,7 @@ Header read_header(TextCursor& cursor) {
   cursor.fail("is cut off: no 'end_header'");
 }
 
-/// Throws Error if there are several elements 'vertex', or the rows of the one lack x, y or z.
+/// Throws Error if there are several elements 'vertex', or if the rows of the only one lack x, y or z.
 void check_vertex_element(const Header& header, const std::string& file) {
   const auto is_vertex = [](const Element& element) { return element.name == "vertex"; };
   const auto count = std::count_if(header.elements.begin(), header.elements.end(), is_vertex);
@@ -118,7 +118,7 @@ void check_vertex_element(const Header& header, const std::string& file) {
   }
 }
 
-/// The numbers after the header, one after another, whatever their encoding.
+/// The numbers after the header, read in order, in any of the three encodings.
 class Body {
  public:
   Body(std::string_view bytes, std::string file, const Header& header, TextCursor& text)
@@ -178,13 +178,14 @@ class Body {
   TextCursor& text_;
 };
 
+/// Returns `value` as an index below `end`. Throws Error that names `what` if it is not a whole number in that range.
 int index_from(const Body& body, double value, double end, const char* what) {
   if (!(value >= 0 && value < end) || value != std::floor(value))
     body.fail(fmt::format("{} {} cannot be", what, value));
   return static_cast<int>(value);
 }
 
-/// Reads one element's row; `scalar(name, value)` gets its numbers, `list(name, values)` its lists.
+/// Reads one row of an element and calls `scalar(name, value)` for its numbers and `list(name, values)` for its lists.
 template <class Scalar, class List>
 void read_row(Body& body, const Element& element, std::vector<double>& values, const Scalar& scalar, const List& list) {
   for (const Property& property : element.properties) {

@@ -1,23 +1,22 @@
-// What a mesh file says, before anything is repaired.
+// The triangles of a mesh file as the file lists them, before anything is repaired.
 #pragma once
 
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/base/math.h"
 
 namespace taxel {
 
-/// Vertices as listed in the file and triangles over them (polygons are fanned). Indices are in range, coordinates
-/// finite: the readers throw Error that names file and line (or byte) otherwise.
+/// The vertices as listed in the file and the triangles over them. A polygon of more than three corners is cut into
+/// triangles. All indices are in range and all coordinates are finite: the readers throw Error otherwise.
 struct PolygonSoup {
   std::vector<dvec3> vertices;
   std::vector<ivec3> triangles;
   int fanned = 0;   ///< polygons of more than three corners
   int skipped = 0;  ///< polygons of fewer than three corners
 
+  /// Adds the triangles of a polygon. `corners` are indices of vertices, in the polygon's order.
   void add_polygon(std::span<const int> corners) {
     if (corners.size() < 3) ++skipped;
     if (corners.size() > 3) ++fanned;
@@ -26,8 +25,8 @@ struct PolygonSoup {
     for (std::size_t i = 2; i < corners.size(); ++i) triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
   }
 
-  /// Cuts a polygon of many corners in two, again and again. In a fan every triangle would overlap every other one's
-  /// box, and a search for cuts would take quadratic time.
+  /// Cuts a polygon of many corners into halves recursively. The triangles of a fan share a corner, so the boxes of all
+  /// of them would overlap, and a search for intersecting triangles would take quadratic time.
   void halve_polygon(std::span<const int> corners) {
     if (corners.size() < 3) return;
     const std::size_t middle = corners.size() / 2;
@@ -36,11 +35,5 @@ struct PolygonSoup {
     halve_polygon(corners.subspan(middle));
   }
 };
-
-/// Readers of whole files in memory; `file` is for messages.
-PolygonSoup read_obj(std::string_view bytes, const std::string& file);
-PolygonSoup read_stl(std::string_view bytes, const std::string& file);
-PolygonSoup read_ply(std::string_view bytes, const std::string& file);
-PolygonSoup read_off(std::string_view bytes, const std::string& file);
 
 }  // namespace taxel

@@ -1,20 +1,23 @@
-// STL, binary and ascii. Normals and attributes are passed over: the winding says all.
+// STL, binary and ASCII. Normals and attributes are skipped when reading: the order of the corners gives the outside.
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/mesh/formats/polygon_soup.h"
+#include "core/base/index.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_cursor.h"
 
 namespace taxel {
 namespace {
 
-constexpr std::size_t kHeader = 84;    // 80 bytes of comment, the number of triangles
+constexpr std::size_t kHeader = 84;    // 80 bytes of comment and the number of triangles
 constexpr std::size_t kTriangle = 50;  // normal, three corners (12 floats), two bytes of attributes
 
-/// Many binary files begin with "solid" too, but a text has no zero bytes, and the number of triangles has one.
+/// Returns whether the file is in ASCII. Many binary files begin with "solid" too, but a text has no zero bytes, and a
+/// binary number of triangles below 2^24 has one.
 bool is_ascii(std::string_view bytes) {
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && bytes.substr(begin).starts_with("solid") &&
@@ -71,6 +74,21 @@ PolygonSoup read_ascii(std::string_view bytes, const std::string& file) {
 
 PolygonSoup read_stl(std::string_view bytes, const std::string& file) {
   return is_ascii(bytes) ? read_ascii(bytes, file) : read_binary(bytes, file);
+}
+
+std::string write_stl(const TriMesh& mesh) {
+  std::string bytes(kHeader, '\0');
+  const std::string comment = "binary STL by Taxel Studio";
+  std::copy(comment.begin(), comment.end(), bytes.begin());
+  const auto count = static_cast<std::uint32_t>(mesh.face_count());
+  std::memcpy(bytes.data() + kHeader - sizeof count, &count, sizeof count);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const std::array<glm::vec3, 4> numbers{glm::vec3(mesh.face_normals()[at(f)]), glm::vec3(mesh.vertex(f, 0)),
+                                           glm::vec3(mesh.vertex(f, 1)), glm::vec3(mesh.vertex(f, 2))};
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+    bytes.append(2, '\0');  // the attributes
+  }
+  return bytes;
 }
 
 }  // namespace taxel

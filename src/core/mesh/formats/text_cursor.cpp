@@ -13,7 +13,7 @@ bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// A word for a message: short, and printable even when the file is binary.
+/// Returns a word for a message: at most kShown characters, and printable even if the file is binary.
 std::string quoted(std::string_view word) {
   constexpr std::size_t kShown = 24;
   std::string text = "'";

@@ -1,4 +1,4 @@
-// Words and numbers of a text file, with the line for messages. Independent of the locale.
+// Reads a text file word by word and names the line in its messages. Does not depend on the locale.
 #pragma once
 
 #include <string>
@@ -8,37 +8,39 @@
 
 namespace taxel {
 
-/// Reads a text line by line, word by word.
+/// A position in a text that advances line by line and word by word.
 class TextCursor {
  public:
-  /// `comment` starts a comment that reaches to the end of its line; 0: none.
+  /// `file` is named in messages. `comment` begins a comment that reaches to the end of its line; 0 for no comments.
   TextCursor(std::string_view text, std::string file, char comment)
       : text_(text), file_(std::move(file)), comment_(comment) {}
 
-  /// Goes to the next line that has a word; false at the end. A backslash at the end of a line continues it.
+  /// Advances to the next line that has a word. Returns false at the end of the text. A backslash at the end of a line
+  /// joins the next line to it.
   bool next_line();
-  /// The next word of the current line, or an empty one at its end.
+  /// Returns the next word of the current line, or an empty word at the line's end.
   std::string_view word();
-  /// The next word, of this line or of a later one; an empty one at the end of the text.
+  /// Returns the next word of this line or of a later one, or an empty word at the end of the text.
   std::string_view word_anywhere();
-  /// A word as a number. Throws Error naming file and line when it is none.
+  /// Returns a word as a number. Throws Error naming the file and the line if the word is empty or not a number.
   double number(std::string_view word) const;
+  /// Returns a word as a whole number. Throws Error naming the file and the line if the word is not one.
   long long integer(std::string_view word) const;
-  /// Three numbers from this line, finite; throws Error otherwise.
+  /// Reads three numbers from this line. Throws Error naming the file and the line if one is missing or not finite.
   dvec3 finite_point();
 
+  /// Throws Error naming the file and the current line.
   [[noreturn]] void fail(const std::string& message) const;
-  [[nodiscard]] int line() const { return line_number_; }
-  /// The position after the current line.
+  /// Returns the position after the current line, in bytes from the begin of the text.
   [[nodiscard]] std::size_t offset() const { return next_; }
 
  private:
   std::string_view text_;
   std::string file_;
   char comment_;
-  std::string_view rest_;  ///< of the current line
+  std::string_view rest_;  ///< remainder of the current line
   std::size_t next_ = 0;   ///< begin of the next line
-  int line_number_ = 0;    ///< of the current line, from 1
+  int line_number_ = 0;    ///< number of the current line, from 1
 };
 
 }  // namespace taxel

@@ -7,7 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/layout/file/layout_json.h"
-#include "core/mesh/mesh_io.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
 #include "core/sim/scene/xml_attributes.h"
@@ -81,7 +81,7 @@ CopiedLayouts copy_layouts(const CompiledScene& scene, const mjData& data, const
     const std::string mesh_name = fmt::format("sensor_{}.obj", instance);
     if (name.empty()) {
       name = fmt::format("sensor_{}.taxels.json", instance);
-      const std::string mesh = obj_text(*sensor->model()->mesh);
+      const std::string mesh = write_obj(*sensor->model()->mesh);
       Layout layout = layout_on_repaired_mesh(*sensor->model());
       layout.mesh = {mesh_name, dvec3(1), sha256_hex(mesh), layout.mesh.repair};
       out.files.push_back({beside + mesh_name, mesh});

@@ -6,6 +6,7 @@
 #include "core/base/hash.h"
 #include "core/document/scenario/scenario_json.h"
 #include "core/layout/file/layout_json.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
 #include "core/run/motion/paper_demo.h"
 #include "core/run/motion/upright_edge.h"
@@ -47,7 +48,7 @@ Object primitive_object(const char* type, const std::string& size, const Aabb& b
 
 /// `offset` moves the mesh to its place in the world.
 Object mesh_object(const TriMesh& mesh, const dvec3& offset, std::vector<SceneFile>& files) {
-  files.push_back({kObjectMesh, obj_text(mesh)});
+  files.push_back({kObjectMesh, write_obj(mesh)});
   return {fmt::format("\n    <mesh name=\"{}\" file=\"{}\" inertia=\"shell\"/>", kObjectGeom, kObjectMesh),
           fmt::format(R"(<geom name="{0}" type="mesh" mesh="{0}" pos="{1}" {2})", kObjectGeom, text(offset),
                       common_attributes(kFriction)),
@@ -164,7 +165,7 @@ ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& sce
   check_has_taxels(model, model.layout.name);
   check_scenario(scenario);
   ScenarioScene scene;
-  const std::string mesh = obj_text(*model.mesh);
+  const std::string mesh = write_obj(*model.mesh);
   Layout layout = layout_on_repaired_mesh(model);
   layout.mesh = {kFingerMesh, dvec3(1), sha256_hex(mesh), layout.mesh.repair};
   scene.files.files = {{kFingerMesh, mesh}, {kLayoutFile, layout_to_json(layout)}};

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "app/studio/app/actions.h"
+#include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -137,7 +138,11 @@ void draw_start_card(UiState& ui) {
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
   ImGui::TextUnformatted("Drop a mesh or a layout here");
   ImGui::PopFont();
-  ImGui::TextDisabled("OBJ  STL  PLY  OFF  glTF  GLB   .taxels.json   .yaml   .taxelproj   MuJoCo XML");
+  std::string formats;
+  for (const MeshFormat& format : kMeshFormats) {
+    if (can_read(format)) formats += std::string(format.name) + "  ";
+  }
+  ImGui::TextDisabled("%s .taxels.json   .yaml   .taxelproj   MuJoCo XML", formats.c_str());
   ImGui::Spacing();
   if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui);
   ImGui::SameLine();

@@ -1,4 +1,6 @@
-#include "core/mesh/formats/gltf_io.h"
+// glTF 2.0 and GLB, parsed by tinygltf. Read are all triangles (lists, strips and fans) of all meshes of the file's
+// scene, each moved by its node's transform. Images, points and lines are skipped. Refused are accessors out of range
+// and compressed or sparse positions.
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -10,20 +12,21 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/index.h"
+#include "core/mesh/formats/mesh_format.h"
 
 namespace taxel {
 namespace {
 
-/// Deeper nodes are refused: each level takes a part of the stack.
+/// Largest depth of a node. Each level of the recursion takes a part of the stack.
 constexpr int kMaxNodeDepth = 256;
-/// Most vertices and triangles of a scene: a mesh that many nodes show is as large as all its copies.
+/// Largest numbers of vertices and triangles of a scene. A mesh that many nodes refer to is counted once per node.
 constexpr std::size_t kMaxVertices = 10'000'000, kMaxTriangles = 20'000'000;
 
 bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return true;
 }
 
-/// Buffers in files of their own are read as every file is: regular files only, up to a limit.
+/// Reads a buffer that has its own file by read_file(), which accepts regular files up to a limit of size.
 bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
   try {
     const std::string bytes = read_file(path);
@@ -35,19 +38,20 @@ bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const
   return true;
 }
 
-tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& path) {
+tinygltf::Model parse(std::string_view bytes, const std::string& file) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
   tinygltf::FsCallbacks files{};
-  files.FileExists = [](const std::string& file, void*) { return std::filesystem::exists(file); };
-  files.ExpandFilePath = [](const std::string& file, void*) { return file; };
+  files.FileExists = [](const std::string& name, void*) { return std::filesystem::exists(name); };
+  files.ExpandFilePath = [](const std::string& name, void*) { return name; };
   files.ReadWholeFile = read_buffer_file;
   loader.SetFsCallbacks(files);
   tinygltf::Model model;
   std::string error, warning;
-  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  const std::filesystem::path parent = std::filesystem::path(file).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
   const auto size = static_cast<unsigned int>(bytes.size());
-  if (bytes.size() > std::numeric_limits<unsigned int>::max()) throw Error(path.string(), "is larger than 4 GiB");
+  if (bytes.size() > std::numeric_limits<unsigned int>::max()) throw Error(file, "is larger than 4 GiB");
   const bool binary = bytes.starts_with("glTF");
   const bool read =
       binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
@@ -56,7 +60,7 @@ tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& path)
   if (!read) {
     while (!error.empty() && error.back() == '\n') error.pop_back();
     std::replace(error.begin(), error.end(), '\n', ' ');
-    throw Error(path.string(), "is not valid glTF: " + (error.empty() ? std::string("cannot be parsed") : error));
+    throw Error(file, "is not valid glTF: " + (error.empty() ? std::string("cannot be parsed") : error));
   }
   return model;
 }
@@ -122,7 +126,7 @@ class AccessorReader {
   }
 
  private:
-  /// Normalised integers stand for [0, 1] or [-1, 1] (glTF 2.0, 3.6.2.2).
+  /// Normalised integers represent [0, 1] or [-1, 1] (glTF 2.0, 3.6.2.2).
   template <class T>
   [[nodiscard]] double read(const unsigned char* p) const {
     T value;
@@ -233,11 +237,11 @@ class SceneReader {
 
   const tinygltf::Model& model_;
   std::string file_;
-  std::vector<char> added_;  ///< parallel to the model's nodes: 1 if the node is in the scene already
+  std::vector<char> added_;  ///< 1 for each of the model's nodes that is already in the scene
   PolygonSoup soup_;
 };
 
-/// Appends `bytes` to the buffer and a view of it to the model; returns the view's number.
+/// Appends `bytes` to the buffer and a view of these bytes to the model. Returns the view's index.
 int add_view(tinygltf::Model& model, const void* bytes, std::size_t size, int target) {
   std::vector<unsigned char>& data = model.buffers[0].data;
   tinygltf::BufferView view;
@@ -251,6 +255,7 @@ int add_view(tinygltf::Model& model, const void* bytes, std::size_t size, int ta
   return static_cast<int>(model.bufferViews.size()) - 1;
 }
 
+/// Returns the index of a new accessor of `view`.
 int add_accessor(tinygltf::Model& model, int view, int component_type, int type, std::size_t count) {
   tinygltf::Accessor accessor;
   accessor.bufferView = view;
@@ -261,6 +266,7 @@ int add_accessor(tinygltf::Model& model, int view, int component_type, int type,
   return static_cast<int>(model.accessors.size()) - 1;
 }
 
+/// Appends vectors as numbers of type float. Returns the index of their accessor.
 int add_vectors(tinygltf::Model& model, const std::vector<dvec3>& vectors) {
   const std::vector<glm::vec3> rounded(vectors.begin(), vectors.end());
   const int view = add_view(model, rounded.data(), rounded.size() * sizeof(glm::vec3), TINYGLTF_TARGET_ARRAY_BUFFER);
@@ -269,11 +275,11 @@ int add_vectors(tinygltf::Model& model, const std::vector<dvec3>& vectors) {
 
 }  // namespace
 
-PolygonSoup read_gltf(std::string_view bytes, const std::filesystem::path& path) {
-  const tinygltf::Model model = parse(bytes, path);
-  SceneReader reader(model, path.string());
+PolygonSoup read_gltf(std::string_view bytes, const std::string& file) {
+  const tinygltf::Model model = parse(bytes, file);
+  SceneReader reader(model, file);
   if (model.scenes.empty()) {
-    // No scene: every node that is nobody's child.
+    // Without a scene, every node without a parent is added.
     std::vector<char> child(model.nodes.size(), 0);
     for (const tinygltf::Node& node : model.nodes) {
       for (const int c : node.children) {
@@ -286,7 +292,7 @@ PolygonSoup read_gltf(std::string_view bytes, const std::filesystem::path& path)
     return reader.take();
   }
   const int chosen = model.defaultScene >= 0 ? model.defaultScene : 0;
-  if (at(chosen) >= model.scenes.size()) throw Error(path.string(), fmt::format("scene {} does not exist", chosen));
+  if (at(chosen) >= model.scenes.size()) throw Error(file, fmt::format("scene {} does not exist", chosen));
   for (const int node : model.scenes[at(chosen)].nodes) reader.add_node(node, glm::dmat4(1.0), 0);
   return reader.take();
 }
