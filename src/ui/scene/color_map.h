@@ -1,24 +1,43 @@
-// Colours of data: viridis for pressure, a colour-blind-safe palette for taxels. sRGB, 0..1.
+// Colours of data: colour maps for numbers, one row each, and a palette for taxels. sRGB, 0 to 1.
 #pragma once
 
+#include <array>
 #include <cstdint>
-
 #include <glm/glm.hpp>
+#include <span>
+#include <string_view>
 
 #include "core/hydro/contact_surface.h"
 
 namespace taxel::ui {
 
-/// viridis (van der Walt, Smith 2015; CC0) at t in [0, 1], clamped: 256 entries, linear between them.
-glm::vec3 viridis(double t);
-/// 256 RGB8 entries for a lookup texture.
-const unsigned char* viridis_table();
-/// Colour of a taxel by its number, SensorModel::color: Okabe-Ito, then the safe extension, repeating after 24.
+/// A colour of three bytes, as a texture's row holds them.
+struct Rgb8 {
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
+/// A colour map. A new colour map is a new file in color_maps/ and a row of kColorMaps.
+struct ColorMap {
+  std::string_view word;   ///< key in files
+  std::string_view label;  ///< name as shown to the user
+  std::span<const Rgb8, 256> table;
+
+  /// Returns the colour at t in [0, 1], linear between the table's entries. Smaller, larger and NaN t are clamped.
+  [[nodiscard]] glm::vec3 at(double t) const;
+};
+
+extern const Rgb8 kViridis[256];
+
+/// The first row colours all quantities that have no choice of their own.
+inline constexpr std::array kColorMaps{ColorMap{"viridis", "Viridis", kViridis}};
+
+/// Returns the colour of a taxel by its number, SensorModel::color. The 24 colours repeat.
 glm::vec3 taxel_color(int number);
-/// Colour of what was left out of a contact surface for one reason: none that viridis has.
+/// Returns the colour of polygons that a contact surface excludes for a reason: a colour that no map has.
 glm::vec3 rejection_color(Rejection reason);
-/// sRGB 0..1 with alpha as four bytes, red in the lowest.
+/// Returns a colour with alpha as four bytes, red in the lowest.
 std::uint32_t pack(const glm::vec4& rgba);
+/// Returns an opaque colour as four bytes.
 inline std::uint32_t pack(const glm::vec3& rgb) {
   return pack(glm::vec4(rgb, 1));
 }

@@ -7,12 +7,12 @@
 namespace taxel::ui {
 
 namespace {
-constexpr glm::vec3 kWarning(0.90f, 0.16f, 0.45f);  // no colour of viridis
+constexpr glm::vec3 kWarning(0.90f, 0.16f, 0.45f);  // a colour that no map has
 }
 
 glm::vec3 overlap_color(int taxels) {
   if (taxels <= 0) return kWarning;
-  return viridis(0.12 + 0.88 * (std::min(taxels, kMostOverlap) - 1) / (kMostOverlap - 1));
+  return kColorMaps.front().at(0.12 + 0.88 * (std::min(taxels, kMostOverlap) - 1) / (kMostOverlap - 1));
 }
 
 glm::vec3 euclidean_only_color() {
@@ -20,7 +20,8 @@ glm::vec3 euclidean_only_color() {
 }
 
 glm::vec3 normal_color(double angle_deg, double limit_deg) {
-  return angle_deg > limit_deg ? kWarning : viridis(limit_deg > 0 ? 0.2 + 0.8 * angle_deg / limit_deg : 0.2);
+  return angle_deg > limit_deg ? kWarning
+                               : kColorMaps.front().at(limit_deg > 0 ? 0.2 + 0.8 * angle_deg / limit_deg : 0.2);
 }
 
 }  // namespace taxel::ui

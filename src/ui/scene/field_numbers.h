@@ -51,7 +51,8 @@ inline constexpr int kMostOverlap = 6;
 glm::vec3 overlap_color(int taxels);
 /// Of what only the straight distance reaches.
 glm::vec3 euclidean_only_color();
-/// Of an angle between normals: the lighter four fifths of viridis up to the limit, beyond it a colour of its own.
+/// Returns the colour of an angle between normals: the lighter four fifths of the map up to the limit, and a colour
+/// that the map does not have above the limit.
 glm::vec3 normal_color(double angle_deg, double limit_deg);
 
 }  // namespace taxel::ui

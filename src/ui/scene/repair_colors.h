@@ -19,9 +19,9 @@ inline double largest_distance(const RepairChanges& changes) {
              : static_cast<double>(*std::max_element(changes.distance.begin(), changes.distance.end()));
 }
 
-/// Colour of a wrapped vertex at a distance, of a scale that ends at `largest` [m].
+/// Returns the colour of a wrapped vertex at a distance [m], on a scale from 0 to `largest` [m].
 inline glm::vec3 distance_color(double distance, double largest) {
-  return viridis(largest > 0 ? distance / largest : 0.0);
+  return kColorMaps.front().at(largest > 0 ? distance / largest : 0.0);
 }
 
 }  // namespace taxel::ui

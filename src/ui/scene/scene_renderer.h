@@ -10,6 +10,7 @@
 #include "core/run/sim_frame.h"
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
+#include "ui/scene/color_map.h"
 #include "ui/scene/field_numbers.h"
 #include "ui/scene/geometry/shown_fields.h"
 #include "ui/scene/marks_shown.h"
@@ -21,10 +22,16 @@
 
 namespace taxel::ui {
 
-/// One colour map and one range, shared by surface, bars, rays, legend and plots. [Pa]
+/// The range of pressures [Pa] and the colour map, shared by surface, bars, rays, legend and plots.
 struct PressureRange {
   double lo = 0, hi = 1;
   bool automatic = true;
+  const ColorMap* colors = &kColorMaps.front();
+
+  /// Returns the colour of a pressure; all pressures have the first colour while the range is empty.
+  [[nodiscard]] glm::vec3 color(double pressure) const {
+    return colors->at(hi > lo ? (pressure - lo) / (hi - lo) : 0.0);
+  }
   bool operator==(const PressureRange&) const = default;
 };
 

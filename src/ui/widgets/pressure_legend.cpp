@@ -13,10 +13,10 @@ namespace taxel::ui {
 
 namespace {
 
-void draw_color_bar(ImDrawList& list, ImVec2 lo, ImVec2 hi) {
+void draw_color_bar(const ColorMap& map, ImDrawList& list, ImVec2 lo, ImVec2 hi) {
   constexpr int kBands = 64;
-  const auto color_at = [](double t) {
-    const glm::vec3 c = viridis(t);
+  const auto color_at = [&](double t) {
+    const glm::vec3 c = map.at(t);
     return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, 1));
   };
   for (int i = 0; i < kBands; ++i) {
@@ -51,8 +51,7 @@ float pressure_legend_width() {
 }
 
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha) {
-  const double span = range.hi - range.lo;
-  const glm::vec3 c = viridis(span > 0 ? (pressure - range.lo) / span : 0.0);
+  const glm::vec3 c = range.color(pressure);
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, alpha));
 }
 
@@ -87,7 +86,7 @@ void draw_pressure_legend(Ui& ui, const PressureRange& range, const LegendPlace&
   list.AddText({lo.x + pad, lo.y + 0.35f * line}, to_u32(colors.text), "Pressure");
   list.AddText({lo.x + pad, lo.y + 1.4f * line}, to_u32(colors.dim), "kPa");
   const ImVec2 bar_lo(lo.x + pad, lo.y + 3.0f * line), bar_hi(lo.x + pad + 1.0f * line, hi.y - 2.5f * line);
-  draw_color_bar(list, bar_lo, bar_hi);
+  draw_color_bar(*range.colors, list, bar_lo, bar_hi);
   const int ticks = tick_count(bar_hi.y - bar_lo.y, line);
   const std::vector<std::string> texts = legend_texts(range, ticks);
   for (int i = 0; i <= ticks; ++i) {

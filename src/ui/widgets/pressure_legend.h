@@ -11,7 +11,7 @@
 
 namespace taxel::ui {
 
-/// The legend's place: upper right corner and height. It shows viridis, ticks in kPa, AUTO or LOCKED.
+/// The legend's place: upper right corner and height. The legend shows the colour map, ticks in kPa, AUTO or LOCKED.
 struct LegendPlace {
   ImVec2 corner;
   float height = 0;

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "ui/scene/passes/look.h"
+#include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {
 namespace {
@@ -20,27 +22,47 @@ glm::dvec3 lab(const glm::dvec3& linear) {
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
+const ColorMap& kViridisMap = kColorMaps.front();
+
+TEST(ColorMap, EveryRowHasItsOwnWordAndLabel) {
+  std::set<std::string_view> words, labels;
+  for (const ColorMap& map : kColorMaps) {
+    EXPECT_TRUE(words.insert(map.word).second) << map.word;
+    EXPECT_TRUE(labels.insert(map.label).second) << map.label;
+  }
+}
+
+TEST(ColorMap, RangeSpreadsTheMapOverItsPressures) {
+  PressureRange range{100, 300};
+  EXPECT_EQ(range.color(200), kViridisMap.at(0.5));
+  EXPECT_EQ(range.color(1000), kViridisMap.at(1));
+  range.hi = range.lo;
+  EXPECT_EQ(range.color(200), kViridisMap.at(0));
+}
+
 TEST(ColorMap, ViridisRunsThroughItsTable) {
   for (int i = 0; i < 256; ++i) {
-    const glm::vec3 c = viridis(i / 255.0);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(255 * c[k], viridis_table()[3 * i + k], 1e-3);
+    const glm::vec3 c = kViridisMap.at(i / 255.0);
+    const glm::vec3 expected(kViridis[i].r, kViridis[i].g, kViridis[i].b);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(255 * c[k], expected[k], 1e-3);
   }
-  EXPECT_EQ(viridis(-1), viridis(0));
-  EXPECT_EQ(viridis(2), viridis(1));
-  EXPECT_EQ(viridis(std::numeric_limits<double>::quiet_NaN()), viridis(0));
-  const glm::vec3 middle = viridis(100.5 / 255), a = viridis(100.0 / 255), b = viridis(101.0 / 255);
+  EXPECT_EQ(kViridisMap.at(-1), kViridisMap.at(0));
+  EXPECT_EQ(kViridisMap.at(2), kViridisMap.at(1));
+  EXPECT_EQ(kViridisMap.at(std::numeric_limits<double>::quiet_NaN()), kViridisMap.at(0));
+  const glm::vec3 middle = kViridisMap.at(100.5 / 255), a = kViridisMap.at(100.0 / 255),
+                  b = kViridisMap.at(101.0 / 255);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(middle[k], 0.5f * (a[k] + b[k]), 1e-6);
 }
 
 TEST(ColorMap, ViridisGetsSteadilyLighter) {
   double last = -1;
   for (int i = 0; i < 256; ++i) {
-    const double lightness = lab(linear_from_srgb(viridis(i / 255.0))).x;
+    const double lightness = lab(linear_from_srgb(kViridisMap.at(i / 255.0))).x;
     EXPECT_GT(lightness, last - 0.15) << i;  // steps of 8 bits
     last = lightness;
   }
-  EXPECT_LT(lab(linear_from_srgb(viridis(0))).x, 16);
-  EXPECT_GT(lab(linear_from_srgb(viridis(1))).x, 89);
+  EXPECT_LT(lab(linear_from_srgb(kViridisMap.at(0))).x, 16);
+  EXPECT_GT(lab(linear_from_srgb(kViridisMap.at(1))).x, 89);
 }
 
 TEST(ColorMap, TaxelsStayApartForTheColourBlind) {

@@ -77,9 +77,7 @@ ContactCheck check_contact(const SceneInput& input, const Camera& camera, const 
     if (!inside(surface, polygon, p) || !is_first(surface, polygon, ray, t)) continue;
     const double pressure = polygon.pressure + glm::dot(polygon.gradient, p - polygon.centroid);
     ++out.compared;
-    out.worst = std::max(out.worst,
-                         largest_difference(test::pixel_at(image, middle),
-                                            viridis((pressure - input.range.lo) / (input.range.hi - input.range.lo))));
+    out.worst = std::max(out.worst, largest_difference(test::pixel_at(image, middle), input.range.color(pressure)));
   }
   return out;
 }
@@ -132,6 +130,25 @@ TEST_F(SceneRendererTest, APolygonsPixelHasTheColourOfItsPressure) {
   const ContactCheck with_all = check_contact(input, from_above(), image);
   EXPECT_EQ(with_all.compared, alone.compared);
   EXPECT_LE(with_all.worst, 1);
+}
+
+TEST_F(SceneRendererTest, DrawsTheContactInTheMapOfItsRange) {
+  std::array<Rgb8, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = {static_cast<std::uint8_t>(255 - i), 0, 128};
+  const ColorMap falling{"falling", "Falling", table};
+  SceneInput input = test::finger_input(frame_);
+  input.overlays = nothing();
+  input.overlays.contact_surface = true;
+  auto frame = std::make_shared<SimFrame>(*frame_);
+  frame->sensors[0].force_W = dvec3(0);  // no arrow over the contact
+  input.frame = frame;
+  const ColorMap* usual = input.range.colors;
+  for (const ColorMap* map : {&falling, usual}) {
+    input.range.colors = map;
+    const ContactCheck check = check_contact(input, from_above(), draw(input, from_above()));
+    EXPECT_GT(check.compared, 150) << map->word;
+    EXPECT_LE(check.worst, 1) << map->word;
+  }
 }
 
 TEST_F(SceneRendererTest, TheRangeDecidesTheColoursAndOutOfRangeIsClamped) {

@@ -121,7 +121,7 @@ TEST_F(SectionTest, ThePanelShowsTheContactInItsColours) {
     input.dark = dark;
     const gl::RgbImage image = test::panel_picture(420, 320, dark, [&] { section_panel(input, state); });
     test::write_picture(dark ? "section_dark" : "section_light", image);
-    const glm::vec3 brightest = viridis(0.95);
+    const glm::vec3 brightest = kColorMaps.front().at(0.95);
     int near_top = 0;
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {

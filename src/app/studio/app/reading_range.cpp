@@ -16,7 +16,7 @@ PressureRange reading_range(const UiState& ui, const UiInput& input) {
   for (const double reading : state->readings) largest = std::max(largest, reading);
   if (ui.mode == Mode::simulate)
     for (const double peak : input.peaks) largest = std::max(largest, peak);
-  return {0, axis_top(largest, unit)};
+  return {0, axis_top(largest, unit), true, ui.range.colors};
 }
 
 }  // namespace taxel::ui

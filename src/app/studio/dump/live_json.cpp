@@ -17,8 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostPoints = 400;
 
 Json color_json(const ui::PressureRange& range, double value) {
-  const double span = range.hi - range.lo;
-  const glm::vec3 color = ui::viridis(span > 0 ? (value - range.lo) / span : 0.0);
+  const glm::vec3 color = range.color(value);
   return {color.x, color.y, color.z};
 }
 

@@ -257,7 +257,6 @@ Json samples_json(const Projector& project, const SensorModel& model) {
 
 Json polygons_json(const ui::UiState& ui, const Projector& project, const SensorFrameState& sensor) {
   Json json = Json::array();
-  const double span = ui.range.hi - ui.range.lo;
   for (const ContactSurface& surface : sensor.surfaces) {
     const std::size_t stride = 1 + surface.polygons.size() / kMostMarks;
     for (std::size_t i = 0; i < surface.polygons.size(); i += stride) {
@@ -265,7 +264,7 @@ Json polygons_json(const ui::UiState& ui, const Projector& project, const Sensor
       Json mark = project(polygon.centroid, polygon.normal);
       mark["pressure"] = polygon.pressure;
       mark["area"] = polygon.area;
-      const glm::vec3 color = ui::viridis(span > 0 ? (polygon.pressure - ui.range.lo) / span : 0.0);
+      const glm::vec3 color = ui.range.color(polygon.pressure);
       mark["color"] = {color.x, color.y, color.z};
       json.push_back(std::move(mark));
     }

@@ -56,7 +56,6 @@ RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range,
   const std::uint32_t hit_mask = thinning_mask(hit_count, most_shown(hit_count, spacing, most_hits)),
                       miss_mask = thinning_mask(miss_count, most_shown(miss_count, spacing, kMaxMisses));
   const std::uint32_t hit_color = pack(look.ray_hit), miss_color = pack(look.ray_miss);
-  const double scale = range.hi > range.lo ? 1.0 / (range.hi - range.lo) : 0.0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const bool hit = hits[i].surface >= 0;
     if (wanted[i] == 0 || (spread(static_cast<int>(i)) & (hit ? hit_mask : miss_mask)) != 0) continue;
@@ -68,7 +67,7 @@ RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range,
     }
     const dvec3 end = ray.origin + hits[i].depth * ray.direction;
     out.hits.push_back(segment(ray.origin, end, kHitWidth, hit_color));
-    out.dots.push_back(point_mark(end, dvec3(0), 1.0, pack(viridis((hits[i].pressure - range.lo) * scale))));
+    out.dots.push_back(point_mark(end, dvec3(0), 1.0, pack(range.color(hits[i].pressure))));
   }
   return out;
 }

@@ -177,7 +177,7 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
   }
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact, .depth_write = true};
   scene.segments.draw_lines(rim, {.world_from_model = state.world_from_model, .toward_eye = kOnContact});
-  surfaces_.draw(triangles, scene.input.range.lo, scene.input.range.hi, state);
+  surfaces_.draw(triangles, scene.input.range, state);
   state.toward_eye = kBeforeContact;
   state.depth_write = false;
   scene.segments.draw_lines(edges, state);
@@ -222,7 +222,7 @@ void SensorMarks::draw_skin_readings(const Scene& scene, const SensorView& view)
     }
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
   state.clipped = scene.input.clip.has_value();
-  surfaces_.draw(triangles, scene.input.reading_range.lo, scene.input.reading_range.hi, state, Seen::front);
+  surfaces_.draw(triangles, scene.input.reading_range, state, Seen::front);
 }
 
 /// What bodies hide of them is dimmed: they begin on the contact surface, and reach into the sensor.

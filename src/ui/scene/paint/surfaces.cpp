@@ -33,32 +33,31 @@ void append_rim(const ContactSurface& surface, const PressureRange& range, Segme
   constexpr double kLow = 0.05;   // of the largest pressure: edges below may belong to the rim
   constexpr float kWidth = 1.6f;  // [pixel]
   const double low = kLow * surface.max_pressure();
-  const double scale = range.hi > range.lo ? 1.0 / (range.hi - range.lo) : 0.0;
   for (const ContactPolygon& polygon : surface.polygons) {
     for (int i = 0; i < polygon.count; ++i) {
       const auto a = static_cast<std::size_t>(polygon.first + i);
       const auto b = static_cast<std::size_t>(polygon.first + (i + 1 < polygon.count ? i + 1 : 0));
       if (surface.pressure[a] > low || surface.pressure[b] > low) continue;
       const double pressure = 0.5 * (surface.pressure[a] + surface.pressure[b]);
-      out.push_back(
-          segment(surface.vertices[a], surface.vertices[b], kWidth, pack(viridis((pressure - range.lo) * scale))));
+      out.push_back(segment(surface.vertices[a], surface.vertices[b], kWidth, pack(range.color(pressure))));
     }
   }
 }
 
 SurfacePass::SurfacePass(const gl::ShaderReader& read) : program_(read, "surface"), table_(GL_RGB8, 256, 1) {
-  table_.upload(GL_RGB, GL_UNSIGNED_BYTE, viridis_table());
   array_.attribute(0, buffer_, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position));
   array_.attribute(1, buffer_, 1, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, pressure));
 }
 
-void SurfacePass::draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state,
+void SurfacePass::draw(std::span<const SurfaceVertex> triangles, const PressureRange& range, const MarkState& state,
                        Seen from) {
   if (triangles.empty()) return;
   buffer_.upload(triangles, GL_STREAM_DRAW);
   set_mark_state(program_, state);
-  const double scale = hi > lo ? 1.0 / (hi - lo) : 0.0;
-  program_.set("range", glm::vec2(lo, scale));
+  const double scale = range.hi > range.lo ? 1.0 / (range.hi - range.lo) : 0.0;
+  program_.set("range", glm::vec2(range.lo, scale));
+  if (uploaded_ != range.colors) table_.upload(GL_RGB, GL_UNSIGNED_BYTE, range.colors->table.data());
+  uploaded_ = range.colors;
   program_.use();
   table_.bind(0);
   array_.bind();

@@ -34,13 +34,14 @@ void append_rim(const ContactSurface& surface, const PressureRange& range, Segme
 class SurfacePass {
  public:
   explicit SurfacePass(const gl::ShaderReader& read);
-  /// Pressures from lo to hi [Pa] run through the whole colour map.
-  void draw(std::span<const SurfaceVertex> triangles, double lo, double hi, const MarkState& state,
+  /// Draws triangles in the colours that `range` gives to their pressures.
+  void draw(std::span<const SurfaceVertex> triangles, const PressureRange& range, const MarkState& state,
             Seen from = Seen::both);
 
  private:
   gl::Program program_;
   gl::Texture table_;
+  const ColorMap* uploaded_ = nullptr;  ///< map whose colours are in `table_`
   gl::Buffer buffer_;
   gl::VertexArray array_;
 };

@@ -51,8 +51,9 @@ void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x
   if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
   list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field, 0.8f));
   const float y = axis.y(bar.value);
-  list.AddRectFilled({left, y}, {right, axis.y_zero},
-                     pressure_color(axis.unit.pressure ? ui.range : PressureRange{0, axis.top}, bar.value));
+  list.AddRectFilled(
+      {left, y}, {right, axis.y_zero},
+      pressure_color(axis.unit.pressure ? ui.range : PressureRange{0, axis.top, true, ui.range.colors}, bar.value));
   if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
   BarShown shown;
   shown.taxel_id = bar.id;

@@ -30,8 +30,7 @@ struct Canvas {
             corner.y + 0.5f * size.y - static_cast<float>(pixels * (p.y - middle.y))};
   }
   [[nodiscard]] ImU32 pressure_color(double pressure) const {
-    const PressureRange& r = input.range;
-    const glm::vec3 c = viridis(r.hi > r.lo ? (pressure - r.lo) / (r.hi - r.lo) : 0.0);
+    const glm::vec3 c = input.range.color(pressure);
     return to_u32({c.x, c.y, c.z, 1});
   }
 };
