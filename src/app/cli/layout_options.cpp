@@ -61,9 +61,7 @@ void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate) {
                       },
                       ""};
   list.add("--aggregate", [&aggregate](const std::string& text) { aggregate = from_word<Aggregate>(text); },
-           "How a taxel's samples make its reading (default: the layout's): weighted_mean is the paper's formula, "
-           "weighted_sum what its released code computes, which does not divide; " +
-               word_list<Aggregate>(),
+           "How a taxel's samples make its reading (default: the layout's): " + aggregate_help(),
            {.unit = "WORD", .check = is_word});
 }
 

@@ -1,8 +1,10 @@
-// The words that a layout file uses for choices, one table per choice; menus and messages use the same ones.
+// The words that a layout file uses for choices, one table per choice. Menus and messages use the same words.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "core/base/text/words.h"
 #include "core/layout/layout.h"
@@ -16,12 +18,23 @@ inline constexpr Word<SampleWeights> kSampleWeightsWords[] = {{SampleWeights::eq
 inline constexpr Word<Shells> kShellsWords[] = {{Shells::outer, "outer"}, {Shells::all, "all"}};
 inline constexpr Word<RayDirection> kRayDirectionWords[] = {{RayDirection::surface_normal, "surface_normal"},
                                                             {RayDirection::taxel_normal, "taxel_normal"}};
-inline constexpr Word<Aggregate> kAggregateWords[] = {{Aggregate::weighted_mean, "weighted_mean"},
-                                                      {Aggregate::weighted_sum, "weighted_sum"},
-                                                      {Aggregate::mean, "mean"},
-                                                      {Aggregate::nearest, "nearest"},
-                                                      {Aggregate::max, "max"},
-                                                      {Aggregate::force, "force"}};
+
+/// An aggregate as files and menus name it. The sensor's AggregateSpec has its formulas.
+struct AggregateRow {
+  Aggregate value;
+  std::string_view text;  ///< word in files
+  const char* unit;       ///< SI unit of the readings
+  const char* help;       ///< formula in words, for help and tooltips
+};
+inline constexpr AggregateRow kAggregates[] = {
+    {Aggregate::weighted_mean, "weighted_mean", "Pa", "the paper's formula, a mean with the weights of the field"},
+    {Aggregate::weighted_sum, "weighted_sum", "Pa m^2",
+     "the formula of the paper's released code, which does not divide"},
+    {Aggregate::mean, "mean", "Pa", "the mean of the pressures"},
+    {Aggregate::nearest, "nearest", "Pa", "the pressure at the sample nearest to the centre"},
+    {Aggregate::max, "max", "Pa", "the largest pressure"},
+    {Aggregate::force, "force", "N", "the force on the field, integrated over the contact polygons"}};
+
 inline constexpr Word<FieldKind> kFieldKindWords[] = {{FieldKind::pad, "pad"},
                                                       {FieldKind::medial_axis, "medial_axis"},
                                                       {FieldKind::star, "star"},
@@ -32,7 +45,7 @@ inline constexpr Word<RepairLevel> kRepairLevelWords[] = {{RepairLevel::automati
                                                           {RepairLevel::wrap, "wrap"},
                                                           {RepairLevel::keep, "keep"}};
 
-/// A number of a repair recipe, which must be greater than 0, and its key in /mesh/repair.
+/// A number of a repair recipe and its key in /mesh/repair. The number must be greater than 0.
 struct RepairNumber {
   const char* key;
   std::optional<double> RepairRecipe::*value;
@@ -58,8 +71,8 @@ inline std::span<const Word<Shells>> words_of(Shells) {
 inline std::span<const Word<RayDirection>> words_of(RayDirection) {
   return kRayDirectionWords;
 }
-inline std::span<const Word<Aggregate>> words_of(Aggregate) {
-  return kAggregateWords;
+inline std::span<const AggregateRow> words_of(Aggregate) {
+  return kAggregates;
 }
 inline std::span<const Word<FieldKind>> words_of(FieldKind) {
   return kFieldKindWords;
@@ -68,10 +81,17 @@ inline std::span<const Word<RepairLevel>> words_of(RepairLevel) {
   return kRepairLevelWords;
 }
 
-/// The SI unit of readings.
+/// Returns the SI unit of an aggregate's readings.
 inline const char* reading_unit(Aggregate aggregate) {
-  if (aggregate == Aggregate::force) return "N";
-  return aggregate == Aggregate::weighted_sum ? "Pa m^2" : "Pa";
+  return kAggregates[static_cast<std::size_t>(aggregate)].unit;
+}
+
+/// Returns a list of all aggregates with their formulas, for help and tooltips.
+inline std::string aggregate_help() {
+  std::string list;
+  for (const AggregateRow& row : kAggregates)
+    list += (list.empty() ? "\"" : ", \"") + std::string(row.text) + "\" is " + row.help;
+  return list;
 }
 
 }  // namespace taxel

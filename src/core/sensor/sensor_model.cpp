@@ -12,6 +12,7 @@
 #include "core/hydro/fields/field_report.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/loaded_faces.h"
+#include "core/sensor/readout/aggregate.h"
 
 namespace taxel {
 namespace {
@@ -50,7 +51,7 @@ void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) 
     const dvec3 outward = glm::normalize(model.layout.taxels[at(k)].normal);
     for (int e = model.fields.first[at(k)]; e < model.fields.first[at(k) + 1]; ++e) {
       const int sample = model.fields.entries[at(e)].sample;
-      model.ray_of_entry[at(e)] = static_cast<int>(model.rays.size());
+      model.readout_table.ray_of_entry[at(e)] = static_cast<int>(model.rays.size());
       model.rays.push_back({sample, model.samples[at(sample)].position, -outward, 0.0});
     }
   }
@@ -74,7 +75,7 @@ void add_sample_rays(SensorModel& model, SampleRays& known) {
     used.push_back(static_cast<int>(s));
   }
   for (std::size_t e = 0; e < model.fields.entries.size(); ++e)
-    model.ray_of_entry[e] = ray_of_sample[at(model.fields.entries[e].sample)];
+    model.readout_table.ray_of_entry[e] = ray_of_sample[at(model.fields.entries[e].sample)];
   SampleRays::Found found = known.find(used);
   model.rays = std::move(found.rays);
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
@@ -82,7 +83,7 @@ void add_sample_rays(SensorModel& model, SampleRays& known) {
 }
 
 void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr& samples, SensorCache& cache) {
-  model.ray_of_entry.resize(model.fields.entries.size());
+  model.readout_table.ray_of_entry.resize(model.fields.entries.size());
   model.max_depth = allowed_depth(model);
   const double allowed = model.max_depth;
   if (model.layout.readout.ray == RayDirection::taxel_normal) {
@@ -91,7 +92,8 @@ void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr&
     add_sample_rays(model, *cache.rays(skin, samples, model.body, allowed));
   }
   model.ray_grid = RayGrid::make(model.rays);
-  model.readout_table = make_readout_table(model);
+  model.readout_table =
+      make_readout_table(model.fields, std::move(model.readout_table.ray_of_entry), model.ray_shares());
 }
 
 void add_taxels_of_samples(SensorModel& model) {
@@ -115,7 +117,7 @@ void add_taxels_of_samples(SensorModel& model) {
 
 /// Only integrals ask for them.
 void add_field_weights(SensorModel& model) {
-  if (model.layout.readout.aggregate == Aggregate::force && !model.weights)
+  if (aggregate_spec(model.layout.readout.aggregate).fold == nullptr && !model.weights)
     model.weights = std::make_shared<const FieldWeights>(model.layout, *model.skin);
 }
 
@@ -230,6 +232,13 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
 double SensorModel::sample_share(int sample) const {
   if (layout.sampling.weights == SampleWeights::equal) return 1.0;
   return samples[at(sample)].area * static_cast<double>(samples.size()) / sampled_area;
+}
+
+std::vector<double> SensorModel::ray_shares() const {
+  std::vector<double> shares;
+  shares.reserve(rays.size());
+  for (const SensorRay& ray : rays) shares.push_back(sample_share(ray.sample));
+  return shares;
 }
 
 Layout layout_on_repaired_mesh(const SensorModel& model) {

@@ -44,7 +44,6 @@ struct SensorModel {
   ReadoutTable readout_table;                      ///< what each ray counts in each taxel
   double max_depth = 0;                            ///< readout.max_depth, or its default [m]
   std::shared_ptr<const FieldWeights> weights;     ///< of Aggregate::force; null for others
-  std::vector<int> ray_of_entry;                   ///< parallel to fields.entries
   std::vector<std::vector<int>> taxels_of_sample;  ///< nearest taxel first; empty: unused
   std::vector<int> color_of_taxel;  ///< color_fields with kTaxelColors; those beyond have their own number
   Problems problems;                ///< warnings and notes, with taxel pointers
@@ -55,6 +54,8 @@ struct SensorModel {
   }
   /// What one sample counts in an unweighted mean: 1, or its Voronoi area over the mean area where weights are voronoi.
   [[nodiscard]] double sample_share(int sample) const;
+  /// Returns sample_share() of each ray's sample.
+  [[nodiscard]] std::vector<double> ray_shares() const;
 };
 using SensorModelPtr = std::shared_ptr<const SensorModel>;
 

@@ -102,7 +102,7 @@ void add_rays(const SensorView& view, double slab, Section& out) {
   if (view.selected_taxel >= 0) {
     const auto k = static_cast<std::size_t>(view.selected_taxel);
     for (int e = model.fields.first[k]; e < model.fields.first[k + 1]; ++e) {
-      wanted[static_cast<std::size_t>(model.ray_of_entry[static_cast<std::size_t>(e)])] = 1;
+      wanted[static_cast<std::size_t>(model.readout_table.ray_of_entry[static_cast<std::size_t>(e)])] = 1;
     }
   }
   const RigidTransform X(view.X_WM);

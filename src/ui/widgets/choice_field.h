@@ -21,7 +21,7 @@ template <class E>
 std::optional<E> word_field(Ui& ui, const std::string& name, E value) {
   std::vector<std::string_view> choices;
   std::size_t chosen = 0;
-  for (const Word<E>& word : words_of(E{})) {
+  for (const auto& word : words_of(E{})) {
     if (word.value == value) chosen = choices.size();
     choices.push_back(word.text);
   }

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/layout/words.h"
+
 namespace taxel::ui {
 
 std::string in_mm(double metres, int digits) {
@@ -42,8 +44,9 @@ std::string in_kpa(double pascals) {
 }
 
 ReadingUnit shown_unit(Aggregate aggregate) {
-  if (aggregate == Aggregate::force) return {"N", 1.0, false};
-  if (aggregate == Aggregate::weighted_sum) return {"kPa mm\u00b2", 1e3, false};
+  const std::string_view unit = reading_unit(aggregate);
+  if (unit == "N") return {"N", 1.0, false};
+  if (unit == "Pa m^2") return {"kPa mm\u00b2", 1e3, false};
   return {};
 }
 

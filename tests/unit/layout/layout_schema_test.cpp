@@ -21,7 +21,7 @@ Json schema() {
 template <class E>
 Json words() {
   Json list = Json::array();
-  for (const Word<E>& w : words_of(E{})) list.push_back(std::string(w.text));
+  for (const auto& w : words_of(E{})) list.push_back(std::string(w.text));
   return list;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/sensor/explain/exact_reading.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // The parts of an explanation agree with each other and with what is known otherwise.
-#include "core/sensor/explain/explanation.h"
+#include "core/sensor/explain/explainer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/sensor/explain/counterfactual.h"
+#include "core/sensor/explain/exact_reading.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {

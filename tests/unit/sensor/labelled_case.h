@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/hydro/intersect.h"
-#include "core/sensor/explain/explanation.h"
+#include "core/sensor/explain/explainer.h"
 #include "fixtures/touches.h"
 
 namespace taxel::test {

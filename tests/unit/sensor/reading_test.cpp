@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/explain/samples_behind.h"
+#include "core/sensor/readout/aggregate.h"
 #include "unit/sensor/random_surface.h"
 
 namespace taxel {
@@ -31,17 +32,18 @@ struct Fixture {
       if (!miss) hits.offer(i, {0, i, 0.001 * rng.uniform(next), 1e4 * rng.uniform(next + 1)});
       next += 2;
     }
+    std::vector<int> ray_of_entry;
     for (int k = 0; k < 5; ++k) {
       for (int i = 0; k < 4 && i < 200; ++i) {
         if (rng.uniform(next++) < 0.7) continue;
         const double d = 0.006 * rng.uniform(next++);
         model.fields.entries.push_back({i, d, (0.006 - d) * (0.006 - d) * model.sample_share(i)});
-        model.ray_of_entry.push_back(i);
+        ray_of_entry.push_back(i);
       }
       model.fields.first.push_back(static_cast<int>(model.fields.entries.size()));
     }
     hits.finish();
-    model.readout_table = make_readout_table(model);
+    model.readout_table = make_readout_table(model.fields, ray_of_entry, model.ray_shares());
   }
 };
 
@@ -149,6 +151,19 @@ TEST(SamplesBehind, SharesMakeUpTheReading) {
     EXPECT_THROW(samples_behind(f.model, f.hits.all(), 5), Error);
     EXPECT_THROW(samples_behind(f.model, f.hits.all(), -1), Error);
   }
+}
+
+TEST(AggregateSpec, HasTheFormulasOfEachRow) {
+  for (std::size_t i = 0; i < std::size(kAggregates); ++i) {
+    const AggregateRow& row = kAggregates[i];
+    EXPECT_EQ(static_cast<std::size_t>(row.value), i) << row.text;
+    const AggregateSpec& spec = aggregate_spec(row.value);
+    EXPECT_EQ(spec.fold == nullptr, spec.fold_friction == nullptr) << row.text;
+    EXPECT_NE(spec.contribution == nullptr, spec.rank == nullptr) << row.text;
+    EXPECT_NE(spec.exact, nullptr) << row.text;
+  }
+  EXPECT_EQ(aggregate_spec(Aggregate::force).fold, nullptr);
+  EXPECT_TRUE(aggregate_spec(Aggregate::weighted_sum).grows_with_samples);
 }
 
 /// A taxel of 6 mm on the upper face of a plate, far from its edges.

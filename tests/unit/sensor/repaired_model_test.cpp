@@ -181,7 +181,7 @@ void expect_same_samples(const SensorModel& a, const SensorModel& b) {
     ASSERT_EQ(a.samples[i].position, b.samples[i].position) << i;
     ASSERT_EQ(a.samples[i].normal, b.samples[i].normal);
   }
-  EXPECT_EQ(a.ray_of_entry, b.ray_of_entry);
+  EXPECT_EQ(a.readout_table.ray_of_entry, b.readout_table.ray_of_entry);
   EXPECT_EQ(std::get<SoftBody>(a.body->geometry).field->tets().size(),
             std::get<SoftBody>(b.body->geometry).field->tets().size());
 }

@@ -41,7 +41,7 @@ void expect_same(const SensorModel& a, const SensorModel& b) {
     ASSERT_EQ(a.rays[r].origin, b.rays[r].origin);
     ASSERT_EQ(a.rays[r].max_depth, b.rays[r].max_depth);
   }
-  EXPECT_TRUE(same_bytes(a.ray_of_entry, b.ray_of_entry));
+  EXPECT_TRUE(same_bytes(a.readout_table.ray_of_entry, b.readout_table.ray_of_entry));
   EXPECT_EQ(a.taxels_of_sample, b.taxels_of_sample);
   ASSERT_EQ(a.tet_table->tet_count(), b.tet_table->tet_count());
   for (int t = 0; t < a.tet_table->tet_count(); ++t) {

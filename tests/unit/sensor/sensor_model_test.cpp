@@ -30,14 +30,14 @@ TriMeshPtr plate(double h) {
 }
 
 void expect_consistent(const SensorModel& model) {
-  ASSERT_EQ(model.ray_of_entry.size(), model.fields.entries.size());
+  ASSERT_EQ(model.readout_table.ray_of_entry.size(), model.fields.entries.size());
   ASSERT_EQ(model.taxels_of_sample.size(), model.samples.size());
   std::vector<std::set<std::pair<double, int>>> users(model.samples.size());
   for (int k = 0; k < model.taxel_count(); ++k) {
     for (int e = model.fields.first[static_cast<std::size_t>(k)];
          e < model.fields.first[static_cast<std::size_t>(k) + 1]; ++e) {
       const auto i = static_cast<std::size_t>(e);
-      const SensorRay& ray = model.rays[static_cast<std::size_t>(model.ray_of_entry[i])];
+      const SensorRay& ray = model.rays[static_cast<std::size_t>(model.readout_table.ray_of_entry[i])];
       ASSERT_EQ(ray.sample, model.fields.entries[i].sample);
       users[static_cast<std::size_t>(ray.sample)].emplace(model.fields.entries[i].distance, k);
     }
@@ -82,7 +82,8 @@ TEST(SensorModel, TaxelNormalsMayGiveTheRays) {
   ASSERT_EQ(model->rays.size(), model->fields.entries.size());
   const auto first_of_second = static_cast<std::size_t>(model->fields.first[1]);
   const dvec3 tilted = -glm::normalize(dvec3(0, 1, 9));
-  EXPECT_EQ(model->rays[static_cast<std::size_t>(model->ray_of_entry[first_of_second])].direction, tilted);
+  EXPECT_EQ(model->rays[static_cast<std::size_t>(model->readout_table.ray_of_entry[first_of_second])].direction,
+            tilted);
   EXPECT_EQ(model->rays[0].direction, dvec3(0, 0, -1));
 }
 

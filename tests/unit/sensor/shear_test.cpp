@@ -151,7 +151,7 @@ dvec3 expected_friction(const Finger& f, const RayHits& hits, Aggregate how, std
   const bool omit = f.model->layout.readout.misses == Misses::omit;
   for (int e = f.model->fields.first[k]; e < f.model->fields.first[k + 1]; ++e) {
     const ReceptiveFields::Entry& entry = f.model->fields.entries[static_cast<std::size_t>(e)];
-    const int ray = f.model->ray_of_entry[static_cast<std::size_t>(e)];
+    const int ray = f.model->readout_table.ray_of_entry[static_cast<std::size_t>(e)];
     const RayHit& hit = hits[ray];
     if (omit && !hit.hit()) continue;
     const dvec3 t = traction_at(f, hit, f.model->rays[static_cast<std::size_t>(ray)]);

@@ -178,7 +178,8 @@ TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
     const auto first = static_cast<std::size_t>(model_->fields.first[k]),
                last = static_cast<std::size_t>(model_->fields.first[k + 1]);
     for (std::size_t e = first; e < last; ++e)
-      sum += model_->fields.entries[e].weight * state.hits[static_cast<std::size_t>(model_->ray_of_entry[e])].pressure;
+      sum += model_->fields.entries[e].weight *
+             state.hits[static_cast<std::size_t>(model_->readout_table.ray_of_entry[e])].pressure;
     EXPECT_NEAR(found[ReadingModel::weighted_sum].values[k], sum, 1e-12 * std::max(1e-6, sum)) << k;
     EXPECT_EQ(found[ReadingModel::exact].values[k], *exact_reading(*model_, static_cast<int>(k), surfaces).value);
     largest = std::max(largest, found[ReadingModel::tactile].values[k]);

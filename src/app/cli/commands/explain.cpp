@@ -9,6 +9,7 @@
 #include "app/cli/commands/explain_text.h"
 #include "app/cli/recorded_run.h"
 #include "core/run/history/breakpoints.h"
+#include "core/sensor/explain/explainer.h"
 #include "core/sensor/explain/explanation_json.h"
 #include "core/sensor/explain/reading_floor.h"
 #include "core/sim/plugin/plugin_folder.h"

@@ -13,6 +13,7 @@
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/convergence.h"
 #include "core/sensor/explain/samples_behind.h"
+#include "core/sensor/readout/aggregate.h"
 #include "core/sensor/readout/reading.h"
 
 namespace taxel::cli {
@@ -170,9 +171,9 @@ int run(const Options& options, Console& console) {
   const RayHits hits = reading.hits;
   const FieldWeights weights(model->layout, *model->skin);
   reading.integral.integrate(*model, weights, surfaces, {}, report.force);
-  for (const Word<Aggregate>& how : kAggregateWords) {
+  for (const AggregateRow& how : kAggregates) {
     report.readings.emplace_back(how.value, report.force.values);
-    if (how.value != Aggregate::force) aggregate(*model, hits, how.value, report.readings.back().second);
+    if (aggregate_spec(how.value).fold != nullptr) aggregate(*model, hits, how.value, report.readings.back().second);
   }
   for (int k = 0; k < model->taxel_count(); ++k) report.behind.push_back(samples_behind(*model, hits.all(), k));
   if (options.convergence) report.convergence = read_convergence(make_convergence_models(model, cache), surfaces);

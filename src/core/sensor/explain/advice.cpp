@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/sensor/readout/aggregate.h"
+#include "core/sensor/readout/reading.h"
 
 namespace taxel {
 namespace {
@@ -30,11 +32,11 @@ std::optional<SamplesNeeded> samples_that_cure(const SensorModelPtr& model, int 
     try {
       if (!denser) denser = with_samples_times(factor, model, cache, progress);
     } catch (const Error&) {
-      break;  // so many samples cannot be made
+      break;  // the samples cannot be made
     }
     const double samples = static_cast<double>(denser->samples.size());
     double change = change_of(*denser, taxel, before, now);
-    if (model->layout.readout.aggregate == Aggregate::weighted_sum && samples > 0) change *= asked / samples;
+    if (aggregate_spec(model->layout.readout.aggregate).grows_with_samples && samples > 0) change *= asked / samples;
     tried = SamplesNeeded{samples, factor, change, std::abs(change) <= kCureMargin * limit};
     if (tried->cures) break;
   }
@@ -46,7 +48,7 @@ double change_with_voronoi_weights(const SensorModel& model, int taxel, const Se
   SensorModel other(model);
   other.layout.sampling.weights = SampleWeights::voronoi;
   other.fields = make_receptive_fields(other.layout, other.samples, *other.skin);
-  other.readout_table = make_readout_table(other);
+  other.readout_table = make_readout_table(other.fields, model.readout_table.ray_of_entry, other.ray_shares());
   return change_of(other, taxel, before, now);
 }
 

@@ -1,31 +1,33 @@
-// What is recommended against sampling noise: read again with it, and only then said.
+// Remedies for sampling noise, each checked by reading the same contacts again with the remedy.
 #pragma once
 
 #include <map>
 
 #include "core/sensor/explain/explanation.h"
+#include "core/sensor/sensor_model.h"
 
 namespace taxel {
 
-/// Multiples of the layout's samples that are tried, in this order.
+/// Multiples of the layout's number of samples that are tried, in this order.
 inline constexpr std::array<double, 3> kTriedFactors{4, 16, 64};
-/// More samples than this are not tried: an explanation would take too long.
+/// Largest number of samples that is tried. With more samples an explanation would take too long.
 inline constexpr double kMaxTriedSamples = 100'000;
-/// A cure brings the change below this part of the limit, because the taxel's largest reading, to which the limit is
-/// relative, changes a little with the samples too.
+/// A remedy brings the change below this fraction of the limit. The fraction is less than 1 because the limit is
+/// relative to the taxel's largest reading, which changes a little with the samples too.
 inline constexpr double kCureMargin = 0.9;
 
-/// Models with more samples, by factor; made when they are needed first.
+/// Models with more samples by factor, each built when it is first needed.
 using DenserModels = std::map<double, SensorModelPtr>;
 
-/// Reads both contacts with 4, 16 and 64 times the samples until the change stays below kCureMargin x limit. Returns
-/// the first number of samples that does, otherwise the largest that was tried; nothing if none could be. A weighted
-/// sum is scaled to the layout's number of samples. Throws Cancelled through `progress`.
+/// Reads both contacts with kTriedFactors times the samples until the change is below kCureMargin x limit. Returns the
+/// first number of samples with such a change, or the largest number that was tried, or nothing if no model with more
+/// samples could be built. A weighted_sum is scaled to the layout's number of samples. Throws Cancelled through
+/// `progress`.
 std::optional<SamplesNeeded> samples_that_cure(const SensorModelPtr& model, int taxel, const SensorStep& before,
                                                const SensorStep& now, double limit, DenserModels& made,
                                                SensorCache& cache, Progress* progress = nullptr);
 
-/// The reading's change from `before` to `now` of the same samples with Voronoi weights.
+/// Returns the change of the reading from `before` to `now` for the same samples with Voronoi weights.
 double change_with_voronoi_weights(const SensorModel& model, int taxel, const SensorStep& before,
                                    const SensorStep& now);
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/sensor/explain/exact_reading.h"
+#include "core/sensor/readout/aggregate.h"
 
 namespace taxel {
 namespace {
@@ -45,7 +47,7 @@ double gap_of(double sampled, double exact, double error) {
 
 std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
                                             std::span<const double> readings, std::span<const double> scales) {
-  if (model.layout.readout.aggregate == Aggregate::force || readings.size() != model.layout.taxels.size())
+  if (aggregate_spec(model.layout.readout.aggregate).fold == nullptr || readings.size() != model.layout.taxels.size())
     return std::nullopt;
   const std::vector<Aabb> boxes = boxes_of(surfaces);
   const int count = model.taxel_count();

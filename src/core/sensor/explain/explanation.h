@@ -1,100 +1,86 @@
-// Where one taxel's reading comes from, and why it changed since the step before: its samples, its polygons, what other
-// numbers of samples would read, the exact integral, where the force goes, and a verdict.
+// The explanation of one taxel's reading: its samples and polygons, the readings with other numbers of samples, the
+// exact reading, the balance of forces, and the reason why the reading changed since the previous step.
 #pragma once
 
-#include <memory>
-
 #include "core/sensor/convergence.h"
-#include "core/sensor/explain/exact_reading.h"
+#include "core/sensor/explain/exact_value.h"
 #include "core/sensor/explain/samples_behind.h"
 #include "core/sensor/explain/verdict.h"
 
 namespace taxel {
 
-/// One sensor in one step, as it was read. Keeps what it points to alive for nobody.
+/// A non-owning view of one sensor at one step.
 struct SensorStep {
   double time = 0;  ///< [s]
   Pose X_WM;
-  std::vector<const ContactSurface*> surfaces;  ///< frame M, as hits number them; null ones hold nothing
-  const std::vector<RayHit>* hits = nullptr;    ///< parallel to the model's rays
-  std::vector<double> readings;                 ///< by taxel
-  std::optional<dvec3> force_W;                 ///< of the contact on the sensor, with damping and friction [N]
+  std::vector<const ContactSurface*> surfaces;  ///< frame M, as hits number them; null ones are empty
+  const std::vector<RayHit>* hits = nullptr;    ///< hits of the model's rays
+  std::vector<double> readings;                 ///< one per taxel
+  std::optional<dvec3> force_W;                 ///< contact force on the sensor with damping and friction [N]
 };
 
 /// One polygon of the sensor's contact surfaces.
 struct PolygonBehind {
   int surface = 0, polygon = 0;
-  int tet = -1, tet_b = -1, face = -1;       ///< as ContactPolygon
-  bool inverted = false;                     ///< its tet, or that of the skin above it, is inside out
+  int tet = -1, tet_b = -1, face = -1;       ///< indices as in ContactPolygon
+  bool inverted = false;                     ///< true if its tet, or the tet of the skin above it, is inverted
   double area = 0;                           ///< [m^2]
   double lowest = 0, mean = 0, highest = 0;  ///< pressure [Pa]
-  double force_share = 0;                    ///< of the integral of p0 over all surfaces
-  int samples = 0;                           ///< of the taxel, whose rays met it
-  double share = 0;                          ///< of the taxel's reading, by its samples
-  double exact_share = 0;                    ///< of the exact reading; 0 where that is no integral
-  std::vector<int> taxels;                   ///< served: ids of those with a sample that met it, ascending
+  double force_share = 0;                    ///< fraction of the integral of p0 over all surfaces
+  int samples = 0;                           ///< number of the taxel's samples whose rays hit the polygon
+  double share = 0;                          ///< fraction of the taxel's reading, by samples
+  double exact_share = 0;                    ///< fraction of the exact reading; 0 if that is not an integral
+  std::vector<int> taxels;                   ///< ids of taxels whose samples hit the polygon, ascending
 };
 
-/// World frame.
+/// The balance of the forces on the sensor in one step, in the world frame.
 struct ForceBudget {
-  dvec3 surfaces_W{0};  ///< integral of p0 n over all surfaces: the elastic force on the sensor [N]
-  dvec3 taxels_W{0};    ///< the part of it that taxels reach, shared out among them (force_integral.h) [N]
-  dvec3 taxel_W{0};     ///< this taxel's part [N]
-  double pressed = 0;   ///< integral of p0 over all surfaces [N]
-  double covered = 0, uncovered = 0;  ///< of it, where a taxel reaches and where none does [N]
-  std::optional<dvec3> net_W;         ///< what MuJoCo applied, with damping and friction [N]
+  dvec3 surfaces_W{0};                ///< integral of p0 n over all surfaces: the elastic force on the sensor [N]
+  dvec3 taxels_W{0};                  ///< part of surfaces_W that the taxels' fields cover [N]
+  dvec3 taxel_W{0};                   ///< part of taxels_W on this taxel [N]
+  double pressed = 0;                 ///< integral of p0 over all surfaces [N]
+  double covered = 0, uncovered = 0;  ///< parts of `pressed` inside and outside all fields [N]
+  std::optional<dvec3> net_W;         ///< force that MuJoCo applied, with damping and friction [N]
 };
 
-/// The taxel's reading by the numbers of samples of Convergence::kFactors.
+/// The taxel's reading with the numbers of samples of Convergence::kFactors. A weighted_sum is scaled to the number of
+/// samples of the layout.
 struct SampleLevels {
-  std::array<int, 3> samples{};    ///< on what is sampled
-  std::array<double, 3> now{};     ///< weighted_sum: as of so many samples as the layout has
-  std::array<double, 3> before{};  ///< zeros without a step before
+  std::array<int, 3> samples{};    ///< numbers on the sampled faces
+  std::array<double, 3> now{};     ///< readings in this step
+  std::array<double, 3> before{};  ///< readings in the previous step, zeros without one
 };
 
-/// Samples that changed from before to now: together they make the change of the reading.
+/// The samples that changed in one way since the previous step. All ways together make the change of the reading.
 struct SampleChange {
   int count = 0;
-  double change = 0;  ///< of the reading, by them [its unit]
+  double change = 0;  ///< change of the reading by these samples [its unit]
 };
 
+/// The change of a reading since the previous step.
 struct StepChange {
   double time_before = 0;
   Readings reading;
   Readings force;                      ///< magnitude of the contact force on the sensor [N]
-  SampleChange began, ceased, stayed;  ///< to hit
+  SampleChange began, ceased, stayed;  ///< samples that began, ceased or continued to hit
   Verdict verdict;
 };
 
+/// The explanation of one taxel's reading in one step.
 struct Explanation {
-  int taxel = 0;  ///< in layout order
+  int taxel = 0;  ///< index in layout order
   int id = 0;
   std::string name;
   Aggregate aggregate{};
   double time = 0, reading = 0;
-  std::vector<TaxelSampleReading> samples, samples_before;  ///< the latter parallel to the former, or empty
-  std::vector<PolygonBehind> polygons;  ///< of all surfaces, in their order; those of the taxel have a share
-  std::optional<SampleLevels> levels;   ///< none: `no_levels` says why
+  std::vector<TaxelSampleReading> samples, samples_before;  ///< previous step: same order, or empty
+  std::vector<PolygonBehind> polygons;                      ///< polygons of all surfaces, in their order
+  std::optional<SampleLevels> levels;                       ///< empty if there is a reason in `no_levels`
   std::string no_levels;
   ExactReading exact;
   std::optional<ExactReading> exact_before;
   ForceBudget budget;
-  std::optional<StepChange> change;  ///< none without a step before
-};
-
-/// Explains, one question after the other; keeps what sensors of the same model need again. Of one thread.
-class Explainer {
- public:
-  Explainer();
-  ~Explainer();
-  /// `before` may be null; it must be of the same model as `now`. A pure function of its arguments. Throws Error for an
-  /// unknown taxel, Cancelled through `progress`.
-  Explanation explain(const SensorModelPtr& model, int taxel, const SensorStep& now, const SensorStep* before,
-                      const ExplainLimits& limits, Progress* progress = nullptr);
-
- private:
-  struct Kept;
-  std::unique_ptr<Kept> kept_;
+  std::optional<StepChange> change;  ///< empty without a previous step
 };
 
 }  // namespace taxel

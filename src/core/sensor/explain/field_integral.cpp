@@ -7,15 +7,16 @@ namespace taxel {
 namespace {
 
 constexpr int kMaxLevel = 24;
-/// Triangles to begin with are so small a part of the smallest field, and of the smallest contact where they may meet
-/// one, but no smaller part of the field than the last: what lies between the points of the rule must be seen once.
+/// Largest edge of the first triangles as a fraction of the smallest field, and of the smallest contact where the rays
+/// of a triangle may hit a surface. kLeastPart is the smallest fraction of the field. With larger triangles a contact
+/// between the points of the rule would not be found.
 constexpr double kFieldPart = 0.125, kContactPart = 0.125, kLeastPart = 1.0 / 64;
 
 double longest_edge(const std::array<dvec3, 3>& c) {
   return std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
 }
 
-/// The four halves of a triangle's edges' triangles.
+/// Returns the four triangles between a triangle's corners and the middles of its edges.
 std::array<std::array<dvec3, 3>, 4> quarters(const std::array<dvec3, 3>& c) {
   const dvec3 ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), ca = 0.5 * (c[2] + c[0]);
   return {{{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {bc, ca, ab}}};
@@ -23,10 +24,11 @@ std::array<std::array<dvec3, 3>, 4> quarters(const std::array<dvec3, 3>& c) {
 
 }  // namespace
 
-FieldIntegral::FieldIntegral(FieldRays rays, double accuracy)
-    : rays_(std::move(rays)), accuracy_(accuracy), how_(rays_.model().layout.readout.aggregate) {
-  if (how_ == Aggregate::weighted_sum)
-    scale_ = static_cast<double>(rays_.model().samples.size()) / rays_.model().sampled_area;
+FieldIntegral::FieldIntegral(FieldRays rays, double accuracy, FieldTerms terms)
+    : rays_(std::move(rays)), accuracy_(accuracy), terms_(terms) {}
+
+void FieldIntegral::add_faces() {
+  for (const FieldRays::Face& face : rays_.faces()) add({face.face, face.corners, face.area, 0});
 }
 
 FieldIntegral::Leaf FieldIntegral::measure(const Triangle& triangle) {
@@ -43,9 +45,9 @@ FieldIntegral::Leaf FieldIntegral::measure(const Triangle& triangle) {
     ++cast_;
     const RayHit& hit = leaf.hits[i];
     leaf.largest = std::max(leaf.largest, hit.pressure), leaf.least = std::min(leaf.least, hit.pressure);
-    const double counts = how_ == Aggregate::mean ? 1.0 : w;
-    const double whole = hit.hit() || !rays_.omit_misses() ? counts * triangle.area : 0.0;
-    const double value = counts * hit.pressure * triangle.area;
+    const double factor = terms_.weighted ? w : 1.0;
+    const double whole = hit.hit() || !rays_.omit_misses() ? factor * triangle.area : 0.0;
+    const double value = factor * hit.pressure * triangle.area;
     leaf.parts[i] = q.weight * value;
     leaf.sums.value += q.weight * value, leaf.sums.coarse_value += q.coarse * value;
     leaf.sums.whole += q.weight * whole, leaf.sums.coarse_whole += q.coarse * whole;
@@ -55,12 +57,12 @@ FieldIntegral::Leaf FieldIntegral::measure(const Triangle& triangle) {
   return leaf;
 }
 
-/// All nodes may lie on one side of an edge where rays begin to hit, the corners farther out: a tenth of what is
-/// pressed there may then be missed, or be too much.
+/// Returns the error of a triangle whose nodes all hit or all miss, while a corner does not: the rim of the contact
+/// runs through the triangle, and a tenth of the corner's pressure times the area may be missing or too much.
 double FieldIntegral::hidden_in(const Leaf& leaf) {
   constexpr double kMissedPart = 0.1;
   const auto hits = std::count_if(leaf.hits.begin(), leaf.hits.end(), [](const RayHit& hit) { return hit.hit(); });
-  if (hits != 0 && hits != static_cast<std::ptrdiff_t>(kNodes)) return 0.0;  // the nodes tell
+  if (hits != 0 && hits != static_cast<std::ptrdiff_t>(kNodes)) return 0.0;  // the two rules differ
   double hidden = 0;
   for (const dvec3& corner : leaf.triangle.corners) {
     const double w = rays_.weight(leaf.triangle.face, corner);
@@ -68,7 +70,7 @@ double FieldIntegral::hidden_in(const Leaf& leaf) {
     const RayHit hit = rays_.cast(leaf.triangle.face, corner);
     ++cast_;
     if (hit.hit() == (hits != 0)) continue;
-    hidden = std::max(hidden, (how_ == Aggregate::mean ? 1.0 : w) * std::max(hit.pressure, leaf.least));
+    hidden = std::max(hidden, (terms_.weighted ? w : 1.0) * std::max(hit.pressure, leaf.least));
   }
   return kMissedPart * hidden * leaf.triangle.area;
 }
@@ -90,14 +92,14 @@ void FieldIntegral::add(const Triangle& triangle) {
     add({triangle.face, part, 0.25 * triangle.area, triangle.level + 1});
 }
 
-/// Of the quotient value / whole: |d value| + reading |d whole|; the caller divides by the whole.
+/// Returns the error of the quotient value / whole, times the whole: |d value| + reading |d whole|.
 double FieldIntegral::error_of(const Leaf& leaf) const {
   const Sums& s = leaf.sums;
-  const double reading = how_ == Aggregate::weighted_sum || !(sum_.whole > 0) ? 0.0 : sum_.value / sum_.whole;
+  const double reading = !terms_.divided || !(sum_.whole > 0) ? 0.0 : sum_.value / sum_.whole;
   return std::abs(s.value - s.coarse_value) + reading * std::abs(s.whole - s.coarse_whole) + leaf.hidden;
 }
 
-void FieldIntegral::take_sums(const Leaf& leaf, double sign) {
+void FieldIntegral::add_sums(const Leaf& leaf, double sign) {
   sum_.value += sign * leaf.sums.value, sum_.whole += sign * leaf.sums.whole;
 }
 
@@ -113,7 +115,7 @@ void FieldIntegral::refine(std::size_t number) {
   }
 }
 
-/// By polygon, a surface and polygon each; `scale` makes integrals parts of the reading.
+/// Returns the parts of the reading by polygon. `scale` times an integral is a part of the reading.
 std::vector<PolygonPart> FieldIntegral::parts(double scale) const {
   std::map<std::pair<int, int>, double> sums;
   for (const Leaf& leaf : leaves_)
@@ -124,9 +126,10 @@ std::vector<PolygonPart> FieldIntegral::parts(double scale) const {
   return out;
 }
 
-/// The triangle that may hold more than the largest pressure found is looked at more closely, until none may hold
-/// noticeably more.
+/// Refines the triangle that may have the largest pressure, until no triangle may have noticeably more than the largest
+/// pressure found.
 ExactReading FieldIntegral::read_largest() {
+  add_faces();
   const auto promise = [](const Leaf& leaf) { return leaf.largest + (leaf.largest - leaf.least); };
   const auto less = [&](std::size_t a, std::size_t b) {
     return std::pair(promise(leaves_[a]), b) < std::pair(promise(leaves_[b]), a);
@@ -148,18 +151,13 @@ ExactReading FieldIntegral::read_largest() {
     largest = std::max(largest, leaves_[top].largest);
   }
   out.value = largest;
+  out.rays = cast_;
   return out;
 }
 
 ExactReading FieldIntegral::read() {
-  for (const FieldRays::Face& face : rays_.faces()) add({face.face, face.corners, face.area, 0});
-  ExactReading out;
-  if (how_ == Aggregate::max) {
-    out = read_largest();
-    out.rays = cast_;
-    return out;
-  }
-  for (const Leaf& leaf : leaves_) take_sums(leaf, 1);
+  add_faces();
+  for (const Leaf& leaf : leaves_) add_sums(leaf, 1);
   using Open = std::pair<double, std::size_t>;  // error, leaf
   std::priority_queue<Open> open;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -172,11 +170,11 @@ ExactReading FieldIntegral::read() {
     open.pop();
     if (leaves_[number].triangle.level >= kMaxLevel) continue;
     const std::size_t before = leaves_.size();
-    take_sums(leaves_[number], -1);
+    add_sums(leaves_[number], -1);
     refine(number);
     error_ -= error;
     const auto renew = [&](std::size_t i) {
-      take_sums(leaves_[i], 1);
+      add_sums(leaves_[i], 1);
       const double now = error_of(leaves_[i]);
       error_ += now;
       open.emplace(now, i);
@@ -184,9 +182,12 @@ ExactReading FieldIntegral::read() {
     renew(number);
     for (std::size_t i = before; i < leaves_.size(); ++i) renew(i);
   }
-  sum_ = {};  // added up anew: nothing is left of what was taken away again
-  for (const Leaf& leaf : leaves_) take_sums(leaf, 1);
-  const double scale = how_ == Aggregate::weighted_sum ? scale_ : sum_.whole > 0 ? 1 / sum_.whole : 0.0;
+  sum_ = {};  // added up again, without the rounding of the sums that were subtracted
+  for (const Leaf& leaf : leaves_) add_sums(leaf, 1);
+  const SensorModel& model = rays_.model();
+  const double samples_per_area = static_cast<double>(model.samples.size()) / model.sampled_area;
+  const double scale = !terms_.divided ? samples_per_area : sum_.whole > 0 ? 1 / sum_.whole : 0.0;
+  ExactReading out;
   out.value = scale * sum_.value;
   out.error = scale * error_;
   out.parts = parts(scale);

@@ -28,7 +28,7 @@ void add_served(const SensorModel& model, const std::vector<RayHit>& hits, const
   for (int k = 0; k < model.taxel_count(); ++k) {
     const int id = model.layout.taxels[at(k)].id;
     for (int e = model.fields.first[at(k)]; e < model.fields.first[at(k) + 1]; ++e) {
-      const RayHit& hit = hits[at(model.ray_of_entry[at(e)])];
+      const RayHit& hit = hits[at(model.readout_table.ray_of_entry[at(e)])];
       if (!hit.hit()) continue;
       std::vector<int>& taxels = rows[first[at(hit.surface)] + at(hit.polygon)].taxels;
       if (taxels.empty() || taxels.back() != id) taxels.push_back(id);
@@ -59,7 +59,7 @@ std::vector<PolygonBehind> polygons_behind(const SensorModel& model, int taxel, 
   for (PolygonBehind& row : rows) row.force_share = pressed > 0 ? row.area * row.mean / pressed : 0.0;
   const int begin = model.fields.first[at(taxel)];
   for (std::size_t i = 0; i < behind.size(); ++i) {
-    const RayHit& hit = (*step.hits)[at(model.ray_of_entry[at(begin) + i])];
+    const RayHit& hit = (*step.hits)[at(model.readout_table.ray_of_entry[at(begin) + i])];
     if (!hit.hit()) continue;
     PolygonBehind& row = rows[first[at(hit.surface)] + at(hit.polygon)];
     ++row.samples;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/base/math.h"
+#include "core/layout/words.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -15,7 +17,7 @@ inline double reading_floor(const SensorModel& model) {
   constexpr double kFraction = 1e-4;
   const double pressure = kFraction * model.layout.material.modulus;
   const Aggregate how = model.layout.readout.aggregate;
-  if (how != Aggregate::force && how != Aggregate::weighted_sum) return pressure;
+  if (std::string_view(reading_unit(how)) == "Pa") return pressure;
   double radius = 0;
   for (const Taxel& taxel : model.layout.taxels) radius = std::max(radius, taxel.radius);
   return pressure * kPi * radius * radius;

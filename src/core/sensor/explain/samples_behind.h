@@ -1,4 +1,4 @@
-// Where a reading comes from: the samples behind one taxel, with their part of it.
+// The samples of one taxel with their shares of its reading.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,17 @@
 
 namespace taxel {
 
+/// One sample of a taxel in one step.
 struct TaxelSampleReading {
-  int sample = 0;         ///< in SensorModel::samples
-  bool hit = false;       ///< whether the ray met a contact surface
-  double depth = 0.0;     ///< along the ray; 0 for a miss [m]
+  int sample = 0;         ///< index in SensorModel::samples
+  bool hit = false;       ///< true if the ray hit a contact surface
+  double depth = 0.0;     ///< depth of the hit along the ray; 0 for a miss [m]
   double pressure = 0.0;  ///< 0 for a miss [Pa]
-  double weight = 0.0;    ///< of the receptive field [m^2]
-  double share = 0.0;     ///< part of the taxel's reading that this sample makes; all sum to 1 (to 0 where it reads 0)
+  double weight = 0.0;    ///< weight in the receptive field [m^2]
+  double share = 0.0;     ///< fraction of the taxel's reading; all are 0 if it reads 0
 };
 
-/// The row of one taxel for the aggregate of the layout, sorted by sample number. Throws Error for an unknown taxel.
+/// Returns the samples of one taxel for the layout's aggregate, sorted by sample. Throws Error for an unknown taxel.
 std::vector<TaxelSampleReading> samples_behind(const SensorModel& model, const std::vector<RayHit>& hits, int taxel);
 
 }  // namespace taxel

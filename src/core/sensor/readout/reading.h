@@ -1,4 +1,4 @@
-// From hits to numbers: one value per taxel.
+// Computes one value per taxel from the hits of the sensor's rays.
 #pragma once
 
 #include <vector>
@@ -9,44 +9,44 @@
 
 namespace taxel {
 
-/// A taxel responds where its peak, or its range, is above this part of the largest one.
+/// A taxel responds if its peak, or its range, is above this fraction of the largest peak or range.
 inline constexpr double kTaxelResponds = 0.05;
 
-/// One value per taxel in layout order, pascals; Aggregate::force is no sum over rays (force_integral.h). A taxel
-/// without samples reads 0. weighted_mean: sum w p / sum w (the paper); weighted_sum: sum w p (its released code);
-/// mean; nearest; max. Sums run over the rays that were hit, in ascending order: the same bits whatever was read
-/// before.
+/// Computes one value per taxel in layout order, in reading_unit() of the aggregate (readout/aggregate.h). A taxel
+/// without samples reads 0. The sums run over the rays that were hit, in ascending order, so that the same hits give
+/// the same bits. Throws Error for Aggregate::force, which takes no rays.
 void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, std::vector<double>& readings);
 
-/// One vector per taxel; keeps its memory.
+/// One vector per taxel. The memory is reused from step to step.
 struct TaxelFriction {
   std::vector<dvec3> values;
   std::vector<double> scratch;
 };
 
-/// The same of the friction that the taxel feels, frame M, in the unit of the reading: friction_traction() where the
-/// rays hit, with the weights of the reading; of max the friction where the pressure is largest. `motions` is parallel
-/// to the surfaces.
+/// Computes the friction on each taxel, frame M, in the unit of the reading: friction_traction() at the hits, with the
+/// weights of the reading. Aggregate::max takes the friction at the largest pressure. `motions` is parallel to the
+/// surfaces. Throws Error for Aggregate::force.
 void aggregate_friction(const SensorModel& model, const RayHits& hits, std::span<const ContactSurface* const> surfaces,
                         std::span<const SurfaceMotion> motions, Aggregate how, TaxelFriction& friction);
 
-/// Everything one evaluation needs and produces, reused from step to step.
+/// Results and scratch memory of one evaluation, reused from step to step.
 struct SensorReading {
   CastWorkspace workspace;
-  RayHits hits;                ///< of model.rays
-  std::vector<double> values;  ///< layout.readout.aggregate
+  RayHits hits;                ///< hits of model.rays
+  std::vector<double> values;  ///< readings by layout.readout.aggregate, one per taxel
   ForceIntegral integral;
-  ForceReading force;  ///< for Aggregate::force
+  ForceReading force;  ///< forces on the taxels, for Aggregate::force only
   TaxelFriction friction;
-  std::vector<dvec2> shear;  ///< for readout.shear: see read_shear()
+  std::vector<dvec2> shear;  ///< friction along the tangents, for readout.shear only: see read_shear()
 };
-/// As cast_rays(), then aggregate(), or integrate() for Aggregate::force; then read_shear() for readout.shear. Without
-/// motions nothing slides.
+
+/// Reads a sensor: cast_rays(), then aggregate(), or ForceIntegral::integrate() for Aggregate::force, then read_shear()
+/// for readout.shear. Surfaces are in frame M; null ones are empty. Without motions the shear is zero.
 void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out,
                  RayPath path = RayPath::fastest, std::span<const SurfaceMotion> motions = {});
 
-/// The friction on each taxel along e1 and e2 of its tangent frame (tangent_frame.h), from what read_sensor() saw of
-/// the same surfaces and motions: the layout's aggregate, in the unit of the reading.
+/// Computes the friction on each taxel along e1 and e2 of its tangent frame (tangent_frame.h), in the unit of the
+/// reading. `reading` is the result of read_sensor() for the same surfaces and motions.
 void read_shear(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
                 std::span<const SurfaceMotion> motions, SensorReading& reading);
 

@@ -1,29 +1,32 @@
-// What each ray counts in each taxel: the receptive fields, turned round and summed once, so that a reading costs what
-// was hit.
+// The receptive fields by ray instead of by taxel, summed once, so that the cost of a reading depends on the hits only.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "core/layout/field/receptive_field.h"
 
 namespace taxel {
 
-struct SensorModel;
-
-/// Built from a model's fields, rays and samples.
+/// The uses of each ray, in compressed rows, and the sums over each taxel's field.
 struct ReadoutTable {
-  /// One taxel's entry of a ray.
+  /// A taxel that uses a ray.
   struct Use {
     std::int32_t taxel = 0;
-    double weight = 0;    ///< of ReceptiveFields::Entry
-    double distance = 0;  ///< [m]
+    double weight = 0;    ///< ReceptiveFields::Entry::weight [m^2]
+    double distance = 0;  ///< distance of the sample from the taxel's centre [m]
   };
-  std::vector<std::int32_t> first{0};  ///< uses of ray r: [first[r], first[r + 1])
+  std::vector<int> ray_of_entry;       ///< ray of each of ReceptiveFields::entries
+  std::vector<std::int32_t> first{0};  ///< offsets: the uses of ray r are [first[r], first[r + 1])
   std::vector<Use> uses;
-  std::vector<double> share;                  ///< by ray: SensorModel::sample_share
-  std::vector<double> weight_sum, share_sum;  ///< by taxel, over its whole field
-  std::vector<std::int32_t> nearest;          ///< by taxel: the ray of its nearest sample, -1 for an empty field
+  std::vector<double> share;                  ///< SensorModel::sample_share() of each ray's sample
+  std::vector<double> weight_sum, share_sum;  ///< sums over each taxel's whole field
+  std::vector<std::int32_t> nearest;          ///< ray of each taxel's nearest sample, -1 for an empty field
 };
 
-ReadoutTable make_readout_table(const SensorModel& model);
+/// Builds the table of receptive fields. `ray_of_entry` has the ray of each entry, `share` the share of each ray.
+ReadoutTable make_readout_table(const ReceptiveFields& fields, std::vector<int> ray_of_entry,
+                                std::vector<double> share);
 
 }  // namespace taxel

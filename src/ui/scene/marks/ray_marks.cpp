@@ -35,7 +35,7 @@ std::vector<char> wanted_rays(const SensorView& view, bool all) {
     const bool responds = index < view.state->readings.size() && view.state->readings[index] > 0;
     if (view.selected_taxel >= 0 ? k != view.selected_taxel : !responds) continue;
     for (int e = model.fields.first[index]; e < model.fields.first[index + 1]; ++e) {
-      wanted[static_cast<std::size_t>(model.ray_of_entry[static_cast<std::size_t>(e)])] = 1;
+      wanted[static_cast<std::size_t>(model.readout_table.ray_of_entry[static_cast<std::size_t>(e)])] = 1;
     }
   }
   return wanted;

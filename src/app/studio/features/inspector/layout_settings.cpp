@@ -122,10 +122,8 @@ void draw_fields(UiState& ui, const Layout& layout) {
 void draw_readout(UiState& ui, const Layout& layout) {
   if (!header(ui, "Readout") || !begin_properties("readout")) return;
   Readout readout = layout.readout;
-  bool changed = word_row(ui, "Aggregate",
-                          "What a taxel makes of its samples. weighted_mean is the paper's formula, weighted_sum what "
-                          "its released code computes; force is in newtons",
-                          readout.aggregate);
+  const std::string formulas = "How a taxel's samples make its reading: " + aggregate_help();
+  bool changed = word_row(ui, "Aggregate", formulas.c_str(), readout.aggregate);
   changed =
       word_row(ui, "Misses", "A ray that meets nothing counts as zero, or is left out", readout.misses) || changed;
   changed =

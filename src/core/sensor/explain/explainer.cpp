@@ -1,4 +1,4 @@
-#include "core/sensor/explain/explanation.h"
+#include "core/sensor/explain/explainer.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,10 @@
 #include "core/hydro/traction.h"
 #include "core/sensor/explain/advice.h"
 #include "core/sensor/explain/counterfactual.h"
+#include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/explain/polygons_behind.h"
+#include "core/sensor/readout/aggregate.h"
+#include "core/sensor/readout/force_integral.h"
 
 namespace taxel {
 namespace {
@@ -41,7 +44,7 @@ ForceBudget budget_of(const SensorModel& model, int taxel, const SensorStep& ste
   return budget;
 }
 
-/// What samples that began to hit, ceased to, or went on brought to the change of a reading.
+/// Adds up the change of a reading by the samples that began, ceased or continued to hit.
 void count_samples(const Explanation& e, StepChange& change) {
   for (std::size_t i = 0; i < e.samples.size(); ++i) {
     const TaxelSampleReading &now = e.samples[i], &before = e.samples_before[i];
@@ -52,7 +55,7 @@ void count_samples(const Explanation& e, StepChange& change) {
   }
 }
 
-/// What polygons that inverted tets concern bring to an exact reading.
+/// Returns the part of an exact reading on polygons of inverted tets.
 double inverted_part(const ExactReading& exact, const SensorStep& step, const InvertedTets& inverted) {
   double sum = 0;
   for (const PolygonPart& part : exact.parts)
@@ -79,7 +82,7 @@ struct Explainer::Kept {
   DenserModels denser;
   InvertedTets inverted;
 
-  /// The other numbers of samples of a model, as far as they can be made.
+  /// Builds the models with other numbers of samples, as far as that is possible.
   void keep(const SensorModelPtr& wanted, Progress* progress) {
     if (wanted == model) return;
     levels.reset();
@@ -104,7 +107,7 @@ struct Explainer::Kept {
       samples = found.samples;
       for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = found.values[i][at(taxel)];
-        if (out.aggregate == Aggregate::weighted_sum && samples[i] > 0)
+        if (aggregate_spec(out.aggregate).grows_with_samples && samples[i] > 0)
           values[i] *= static_cast<double>(samples[Convergence::kAsked]) / samples[i];
       }
     };
@@ -118,7 +121,7 @@ struct Explainer::Kept {
              Progress* progress);
 };
 
-/// What the two contacts would read under even stiffness, and the parts that inverted tets concern.
+/// Adds the readings of both contacts under uniform stiffness, and the parts on polygons of inverted tets.
 void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
                                VerdictInput& in) const {
   const ExactReading was = exact_reading(*model, taxel, with_even_stiffness(*model, before.surfaces).pointers);
@@ -129,7 +132,7 @@ void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorSte
   in.exact_inverted = {inverted_part(*out.exact_before, before, inverted), inverted_part(out.exact, now, inverted)};
 }
 
-/// The verdict, by what the same two contacts would read otherwise.
+/// Decides by the readings of the same two contacts with other samples and under uniform stiffness.
 void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
                             Explanation& out, Progress* progress) {
   StepChange& change = *out.change;

@@ -1,0 +1,28 @@
+// Explains one taxel's reading, and why it changed since the previous step.
+#pragma once
+
+#include <memory>
+
+#include "core/base/progress.h"
+#include "core/sensor/explain/explanation.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel {
+
+/// Explains one reading after another. Models with other numbers of samples are kept for the next reading of the same
+/// model. Not safe to share between threads.
+class Explainer {
+ public:
+  Explainer();
+  ~Explainer();
+  /// Explains the reading of `taxel` in the step `now`. `before` is a step of the same model, or null. The result
+  /// depends on the arguments alone. Throws Error for an unknown taxel, and Cancelled through `progress`.
+  Explanation explain(const SensorModelPtr& model, int taxel, const SensorStep& now, const SensorStep* before,
+                      const ExplainLimits& limits, Progress* progress = nullptr);
+
+ private:
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
+}  // namespace taxel
