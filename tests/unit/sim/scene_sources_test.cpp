@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
+#include "core/sim/scene/included_files.h"
 #include "core/sim/simulator.h"
 #include "fixtures/temp_folder.h"
 

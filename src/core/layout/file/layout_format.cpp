@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-/// For formats whose files hold one sensor without a name.
+/// Throws Error if a sensor is chosen: files of this format have one sensor without a name.
 void refuse_choice(const std::filesystem::path& path, const std::string& sensor) {
   if (!sensor.empty())
     throw Error(path.string(), fmt::format("holds one layout: it has no sensor \"{}\" to choose", sensor));

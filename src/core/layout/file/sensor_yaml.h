@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/layout/file/layout_format.h"
+#include "core/layout/file/imported_layout.h"
 
 namespace taxel {
 

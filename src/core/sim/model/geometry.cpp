@@ -91,7 +91,8 @@ TriMesh geom_mesh(const mjModel& m, int geom, double resolution) {
     case mjGEOM_HFIELD:
       return height_field_mesh(m, geom);
     case mjGEOM_SDF:
-      return sdf_mesh(m, geom, resolution);
+      // Without a plugin MuJoCo takes the distance from the geom's mesh.
+      return m.geom_plugin[geom] < 0 ? compiled_mesh(m, geom) : sdf_mesh(m, geom, resolution);
     default:
       throw Error(
           "only plane, sphere, capsule, ellipsoid, cylinder, box, mesh, hfield and sdf can be touched "

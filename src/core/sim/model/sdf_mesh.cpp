@@ -6,12 +6,11 @@
 
 #include "core/base/error.h"
 #include "core/mesh/make/level_set.h"
-#include "core/sim/model/geometry.h"
 
 namespace taxel {
 namespace {
 
-/// The plugin's attributes as its functions take them: converted by itself from the configuration of the instance.
+/// Returns the plugin's attributes in the form that its functions take. The plugin converts the configuration itself.
 std::vector<mjtNum> attributes_of(const mjModel& m, const mjpPlugin& plugin, int instance) {
   std::vector<const char*> names, values;
   for (int i = 0; i < plugin.nattribute; ++i) {
@@ -28,7 +27,6 @@ std::vector<mjtNum> attributes_of(const mjModel& m, const mjpPlugin& plugin, int
 
 TriMesh sdf_mesh(const mjModel& m, int geom, double edge) {
   const int instance = m.geom_plugin[geom], mesh = m.geom_dataid[geom];
-  if (instance < 0) return compiled_mesh(m, geom);
   const mjpPlugin* plugin = mjp_getPluginAtSlot(m.plugin[instance]);
   if (plugin == nullptr || plugin->sdf_staticdistance == nullptr || plugin->sdf_attribute == nullptr ||
       plugin->sdf_aabb == nullptr)
@@ -49,7 +47,7 @@ TriMesh sdf_mesh(const mjModel& m, int geom, double edge) {
       },
       box, edge);
   if (mesh < 0) return surface;
-  // The function lives in the frame of the mesh as it was made; MuJoCo moved that mesh to the geom's frame.
+  // The function is in the frame of the mesh before MuJoCo moved the mesh to the geom's frame.
   const mjtNum *p = m.mesh_pos + 3 * mesh, *q = m.mesh_quat + 4 * mesh;
   const RigidTransform X_GF(Pose{dquat(q[0], q[1], q[2], q[3]), dvec3(p[0], p[1], p[2])}.inverse());
   std::vector<dvec3> vertices;

@@ -1,4 +1,4 @@
-// A geom that is a signed distance function, as a mesh.
+// The mesh of a geom that a plugin describes by a signed distance function.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,11 +7,11 @@
 
 namespace taxel {
 
-/// The surface of an SDF geom, frame G: where the distance function of its plugin, with the geom's configuration, is
-/// zero. It is the function that MuJoCo collides with, in the form that needs no mjData (`sdf_staticdistance`), because
-/// bodies are made before any plugin has data. Marching tetrahedra in the plugin's own bounding box, edges of about
-/// `edge` (0: a fortieth of its largest extent). Without a plugin MuJoCo takes the distance from the geom's mesh: then
-/// that mesh. Throws Error: a plugin without these functions, a box that the surface leaves, or as make_level_set.
+/// Computes the surface of an SDF geom that has a plugin, frame G: the zero level of the plugin's distance function
+/// with the geom's configuration. It is the function that MuJoCo collides with, in the form without mjData
+/// (`sdf_staticdistance`), because bodies are built before a plugin has data. Marching tetrahedra run in the plugin's
+/// bounding box with edges of about `edge` [m]; 0 means a fortieth of the largest extent of the box. Throws Error if
+/// the plugin lacks these functions or the surface leaves the box, and as make_level_set() does.
 TriMesh sdf_mesh(const mjModel& m, int geom, double edge);
 
 }  // namespace taxel

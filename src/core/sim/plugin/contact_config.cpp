@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/plugin/plugin_instances.h"
 
 namespace taxel {
 namespace {

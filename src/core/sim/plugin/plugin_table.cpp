@@ -16,11 +16,6 @@ namespace {
 constexpr const char* kSensorKeys[] = {"layout", "geom", "others", "materials", "force", "output", "taxels"};
 constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output"};
 
-bool is_plugin(int slot, const char* name) {
-  const mjpPlugin* plugin = mjp_getPluginAtSlot(slot);
-  return plugin != nullptr && std::strcmp(plugin->name, name) == 0;
-}
-
 /// The instance behind one plugin_data entry: a sensor, or a contact. Aligned, so that a wrong pointer shows (see
 /// unseal).
 struct alignas(64) Slot {
@@ -241,13 +236,6 @@ void register_plugin(const char* name, std::span<const char* const> keys) {
   mjp_registerPlugin(&plugin);
 }
 
-std::vector<int> instances_of(const mjModel& m, const char* name) {
-  std::vector<int> instances;
-  for (int i = 0; i < m.nplugin; ++i)
-    if (is_plugin(m.plugin[i], name)) instances.push_back(i);
-  return instances;
-}
-
 }  // namespace
 
 bool register_sensor_plugin() {
@@ -273,14 +261,6 @@ BodyContacts& own_body(const mjModel& m, mjData& d, BodyId id) {
 BodyContacts* find_body(const mjData& d, BodyId id) {
   Slot* slot = find_slot(d, id.instance);
   return slot != nullptr ? &slot->bodies()[static_cast<std::size_t>(id.number)] : nullptr;
-}
-
-std::vector<int> sensor_instances(const mjModel& m) {
-  return instances_of(m, kPluginName);
-}
-
-std::vector<int> contact_instances(const mjModel& m) {
-  return instances_of(m, kContactPluginName);
 }
 
 }  // namespace taxel

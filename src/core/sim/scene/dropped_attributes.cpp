@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/sim/scene/scene_sources.h"
+#include "core/sim/scene/included_files.h"
 
 namespace taxel {
 namespace {

@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "core/sim/model/geometry.h"
-#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/plugin/contact_config.h"
+#include "core/sim/plugin/plugin_instances.h"
 #include "core/sim/scene/attached_layout.h"
 #include "core/sim/scene/dropped_attributes.h"
 #include "core/sim/scene/old_fields.h"

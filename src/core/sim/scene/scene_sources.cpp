@@ -1,68 +1,17 @@
 #include "core/sim/scene/scene_sources.h"
 
-#include <tinyxml2.h>
-
-#include <algorithm>
 #include <set>
-#include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
 #include "core/layout/file/layout_json.h"
-#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/plugin/plugin_instances.h"
 #include "core/sim/plugin/sensor_config.h"
+#include "core/sim/scene/included_files.h"
 
 namespace taxel {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct NamedFile {
-  std::string name;
-  bool model = false;  ///< of a scene of its own
-};
-
-/// What the elements `include` and `model` of MJCF name, read as MuJoCo reads it. None where it is no XML.
-class FileNames : public tinyxml2::XMLVisitor {
- public:
-  explicit FileNames(const std::string& xml) {
-    tinyxml2::XMLDocument document;
-    if (document.Parse(xml.data(), xml.size()) == tinyxml2::XML_SUCCESS) document.Accept(this);
-  }
-  [[nodiscard]] const std::vector<NamedFile>& files() const { return files_; }
-
- private:
-  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* /*first*/) override {
-    const std::string_view name = element.Name();
-    const char* const file = element.Attribute("file");
-    if (file != nullptr && *file != '\0' && (name == "include" || name == "model"))
-      files_.push_back({file, name == "model"});
-    return true;
-  }
-  std::vector<NamedFile> files_;
-};
-
-/// `scene`: the file beside which names are looked for first.
-void find_included(const fs::path& file, const fs::path& scene, std::set<fs::path>& found) {
-  std::string xml;
-  try {
-    xml = read_file(file);
-  } catch (const Error&) {
-    return;
-  }
-  std::error_code ignored;
-  const FileNames names(xml);
-  for (const NamedFile& named : names.files()) {
-    for (const fs::path& from : {scene, file}) {
-      const fs::path path = (from.parent_path() / named.name).lexically_normal();
-      if (!fs::exists(path, ignored)) continue;
-      if (!fs::is_regular_file(path, ignored))
-        throw Error(file.string(), fmt::format("{}: is not a regular file", named.name));
-      if (path != scene && found.insert(path).second) find_included(path, named.model ? path : scene, found);
-      break;
-    }
-  }
-}
 
 void add_assets(const mjModel& m, const fs::path& folder, std::set<fs::path>& found) {
   const auto add = [&](const int* addresses, mjtSize count) {
@@ -75,7 +24,7 @@ void add_assets(const mjModel& m, const fs::path& folder, std::set<fs::path>& fo
   add(m.tex_pathadr, m.ntex);
 }
 
-/// The model names no file of a texture that has one for each side.
+/// Adds the files of textures with one file per side, which the model does not name.
 void add_sides_of_textures(mjSpec* spec, const fs::path& folder, std::set<fs::path>& found) {
   constexpr int kSides = 6;
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_TEXTURE); e != nullptr; e = mjs_nextElement(spec, e)) {
@@ -102,17 +51,11 @@ void add_layouts(const mjModel& m, std::set<fs::path>& found) {
 
 }  // namespace
 
-std::vector<fs::path> included_files(const fs::path& scene) {
-  std::set<fs::path> found;
-  find_included(scene, scene, found);
-  return {found.begin(), found.end()};
-}
-
 std::vector<std::string> scene_sources(const fs::path& scene, const CompiledScene& compiled) {
   std::error_code ignored;
   const fs::path file = fs::absolute(scene, ignored).lexically_normal(), folder = file.parent_path();
-  std::set<fs::path> found;
-  find_included(file, file, found);
+  const std::vector<fs::path> included = included_files(file);
+  std::set<fs::path> found(included.begin(), included.end());
   add_assets(*compiled.model, folder, found);
   add_sides_of_textures(compiled.spec.get(), folder, found);
   add_layouts(*compiled.model, found);

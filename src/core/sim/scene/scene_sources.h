@@ -1,4 +1,4 @@
-// The files that a loaded scene was made of.
+// The files that a loaded scene was made from.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,9 @@
 
 namespace taxel {
 
-/// Beside the scene's own file: MJCF that it includes or takes models from, and what that does; meshes, height fields,
-/// skins, textures; layouts that its sensors name, with their meshes. Absolute, sorted, each once. What cannot be found
-/// any more is left out.
+/// Returns the files of a scene besides its own: MJCF that the scene includes or takes models from (included_files.h),
+/// meshes, height fields, skins, textures, and the layouts of its sensors with their meshes. Paths are absolute and
+/// sorted, each once. Missing files are omitted. Throws Error as included_files() does.
 std::vector<std::string> scene_sources(const std::filesystem::path& scene, const CompiledScene& compiled);
-
-/// The MJCF of these: named by `<include file="...">` and `<model file="...">`, as MuJoCo looks for it: beside the
-/// scene first, then beside the file that names it. (mju_getXMLDependencies ends the program where a file is gone.)
-/// Throws Error naming the file if a named one is a pipe, a device or a folder.
-std::vector<std::filesystem::path> included_files(const std::filesystem::path& scene);
 
 }  // namespace taxel

@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/plugin/pairs/body_lookup.h"
 #include "core/sim/plugin/pairs/geom_body.h"
-#include "core/sim/plugin/plugin_table.h"
 
 namespace taxel {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/sim/plugin/plugin_table.h"
+#include "core/sim/plugin/plugin_instances.h"
 
 namespace taxel {
 namespace {
