@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/index.h"
+#include "core/hydro/elastic_pressure.h"
 
 namespace taxel {
 namespace {
@@ -128,10 +129,10 @@ std::vector<double> pad_pressures(const MeshIndex& index, const PadShape& shape,
   const std::vector<double> inner = InnerFit(index, shape, layers, depths, thickness).solve();
   std::vector<double> pressure(index.mesh().vertices().size(), 0.0);
   for (int leg = 0; leg < shape.leg_count(); ++leg)
-    pressure.push_back(shape.offset(leg) > 0 ? modulus * inner[at(leg)] / thickness : 0.0);
+    pressure.push_back(shape.offset(leg) > 0 ? elastic_pressure(inner[at(leg)], thickness, modulus) : 0.0);
   for (const int leg : layers.legs()) {
     const double planes = depths.planes[at(leg)] * layers.height(leg) / shape.offset(leg);
-    pressure.push_back(modulus * std::min({layers.depth(leg), planes, thickness}) / thickness);
+    pressure.push_back(elastic_pressure(std::min({layers.depth(leg), planes, thickness}), thickness, modulus));
   }
   return pressure;
 }

@@ -7,6 +7,7 @@
 #include "core/base/angle.h"
 #include "core/base/index.h"
 #include "core/base/parallel.h"
+#include "core/hydro/elastic_pressure.h"
 #include "core/hydro/fields/tet_overlap.h"
 #include "core/hydro/pad/pad_pressures.h"
 
@@ -208,7 +209,7 @@ class OwnTents {
       if (!is_nearest_skin(index_, m, height) || !is_free({face.x[0], face.x[2], face.x[1], m})) continue;
       const ivec3& v = mesh_.faces()[at(f)];
       pad_.vertices.push_back(m);
-      pad_.pressure.push_back(modulus_ * height / thickness_);
+      pad_.pressure.push_back(elastic_pressure(height, thickness_, modulus_));
       own_.emplace_back(v.x, v.z, v.y, static_cast<int>(pad_.vertices.size()) - 1);
       pad_.tets.push_back(own_.back());
       return true;
