@@ -1,4 +1,4 @@
-// A soft body without taxels, as viewers and recordings know sensors.
+// The model of a soft body without taxels, for viewers and recordings, which show sensors.
 #pragma once
 
 #include <string>

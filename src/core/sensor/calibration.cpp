@@ -13,16 +13,16 @@
 namespace taxel {
 namespace {
 
-/// Each part draws from streams of its own, so that switching one on leaves the others as they were.
+/// Each part draws from its own streams, so that the numbers of a part do not depend on the other parts.
 enum class Part : std::uint64_t { noise = 1, gain, tare, dead };
 
 CounterRng stream_of(const Calibration& settings, Part part, int id) {
   return CounterRng(settings.seed, (static_cast<std::uint64_t>(part) << 32U) | static_cast<std::uint32_t>(id));
 }
 
-/// Value n of a normal distribution, mean 0, variance 1: the sum of 12 uniform numbers, less 6 (Irwin, Hall 1927; its
-/// variance is 12/12 and it ends at 6 deviations). Summed as whole numbers of 53 bits: no library's logarithm or cosine
-/// has a say, so the bits are the same everywhere.
+/// Returns value n of a normal distribution of mean 0 and variance 1: the sum of 12 uniform numbers, less 6 (Irwin,
+/// Hall 1927; the variance is 12/12 and the largest value 6). The numbers are summed as integers of 53 bits, without a
+/// library's logarithm or cosine, so that the bits are the same on every machine.
 double normal(const CounterRng& rng, std::uint64_t n) {
   constexpr std::uint64_t kTerms = 12;
   std::int64_t sum = -static_cast<std::int64_t>(kTerms / 2) * (std::int64_t{1} << 53);
@@ -30,7 +30,8 @@ double normal(const CounterRng& rng, std::uint64_t n) {
   return static_cast<double>(sum) * 0x1.0p-53;
 }
 
-/// v_i + (x - u_i) (v_i+1 - v_i) / (u_i+1 - u_i) on the segment that holds x; the outer segments go on beyond the ends.
+/// Returns v_i + (x - u_i) (v_i+1 - v_i) / (u_i+1 - u_i) on the segment of x. The outer segments continue beyond the
+/// ends.
 double piecewise_linear(const Curve& curve, double x) {
   const auto inner = std::upper_bound(curve.begin() + 1, curve.end() - 1, x,
                                       [](double reading, const CurvePoint& p) { return reading < p.reading; });
@@ -91,7 +92,7 @@ void Calibrator::reset() {
   number_ = readings_ = 0;
 }
 
-/// Hysteresis, then crosstalk: `felt_`.
+/// Computes `felt_` by hysteresis, then crosstalk.
 void Calibrator::skin(std::span<const double> readings) {
   pressed_.assign(readings.begin(), readings.end());
   if (settings_.hysteresis) {
@@ -105,18 +106,18 @@ void Calibrator::skin(std::span<const double> readings) {
     }
   }
   felt_ = pressed_;
-  // x''_k = x'_k + sum_j a_kj x'_j, by ascending id: the same bits for any order of the taxels
+  // x''_k = x'_k + sum_j a_kj x'_j, by ascending id, so that the order of the taxels does not change the bits
   for (std::size_t k = 0; k < channels_.size(); ++k)
     for (const Leak& leak : channels_[k].leaks) felt_[k] += leak.fraction * pressed_[leak.from];
 }
 
-/// Whether a new value is due at `time`; sets its number.
+/// Returns true if a new value is reported at `time`, and sets its number.
 bool Calibrator::tick(double time) {
   if (!settings_.rate) {
     number_ = readings_++;
     return true;
   }
-  // Ticks lie at k / rate. Times are sums of steps: a millionth of a period early counts as reached.
+  // Ticks are at k / rate. Times are sums of steps, so a tick may be reached a millionth of a period early.
   const double early = 1e-6;
   const double k = std::floor(time * *settings_.rate + early);
   const auto number = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::clamp(k, -0x1p53, 0x1p53)));
@@ -125,8 +126,9 @@ bool Calibrator::tick(double time) {
   return due;
 }
 
-/// Nearest level, from the low end of the range (without one: from 0): low + q min(round((v - low) / q), top), top the
-/// highest level inside the range (uniform mid-tread quantiser, Widrow and Kollar 2008). Half way: away from low.
+/// Returns the nearest level low + q min(round((v - low) / q), top), with the low end of the range or 0 without a
+/// range, and the highest level `top` inside the range (uniform mid-tread quantiser, Widrow and Kollar 2008). Halfway
+/// values are rounded away from `low`.
 double Calibrator::quantised(double value) const {
   if (!settings_.quantisation) return value;
   const double infinity = std::numeric_limits<double>::infinity();

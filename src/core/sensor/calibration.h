@@ -1,13 +1,13 @@
-// From raw readings to what a device would report. Raw readings stay as they are; this makes a second set beside them.
+// Computes the values that a device would report from raw readings. The raw readings do not change.
 //
-// Order of the parts, each left out where the layout does not set it:
+// The parts in their order, each of which the layout may leave out:
 //   hysteresis of the skin, crosstalk between taxels, tare, gain or curve, noise, range, quantisation, sample and hold,
 //   dead taxels.
-// So a dead taxel still leaks into its neighbours (its skin is pressed, its wire is broken), noise is clipped and
-// quantised, and a held value keeps its noise.
+// So a dead taxel still leaks into its neighbours (its skin is pressed, only its wire is broken), noise is clipped and
+// quantised, and a held value includes its noise.
 //
-// Whatever is random is a pure function of (seed, part, taxel id, number of the value): the same bits on every machine,
-// for any order of the taxels, whatever the other parts are.
+// A random number is a function of (seed, part, taxel id, number of the value) alone: it has the same bits on every
+// machine, for any order of the taxels, and with any other parts.
 #pragma once
 
 #include <optional>
@@ -19,19 +19,19 @@
 
 namespace taxel {
 
-/// Calibrates one sensor's readings in time. Holds what its past leaves behind: loop positions, tares, held values.
+/// Calibrates one sensor's readings in time. Its state has loop positions, tares and held values.
 class Calibrator {
  public:
-  /// Of layout.calibration, which must be there and free of errors (check_layout_values). Cost: taxels squared where
-  /// there is crosstalk.
+  /// `layout` must have a calibration without errors (check_layout_values). With crosstalk the cost is quadratic in the
+  /// number of taxels.
   explicit Calibrator(const Layout& layout);
 
-  /// The values that the device reports at `time` [s], in the order of the layout's taxels, given all readings since
-  /// the start one after another. `readings` is that of each taxel at `time` and stays untouched. Throws Error when
-  /// time runs backwards or the number of readings is not that of the taxels.
+  /// Returns the values that the device reports at `time` [s], one per taxel in layout order. Call with all readings
+  /// since the start in their order. `readings` has one reading per taxel at `time`. Throws Error if the time
+  /// decreases, or if the number of readings is not the number of taxels.
   const std::vector<double>& advance(double time, std::span<const double> readings);
 
-  /// Back to the start: nothing was ever felt. The random numbers start anew as well.
+  /// Returns to the state before the first reading, random numbers included.
   void reset();
 
  private:
@@ -40,16 +40,17 @@ class Calibrator {
     std::size_t from = 0;
     double fraction = 0;
   };
+  /// The parameters and the state of one taxel.
   struct Channel {
     CounterRng noise{0};
-    double tare = 0;  ///< fixed part of it [U]
+    double tare = 0;  ///< fixed tare [U]
     bool tare_first_reading = false;
-    double gain = 1;  ///< [V/U]; behind a curve: its deviation alone
+    double gain = 1;  ///< gain [V/U]; after a curve only the deviation of the gain
     Curve curve;
     std::optional<double> dead;
-    std::vector<Leak> leaks;  ///< by ascending id
+    std::vector<Leak> leaks;  ///< neighbours by ascending id
     double loop = 0;          ///< output of the play operator [U]
-    double first = 0;         ///< reading at the start, behind hysteresis and crosstalk [U]
+    double first = 0;         ///< first reading after hysteresis and crosstalk [U]
   };
 
   void make_leaks(const Layout& layout);
@@ -59,12 +60,12 @@ class Calibrator {
   [[nodiscard]] double quantised(double value) const;
 
   Calibration settings_;
-  std::vector<Channel> channels_;  ///< parallel to the layout's taxels
+  std::vector<Channel> channels_;  ///< one per taxel of the layout
   std::vector<double> pressed_, felt_, values_;
   bool started_ = false;
-  double time_ = 0;             ///< of the last reading [s]
-  std::uint64_t number_ = 0;    ///< of the value that is reported: tick of the rate, without one the reading's number
-  std::uint64_t readings_ = 0;  ///< taken so far
+  double time_ = 0;             ///< time of the last reading [s]
+  std::uint64_t number_ = 0;    ///< number of the reported value: a tick, or without a rate a reading
+  std::uint64_t readings_ = 0;  ///< number of readings so far
 };
 
 }  // namespace taxel

@@ -22,7 +22,7 @@ SensorModelPtr with_samples_times(double factor, const SensorModelPtr& model, Se
 ConvergenceModels make_convergence_models(const SensorModelPtr& model, SensorCache& cache, Progress* progress) {
   ConvergenceModels models;
   models[Convergence::kAsked] = model;
-  for (std::size_t i = models.size(); i-- > 0;)  // the largest first: it is the one that can be refused
+  for (std::size_t i = models.size(); i-- > 0;)  // the largest first, because only it can have too many samples
     if (i != Convergence::kAsked) models[i] = with_samples_times(Convergence::kFactors[i], model, cache, progress);
   return models;
 }

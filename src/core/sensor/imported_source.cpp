@@ -12,7 +12,7 @@ std::string absolute_name(const std::filesystem::path& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
-/// A layout of our own, on its own mesh or another one.
+/// Reads a layout of the project's own format, on its own mesh or another one.
 ImportedSource read_own_source(const std::filesystem::path& file, const SkinChoice& choice) {
   LayoutOfFile own = read_layout_of_file(file);
   ImportedSource read;

@@ -1,4 +1,4 @@
-// Layouts of any format with the mesh that they sense with: formats of other programs hold none, so it is chosen.
+// Layouts of any format with their mesh. The formats of other programs have no mesh, so the user chooses one.
 #pragma once
 
 #include <filesystem>
@@ -12,22 +12,24 @@
 
 namespace taxel {
 
+/// A layout of any format on its mesh.
 struct ImportedSource {
   SensorSource source;
-  /// Values that were not in the file, and keys that could not be carried over: a sentence each.
+  /// One sentence for each value that was not in the file, and for each key that was ignored.
   std::vector<std::string> notes;
-  bool frame_is_guess = false;  ///< the file does not say where the sensor points
+  bool frame_is_guess = false;  ///< true if the directions of the sensor are not from the file
 };
 
-/// Reads a layout of any format and its mesh. `choice.mesh` replaces the mesh of a layout that has one. Throws Error
-/// for what cannot be read, for values that no mesh could make right, and for a layout without mesh if none is chosen.
+/// Reads a layout of any format and its mesh. `choice.mesh` replaces the mesh of a layout that has one. Throws Error: a
+/// file cannot be read, a value is wrong on any mesh, or the layout has no mesh and none is chosen.
 ImportedSource read_any_source(const std::filesystem::path& layout_file, const SkinChoice& choice);
 
-/// Puts an imported layout on a mesh as read; `mesh_file` names it in the layout, `scale` is already applied.
+/// Puts an imported layout on a mesh as read, to which `scale` was applied. `mesh_file` is the mesh's name in the
+/// layout.
 ImportedSource put_on_mesh(ImportedLayout imported, LoadedMesh mesh, const std::string& mesh_file, const dvec3& scale,
                            const std::string& layout_file);
 
-/// Puts an imported layout on a mesh file. Throws Error as load_mesh does.
+/// Puts an imported layout on a mesh file. Throws Error as load_mesh() does.
 ImportedSource put_on_mesh_file(ImportedLayout imported, const std::filesystem::path& mesh_file,
                                 const std::optional<dvec3>& scale, const std::string& layout_file);
 

@@ -91,7 +91,7 @@ void append_pictures(std::string& html, const std::vector<SheetPicture>& picture
   html += "</div>\n";
 }
 
-/// What taxels and subtaxels have in common, from the centre to the angle; `samples` is empty for subtaxels.
+/// Returns the cells from centre to angle, which taxels and subtaxels share. `samples` is empty for subtaxels.
 template <class T>
 void append_disc(std::string& html, const T& disc, const std::string& samples, const MeshIndex& skin) {
   const SurfacePoint at = skin.closest_point(disc.center);

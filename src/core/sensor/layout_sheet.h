@@ -1,4 +1,4 @@
-// A layout on paper, for the lab: views, every taxel with its numbers, the settings, and what is wrong.
+// A layout as a printed sheet: views, a table of the taxels, the settings and the problems.
 #pragma once
 
 #include <string>
@@ -8,28 +8,31 @@
 
 namespace taxel {
 
-/// Text over a picture, its middle at these parts of the width and the height from the upper left corner.
+/// A text over an image. Its middle is at these fractions of the width and height from the upper left corner.
 struct SheetLabel {
   double x = 0, y = 0;
   std::string text;
-  bool faint = false;  ///< what it names is hidden in the picture
+  bool faint = false;  ///< true if the labelled thing is hidden in the image
 };
 
+/// An image of the sheet.
 struct SheetPicture {
   std::string caption;
-  std::string png;  ///< bytes of the file
+  std::string png;  ///< bytes of a PNG file
   std::vector<SheetLabel> labels;
 };
 
+/// The parts of the sheet that are not in the model.
 struct SheetContent {
-  std::string file;  ///< of the layout or project; may be empty
-  std::string date;  ///< as it is to be printed; may be empty
+  std::string file;  ///< name of the layout or project; may be empty
+  std::string date;  ///< date as printed; may be empty
   std::vector<SheetPicture> pictures;
 };
 
-/// One HTML document that needs no other file and prints on A4: millimetres, degrees, kilopascals. The same bytes for
-/// the same content. Of each taxel: index in the output, id, name, centre, normal, radius, samples, distance of the
-/// centre from the skin and angle of the normal against the skin's there; subtaxels in rows below it.
+/// Returns one HTML document that needs no other file and prints on A4, in millimetres, degrees and kilopascals. The
+/// same content gives the same bytes. A taxel's row has index, id, name, centre, normal, radius, number of samples,
+/// distance of the centre from the skin, and angle between its normal and the skin's. Subtaxels have rows below their
+/// taxel.
 std::string layout_sheet(const SensorModel& model, const SheetContent& content);
 
 }  // namespace taxel

@@ -9,7 +9,8 @@
 namespace taxel {
 namespace {
 
-/// Distance from a sample along `direction` to the skin of the other side: the first face that is met from inside.
+/// Returns the distance from a sample along `direction` to the opposite skin: to the first face that is hit from
+/// inside.
 double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& direction, int face) {
   const int limit = 16;  // faces met from outside on the way: folds that graze the start
   double travelled = 0.0;

@@ -1,5 +1,5 @@
-// The expensive parts of sensor models, none of which depends on where the taxels are: kept from one model to the next,
-// so that an edit of taxels only assigns the samples anew.
+// A cache of the expensive parts of sensor models. None of them depends on the positions of taxels, so that a build
+// after an edit of taxels only assigns the samples again.
 #pragma once
 
 #include <memory>
@@ -23,37 +23,40 @@ namespace taxel {
 /// A mesh and the part of it that is sampled.
 struct SensorSkin {
   TriMeshPtr mesh;                          ///< all shells
-  std::shared_ptr<const MeshIndex> sensed;  ///< of those that are sampled
-  std::vector<int> face_of;                 ///< sensed face -> face of `mesh`
+  std::shared_ptr<const MeshIndex> sensed;  ///< shells that are sampled
+  std::vector<int> face_of;                 ///< face of `mesh` for each sensed face
 };
 using SensorSkinPtr = std::shared_ptr<const SensorSkin>;
 using SampleSetPtr = std::shared_ptr<const std::vector<SurfaceSample>>;
 
+/// Returns the skin of a mesh with the shells that are sampled.
 SensorSkinPtr make_sensor_skin(const TriMeshPtr& mesh, Shells shells);
 
-/// Where samples lie: the sensed skin, or those of its faces that a region names.
+/// The faces with samples: the sensed skin, or its faces in a region.
 struct SampledSkin {
   TriMeshPtr mesh;
-  std::vector<int> face_of;  ///< face of `mesh` -> sensed face; empty: they are the same
+  std::vector<int> face_of;  ///< sensed face for each face of `mesh`; empty if all are equal
 };
 using SampledSkinPtr = std::shared_ptr<const SampledSkin>;
 
-/// `region`: faces of skin.mesh, ascending; those that are not sensed, or not there, are left out.
+/// Returns the faces of a skin in a region. `region` lists faces of skin.mesh, ascending. Faces that are not sensed or
+/// do not exist are ignored.
 SampledSkinPtr make_sampled_skin(const SensorSkin& skin, const std::vector<int>& region);
 
-/// Rays from samples into the body, against the surface normal: how deep each may go and which tets it crosses, found
-/// when first asked for.
+/// The rays from samples into the body, against the surface normal. The depth of a ray and the tets that it crosses are
+/// computed when they are first requested.
 class SampleRays {
  public:
-  /// `allowed`: of Readout::max_depth [m].
+  /// `allowed` is the depth by Readout::max_depth [m].
   SampleRays(SensorSkinPtr skin, SampleSetPtr samples, HydroBodyPtr body, double allowed);
 
+  /// The rays of a request.
   struct Found {
     std::vector<SensorRay> rays;
-    std::vector<std::span<const std::int32_t>>
-        crossings;  ///< tets of each ray, ascending; empty where the body has no tets
+    /// The tets of each ray, ascending. Empty if the body has no tets.
+    std::vector<std::span<const std::int32_t>> crossings;
   };
-  /// One ray for each of `samples`. From any thread; the spans live as long as this object.
+  /// Returns one ray for each of `samples`. Safe to call from several threads. The spans live as long as this object.
   Found find(std::span<const int> samples);
 
  private:
@@ -63,37 +66,39 @@ class SampleRays {
   double allowed_ = 0;
   std::mutex mutex_;
   std::unique_ptr<const TetCrossings> tets_;
-  std::vector<SensorRay> rays_;  // by sample; max_depth < 0: not found yet
+  std::vector<SensorRay> rays_;  // by sample; max_depth is negative until it is computed
   std::vector<std::vector<std::int32_t>> crossings_;
 };
 
-/// Sets the depth of a ray from `face` of the skin: the allowed one, or halfway to the opposite skin. The contact
-/// surface of a rigid sensor lies in its skin, to within rounding: its rays start just outside.
+/// Sets the depth of a ray from `face` of the skin: the allowed depth, or half the distance to the opposite skin. The
+/// contact surface of a rigid sensor is in its skin to within rounding, so the rays of a rigid sensor start just
+/// outside.
 void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, SensorRay& ray);
 
-/// From any thread.
+/// A cache that is safe to use from several threads. Each function returns a known result for equal arguments.
 class SensorCache {
  public:
-  /// The mesh of a layout as it is used: repaired by the recipe, of which `refine` does not count, for a soft layout;
-  /// as loaded for a rigid one, which need not be closed, unless the recipe asks for `exact` or `wrap`. By the mesh,
-  /// its faces without area, recipe and, if the mesh is open, thickness. Throws as repair_mesh() does.
+  /// Returns the mesh of a layout, repaired by the recipe except its `refine`. A rigid layout, whose mesh may be open,
+  /// gets the mesh as loaded unless the recipe requests `exact` or `wrap`. The key is the mesh, its faces without area,
+  /// the recipe and, if the mesh is open, the thickness. Throws as repair_mesh() does.
   RepairedMeshPtr repaired(const TriMeshPtr& loaded, const RepairRecipe& recipe, const Material& material,
                            Progress* progress);
-  /// Skin of a mesh: by its vertices and faces, and which shells.
+  /// Returns make_sensor_skin(). The key is the vertices and faces, and `shells`.
   SensorSkinPtr skin(const TriMeshPtr& mesh, Shells shells);
-  /// Result of check_layout_mesh() without a file: by the vertices and faces of the repaired mesh.
+  /// Returns check_layout_mesh() without a file. The key is the vertices and faces of the repaired mesh.
   Problems mesh_problems(const RepairedMesh& repaired);
-  /// Body of a whole mesh: by its vertices and faces, material and `refine` (Shape::refine). Throws as make_body does.
+  /// Returns the body of a whole mesh. The key is its vertices and faces, the material and `refine` (Shape::refine).
+  /// Throws as make_body() does.
   HydroBodyPtr body(const RepairedMesh& repaired, const Material& material, double refine, const std::string& name);
-  /// The part of a skin that is sampled: by skin and region.
+  /// Returns make_sampled_skin(). The key is the skin and the region.
   SampledSkinPtr sampled(const SensorSkinPtr& skin, const FaceSet& region);
-  /// Samples, with faces of the sensed skin: by what is sampled, count, seed and quality. Throws as sample_surface
-  /// does.
+  /// Returns the samples, with faces of the sensed skin. The key is all arguments but `progress`. Throws as
+  /// sample_surface() does.
   SampleSetPtr samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
                        Progress* progress);
-  /// Whether samples() would find them.
+  /// Returns true if samples() has a result for these arguments.
   [[nodiscard]] bool has_samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality);
-  /// By what it is made of.
+  /// Returns the rays of samples. The key is the samples, the body and `allowed`.
   std::shared_ptr<SampleRays> rays(const SensorSkinPtr& skin, const SampleSetPtr& samples, const HydroBodyPtr& body,
                                    double allowed);
 
@@ -113,7 +118,7 @@ class SensorCache {
              mesh.mesh->flat_faces() == b.mesh.mesh->flat_faces();
     }
   };
-  /// A result under the mesh that it was made of.
+  /// A result, and the loaded mesh that it belongs to.
   struct Repaired {
     TriMeshPtr loaded;
     RepairedMeshPtr repaired;
@@ -148,14 +153,14 @@ class SensorCache {
     Shells shells{};
     bool operator==(const SkinKey&) const = default;
   };
-  static constexpr double kEntries = 4, kSamples = 4e6;  // about 300 MB
+  static constexpr double kEntries = 4, kSamples = 4e6;  // at most about 300 MB
   Memo<RepairKey, Repaired> repaired_{kEntries};
   Memo<SkinKey, SensorSkinPtr> skins_{kEntries};
   Memo<MeshKey, Problems> mesh_problems_{kEntries};
   Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};
   Memo<SampledKey, SampledSkinPtr> sampled_{kEntries};
   Memo<SamplesKey, SampleSetPtr> samples_{kSamples};
-  Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for what replaces it
+  Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for the polished samples
 };
 
 }  // namespace taxel

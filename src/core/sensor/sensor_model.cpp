@@ -28,13 +28,13 @@ HydroBodyPtr body_of(const Layout& layout, const RepairedMesh& mesh, SensorCache
 void add_problems_of_body(SensorModel& model, const std::string& file) {
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry)) {
     for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
-      if (p.severity != Severity::note) model.problems.push_back(std::move(p));  // its notes are for who asks
+      if (p.severity != Severity::note) model.problems.push_back(std::move(p));  // notes are shown on request only
     }
   }
 }
 
-/// readout.max_depth, or its default: twice the thickness of a pad; the largest radius for a star, whose field reaches
-/// to the centre, and where no thickness is known.
+/// Returns readout.max_depth, or its default: twice the thickness of a pad, otherwise the largest radius of a taxel
+/// (the field of a star reaches to the centre).
 double allowed_depth(const SensorModel& model) {
   const double asked = model.layout.readout.max_depth;
   if (asked > 0.0) return asked;
@@ -45,7 +45,7 @@ double allowed_depth(const SensorModel& model) {
   return largest;
 }
 
-/// One ray per entry.
+/// Adds one ray per entry of a receptive field.
 void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) {
   for (int k = 0; k < model.taxel_count(); ++k) {
     const dvec3 outward = glm::normalize(model.layout.taxels[at(k)].normal);
@@ -65,7 +65,7 @@ void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) 
     model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays);
 }
 
-/// One ray per used sample, shared by its taxels, in the order of the samples.
+/// Adds one ray per used sample, shared by its taxels, in the order of the samples.
 void add_sample_rays(SensorModel& model, SampleRays& known) {
   std::vector<int> ray_of_sample(model.samples.size(), -1), used;
   for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[at(entry.sample)] = 0;
@@ -98,7 +98,7 @@ void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr&
 
 void add_taxels_of_samples(SensorModel& model) {
   const std::vector<ReceptiveFields::Entry>& entries = model.fields.entries;
-  // Where the users of each sample end; once they are filled in from behind, where they begin.
+  // The end of the users of each sample. Users are filled in from the end, so that at last it is their begin.
   std::vector<int> end(model.samples.size() + 1, 0);
   for (const ReceptiveFields::Entry& entry : entries) ++end[at(entry.sample)];
   for (std::size_t s = 1; s < end.size(); ++s) end[s] += end[s - 1];
@@ -115,7 +115,7 @@ void add_taxels_of_samples(SensorModel& model) {
   }
 }
 
-/// Only integrals ask for them.
+/// Adds the weights at points, which only aggregates without a fold use.
 void add_field_weights(SensorModel& model) {
   if (aggregate_spec(model.layout.readout.aggregate).fold == nullptr && !model.weights)
     model.weights = std::make_shared<const FieldWeights>(model.layout, *model.skin);
@@ -139,17 +139,17 @@ void note_empty_fields(SensorModel& model, const std::string& file) {
   model.problems.insert(model.problems.end(), found.begin(), found.end());
 }
 
-/// What a model is compiled from.
+/// The input of a build.
 struct Input {
   const Layout& layout;
   const TriMeshPtr& mesh;
   const std::string& mesh_sha256;
   const std::string& file;
-  const std::vector<std::string>* mesh_notes;  ///< of its reading, which make a problem each; null: not read here
+  const std::vector<std::string>* mesh_notes;  ///< notes of reading the mesh, or null
 };
 
-/// A region of the loaded mesh as faces of the repaired mesh. If none of its faces is left it names one that is not
-/// there, because an empty region means all faces.
+/// Returns a region of the loaded mesh as faces of the repaired mesh. If none of its faces is left, the result has a
+/// face that does not exist, because an empty region means all faces.
 FaceSet repaired_region(const RepairedMesh& repaired, const FaceSet& region) {
   if (repaired.loaded_face_of.empty() || region->empty()) return region;
   std::vector<int> faces = repaired_faces(repaired, *region);
@@ -157,7 +157,7 @@ FaceSet repaired_region(const RepairedMesh& repaired, const FaceSet& region) {
   return faces;
 }
 
-/// Samples, and the receptive fields on them: what does not need the body.
+/// Adds the samples and the receptive fields, which do not need the body.
 SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const SensorBuild& how) {
   const Sampling& sampling = model.layout.sampling;
   const SampledSkinPtr sampled = cache.sampled(skin, repaired_region(*model.repaired, sampling.region));
@@ -202,7 +202,7 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
   SensorSkinPtr skin;
   SampleSetPtr samples;
   Problems of_mesh;
-  // The body needs no skin, the samples need no body.
+  // The body does not need the skin, and the samples do not need the body.
   parallel_all(
       [&] {
         skin = cache.skin(model->mesh, input.layout.sampling.shells);

@@ -1,12 +1,12 @@
-// How a contact surface is rubbed.
+// The relative motion of the bodies at a contact surface.
 #pragma once
 
 #include "core/hydro/traction.h"
 
 namespace taxel {
 
-/// Of one contact surface: the pair's damping and friction, and the velocity of the sensor relative to what it touches
-/// at M's origin, frame M.
+/// The damping and friction of the pair of one contact surface, and the velocity of the sensor relative to the other
+/// body at M's origin, frame M.
 struct SurfaceMotion {
   PairProperties properties;
   Twist V;

@@ -16,17 +16,17 @@
 namespace taxel {
 namespace {
 
-constexpr double kMaxSamples = 1e5;  ///< over the whole skin; a million takes a minute to place
-constexpr int kMaxCells = 100000;    ///< limit of a flat array; more cells mean a pitch in other units
+constexpr double kMaxSamples = 1e5;  ///< limit for the whole skin; a million takes a minute
+constexpr int kMaxCells = 100000;    ///< limit of a flat array; more mean wrong units of the pitch
 
-/// The normal of the nearest face. Smooth normals would lean outward on the faces of a box.
+/// Returns the normal of the nearest face. Smooth normals would lean outward on the faces of a box.
 void take_normals(Layout& layout, const MeshIndex& skin) {
   for (Taxel& taxel : layout.taxels)
     taxel.normal = skin.mesh().face_normals()[static_cast<std::size_t>(skin.closest_point(taxel.center).face)];
 }
 
-/// A taxel where the middle of each cell, seen from above, meets the skin; row by row along y, as the released code
-/// numbers them.
+/// Adds a taxel where the middle of each cell, seen from above, is on the skin; row by row along y, in the order of the
+/// released code.
 void add_cells(ImportedLayout& imported, const MeshIndex& skin, const std::string& file) {
   const Aabb& box = skin.mesh().bounds();
   const dvec3 size = box.extent();
@@ -60,7 +60,8 @@ void add_cells(ImportedLayout& imported, const MeshIndex& skin, const std::strin
     imported.notes.push_back(fmt::format("{} of {} cells are not above the skin: left out", missed, columns * rows));
 }
 
-/// A planar array points along its longer side and touches along its normal. Empty where the taxels look elsewhere.
+/// Returns the frame of a planar array: distal along its longer side, pad along its normal. Returns nothing if the
+/// taxels' normals differ from that normal.
 std::optional<SensorFrame> frame_of_array(const std::vector<Taxel>& taxels) {
   if (taxels.size() < 2) return std::nullopt;
   const dvec3 n = glm::normalize(taxels.front().normal);
@@ -79,7 +80,7 @@ std::optional<SensorFrame> frame_of_array(const std::vector<Taxel>& taxels) {
   return SensorFrame{glm::normalize(along - glm::dot(along, n) * n), n};
 }
 
-/// At most kMaxSamples, with one significant digit.
+/// Returns a density of at most kMaxSamples samples, with one significant digit.
 void limit_density(ImportedLayout& imported, double area) {
   Sampling& sampling = imported.layout.sampling;
   if (imported.has_density) return;

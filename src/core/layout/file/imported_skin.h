@@ -1,4 +1,4 @@
-// Values that the skin adds to a layout of another program: scale, normals, cells, frame and density.
+// Adds values from the skin to a layout of another program: scale, normals, cells, frame and density.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace taxel {
 
-/// The factor from the units of a mesh file to metres: of 1, 0.001, 0.01 and 0.0254 the one with which the taxels are
-/// closest to the surface in the mean; by the size of the mesh where the file lists no taxels. A guess: to be shown.
+/// Guesses the factor from the units of a mesh file to metres: of 1, 0.001, 0.01 and 0.0254 the one with the smallest
+/// mean distance between the taxels and the surface. Decides by the size of the mesh if the file lists no taxels.
 double guess_scale(const ImportedLayout& imported, const TriMesh& unscaled);
 
 /// Adds the values that the file does not give, with a note for each: normals of the nearest points of the skin, the
 /// cells of a flat array over the top (+z) of the skin, the frame, and a density of at most 100000 samples.
-/// `skin`: the scaled mesh. Throws Error naming `file` if no cell of an array is on the skin.
+/// `skin` is the scaled mesh. Throws Error naming `file` if no cell of an array is on the skin.
 void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file);
 
-/// Guesses where the sensor points and where it touches: a planar array by its taxels, a finger by its shape and its
-/// taxels (guess_frame). Keeps the layout's frame where neither tells. Returns the note that says so.
+/// Guesses the directions of the sensor: of a planar array by its taxels, of a finger by its shape and taxels
+/// (guess_frame). Keeps the layout's frame if both fail. Returns a note for the user.
 std::string take_frame_of(const TriMesh& skin, Layout& layout);
 
 }  // namespace taxel

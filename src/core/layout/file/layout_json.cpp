@@ -1,4 +1,4 @@
-// Reading layout files: every value is taken through a reader that knows where in the document it stands.
+// Reads layout files. Every value is read through a reader that knows its place in the document.
 #include "core/layout/file/layout_json.h"
 
 #include <fmt/format.h>
@@ -49,9 +49,9 @@ MeshRef read_mesh(const Value& value) {
   return mesh;
 }
 
-/// Runs of faces, [first, last] each.
+/// Reads runs of faces, [first, last] each.
 std::vector<int> read_region(const Value& value) {
-  constexpr std::int64_t kMostFaces = 100'000'000;  // what would not fit in memory as a mesh is no region either
+  constexpr std::int64_t kMostFaces = 100'000'000;  // a mesh with more faces does not fit in memory
   std::vector<int> faces;
   for (std::size_t i = 0; i < value.length(); ++i) {
     const Value run = value.item(i);
@@ -135,7 +135,7 @@ TaxelCalibration read_taxel_calibration(const Value& value, const std::string& f
   return taxel;
 }
 
-/// The parts that are objects of their own.
+/// Reads the parts of a layout that are JSON objects.
 void read_calibration_parts(Object& object, Calibration& calibration) {
   object.optional("hysteresis", [&](const Value& value) {
     Object part(value);

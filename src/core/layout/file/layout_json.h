@@ -1,4 +1,4 @@
-// Layout files, version 1 (docs/layout_format.md).
+// Reads and writes layout files, version 1 (docs/layout_format.md).
 #pragma once
 
 #include <filesystem>
@@ -8,28 +8,30 @@
 
 namespace taxel {
 
-/// Parses the text of a layout. Throws Error(file, JSON pointer, message) for wrong JSON, type, word or version.
-/// Values that are well formed but break a rule (radius <= 0) are layout_check's business.
+/// Parses the text of a layout. Does not check rules such as radius > 0: layout_check does. Throws Error(file, JSON
+/// pointer, message): wrong JSON, type, word or version.
 Layout parse_layout(const std::string& text, const std::string& file = "");
 
-/// parse_layout of a file; mesh.file stays as written (see mesh_path).
+/// Reads a file by parse_layout(). mesh.file is unchanged (see mesh_path). Throws as parse_layout() does, or if the
+/// file cannot be read.
 Layout read_layout(const std::filesystem::path& path);
 
-/// A layout, and whether its file gives the directions of the finger. Without them `layout.frame` is the default.
+/// A layout, and whether its file has the directions of the finger. Without them `layout.frame` is the default.
 struct LayoutOfFile {
   Layout layout;
   bool has_frame = true;
 };
-/// read_layout with the news of the frame.
+/// Reads a file as read_layout() does.
 LayoutOfFile read_layout_of_file(const std::filesystem::path& path);
 
-/// Deterministic: fixed key order, shortest round-trip numbers, two-space indent, newline at the end.
+/// Returns the text of a layout: fixed key order, shortest numbers that read back unchanged, two spaces of indent,
+/// newline at the end. Equal layouts give equal bytes.
 std::string layout_to_json(const Layout& layout);
 
-/// layout_to_json, written atomically.
+/// Writes layout_to_json() to a file atomically. Throws Error naming the file.
 void write_layout(const std::filesystem::path& path, const Layout& layout);
 
-/// Where the layout's mesh lies, given where the layout file lies.
+/// Returns the path of the layout's mesh for the path of the layout file.
 std::filesystem::path mesh_path(const Layout& layout, const std::filesystem::path& layout_file);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Writing layout files: fixed key order, unknown keys back where they were, one form for every number.
+// Writes layout files: fixed key order, unknown keys at their old places, one form for every number.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ Json word(E value) {
   return std::string(to_word(value));
 }
 
-/// Runs of faces, [first, last] each.
+/// Returns runs of faces, [first, last] each.
 Json region_json(const std::vector<int>& faces) {
   Json runs = Json::array();
   for (std::size_t i = 0; i < faces.size();) {
@@ -50,7 +50,7 @@ Json repair_json(const RepairRecipe& recipe) {
   return json;
 }
 
-/// Whether /mesh/repair has unknown keys, which need its object to be written back into.
+/// Returns true if /mesh/repair has unknown keys, which need its object.
 bool has_unknown_repair_keys(const Layout& layout) {
   const std::string start = "/mesh/repair/";
   const auto first = layout.unknown.lower_bound(start);
@@ -92,7 +92,7 @@ Json curve_json(const Curve& curve, const std::string& pointer) {
   return json;
 }
 
-/// An object that is written key by key, only what is set.
+/// A JSON object with the values that are set.
 class Sparse {
  public:
   explicit Sparse(std::string pointer) : pointer_(std::move(pointer)) {}
@@ -113,7 +113,7 @@ class Sparse {
   std::string pointer_;
 };
 
-/// The parts that are objects of their own.
+/// Returns the parts of a layout that are JSON objects.
 void write_calibration_parts(Sparse& out, const Calibration& calibration) {
   if (calibration.hysteresis) {
     Sparse part = out.part("hysteresis");
@@ -172,7 +172,7 @@ Json calibration_json(const Calibration& calibration) {
   return out.json;
 }
 
-/// Puts unknown keys back. One whose object is gone (its taxel was deleted) goes with it.
+/// Adds the unknown keys. A key whose object no longer exists, such as a deleted taxel, is dropped.
 void restore_unknown(Json& json, const std::map<std::string, std::string>& unknown) {
   for (const auto& [text, value] : unknown) {
     try {

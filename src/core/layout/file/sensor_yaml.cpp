@@ -24,7 +24,7 @@ constexpr std::array<KindWord, 3> kKinds{
 
 using Entries = std::map<std::string, YamlValue>;
 
-/// One sensor of the file, not yet read.
+/// A sensor of the file before it is read.
 struct Found {
   YamlValue value;
   Entries entries;
@@ -47,7 +47,7 @@ std::string text_or_empty(const Entries& entries, const std::string& key) {
   return value != nullptr ? value->text() : "";
 }
 
-/// "CurvedSensor" of "mujoco_contact_surface_sensors/CurvedSensor".
+/// Returns "CurvedSensor" for "mujoco_contact_surface_sensors/CurvedSensor".
 std::string last_part(const std::string& type) {
   return type.substr(type.find_last_of('/') + 1);
 }
@@ -58,7 +58,7 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-/// All sensors under MujocoPlugins.
+/// The sensors under MujocoPlugins.
 class SensorList {
  public:
   SensorList(const std::string& text, const std::string& file) : file_(file) {
@@ -80,7 +80,7 @@ class SensorList {
                 fmt::format("no plugin holds SurfacePlugins; there {} {}", plugins_.size() == 1 ? "is" : "are",
                             plugins_.empty() ? "none" : listed(plugins_)));
   }
-  /// The index of the sensor with this name or geom; 0 for an empty name.
+  /// Returns the index of the sensor with this name or geom, or 0 for an empty name.
   [[nodiscard]] std::size_t index_of(const std::string& name) const {
     if (name.empty()) return 0;
     std::vector<std::string> known;
@@ -120,7 +120,7 @@ class SensorList {
   }
 
   const std::string& file_;
-  std::vector<std::string> plugins_, others_;  ///< types
+  std::vector<std::string> plugins_, others_;  ///< types of plugins
 };
 
 double positive_number(const YamlValue& value) {
@@ -129,7 +129,7 @@ double positive_number(const YamlValue& value) {
   return v;
 }
 
-/// One sensor as a layout.
+/// Reads one sensor as a layout.
 class SensorReader {
  public:
   explicit SensorReader(const Found& sensor) : sensor_(sensor) {
@@ -221,7 +221,7 @@ class SensorReader {
     if (const YamlValue* method = optional("sample_method"))
       note(fmt::format("sample_method \"{}\": samples are spread evenly, each with the same weight", method->text()));
   }
-  /// Keys that nothing here has a place for.
+  /// Adds a note on the keys that were not used.
   void note_what_is_left() {
     for (const char* key : {"type", "sensorName", "geomName"}) used_.emplace_back(key);
     std::vector<std::string> left;

@@ -1,4 +1,4 @@
-// Sensor descriptions of the predecessor's code (mujoco_contact_surfaces): YAML, read only.
+// Reads sensor descriptions of the predecessor's code (mujoco_contact_surfaces), in YAML.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +8,16 @@
 
 namespace taxel {
 
-/// Reads one sensor of a list under `MujocoPlugins`, of which only some entries hold `SurfacePlugins`. Three types:
-/// CurvedSensor (`taxels` and `normals`), TaxelSensor (`taxels` alone; the skin gives the normals) and
+/// Reads one sensor of the list under `MujocoPlugins`; only some of its entries have `SurfacePlugins`. There are three
+/// types: CurvedSensor (`taxels` and `normals`), TaxelSensor (`taxels` alone; the skin gives the normals) and
 /// FlatTactileSensor (no taxels: square cells of `resolution` metres over the top of the skin). `include_margin` is the
-/// receptive radius [m], `sample_resolution` the density of the samples [1/m^2]; a value below 1 is a length on the
-/// contact surface in that code and no density. Positions are in the frame of the mesh file after scaling. `sensor`
+/// receptive radius [m], `sample_resolution` the density of the samples [1/m^2]. A value below 1 is a length on the
+/// contact surface in that code, and is ignored. Positions are in the frame of the mesh file after scaling. `sensor`
 /// chooses the one with this `sensorName` or `geomName`, or the first one if it is empty. The others are named in a
 /// note. Throws Error that names file, line and key.
 ImportedLayout read_sensor_yaml(const std::filesystem::path& path, const std::string& sensor);
 
-/// Reads a sensor description from its text; `file` is its name in messages.
+/// Reads a sensor description from its text. `file` is its name in messages. Throws as read_sensor_yaml() does.
 ImportedLayout parse_sensor_yaml(const std::string& text, const std::string& file, const std::string& sensor = "");
 
 }  // namespace taxel

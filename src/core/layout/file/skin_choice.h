@@ -9,8 +9,8 @@
 namespace taxel {
 
 struct SkinChoice {
-  std::string sensor = {};          ///< its name or geom in a file that holds several; empty: the first
-  std::string mesh = {};            ///< mesh file; empty: the layout's own
+  std::string sensor = {};          ///< name or geom of the sensor, or empty for the first one
+  std::string mesh = {};            ///< mesh file, or empty for the layout's own
   std::optional<dvec3> scale = {};  ///< factor from units of `mesh` to metres; guessed, with a note, if empty
   bool operator==(const SkinChoice&) const = default;
 };

@@ -1,4 +1,4 @@
-// Taxels as text on the clipboard: JSON that a person can read, write and keep.
+// Taxels as text on the clipboard: JSON that a person can read and write.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace taxel {
 
-/// {"format": "taxels", "version": 1, "taxels": [...]}, taxels as in layout files. Throws Error with the JSON pointer
-/// of a number that is not finite.
+/// Returns {"format": "taxels", "version": 1, "taxels": [...]} with taxels as in layout files. Throws Error with the
+/// JSON pointer of a number that is not finite.
 std::string taxels_to_json(const std::vector<Taxel>& taxels);
 
-/// What taxels_to_json wrote; also the text of a layout file, an array of taxels, or one taxel, so that parts of files
-/// can be pasted. Keys that this program does not know are left out. Throws Error(source, JSON pointer, message) for
-/// anything else; where the text is no JSON at all the message says so in short. At least one taxel.
+/// Reads the text of taxels_to_json(). Also reads the text of a layout file, an array of taxels, or one taxel, so that
+/// parts of files can be pasted. Unknown keys are ignored. Returns at least one taxel. Throws Error(source, JSON
+/// pointer, message) for any other text.
 std::vector<Taxel> parse_taxels(const std::string& text, const std::string& source = "clipboard");
 
 }  // namespace taxel

@@ -12,7 +12,7 @@ using Value = JsonNode<Json>;
 constexpr int kVersion = 1;
 constexpr const char* kExpected = "taxels as JSON: copied ones, a layout, an array of taxels, or one taxel";
 
-/// Whether a copied selection or a layout, of a version that is known; of one taxel or an array the value itself says.
+/// Checks the format and the version of a copied selection or a layout. One taxel or an array has neither.
 void check_head(JsonObject<Json>& root) {
   root.optional("format", [](const Value& format) {
     const std::string word = format.text();

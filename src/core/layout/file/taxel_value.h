@@ -1,4 +1,4 @@
-// Taxels as JSON, the same in layout files and on the clipboard.
+// Reads and writes taxels as JSON, equally for layout files and the clipboard.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ Subtaxel read_subtaxel(const JsonNode<Json>& value) {
   return subtaxel;
 }
 
-/// `index` is the id where none is given.
+/// Reads a taxel. `index` is its id if the object has none.
 template <class Json>
 Taxel read_taxel(const JsonNode<Json>& value, std::size_t index) {
   JsonObject<Json> object(value);
@@ -40,7 +40,7 @@ Taxel read_taxel(const JsonNode<Json>& value, std::size_t index) {
   return taxel;
 }
 
-/// The three values that a taxel and a subtaxel have in common.
+/// Writes the three values that taxels and subtaxels share.
 template <class Json, class T>
 void write_disc(Json& json, const T& disc, const std::string& pointer) {
   json["center"] = json_vector<Json>(disc.center, pointer + "/center");

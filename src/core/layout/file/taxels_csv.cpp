@@ -90,7 +90,7 @@ class Table {
         at_[name.column] = static_cast<int>(i);
       }
   }
-  /// Empty where the row ends before it.
+  /// Returns the text of a cell, empty if the row is too short.
   [[nodiscard]] std::string field(const CsvRow& row, Column column) const {
     const auto i = static_cast<std::size_t>(at_[column]);
     return has(column) && i < row.fields.size() ? row.fields[i] : "";
@@ -138,7 +138,7 @@ class Table {
   std::vector<CsvRow> rows_;
   std::string file_;
   double unit_;
-  int at_[kColumns];  ///< index of each column; -1: not there
+  int at_[kColumns];  ///< index of each column, -1 if it is missing
   bool headless_ = false;
 };
 

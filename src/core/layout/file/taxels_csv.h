@@ -1,4 +1,4 @@
-// Taxels as a table, for spreadsheets and for other programs.
+// Reads and writes taxels as a table, for spreadsheets and other programs.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace taxel {
 
-/// `Index,X,Y,Z,NormX,NormY,NormZ,Radius,Parent,Name`, metres, shortest round-trip numbers. Index is the id; Parent is
-/// -1. A subtaxel follows its taxel, with that one's id as Parent and an Index of its own behind the largest id. Throws
-/// Error naming the taxel where a number is not finite.
+/// Returns a table with the columns `Index,X,Y,Z,NormX,NormY,NormZ,Radius,Parent,Name`, in metres, with the shortest
+/// numbers that read back unchanged. Index is the id and Parent is -1. A subtaxel follows its taxel; its Parent is the
+/// taxel's id, and its Index is greater than all ids. Throws Error naming the taxel of a number that is not finite.
 std::string taxels_to_csv(const std::vector<Taxel>& taxels);
 
-/// What a table gave.
+/// The taxels of a table.
 struct CsvTaxels {
   std::vector<Taxel> taxels;
-  bool normals = false, radii = false;  ///< given; otherwise each taxel has the defaults of Taxel
+  bool normals = false, radii = false;  ///< true if in the table; otherwise the defaults of Taxel
 };
 
-/// Reads what taxels_to_csv writes, and any table with columns x, y and z: columns are found by the names in the first
-/// row (any case, any order; normx or nx, index or id; others are left out), or, where that row holds numbers, are x,
-/// y, z and then the normal. `unit` is what one unit of the table's lengths is [m]. An empty Parent, or -1, is none; a
-/// row without an Index gets its number, from 0. Throws Error(file, "line N, column NAME", ...) for what is missing or
-/// is no number, for a Parent that no row before has, and for a table without taxels. Ids may repeat: layout_check
-/// tells.
+/// Reads the table of taxels_to_csv(), or any table with columns x, y and z. The first row has the names of the columns
+/// in any case and order (normx or nx, index or id; others are ignored). If the first row has numbers, the columns are
+/// x, y, z and then the normal. `unit` is the length of the table's unit [m]. An empty Parent or -1 is no parent; a row
+/// without an Index gets the row's index. Does not check for repeated ids: layout_check does. Throws Error(file, "line
+/// N, column NAME", ...): a value is missing or not a number, no earlier row has a Parent as its Index, or there are no
+/// taxels.
 CsvTaxels parse_taxels_csv(const std::string& text, const std::string& file = "", double unit = 1.0);
 
 }  // namespace taxel

@@ -12,16 +12,16 @@
 namespace taxel {
 namespace {
 
-/// Larger files are refused: a sensor description of ten thousand taxels has less than 1 MB, and the parser needs
-/// up to three hundred times the memory of its text.
+/// Largest size of a file. A sensor description of ten thousand taxels has less than 1 MB, and the parser needs up to
+/// three hundred times the memory of its text.
 constexpr std::size_t kMaxBytes = 2u << 20;
 
 std::string line_text(const YAML::Mark& mark) {
   return mark.line >= 0 ? fmt::format("line {}", mark.line + 1) : "";
 }
 
-/// Refuses a text at which the parser stands still: of a comma outside of brackets yaml-cpp makes one empty document
-/// after another, without end, because the comma is never consumed.
+/// Throws Error for a text on which the parser does not end: yaml-cpp never consumes a comma outside of brackets and
+/// returns empty documents for ever.
 class StandstillCheck : public YAML::EventHandler {
  public:
   explicit StandstillCheck(const std::string& file) : file_(file) {}
@@ -40,7 +40,7 @@ class StandstillCheck : public YAML::EventHandler {
 
  private:
   const std::string& file_;
-  int last_ = -1;  ///< place of the document before, in the text
+  int last_ = -1;  ///< position of the previous document in the text
 };
 
 void check_for_standstill(const std::string& text, const std::string& file) {

@@ -1,4 +1,4 @@
-// One value of a YAML document that knows its file, line and key, so that every complaint about it names them.
+// A value of a YAML document with its file, line and key, which messages name.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -17,9 +17,9 @@ class YamlValue {
   YamlValue(YAML::Node node, const std::string& file, std::string key)
       : node_(std::move(node)), file_(&file), key_(std::move(key)) {}
 
-  /// "line 8, key geomName"; without a key only the line.
+  /// Returns the place for messages: "line 8, key geomName", or the line only without a key.
   [[nodiscard]] std::string place() const;
-  /// Throws Error with file and place.
+  /// Throws Error naming the file and the place.
   [[noreturn]] void fail(const std::string& message) const;
   [[noreturn]] void fail_expected(const std::string& expected) const;
 
@@ -27,10 +27,10 @@ class YamlValue {
   [[nodiscard]] bool is_list() const { return node_.IsSequence(); }
   [[nodiscard]] bool is_map() const { return node_.IsMap(); }
   [[nodiscard]] std::string text() const;
-  [[nodiscard]] double number() const;  ///< finite; a quoted number is text
-  [[nodiscard]] dvec3 vector() const;   ///< a list of three numbers
+  [[nodiscard]] double number() const;  ///< finite number; a quoted number is a text
+  [[nodiscard]] dvec3 vector() const;   ///< list of three numbers
   [[nodiscard]] std::vector<YamlValue> items() const;
-  /// By key. A key that is listed twice is an error, as YAML has it.
+  /// Returns the values by key. Throws Error if a key is listed twice.
   [[nodiscard]] std::map<std::string, YamlValue> entries() const;
 
  private:
@@ -40,7 +40,7 @@ class YamlValue {
   std::string key_;
 };
 
-/// All documents of a YAML text. Throws Error with file and line where it is no YAML.
+/// Returns the documents of a YAML text. Throws Error naming the file and the line if the text is not YAML.
 std::vector<YamlValue> parse_yaml(const std::string& text, const std::string& file);
 
 }  // namespace taxel

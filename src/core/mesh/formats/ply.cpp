@@ -178,7 +178,7 @@ class Body {
   TextCursor& text_;
 };
 
-/// Returns `value` as an index below `end`. Throws Error that names `what` if it is not a whole number in that range.
+/// Returns `value` as an index below `end`. Throws Error naming the value if it is not a whole number in that range.
 int index_from(const Body& body, double value, double end, const char* what) {
   if (!(value >= 0 && value < end) || value != std::floor(value))
     body.fail(fmt::format("{} {} cannot be", what, value));

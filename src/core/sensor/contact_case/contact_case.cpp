@@ -18,8 +18,8 @@ fs::path beside_case(const ContactCase& contact_case, const std::string& file) {
 
 namespace {
 
-/// The mesh, tets or height field that a body's shape names, into `shape`; a mesh that is to be soft is repaired. What
-/// was repaired or is wrong goes into `warnings`.
+/// Loads the mesh, tets or height field of a body's shape into `shape`. Repairs the mesh of a soft body, and adds
+/// repairs and problems to `warnings`.
 void load_shape(const ContactCase& contact_case, const CaseBody& body, const std::string& name, Shape& shape,
                 std::vector<std::string>& warnings) {
   const CaseShape& from = *body.shape;
@@ -80,7 +80,7 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
 }
 
 Twist relative_twist(const CaseBody& a, const CaseBody& b) {
-  // velocity of the point of B that is at A's origin now: v_B + omega_B x (p_A - p_B)
+  // Velocity of the point of B at A's origin: v_B + omega_B x (p_A - p_B)
   const dvec3 of_B = b.V_WB.linear + glm::cross(b.V_WB.angular, a.X_WB.p - b.X_WB.p);
   const dmat3 R_AW = glm::transpose(a.X_WB.rotation());
   return {R_AW * (a.V_WB.linear - of_B), R_AW * (a.V_WB.angular - b.V_WB.angular)};

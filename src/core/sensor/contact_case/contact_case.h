@@ -1,4 +1,4 @@
-// One contact between two bodies at given poses: the `contact-case` file, and what comes out of it.
+// One contact between two bodies at given poses: the `contact-case` file and its evaluation.
 #pragma once
 
 #include <filesystem>
@@ -15,64 +15,68 @@
 
 namespace taxel {
 
-/// A shape as MuJoCo names it; a mesh comes from a file.
+/// A shape with MuJoCo's name of its type. A mesh comes from a file.
 struct CaseShape {
   ShapeType type = ShapeType::sphere;
-  dvec3 size{0};                            ///< [m]; as Shape::size
-  std::string file;                         ///< of a mesh or of tets: relative to the case file, or absolute
-  dvec3 scale{1.0};                         ///< of the mesh file's coordinates
-  std::optional<HeightField> height_field;  ///< instead of all of these: a rigid mesh made of it
-  double resolution = 0;  ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
+  dvec3 size{0};                            ///< size as in Shape::size [m]
+  std::string file;                         ///< mesh or tets, relative to the case file or absolute
+  dvec3 scale{1.0};                         ///< factors of the mesh file's coordinates
+  std::optional<HeightField> height_field;  ///< height field in place of the above; rigid
+  /// Target edge length of the tessellation [m]; 0 for a tenth of the smallest extent.
+  double resolution = 0;
 };
 
-/// A body of a case: a shape with a material, or a layout (its mesh and material). Neither: to be given by the caller.
+/// A body of a case: a shape with a material, or a layout with its mesh and material. The caller gives the body if both
+/// are empty.
 struct CaseBody {
   std::optional<CaseShape> shape;
-  std::string layout;  ///< layout file: relative to the case file, or absolute
-  Material material;   ///< of a shape
-  Pose X_WB;           ///< of the shape, or of the mesh-file frame of the layout
-  Twist V_WB;          ///< velocity of the body's origin, angular velocity; world frame [m/s], [rad/s]
+  std::string layout;  ///< layout file, relative to the case file or absolute
+  Material material;   ///< material of a shape
+  Pose X_WB;           ///< pose of the shape, or of the layout's mesh frame
+  Twist V_WB;          ///< velocity of the body's origin, world frame [m/s], [rad/s]
 };
 
+/// The two bodies of a case.
 struct ContactCase {
   CaseBody a, b;
-  std::string file;  ///< where it came from: for messages and relative paths
+  std::string file;  ///< file of the case, for messages and relative paths
 };
 
-/// Parses version 1 of `contact-case`. Throws Error(file, JSON pointer, message): wrong JSON, unknown key or word,
-/// wrong type or length, size <= 0, a zero quaternion, another version. A quaternion is normalised only where its
-/// squared length is off by more than 1e-12, so that recorded poses keep their bits.
+/// Parses version 1 of `contact-case`. A quaternion is normalised only if its squared length differs from 1 by more
+/// than 1e-12, so that recorded poses keep their bits. Throws Error(file, JSON pointer, message): wrong JSON, unknown
+/// key or word, wrong type or length, size <= 0, a zero quaternion, another version.
 ContactCase parse_contact_case(const std::string& text, const std::string& file = "");
+/// Reads a file by parse_contact_case(). Throws Error as it does, or if the file cannot be read.
 ContactCase read_contact_case(const std::filesystem::path& path);
 
-/// Where a file that a case names lies: relative names stand beside the case file.
+/// Returns the path of a file that a case names. Relative names are in the folder of the case file.
 std::filesystem::path beside_case(const ContactCase& contact_case, const std::string& file);
 
-/// A body with what else came along: a layout brings its whole model.
+/// A body of a case, with the whole model of a layout.
 struct MadeBody {
   HydroBodyPtr body;
-  SensorModelPtr model;  ///< null for a shape
-  /// Of a soft body that has tets: what its field is worth. Null for others.
+  SensorModelPtr model;  ///< model of a layout, null for a shape
+  /// Returns the report on the field of a soft body with tets, otherwise null.
   [[nodiscard]] const FieldReport* field_report() const;
   std::vector<std::string> warnings;
 };
 
-/// Makes body `a` or `b` of a case; `name` ("a" or "b") stands in messages as its pointer. Throws Error.
+/// Builds body `a` or `b` of a case. `name` ("a" or "b") is the body's pointer in messages. Throws Error.
 MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, const std::string& name);
 
-/// Everything `taxel contact` tells. World frame.
+/// The contact of a case.
 struct ContactResult {
-  ContactSurface surface;  ///< frame of a
-  Wrench wrench_W;         ///< on a, about a's origin
-  dvec3 centroid_W{0};     ///< of the pressure; a's origin where nothing touches
+  ContactSurface surface;  ///< surface in the frame of a
+  Wrench wrench_W;         ///< wrench on a about its origin, world frame
+  dvec3 centroid_W{0};     ///< centre of pressure; a's origin without contact
 };
 
-/// The contact of two bodies placed as the case says; velocities enter damping and friction. Throws Error where both
-/// are rigid, or both half-spaces.
+/// Evaluates the contact of two bodies at the poses of the case. Velocities affect damping and friction. Throws Error
+/// if both bodies are rigid, or both are half-spaces.
 void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const HydroBody& b, ContactResult& out,
                       IntersectWorkspace& workspace);
 
-/// Velocity of body A relative to body B at A's origin, in frame A.
+/// Returns the velocity of body A relative to body B at A's origin, in frame A.
 Twist relative_twist(const CaseBody& a, const CaseBody& b);
 
 }  // namespace taxel

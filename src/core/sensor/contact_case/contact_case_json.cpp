@@ -17,7 +17,7 @@ using Node = JsonNode<Json>;
 struct ShapeWord {
   const char* word;
   ShapeType type;
-  std::size_t sizes;  ///< how many numbers its size takes
+  std::size_t sizes;  ///< number of values of its size
 };
 constexpr std::array<ShapeWord, 9> kShapes{{{"plane", ShapeType::plane, 0},
                                             {"sphere", ShapeType::sphere, 1},
@@ -39,7 +39,7 @@ ShapeWord parse_type(const Node& node) {
   node.wrong(fmt::format("one of {}", known));
 }
 
-/// MuJoCo's height field: size x, y, z and base; elevation row after row, rows along y, in parts of z.
+/// Reads MuJoCo's height field: size x, y, z and base; elevations by rows along y, as fractions of z.
 HeightField parse_height_field(const Node& node) {
   node.only({"type", "size", "elevation"});
   HeightField field;
@@ -122,7 +122,7 @@ Material parse_material(const Node& node, ShapeType type) {
   return material;
 }
 
-/// w x y z. A unit quaternion keeps its bits.
+/// Reads w x y z. A unit quaternion keeps its bits.
 dquat parse_quaternion(const Node& node) {
   const std::vector<double> v = node.numbers(4);
   const double squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];

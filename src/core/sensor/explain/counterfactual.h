@@ -1,5 +1,5 @@
-// Contact surfaces as they would be with another pressure field of the sensor: what tells whether a change belongs to
-// the contact or to the field.
+// Contact surfaces under another pressure field of the sensor. They show whether a change comes from the contact or
+// from the field.
 #pragma once
 
 #include <memory>
@@ -11,37 +11,37 @@
 
 namespace taxel {
 
-/// Surfaces of one contact, parallel to those that they were made of.
+/// Surfaces of one contact, in the order of the original ones.
 struct OtherSurfaces {
   std::vector<ContactSurface> surfaces;
-  std::vector<const ContactSurface*> pointers;  ///< to them; null where those were null
+  std::vector<const ContactSurface*> pointers;  ///< pointers to `surfaces`; null for null originals
 };
 
-/// Where tets of a sensor's field are inside out: they lie on the outer side of the skin face that they belong to, and
-/// the pressure below that face is that of other tets which reach across.
+/// The inverted tets of a sensor's field. An inverted tet is on the outer side of its skin face, and the pressure below
+/// that face is the pressure of other tets that reach across.
 class InvertedTets {
  public:
   InvertedTets() = default;
   explicit InvertedTets(const SensorModel& model);
-  /// Whether a polygon of the sensor's surfaces lies in one, or below a face of one. Frame M.
+  /// Returns true if a polygon (frame M) is in an inverted tet, or below the face of one.
   [[nodiscard]] bool concern(const ContactPolygon& polygon) const;
 
  private:
   std::shared_ptr<const MeshIndex> skin_;
-  std::vector<bool> tets_, faces_;  // empty where none is inverted
+  std::vector<bool> tets_, faces_;  // empty if no tet is inverted
 };
 
-/// Whether the sensor's field may change a reading by itself: a star, or one with inverted tets.
+/// Returns true if the field may cause a change of a reading: a star, or a field with inverted tets.
 bool field_is_suspect(const SensorModel& model);
 
-/// Whether both bodies of a contact are soft: the surface then moves with the field. True for polygons with tets of
-/// both, and for those on no face of a rigid mesh that do not lie in one plane.
+/// Returns true if both bodies of a contact are soft, so that the surface depends on the field: if polygons have tets
+/// of both bodies, or if they are on no face of a rigid mesh and not in one plane.
 bool between_soft_bodies(const ContactSurface& surface);
 
-/// The same polygons under a field of the same stiffness everywhere: p = k depth, the depth below the skin, k the
-/// mean stiffness of the sensor's own field; no deeper than the thickness of a pad whose field ends with its tets. Of
-/// each polygon depth and gradient at its centroid. No tets are involved. Holds where the other bodies are rigid, whose
-/// surfaces lie where they do whatever the field is.
+/// Returns the polygons under a field of uniform stiffness: p = k depth with the depth below the skin and the mean
+/// stiffness k of the sensor's own field. The depth is at most the thickness of a pad whose field ends with its tets.
+/// Depth and gradient are evaluated at the centroid of each polygon, without tets. Valid if the other bodies are rigid:
+/// then the place of the surfaces does not depend on the field.
 OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const ContactSurface* const> surfaces);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// An explanation as JSON: what `taxel explain --json` prints and the window's state dump holds.
+// An explanation as JSON, for `taxel explain --json` and the window's state dump.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace taxel {
 
-/// One object, SI units, keys as docs/user_guide.md lists them.
+/// Returns one object in SI units. docs/user_guide.md lists the keys.
 std::string explanation_to_json(const Explanation& explanation);
 
 }  // namespace taxel

@@ -45,7 +45,7 @@ dvec3 FieldRays::direction(int face) const {
 
 RayHit FieldRays::cast(int face, const dvec3& point) const {
   SensorRay ray{0, point, direction(face), model_.max_depth};
-  // What lies within the allowed depth may still lie behind the middle of a thin wall, which is asked for hits alone.
+  // A hit within the allowed depth may be beyond the middle of a thin wall, which is checked for hits only.
   if (model_.body->soft() && !caster_.cast(ray.origin, ray.direction, ray.max_depth).hit()) return {};
   limit_ray(skin_, face, model_.body->soft(), model_.max_depth, ray);
   return caster_.cast(ray.origin, ray.direction, ray.max_depth);

@@ -1,4 +1,4 @@
-// The rays of one taxel from any point of the skin, as the samples there would have them.
+// The rays of one taxel from any point of the skin: the rays that samples at these points would have.
 #pragma once
 
 #include <array>
@@ -11,23 +11,24 @@
 
 namespace taxel {
 
-/// Of one taxel on one contact. Keeps references: to be used at once.
+/// The rays of one taxel in one contact. The model and the surfaces must outlive this object.
 class FieldRays {
  public:
   FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces);
 
-  /// The first hit of the ray from a point of a face of the sensed skin, within its allowed depth.
+  /// Returns the first hit of the ray from a point of a face of the sensed skin, within its allowed depth.
   [[nodiscard]] RayHit cast(int face, const dvec3& point) const;
-  /// w there, 0 outside of the field [m^2].
+  /// Returns the weight of a point, 0 outside of the field [m^2].
   [[nodiscard]] double weight(int face, const dvec3& point);
-  /// Whether the field holds the point, where w may be 0.
-  [[nodiscard]] bool inside() const { return !at_.weights.empty(); }  ///< of the last weight()
+  /// Returns true if the point of the last weight() is in the field. Its weight may be 0.
+  [[nodiscard]] bool inside() const { return !at_.weights.empty(); }
 
+  /// A point of the skin.
   struct Start {
     int face = -1;
     dvec3 point{0};
   };
-  /// The sampled skin's point nearest to p, where the field holds it.
+  /// Returns the sampled skin's point nearest to p, if it is in the field.
   [[nodiscard]] std::optional<Start> nearest_start(const dvec3& p) const;
 
   /// A face of the sampled skin that the field may reach.
@@ -37,9 +38,9 @@ class FieldRays {
     double area = 0;
   };
   [[nodiscard]] std::vector<Face> faces() const;
-  /// Whether the field reaches into the ball, as far as straight distances tell.
+  /// Returns false only if the field surely does not intersect the ball, by Euclidean distances.
   [[nodiscard]] bool reaches(const dvec3& center, double radius) const;
-  /// Whether rays from a triangle of that face may meet a surface.
+  /// Returns false only if rays from a triangle of that face surely miss all surfaces.
   [[nodiscard]] bool may_hit(int face, const std::array<dvec3, 3>& corners) const;
 
   [[nodiscard]] double smallest_radius() const { return smallest_radius_; }
@@ -54,7 +55,7 @@ class FieldRays {
   const Taxel& taxel_;
   SensorSkin skin_;
   std::vector<FieldDisc> discs_;
-  FieldWeights weights_;  // of this taxel alone
+  FieldWeights weights_;  // of this taxel only
   std::vector<int> disc_numbers_;
   FieldWeights::AtPoint at_;
   SurfaceCaster caster_;

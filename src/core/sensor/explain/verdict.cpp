@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// By what readings of an even field are multiplied, so that their mean is that of the sensor's own.
+/// Returns the factor that scales readings of a uniform field to the mean of the sensor's own readings.
 double even_scale(const VerdictInput& in) {
   const double sum = in.even->before + in.even->now;
   return sum > 0 ? (in.exact->before + in.exact->now) / sum : 0.0;
@@ -20,15 +20,15 @@ std::string percent(double value, const ExplainLimits& limits) {
   return fmt::format("{:.3g} %", limits.largest > 0 ? 100 * std::abs(value) / limits.largest : 0.0);
 }
 
-/// "rose by 12 %", of the largest reading.
+/// Returns "rose by 12 %", as a fraction of the largest reading.
 std::string moved(double change, const ExplainLimits& limits) {
   return fmt::format("{} by {}", change < 0 ? "fell" : "rose", percent(change, limits));
 }
 
-/// What leaves more than this part of a change is no help.
+/// Largest fraction of a change that remains after a useful remedy.
 constexpr double kHelps = 0.9;
 
-/// What other samples would do about the change, as measured on the same two contacts.
+/// Returns the effect of other samples on the change, measured on the same two contacts.
 std::string cure(const Verdict& v, const ExplainLimits& limits) {
   const auto instead = [&](double change) {
     return fmt::format("it would be {} instead of {}", percent(change, limits), percent(v.change, limits));
@@ -67,7 +67,7 @@ Verdict decide(const VerdictInput& in) {
   if (noise >= field && noise >= rest) {
     v.cause = Cause::sampling_noise;
   } else if (field >= rest) {
-    // Whose departure from even stiffness is it?
+    // The inverted tets cause it if most of the difference from uniform stiffness is on their polygons.
     const double inverted = in.exact_inverted && in.even_inverted
                                 ? sign * (in.exact_inverted->change() - even_scale(in) * in.even_inverted->change())
                                 : 0.0;

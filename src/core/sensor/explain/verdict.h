@@ -1,4 +1,4 @@
-// Whether a reading that changed did so by the contact or by the method, in words.
+// Decides whether a reading changed because of the contact or because of the method, and says so in sentences.
 #pragma once
 
 #include <array>
@@ -8,13 +8,14 @@
 
 namespace taxel {
 
+/// The cause of a change.
 enum class Cause {
   none,            ///< the reading did not jump
-  sampling_noise,  ///< the samples, where the exact integral goes on smoothly
-  star_field,      ///< the stiffness of a star, which differs from tet to tet
-  inverted_tets,   ///< tets that lie outside of the skin they belong to, and leave it to others
-  redistribution,  ///< the contact: pressure moved while the sensor's force stayed
-  contact          ///< the contact: the sensor's force changed as well
+  sampling_noise,  ///< samples: the exact integral changes smoothly
+  star_field,      ///< stiffness of a star, which differs between tets
+  inverted_tets,   ///< tets that are outside of their skin
+  redistribution,  ///< contact: pressure moved at constant force
+  contact          ///< contact: the force changed as well
 };
 inline constexpr std::array<std::string_view, 6> kCauseWords{"none",          "sampling_noise", "star_field",
                                                              "inverted_tets", "redistribution", "contact"};
@@ -22,62 +23,62 @@ inline std::string_view to_word(Cause cause) {
   return kCauseWords[static_cast<std::size_t>(cause)];
 }
 
-/// What counts as a jump, and as a force that stays: those of Breakpoints.
+/// The limits of a jump and of a constant force, as in Breakpoints.
 struct ExplainLimits {
-  double jump = 0;         ///< part of `largest`
-  double equal_force = 0;  ///< part of the larger force
-  double largest = 0;      ///< reading of the taxel in the run, at least reading_floor() [its unit]
-  bool of_sensor = false;  ///< `largest` is that of all taxels of the sensor
+  double jump = 0;         ///< fraction of `largest`
+  double equal_force = 0;  ///< fraction of the larger force
+  double largest = 0;      ///< largest reading of the run, at least reading_floor()
+  bool of_sensor = false;  ///< true if `largest` is of all taxels of the sensor
 };
 
-/// Two readings of one thing, before and now.
+/// A value in the previous and in this step.
 struct Readings {
   double before = 0, now = 0;
   [[nodiscard]] double change() const { return now - before; }
 };
 
-/// A number of samples with which the same two contacts were read again.
+/// A number of samples with which both contacts were read again.
 struct SamplesNeeded {
   double samples = 0;  ///< number on the sampled faces
-  double factor = 0;   ///< multiple of the layout's density, exactly
-  double change = 0;   ///< of the reading with so many samples [its unit]
-  bool cures = false;  ///< the change stays below the limit, with a margin
+  double factor = 0;   ///< exact multiple of the layout's density
+  double change = 0;   ///< change of the reading with this number of samples
+  bool cures = false;  ///< true if the change is below the limit with a margin
 };
 
-/// The change of a reading, taken apart: noise + field + contact = change.
+/// The parts of a change of a reading: noise + field + contact = change.
 struct Verdict {
   Cause cause = Cause::none;
-  double change = 0;   ///< of the reading [its unit]
-  double noise = 0;    ///< of the samples: change less that of the exact integral
-  double field = 0;    ///< of the pressure field: that less the change under even stiffness
-  double contact = 0;  ///< what remains
-  double limit = 0;    ///< of a jump
+  double change = 0;   ///< change of the reading [its unit]
+  double noise = 0;    ///< part of the samples: change less exact change
+  double field = 0;    ///< part of the field: exact change less uniform change
+  double contact = 0;  ///< remainder
+  double limit = 0;    ///< smallest change that is a jump
   bool force_stays = false;
-  /// For sampling_noise: the least number of samples that cures, or the largest that was tried in vain.
+  /// For sampling_noise: the smallest number of samples that cures, or the largest number that was tried.
   std::optional<SamplesNeeded> needed;
-  /// For sampling_noise: change of the reading of the same samples with Voronoi weights [its unit].
+  /// For sampling_noise: the change of the reading for the same samples with Voronoi weights [its unit].
   std::optional<double> voronoi_change;
   std::string text;  ///< one to three sentences
 };
 
-/// What a verdict is made of.
+/// The input of a verdict.
 struct VerdictInput {
   ExplainLimits limits;
   Readings sampled;
-  std::optional<Readings> exact;  ///< none: there is no exact integral
-  std::optional<Readings> even;   ///< exact, under even stiffness; only where the field is suspect
-  /// The parts of `exact` and `even` that polygons bring which inverted tets concern.
+  std::optional<Readings> exact;  ///< exact readings, if there are any
+  std::optional<Readings> even;   ///< exact readings under uniform stiffness, for a suspect field
+  /// The parts of `exact` and `even` on polygons of inverted tets.
   std::optional<Readings> exact_inverted, even_inverted;
-  bool soft_contact = false;  ///< the field is suspect, but `even` cannot tell
-  Readings force;             ///< magnitude, of the whole sensor [N]
+  bool soft_contact = false;  ///< true if the field is suspect but `even` is unknown
+  Readings force;             ///< magnitude of the force on the sensor [N]
 };
 
-/// Decides, without `needed` and `voronoi_change`. The part of the change that is largest in its direction names the
-/// cause. The change under even stiffness is scaled so that the mean of both its readings is that of the exact ones:
-/// only how a field differs from place to place counts against it.
+/// Decides on the cause, without setting `needed` and `voronoi_change`. The cause belongs to the part that is largest
+/// in the direction of the change. The readings under uniform stiffness are scaled to the mean of the exact readings,
+/// so that only differences of stiffness between places count as a part of the field.
 Verdict decide(const VerdictInput& input);
 
-/// The sentences; `unit_text` as "Pa". To be called when all else is there.
+/// Returns the sentences. Call after all other values of the verdict are set.
 std::string verdict_text(const Verdict& verdict, const VerdictInput& input);
 
 }  // namespace taxel

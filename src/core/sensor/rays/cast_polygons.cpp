@@ -1,4 +1,4 @@
-// Contact polygons against the rays listed for them, by tet or by cell, as many at a time as the machine has lanes.
+// Tests contact polygons against the rays listed for them by tet or by cell, several rays at a time by SIMD lanes.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sensor/rays/cast_polygons.cpp"
 #include <hwy/foreach_target.h>
@@ -23,7 +23,7 @@ using Single = hn::CappedTag<float, TetTable::Tile::kRays>;
 using Numbers = hn::Rebind<std::int32_t, Single>;
 using Rays = RayLanes<Single>;
 
-/// Where a polygon's rays are: in the tiles of its tet.
+/// The rays of a polygon in the tiles of its tet.
 class InTets {
  public:
   explicit InTets(const TetTable& table) : table_(table) {}
@@ -34,7 +34,7 @@ class InTets {
   [[nodiscard]] HWY_INLINE const RayView& view_of(const ContactPolygon& polygon) const {
     return table_.view_of(polygon.tet);
   }
-  /// Calls test(rays, their numbers, which there are) until all were there.
+  /// Calls test(rays, indices of the rays, mask of the places with a ray) for all rays of the polygon.
   template <class Test>
   HWY_INLINE void visit(const ContactSurface& /*surface*/, const ContactPolygon& polygon, const Test& test) const {
     const Single f;
@@ -53,7 +53,7 @@ class InTets {
   const TetTable& table_;
 };
 
-/// Likewise: in the cells of a grid under it.
+/// The rays of a polygon in the cells of a grid below it.
 class InGrid {
  public:
   explicit InGrid(const RayGrid& grid) : grid_(grid) {}
@@ -75,9 +75,9 @@ class InGrid {
   const RayGrid& grid_;
 };
 
-/// One surface's polygons. Single precision tells of nearly all rays, in lanes, whether they run through a polygon;
-/// those that do are listed, and get their depth and pressure a block of polygons later. Nothing branches on what a
-/// single ray is like, which is as good as random: a wrong guess costs as much as testing several.
+/// Casts rays on the polygons of one surface. Single precision decides for nearly all rays, in lanes, whether they hit
+/// a polygon. The hits are listed, and get their depth and pressure after a block of polygons. No branch depends on a
+/// single ray: such branches are random, and a mispredicted one costs as much as testing several rays.
 template <class Source>
 class SurfaceCast {
  public:
@@ -85,7 +85,7 @@ class SurfaceCast {
               CastBuffers& buffers, RayHits& hits)
       : source_(source), rays_(rays), surface_(surface), number_(surface_number), buffers_(buffers), hits_(hits) {}
 
-  /// False if there are polygons that the source does not know.
+  /// Returns false if there are polygons that the source does not know.
   bool run() {
     bool knows_all = true;
     for (std::size_t p = 0; p < surface_.polygons.size(); ++p) {
@@ -105,13 +105,13 @@ class SurfaceCast {
   }
 
  private:
-  static constexpr std::size_t kBlock = 128;  // polygons: what they list stays in the caches
+  static constexpr std::size_t kBlock = 128;  // number of polygons whose lists stay in the caches
 
   template <std::size_t kGroups>
   HWY_INLINE void test(std::int32_t p) {
     const ContactPolygon& polygon = surface_.polygons[static_cast<std::size_t>(p)];
     TargetMaker<kGroups>(source_.view_of(polygon), surface_, polygon, buffers_, buffers_.target);
-    // Lanes take the target's numbers from memory one by one: out of registers that would cost twice as much.
+    // The lanes load the target's numbers from memory one by one. From registers that would cost twice as much.
     std::atomic_signal_fence(std::memory_order_seq_cst);
     source_.visit(surface_, polygon, [&](const Rays& rays, auto numbers, auto used) {
       list(p, rays, numbers, rays.template meet<kGroups>(buffers_.target), used);
@@ -134,7 +134,7 @@ class SurfaceCast {
     for (auto* numbers : {&buffers_.polygon, &buffers_.ray}) numbers->resize(2 * numbers->size() + kBlock);
   }
 
-  /// Rays that single precision tells nothing of: at rims, or all where the plane is steep.
+  /// Tests rays that single precision cannot decide: rays near a rim, or all rays of a steep plane.
   template <class Vector, class Mask>
   HWY_NOINLINE void test_exactly(std::int32_t p, const Rays& rays, Vector numbers, Mask unclear) {
     const Numbers n;
@@ -150,7 +150,7 @@ class SurfaceCast {
     }
   }
 
-  /// And how near to the centroid, at its depth, rays pass that may meet the polygon.
+  /// Fills the planes of a polygon, and near_: how close rays that may hit it pass by its centroid, at most [m].
   void make_planes(const ContactPolygon& polygon) {
     const auto count = static_cast<std::size_t>(polygon.count);
     if (buffers_.planes.size() < count) buffers_.planes.resize(2 * count);

@@ -3,8 +3,8 @@
 namespace taxel {
 namespace {
 
-/// How much boxes grow: by what a hit may lie outside of its polygon (edge_planes.h), of a perimeter within the box,
-/// and by some units in the last place of the coordinates, for the boxes' distances are computed in other ways.
+/// Returns the enlargement of boxes: the reach of a polygon beyond its rim (edge_planes.h) for a perimeter within the
+/// box, and some units in the last place of the coordinates, because distances to boxes are computed differently.
 double margin_of(const Aabb& box) {
   const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi)), e = box.extent();
   const double coordinates = largest.x + largest.y + largest.z;
@@ -16,7 +16,7 @@ Aabb widened(const Aabb& box, double margin) {
   return {box.lo - margin, box.hi + margin};
 }
 
-/// Third axis along the mean normal of the surface, as columns.
+/// Returns axes as columns, the third one along the mean normal of the surface.
 dmat3 patch_axes(const ContactSurface& surface) {
   dvec3 sum(0);
   for (const ContactPolygon& polygon : surface.polygons) sum += polygon.area * polygon.normal;

@@ -1,7 +1,7 @@
-// A contact polygon made ready for rays: its plane, and one plane through each edge.
+// A contact polygon prepared for rays: its plane, and one plane through each edge.
 //
-// A ray meets the polygon where it meets its plane, at y relative to the centroid, if m y + c >= 0 for every edge. Both
-// ray paths compute that in this order of operations, so that they get the same bits.
+// A ray hits the polygon if m y + c >= 0 for every edge, y being the point on the polygon's plane relative to its
+// centroid. All ray paths compute this in the same order of operations, so that they get the same bits.
 #pragma once
 
 #include <optional>
@@ -10,31 +10,33 @@
 
 namespace taxel {
 
-/// Part of the coordinates by which a polygon may reach over its rim at most. Neighbours are cut one by one, so that
-/// their common edge differs by rounding: with this no ray slips through between them. It is a million times what
-/// rounding makes and far below what is measured; each ray keeps one hit only, so nothing counts twice.
+/// Largest distance by which a polygon is enlarged beyond its rim, as a fraction of the coordinates. Neighbours are
+/// computed separately, and their common edge differs by rounding: without the enlargement a ray could pass between
+/// them. The fraction is a million times the rounding and far below measurable lengths. Each ray keeps one hit, so no
+/// pressure counts twice.
 inline constexpr double kRimReach = 1e-9;
 
-/// Through the edge from corner k to k + 1, at right angles to the polygon: inside where dot(m, y) + c >= 0.
+/// The plane through the edge from corner k to k + 1, perpendicular to the polygon. Inside is dot(m, y) + c >= 0.
 struct EdgePlane {
   dvec3 m{0};    ///< normal cross edge [m]
-  double c = 0;  ///< [m^2]
+  double c = 0;  ///< offset [m^2]
 };
 
-/// How far rays that meet the polygon may lie outside of it, at most [m].
+/// Returns the largest distance outside of a polygon at which a ray may hit it [m].
 inline double rim_reach(double l1_of_centroid, double perimeter) {
   return kRimReach * (l1_of_centroid + perimeter);
 }
 
-/// The same of one polygon, its perimeter being at most its number of edges times the longest one [m].
+/// Returns rim_reach() of a polygon, whose perimeter is at most its number of edges times the longest edge [m].
 inline double polygon_reach(const ContactPolygon& polygon, double longest_edge) {
   const dvec3& c = polygon.centroid;
   return rim_reach(std::abs(c.x) + std::abs(c.y) + std::abs(c.z), polygon.count * longest_edge);
 }
 
-/// Moving every edge of a convex polygon outward by s enlarges it about its inscribed circle at most by 1 + s/r,
-/// r >= area/perimeter: so s = reach 2 area / perimeter^2 keeps even a needle's tips within reach. For the perimeter
-/// stands what is not less: the number of edges times the longest one, by the sum of its components [m].
+/// Returns the outward shift of the edges [m]. A shift s of every edge of a convex polygon enlarges it about its
+/// inscribed circle by at most 1 + s/r, r >= area/perimeter. So s = reach 2 area / perimeter^2 keeps even the tips of a
+/// needle within reach. The perimeter is estimated from above: the number of edges times the longest, by the sum of its
+/// components.
 inline double edge_shift(const ContactPolygon& polygon, double longest_edge) {
   const double perimeter = polygon.count * longest_edge, reach = polygon_reach(polygon, longest_edge);
   return perimeter > 0 ? reach * 2.0 * polygon.area / (perimeter * perimeter) : 0.0;
@@ -53,18 +55,18 @@ inline void fill_edge_planes(const ContactSurface& surface, const ContactPolygon
   for (int k = 0; k <= last; ++k) {
     const dvec3 edge = corner[k < last ? k + 1 : 0] - corner[k];
     const dvec3 m = glm::cross(polygon.normal, edge);
-    const double length = std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.z)});  // not more than it is
+    const double length = std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.z)});  // at most the length
     planes[k] = {m, glm::dot(m, polygon.centroid - corner[k]) + s * length};
   }
 }
 
-/// Where a ray meets a polygon's plane.
+/// The intersection of a ray and a polygon's plane.
 struct PlaneHit {
   double t = 0;            ///< distance along the ray [m]
-  dvec3 from_centroid{0};  ///< y [m]
+  dvec3 from_centroid{0};  ///< point relative to the centroid, y above [m]
 };
 
-/// From either side, with t_min <= t <= t_max; a ray in the plane misses.
+/// Returns the intersection with the plane from either side, if t_min <= t <= t_max. A ray in the plane misses.
 inline std::optional<PlaneHit> hit_plane(const dvec3& origin, const dvec3& direction, double t_min, double t_max,
                                          const ContactPolygon& polygon) {
   const dvec3 w = origin - polygon.centroid;
@@ -73,17 +75,18 @@ inline std::optional<PlaneHit> hit_plane(const dvec3& origin, const dvec3& direc
   return PlaneHit{t, w + t * direction};
 }
 
-/// p0 there [Pa].
+/// Returns the pressure p0 at a point of the polygon [Pa].
 inline double pressure_at(const ContactPolygon& polygon, const dvec3& from_centroid) {
   return std::max(0.0, polygon.pressure + glm::dot(polygon.gradient, from_centroid));
 }
 
+/// The hit of a ray on a polygon.
 struct PolygonHit {
   double t = 0;         ///< distance along the ray [m]
-  double pressure = 0;  ///< [Pa]
+  double pressure = 0;  ///< pressure p0 at the hit [Pa]
 };
 
-/// Where the ray meets the polygon, rim included, likewise.
+/// Returns the hit on the polygon from either side, the rim included, if t_min <= t <= t_max.
 inline std::optional<PolygonHit> hit_polygon(const dvec3& origin, const dvec3& direction, double t_min, double t_max,
                                              const ContactPolygon& polygon, const EdgePlane* planes) {
   const auto hit = hit_plane(origin, direction, t_min, t_max, polygon);

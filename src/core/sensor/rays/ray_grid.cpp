@@ -7,10 +7,10 @@
 namespace taxel {
 namespace {
 
-/// Directions that differ by less than this are one.
+/// Largest difference of equal directions.
 constexpr double kParallel = 1e-9;
-/// Rays in a cell on average, were they spread over the whole grid: fewer cells make polygons test rays beside them,
-/// more cells make them look up empty rows.
+/// Average number of rays per cell if rays cover the whole grid. With larger cells polygons test more rays that are not
+/// below them; with smaller cells polygons visit empty rows.
 constexpr double kRaysPerCell = 2.0;
 
 double l1(const dvec3& v) {
@@ -41,7 +41,7 @@ RayGrid::RayGrid(std::span<const SensorRay> rays, const dvec3& direction) {
   slack_ = kParallel * deepest + 64.0 * std::numeric_limits<double>::epsilon() * (largest + deepest);
   const dvec3 e = reach_.extent();
   const double count = static_cast<double>(rays.size());
-  // Square cells; of a line of rays, as many along it.
+  // Square cells. A line of rays has the same number of cells along the line.
   const double edge = std::max(std::sqrt(e.x * e.y * kRaysPerCell / count), (e.x + e.y) * kRaysPerCell / count);
   if (edge > 0.0 && std::isfinite(1.0 / edge)) {
     per_cell_ = 1.0 / edge;
@@ -75,7 +75,7 @@ RayGrid::Cells RayGrid::cells_under(const ContactSurface& surface, const Contact
   Aabb box;
   for (int i = 0; i < polygon.count; ++i)
     box.include(surface.vertices[static_cast<std::size_t>(polygon.first + i)] * axes_);
-  // What a hit may lie outside of the polygon (edge_planes.h), and rounding: twice, for good measure.
+  // The reach of a polygon beyond its rim (edge_planes.h) and the rounding, doubled as a margin.
   const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
   const double coordinates = l1(largest);
   const double margin = 2.0 * (slack_ + rim_reach(coordinates, polygon.count * l1(box.extent())) +

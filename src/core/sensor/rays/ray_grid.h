@@ -1,5 +1,6 @@
-// The rays of a flat array: all of one direction, binned once in a grid across it. A contact polygon can meet only the
-// rays under its projection, so that it is drawn into the grid row by row, as a rasteriser draws it into pixels.
+// The rays of a flat array, which all have one direction, sorted once into the cells of a grid across that direction.
+// Only the rays under the projection of a contact polygon can hit it: the polygon is drawn into the grid row by row, as
+// a rasteriser draws a polygon into pixels.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +16,23 @@
 
 namespace taxel {
 
+/// The grid.
 class RayGrid {
  public:
-  /// Null where the rays do not share one direction (to 1e-9, which the normals of one plane's faces keep), or there is
-  /// none.
+  /// Returns null if there are no rays, or if their directions differ by more than 1e-9, which is more than the normals
+  /// of the faces of one plane differ.
   static std::shared_ptr<const RayGrid> make(std::span<const SensorRay> rays);
 
-  /// Where rays are across the grid [m], in single precision, and their numbers in SensorModel::rays: sorted by row,
-  /// within a row by column, within a cell ascending. With kRoom places behind the last.
+  /// The positions of the rays across the grid [m], in single precision, and their indices in SensorModel::rays. Sorted
+  /// by row, column and index, with kRoom places of padding at the end.
   [[nodiscard]] const float* x() const { return x_.data(); }
   [[nodiscard]] const float* y() const { return y_.data(); }
   [[nodiscard]] const std::int32_t* rays() const { return rays_.data(); }
   static constexpr std::size_t kRoom = 16;
-  /// Along the rays, with the grid's x and y for u and v; no ray has a slope there.
+  /// The view along the rays, whose u and v are x and y of the grid. No ray has a slope in this view.
   [[nodiscard]] const RayView& view() const { return view_; }
 
-  /// Calls visit(first, last) for ranges of those places that hold every ray which may meet the polygon, and others.
+  /// Calls visit(first, last) for ranges of places that include all rays which may hit the polygon.
   template <class Visit>
   void visit(const ContactSurface& surface, const ContactPolygon& polygon, const Visit& visit) const {
     const Cells cells = cells_under(surface, polygon);
@@ -44,7 +46,7 @@ class RayGrid {
   [[nodiscard]] std::size_t cell_count() const { return rows_ * columns_; }
 
  private:
-  /// Half open ranges; empty where the polygon is beside the grid, or out of the rays' reach.
+  /// Half-open ranges of rows and columns. Empty if the polygon is outside of the grid or out of reach of the rays.
   struct Cells {
     std::size_t row_first = 0, row_last = 0, column_first = 0, column_last = 0;
   };
@@ -57,17 +59,17 @@ class RayGrid {
   }
 
   dmat3 axes_{1.0};      // p_grid = p_M * axes_; the third one along the rays
-  Aabb reach_;           // of the rays, from origin to depth, in those axes
-  double slack_ = 0;     // by what rays leave their cell on the way down, and by what coordinates are rounded [m]
+  Aabb reach_;           // box of the rays from origin to depth, in these axes
+  double slack_ = 0;     // distance by which rays leave their cell, and rounding of coordinates [m]
   double per_cell_ = 1;  // 1 / edge of a cell [1/m]
   std::size_t rows_ = 1, columns_ = 1;
-  std::vector<std::int32_t> first_;  // of each cell in row order, and the end
+  std::vector<std::int32_t> first_;  // first place of each cell in row order, and the end
   std::vector<float> x_, y_;
   std::vector<std::int32_t> rays_;
   RayView view_;
 };
 
-/// Offers the hits of all rays (those of the grid) on one surface, wherever it comes from.
+/// Offers the hits of all rays of the grid on one surface of any origin.
 void cast_through_grid(const RayGrid& grid, std::span<const SensorRay> rays, const ContactSurface& surface,
                        int surface_number, CastBuffers& buffers, RayHits& hits);
 

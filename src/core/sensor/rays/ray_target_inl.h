@@ -1,5 +1,5 @@
-// Makes ready a contact polygon for rays, and tests it against as many as there are lanes, in single precision.
-// Compiled once per instruction set.
+// Prepares a contact polygon for rays and tests it against one ray per SIMD lane, in single precision. Compiled once
+// per instruction set.
 #if defined(TAXEL_SENSOR_RAY_TARGET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_SENSOR_RAY_TARGET_INL_H_
 #undef TAXEL_SENSOR_RAY_TARGET_INL_H_
@@ -22,7 +22,7 @@ namespace taxel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Fills a target of kGroups times four edges at most.
+/// Fills a target of at most 4 kGroups edges.
 template <std::size_t kGroups>
 class TargetMaker {
  public:
@@ -46,7 +46,7 @@ class TargetMaker {
   using Four = hn::CappedTag<float, kGroup>;
   using Floats = hn::Vec<Four>;
 
-  /// Along the axes of the view.
+  /// Computes the components of p along the axes of the view.
   HWY_INLINE void look(const dvec3& p, std::array<float, 4>& seen) const {
     const Four f;
     const auto x = hn::Set(f, static_cast<float>(p.x)), y = hn::Set(f, static_cast<float>(p.y)),
@@ -57,7 +57,7 @@ class TargetMaker {
     }
   }
 
-  /// A group of corners, from the centroid.
+  /// Computes u and v of a group of corners, relative to the centroid.
   HWY_INLINE void project(const dvec3* corner, float* u, float* v) const {
     const hn::CappedTag<double, kGroup> d;
     const hn::Rebind<float, decltype(d)> f;
@@ -76,7 +76,7 @@ class TargetMaker {
     }
   }
 
-  /// All fit in the lanes: corners are turned there.
+  /// Sets the edges of a polygon whose corners fit in the lanes, where they are permuted.
   HWY_INLINE void set_few(const dvec3* corner, std::size_t count) {
     const Four f;
     alignas(16) std::array<float, kGroup> at_u, at_v;
@@ -94,7 +94,7 @@ class TargetMaker {
   HWY_INLINE void set_many(const dvec3* corner, std::size_t count) {
     const Four f;
     constexpr std::size_t kMost = kGroups * kGroup;
-    if (count > kMost) {  // nothing is certain
+    if (count > kMost) {  // every ray is undecided
       for (RayTarget::Edges& edges : target_.edges) edges = {};
       target_.slack = target_.tilt = std::numeric_limits<float>::infinity();
       return;
@@ -109,7 +109,7 @@ class TargetMaker {
     set_slack(far);
   }
 
-  /// Counter-clockwise as the rays see them. Returns how far first corners are from the centroid, at most.
+  /// Sets edges counter-clockwise as seen along the rays. Returns the distances of first corners from the centroid.
   HWY_INLINE Floats set_edges(Floats from_u, Floats from_v, Floats to_u, Floats to_v, std::size_t k) {
     const Four f;
     RayTarget::Edges& edges = target_.edges[k / kGroup];
@@ -125,14 +125,14 @@ class TargetMaker {
     const float extent = hn::GetLane(hn::MaxOfLanes(Four(), far));
     const std::array<float, 4>& c = target_.centroid;
     const float coordinates = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) + extent;
-    // Edges are no longer than twice the extent. Of steep planes not even the side is certain.
+    // Edges are at most twice as long as the extent. For steep planes not even the side is certain.
     constexpr float kSteep = 1e-3F;
     const float slack = 2.0F * extent * (view_.spread + static_cast<float>(kSingleRounding) * coordinates);
     target_.slack = std::abs(target_.normal[0]) > kSteep ? slack : std::numeric_limits<float>::infinity();
     target_.tilt = slack * view_.tilt;
   }
 
-  /// With room behind them to load whole groups.
+  /// Copies corners with padding, so that whole groups can be loaded.
   static HWY_NOINLINE const dvec3* copy_corners(const dvec3* corner, std::size_t count, CastBuffers& buffers) {
     buffers.corners.resize(std::max(count, kGroups * kGroup));
     std::copy_n(corner, count, buffers.corners.begin());
@@ -144,12 +144,12 @@ class TargetMaker {
   RayTarget& target_;
 };
 
-/// Rays side by side, by their places in a view.
+/// Rays in lanes, by their places in a view.
 template <class Tag>
 class RayLanes {
  public:
   using Floats = hn::Vec<Tag>;
-  /// Which run through the target and which past it, for certain.
+  /// The rays that surely hit the target, and those that surely miss it.
   struct Met {
     hn::Mask<Tag> in, out;
   };
@@ -178,14 +178,14 @@ class RayLanes {
     return {hn::Gt(inside, slack), hn::Lt(inside, hn::Neg(slack))};
   }
 
-  /// Which pass the target's centroid, at its depth, within this distance in u and v [m].
+  /// Returns the rays within a distance in u and v from the target's centroid, at its depth [m].
   HWY_INLINE hn::Mask<Tag> pass_within(float distance, const RayTarget& target) const {
     const auto limit = hn::Set(Tag(), distance);
     return hn::And(hn::Le(hn::Abs(u_from(target)), limit), hn::Le(hn::Abs(v_from(target)), limit));
   }
 
  private:
-  /// At the depth of the target's centroid, from it.
+  /// Returns u at the depth of the target's centroid, relative to the centroid.
   HWY_INLINE Floats u_from(const RayTarget& target) const {
     const Tag f;
     const auto h = hn::Set(f, target.centroid[0]);

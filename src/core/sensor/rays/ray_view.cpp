@@ -29,7 +29,7 @@ RayViewer::RayViewer(std::span<const SensorRay* const> rays) {
     steepest = std::max(steepest, along > 0 ? across / along : std::numeric_limits<double>::infinity());
     coordinates = std::max(coordinates, glm::length(ray->origin));
   }
-  // What rounding makes of the height and, times the depth, of the rise: less than of three coordinates.
+  // The rounding of the height, and of the rise times the depth, is less than that of three coordinates.
   tilt_ = 3.0 * steepest;
   spread_ = steepest <= 1.0 ? kSingleRounding * coordinates : std::numeric_limits<double>::infinity();
 }

@@ -1,5 +1,5 @@
-// How rays that run nearly side by side look along their mean direction: enough to tell in single precision, of all but
-// the few that pass by a rim, whether they meet a contact polygon.
+// The positions of nearly parallel rays, seen along their mean direction. With them single precision decides for all
+// rays but those near a rim whether they hit a contact polygon.
 #pragma once
 
 #include <array>
@@ -9,26 +9,28 @@
 
 namespace taxel {
 
-/// More than what rounding to single precision makes of a coordinate, and of what is computed from it here, as a part
-/// of the coordinates.
+/// Upper bound of the rounding errors of coordinates in single precision and of the results computed from them here, as
+/// a fraction of the coordinates.
 inline constexpr double kSingleRounding = 4e-6;
 
-/// A ray with place p passes the depth h along `axis` at (p.u + h p.u_slope, p.v + h p.v_slope). There it meets the
-/// plane of a polygon if h = h_c - height / rise, height being that of where it passes the depth h_c of the polygon's
-/// centroid, and rise = n_h + n_u u_slope + n_v v_slope with the components of the plane's normal. In single precision
-/// that is right to (spread + kSingleRounding X) (1 + tilt / |rise|), X the coordinates of the polygon.
+/// The view along an axis. A ray at place p is at (p.u + h p.u_slope, p.v + h p.v_slope) in the depth h along `axis`.
+/// It intersects the plane of a polygon at h = h_c - height / rise. Here h_c is the depth of the polygon's centroid,
+/// height the height over the plane of the ray's point at h_c, and rise = n_h + n_u u_slope + n_v v_slope with the
+/// components of the plane's normal. In single precision the error is at most (spread + kSingleRounding X) (1 + tilt /
+/// |rise|), X being the coordinates of the polygon.
 struct RayView {
-  /// Components of the axes, which are unit and at right angles: of `axis`, of those of u and v, and 0.
+  /// Components of the perpendicular unit axes: of `axis`, of the axes of u and v, and 0.
   std::array<float, 4> x{}, y{}, z{};
-  float spread = 0;  ///< [m]; infinite where rays run in too many directions to have a view
+  float spread = 0;  ///< error of positions [m]; infinite if rays are not nearly parallel
   float tilt = 0;
 };
 
+/// The place of a ray in a view.
 struct RayPlace {
   float u = 0, v = 0, u_slope = 0, v_slope = 0;
 };
 
-/// Makes a view, and the places of rays in it.
+/// Computes a view of rays, and the places of rays in the view.
 class RayViewer {
  public:
   explicit RayViewer(std::span<const SensorRay* const> rays);
@@ -40,7 +42,7 @@ class RayViewer {
   double spread_ = 0, tilt_ = 0;
 };
 
-/// The view with these axes: the first one along the rays.
+/// Returns the view with these axes, the first one along the rays.
 RayView make_view(const dvec3& axis, const dvec3& u_axis, const dvec3& v_axis, double spread, double tilt);
 
 }  // namespace taxel

@@ -24,13 +24,13 @@ void TetCrossings::find(const SensorRay& ray, std::vector<std::int32_t>& found) 
   std::sort(found.begin(), found.end());
 }
 
-/// How far outside of the tet a hit on one of its polygons may lie: vertices move by less than 1e-6 of its size when
-/// they are merged, and rim_reach() of a polygon in it is less than 1e-8 of its coordinates.
+/// Returns the largest distance outside of a tet of a hit on one of its polygons. Merged vertices move by less than
+/// 1e-6 of the tet's size, and rim_reach() of its polygons is less than 1e-8 of the coordinates.
 double TetCrossings::width(const Tet& tet) const {
   return 2e-6 * tet.size + 1e-8 * coordinates_;
 }
 
-/// Clips the ray with the four planes.
+/// Clips the ray by the four planes.
 bool TetCrossings::crosses(int number, const SensorRay& ray) const {
   const Tet& tet = field_.tets()[static_cast<std::size_t>(number)];
   double t_min = 0, t_max = ray.max_depth;

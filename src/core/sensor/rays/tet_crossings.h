@@ -1,4 +1,4 @@
-// Which tets of a pressure field a ray crosses.
+// Finds the tets of a pressure field that a ray crosses.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace taxel {
 
-/// Finds the tets that rays cross. Tets are widened by what contact polygons may reach over them: rounding, merged
-/// vertices, kRimReach.
+/// Finds the tets that rays cross. Tets are enlarged by the distance that contact polygons may reach beyond them, which
+/// comes from rounding, merged vertices and kRimReach.
 class TetCrossings {
  public:
-  explicit TetCrossings(const PressureField& field);  ///< keeps a reference
+  explicit TetCrossings(const PressureField& field);  ///< `field` must outlive this object
 
   /// Replaces `found` by the tets that `ray` crosses up to its depth, ascending.
   void find(const SensorRay& ray, std::vector<std::int32_t>& found) const;

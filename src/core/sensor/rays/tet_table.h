@@ -1,5 +1,5 @@
-// For each tet of a sensor's pressure field the rays that cross it: found once, for rays are fixed in the sensor's
-// frame. A contact polygon lies in one tet, and only that tet's rays can meet it.
+// The rays that cross each tet of a sensor's pressure field. They are found once, because rays are fixed in the
+// sensor's frame. A contact polygon is in one tet, and only rays that cross this tet can hit it.
 #pragma once
 
 #include <array>
@@ -17,26 +17,27 @@
 
 namespace taxel {
 
+/// The table.
 class TetTable {
  public:
   TetTable() = default;
   TetTable(const PressureField& field, std::span<const SensorRay> rays);
-  /// The same where it is known which tets each ray crosses, ascending.
+  /// `crossings` has the tets that each ray crosses, ascending.
   TetTable(const PressureField& field, std::span<const SensorRay> rays,
            std::span<const std::span<const std::int32_t>> crossings) {
     fill(field.tets().size(), rays, crossings);
   }
 
-  /// As many rays as fill a vector, with their places in the view of their tet.
+  /// The rays of one vector, with their places in the view of their tet.
   struct alignas(64) Tile {
     static constexpr std::size_t kRays = 16;
     std::array<float, kRays> u, v, u_slope, v_slope;  ///< RayPlace
-    std::array<std::int32_t, kRays> ray;              ///< in SensorModel::rays; -1 where empty
+    std::array<std::int32_t, kRays> ray;              ///< indices in SensorModel::rays, -1 for an empty place
   };
 
   [[nodiscard]] int tet_count() const { return static_cast<int>(tets_.size()); }
   [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
-  /// The rays that cross a tet, ascending.
+  /// Returns the rays that cross a tet, ascending.
   [[nodiscard]] std::span<const Tile> rays_of(int tet) const {
     const TetRays& rays = tets_[static_cast<std::size_t>(tet)];
     return {tiles_.data() + rays.first_tile, rays.tiles};
@@ -54,11 +55,11 @@ class TetTable {
     std::uint32_t first_tile = 0, tiles = 0;
   };
   std::vector<TetRays> tets_;
-  std::vector<Tile> tiles_;  // tet by tet: what few polygons of few tets share stays in the caches
+  std::vector<Tile> tiles_;  // tet by tet, so that the rays of neighbouring polygons stay in the caches
 };
 
-/// Offers the hits of all rays (those of the table) on the polygons of one surface that name a tet of the table. False
-/// if there are others, such as depth pieces: they are for the trees.
+/// Offers the hits of all rays of the table on the polygons of one surface that are in a tet of the table. Returns
+/// false if the surface has other polygons, such as depth pieces, which go through trees.
 bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
                        int surface_number, CastBuffers& buffers, RayHits& hits);
 

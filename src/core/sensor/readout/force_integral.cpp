@@ -8,26 +8,27 @@
 namespace taxel {
 namespace {
 
-/// A triangle is halved while its error is larger than this part of kAccuracy: the errors of the triangles at the edge
-/// of the fields, which alone are that large, have either sign.
+/// Largest error of a triangle as a fraction of kAccuracy. Only triangles at the edge of the fields have such errors,
+/// and the errors of many of them cancel.
 constexpr double kTrianglePart = 0.01;
-constexpr double kLeastPart = 1e-3;  // of the whole force, to which the accuracy refers where less is covered
+constexpr double kLeastPart = 1e-3;  // smallest fraction of the whole force that the accuracy refers to
 constexpr int kMaxLevel = 24;
-/// Beside the edge of the fields the points of the rule may all lie on one side of it. What may be missed then, as a
-/// part of the triangle, and how near it is, in circumradii: below convex skin s(x) moves faster than x.
+/// Near the edge of the fields all points of the rule may be on one side of it. kMissedPart is the fraction of a
+/// triangle that may be missed then. kNearEdge is the distance that is near, in circumradii: below convex skin s(x)
+/// moves faster than x.
 constexpr double kMissedPart = 0.1, kNearEdge = 1.2;
 
-/// A polygon of at most this part of the smallest field's radius is small against it.
+/// Largest size of a small polygon as a fraction of the smallest field's radius.
 constexpr double kSmallPolygon = 0.25;
 /// sqrt(2) (cos t, sin t), a third of a turn apart.
 const std::array<dvec2, 3> kThirds{
     {{std::sqrt(2.0), 0.0}, {-std::sqrt(0.5), std::sqrt(1.5)}, {-std::sqrt(0.5), -std::sqrt(1.5)}}};
 
-/// The normal with which the skin looks at x, whose nearest point on the skin is s: that of the face; on an edge or a
-/// corner, where all of its faces are equally near, the direction from x to s. It turns from one face's normal to the
-/// next one's as x moves, so that no tie between the faces decides.
+/// Returns the normal of the skin at s, its point nearest to x: the normal of the face, or the direction from x to s on
+/// an edge or a corner, where several faces are equally near. That direction turns from one face's normal to the next
+/// as x moves, so that the result does not depend on the choice of a face.
 dvec3 normal_at(const TriMesh& skin, const SurfacePoint& s, const dvec3& x) {
-  constexpr double kInSkin = 1e-9;  // of the skin's size: nearer, the direction is rounding
+  constexpr double kInSkin = 1e-9;  // fraction of the skin's size below which the direction is rounding
   const dvec3& b = s.barycentric;
   const bool in_face = b.x != 0 && b.y != 0 && b.z != 0;
   if (in_face || !(s.distance > kInSkin * skin.bounds().diagonal())) return skin.face_normals()[at(s.face)];
@@ -52,7 +53,7 @@ double ForceIntegral::Polygon::pressure(const dvec3& x) const {
   return polygon->pressure + glm::dot(polygon->gradient, x - polygon->centroid);
 }
 
-/// The weights at the skin's point nearest to x, into at_.
+/// Computes the weights at the skin's point nearest to x in at_.
 void ForceIntegral::evaluate(const Polygon& polygon, const dvec3& x) {
   ++out_->evaluations;
   double within = std::numeric_limits<double>::infinity();
@@ -68,8 +69,8 @@ void ForceIntegral::evaluate(const Polygon& polygon, const dvec3& x) {
   if (s.distance > model_->max_depth) at_.weights.clear();
 }
 
-/// The error is the difference between the two rules, or what may hide between their points beside the edge of the
-/// fields.
+/// Integrates by the nodes of a rule. The error is the difference of the two rules, or near the edge of the fields the
+/// largest force between the points of the rules.
 ForceIntegral::Estimate ForceIntegral::estimate(const Polygon& polygon, std::span<const Node> nodes, double area,
                                                 double radius) {
   Estimate e;
@@ -105,7 +106,7 @@ ForceIntegral::Estimate ForceIntegral::estimate(const Polygon& polygon, std::spa
   return e;
 }
 
-/// By the rule of degree 5, against that of degree 2 in the same points.
+/// Integrates by the rule of degree 5, compared with the rule of degree 2 at the same points.
 ForceIntegral::Estimate ForceIntegral::estimate(const Polygon& polygon, const Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
   std::array<Node, kTriangleDegree5.size()> nodes;
@@ -122,8 +123,8 @@ bool ForceIntegral::covered() const {
   return std::any_of(at_.weights.begin(), at_.weights.end(), [](const FieldWeights::Weight& w) { return w.value > 0; });
 }
 
-/// Where the cover ends on the way from a point inside to one outside, by regula falsi on the margin (Illinois). None
-/// where it ends in a jump, as at a face that is turned away too far.
+/// Returns the edge of the fields between a point inside and a point outside, by the regula falsi on the margin
+/// (Illinois variant). Returns nothing if the margin jumps there, as at a face that is turned away too far.
 std::optional<dvec3> ForceIntegral::edge_of_cover(const Polygon& polygon, dvec3 inside, double inner, dvec3 outside,
                                                   double outer) {
   constexpr int kMost = 10;
@@ -146,7 +147,7 @@ std::optional<dvec3> ForceIntegral::edge_of_cover(const Polygon& polygon, dvec3 
   return std::nullopt;
 }
 
-/// Adds the shares of a triangle that is covered, and its force where it is, to those of `e`; rule of degree 2.
+/// Adds the shares of a covered triangle to the shares of `e`, and its force to `pushed`, by the rule of degree 2.
 void ForceIntegral::share_out(const Polygon& polygon, const std::array<dvec3, 3>& c, double area, Estimate& e,
                               double& pushed) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -169,11 +170,12 @@ void ForceIntegral::share_out(const Polygon& polygon, const std::array<dvec3, 3>
   }
 }
 
-/// The triangle whose corner `lone` alone is covered, or alone is not, cut along the chord of the edge of the cover.
-/// The margin in the chord's middle is the edge's height above it: by two thirds of their product the cover is larger.
+/// Integrates a triangle whose corner `lone` is the only covered one, or the only one that is not covered, cut along
+/// the chord of the edge of the fields. The margin at the chord's middle is the height of the edge over the chord; the
+/// covered area is larger by two thirds of the product of chord and height.
 ForceIntegral::Estimate ForceIntegral::cut_at(const Polygon& polygon, const Triangle& triangle, int lone,
                                               bool lone_covered, const std::array<double, 3>& margins) {
-  constexpr double kLeftOver = 0.3, kFlat = 0.25;  // part of the correction that may be wrong; height over chord
+  constexpr double kLeftOver = 0.3, kFlat = 0.25;  // error as a fraction of the correction; largest height over chord
   Estimate e;
   e.first = e.end = static_cast<std::uint32_t>(shares_.size());
   e.error = std::numeric_limits<double>::infinity();
@@ -217,7 +219,8 @@ ForceIntegral::Estimate ForceIntegral::cut_at(const Polygon& polygon, const Tria
   return e;
 }
 
-/// A triangle at the edge of the cover, if that runs through it simply; else its error is infinite.
+/// Integrates a triangle at the edge of the fields. The error is infinite unless the edge separates one corner from the
+/// other two.
 ForceIntegral::Estimate ForceIntegral::cut(const Polygon& polygon, const Triangle& triangle) {
   std::array<double, 3> margins{};
   std::array<bool, 3> in{};
@@ -233,9 +236,9 @@ ForceIntegral::Estimate ForceIntegral::cut(const Polygon& polygon, const Triangl
   return {none, none, 0, 0, std::numeric_limits<double>::infinity()};
 }
 
-/// Of a polygon that is small against the fields, as a whole: by three points on the ellipse of its second moments,
-/// exact for degree 2, against its centroid alone. With M = L L^T the second moments over the area, these are
-/// c + sqrt(2) L (cos t, sin t), t a third of a turn apart: for a triangle, on its inscribed ellipse.
+/// Integrates a whole polygon that is small against the fields, by three points on the ellipse of its second moments
+/// (exact for degree 2), compared with the centroid alone. With the second moments over the area M = L L^T, the points
+/// are c + sqrt(2) L (cos t, sin t) with t a third of a turn apart. For a triangle they are on its inscribed ellipse.
 ForceIntegral::Estimate ForceIntegral::estimate_whole(const Polygon& polygon, double radius) {
   const ContactPolygon& p = *polygon.polygon;
   const dvec3 u = any_perpendicular(p.normal), v = glm::cross(p.normal, u);
@@ -306,7 +309,7 @@ void ForceIntegral::settle(const Leaf& leaf, double tolerance) {
   }
 }
 
-/// Triangles that are no larger than the smallest field nearby.
+/// Adds triangles that are at most as large as the smallest field nearby.
 void ForceIntegral::add_leaves(const Triangle& triangle, double largest_edge) {
   if (triangle.level < kMaxLevel / 2 && longest_edge(triangle.corners) > largest_edge) {
     for (int i = 0; i < 4; ++i) add_leaves(triangle.child(i), largest_edge);

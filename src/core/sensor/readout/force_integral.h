@@ -1,10 +1,10 @@
-// Aggregate::force: what each taxel carries of the contact, integrated over the contact polygons instead of sampled.
+// Aggregate::force: the force of the contact on each taxel, integrated over the contact polygons instead of sampled.
 //
-// F_k = integral of phi_k p0 dA, phi_k = w_k / (sum over j of w_j), 0 where no taxel reaches. The weights of a point x
-// of a polygon are those of the skin's point s(x) nearest to x: of the rays that reach x against the normal of the face
-// where they start, that one's is the shortest; on an edge or a corner the direction from x to s(x) is the skin's
-// normal. Deeper than SensorModel::max_depth no ray reaches. For a rigid sensor the surface lies in the skin, and
-// s(x) = x. docs/theory.md has the whole of it.
+// F_k = integral of phi_k p0 dA, phi_k = w_k / (sum over j of w_j), and 0 outside of all fields. The weights at a point
+// x of a polygon are the weights at s(x), the skin's point nearest to x. Of all rays that reach x against the normal of
+// the face where they start, the ray from s(x) is the shortest. On an edge or a corner, the direction from x to s(x)
+// takes the place of the skin's normal. No ray reaches deeper than SensorModel::max_depth. The contact surface of a
+// rigid sensor is in its skin, so s(x) = x. docs/theory.md has the details.
 #pragma once
 
 #include <array>
@@ -20,63 +20,65 @@ namespace taxel {
 
 struct SensorModel;
 
-/// Frame M. Taxels in layout order.
+/// The forces on the taxels, in frame M and layout order.
 struct ForceReading {
   std::vector<double> values;   ///< integral of phi_k p0 dA [N]
   std::vector<dvec3> normal;    ///< integral of phi_k p0 n dA, n as ContactPolygon::normal [N]
   std::vector<dvec3> friction;  ///< integral of phi_k t dA, t of friction_traction(); zero without motions [N]
-  double covered = 0;           ///< integral of p0 dA where a taxel reaches: the sum of `values` [N]
-  double uncovered = 0;         ///< the same where none does: what no taxel feels [N]
-  dvec3 uncovered_normal{0};    ///< integral of p0 n dA there; with the sum of `normal` the surfaces' elastic force [N]
-  long evaluations = 0;         ///< points at which weights were asked for: what it cost
+  double covered = 0;           ///< integral of p0 dA in all fields, the sum of `values` [N]
+  double uncovered = 0;         ///< integral of p0 dA outside of all fields [N]
+  /// Integral of p0 n dA outside of all fields. Added to the sum of `normal`, the elastic force of the surfaces [N].
+  dvec3 uncovered_normal{0};
+  long evaluations = 0;  ///< number of points at which weights were computed
 };
 
-/// Integrates; kept between steps, so that none takes memory once the largest surface was seen.
+/// Computes the integrals. The memory is reused, so that no step allocates after the largest surface.
 class ForceIntegral {
  public:
-  /// The error that is aimed at: the taxels' sum equals the covered integral to this part of it, or of a thousandth of
-  /// the surfaces' whole force where less is covered.
+  /// Target error of the sum over the taxels, as a fraction of the covered integral, or of a thousandth of the whole
+  /// force of the surfaces if less is covered.
   static constexpr double kAccuracy = 1e-3;
 
-  /// Surfaces in frame M, null ones hold nothing. `motions`: empty, or parallel to them.
+  /// Integrates over surfaces in frame M; null ones are empty. `motions` is empty or has one motion per surface.
   void integrate(const SensorModel& model, const FieldWeights& weights, std::span<const ContactSurface* const> surfaces,
                  std::span<const SurfaceMotion> motions, ForceReading& out);
 
  private:
-  /// A part of a fanned polygon.
+  /// A part of a triangle of a polygon.
   struct Triangle {
     std::array<dvec3, 3> corners;
-    double area = 0;  ///< scaled, so that a polygon's triangles have its force [m^2]
-    int level = 0;    ///< halved so often
+    double area = 0;  ///< scaled so that the triangles have the polygon's force [m^2]
+    int level = 0;    ///< number of times it was quartered
     [[nodiscard]] Triangle child(int number) const;
   };
-  /// The polygon that is worked on.
+  /// A polygon with the values that its integral needs.
   struct Polygon {
     const ContactSurface* surface = nullptr;
     const ContactPolygon* polygon = nullptr;
     const SurfaceMotion* motion = nullptr;
-    std::uint32_t first_disc = 0, end_disc = 0;  ///< in discs_
+    std::uint32_t first_disc = 0, end_disc = 0;  ///< range in discs_
     [[nodiscard]] double pressure(const dvec3& x) const;
   };
-  /// A point of a rule, its weight there and in the rule that it is compared with.
+  /// A point of a quadrature rule with its weights in the rule and in the coarse rule.
   struct Node {
     dvec3 x{0};
     double weight = 0, coarse = 0;
   };
+  /// The part of a triangle's force on one taxel.
   struct Share {
     int taxel = 0;
-    double value = 0, coarse = 0;  ///< by the rule, and by the one it is compared with [N]
-    dvec3 friction{0};             ///< [N]
+    double value = 0, coarse = 0;  ///< by the rule and by the coarse rule [N]
+    dvec3 friction{0};             ///< friction force [N]
   };
-  /// The integrals over a triangle, as shares_ [first, end).
+  /// The integrals over a triangle. Its shares are shares_ [first, end).
   struct Estimate {
     std::uint32_t first = 0, end = 0;
-    double covered = 0, whole = 0, error = 0;  ///< [N]
+    double covered = 0, whole = 0, error = 0;  ///< forces [N]
   };
   struct Leaf {
     Triangle triangle;
     std::uint32_t polygon = 0;
-    bool whole = false;  ///< the polygon itself instead of a triangle of it
+    bool whole = false;  ///< true for a whole polygon instead of a triangle
     Estimate estimate;
   };
 
@@ -108,7 +110,7 @@ class ForceIntegral {
   std::vector<Leaf> leaves_;
   std::vector<Share> shares_;
   FieldWeights::AtPoint at_;
-  int face_ = -1;  // of the skin, where the last point was: the next one is near
+  int face_ = -1;  // face of the skin at the last point, near the next point
 };
 
 }  // namespace taxel
