@@ -1,4 +1,4 @@
-// Advice against sampling noise, carried out: it does what it said.
+// Remedies for sampling noise: each is applied, and has the effect that was promised.
 #include "core/sensor/explain/advice.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCases = 200;
 
-/// A ball led along a finger that has few samples, a dozen steps of a tenth of a millimetre.
+/// A ball that moves along a finger with few samples, in twelve steps of 0.1 mm.
 struct NoisyCase {
   Layout layout;
   TriMeshPtr mesh = test::finger_mesh();
@@ -33,7 +33,7 @@ struct NoisyCase {
     touch.limits.jump = between(0.02, 0.1);
     touch.model = test::preview_model(layout, mesh);
   }
-  /// Change of the explained reading if the sensor is built from `changed` instead.
+  /// Returns the change of the explained reading for a sensor built from `changed`.
   [[nodiscard]] double change_with(const Layout& changed, const Explanation& e) const {
     test::LabelledCase other = touch;
     other.model = test::preview_model(changed, mesh);

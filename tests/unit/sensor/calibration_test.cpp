@@ -1,4 +1,5 @@
-// Calibration: every part against its closed form, their order, and that chance depends on seed and id alone.
+// Calibration: every part against its closed form, the order of the parts, and random numbers that depend on seed and
+// id.
 #include "core/sensor/calibration.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Taxels 10 mm apart along x, ids 0, 1, ...
+/// Returns a layout of taxels 10 mm apart along x with ids 0, 1, ...
 Layout row_of_taxels(int count, const Calibration& calibration) {
   Layout layout;
   for (int i = 0; i < count; ++i) layout.taxels.push_back({i, "", dvec3(0.01 * i, 0, 0), dvec3(0, 0, 1), 0.004, {}});
@@ -21,7 +22,7 @@ Layout row_of_taxels(int count, const Calibration& calibration) {
   return layout;
 }
 
-/// What one taxel reports of these readings, a millisecond apart.
+/// Returns the values that one taxel reports for these readings, one per millisecond.
 Values reported(const Calibration& calibration, const Values& readings) {
   Calibrator calibrator(row_of_taxels(1, calibration));
   Values all;
@@ -142,7 +143,7 @@ TEST(Calibration, ValuesAreHeldBetweenTicks) {
   EXPECT_EQ(reported(c, {1, 2, 3, 4, 5, 6, 7, 8, 9}), (Values{1, 1, 1, 1, 5, 5, 5, 5, 9}));
   c.rate = 1e5;  // faster than the readings: nothing is held
   EXPECT_EQ(reported(c, {1, 2, 3}), (Values{1, 2, 3}));
-  // times that are sums of steps miss no tick
+  // Times that are sums of steps miss no tick.
   c.rate = 100;
   Calibrator calibrator(row_of_taxels(1, c));
   double time = 0;
@@ -255,7 +256,7 @@ TEST(Calibration, LoopsGoOnBetweenTicks) {
   EXPECT_EQ(reported(c, {0, 100, 50})[2], 60);  // the peak in between was felt, though never reported
 }
 
-/// Everything that is random or has a memory.
+/// Returns a calibration with all parts that are random or have a state.
 Calibration everything() {
   Calibration c;
   c.seed = 7;
@@ -275,7 +276,7 @@ double reading_of(int id, int step) {
   return 50 + 40 * std::sin(0.3 * step + id);
 }
 
-/// Values by id of ten taxels after some readings, the layout's taxels in this order.
+/// Returns the values by id of ten taxels after some readings. `order` is the order of the taxels in the layout.
 std::vector<Values> by_id(Layout layout, const std::vector<int>& order) {
   std::vector<Taxel> taxels;
   for (const int id : order) taxels.push_back(layout.taxels[static_cast<std::size_t>(id)]);
@@ -309,7 +310,7 @@ TEST(Calibration, TheSeedDecides) {
 TEST(Calibration, TheSameNoiseOnEveryMachine) {
   Calibration c;
   c.noise = 1;
-  // sum of 12 numbers of SplitMix64 (computed independently, in whole numbers), less 6
+  // The sum of 12 numbers of SplitMix64, computed independently in integers, less 6.
   EXPECT_EQ(reported(c, {0, 0}), (Values{-0.357153389596623, 0.9517159131941487}));
 }
 

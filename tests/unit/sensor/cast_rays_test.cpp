@@ -1,4 +1,5 @@
-// Rays on contact surfaces against brute force: every ray with every polygon, by other formulas than the caster's.
+// Rays on contact surfaces, compared with brute force: every ray with every polygon, by formulas other than the
+// caster's.
 #include "core/sensor/rays/cast_rays.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(CastRays, EqualsBruteForceOnRandomSurfaces) {
   EXPECT_GT(limited, 300) << "the depth limit is exercised";
 }
 
-// The same test of one polygon over all of them, without trees: identical to the last bit, ties included.
+// Tests every polygon without trees: the hits are equal to the last bit, ties included.
 TEST(CastRays, TreesChangeNothing) {
   std::vector<ContactSurface> surfaces = {random_surface(300, 0.15, 5), random_surface(200, 0.15, 6)};
   surfaces.push_back(surfaces[0]);  // every hit on the first one is a tie
@@ -64,7 +65,7 @@ TEST(CastRays, TreesChangeNothing) {
   }
 }
 
-/// A plate of n x n squares in the plane z = height.
+/// Returns a plate of n x n squares in the plane z = height.
 ContactSurface plate(int n, double height) {
   ContactSurface surface;
   for (int j = 0; j < n; ++j)
@@ -76,7 +77,8 @@ ContactSurface plate(int n, double height) {
   return surface;
 }
 
-// Flat, axis-aligned boxes and rays through shared edges and corners: nothing slips through, the lowest polygon wins.
+// Flat, axis-aligned boxes and rays through shared edges and corners: no ray passes between polygons, and the lowest
+// polygon is the hit.
 TEST(CastRays, SharedEdgesAndCornersAreHitOnce) {
   const std::vector<ContactSurface> surfaces = {plate(8, 0.25), plate(8, 0.25), plate(8, 0.5)};
   SurfaceCaster caster;
@@ -144,7 +146,7 @@ TEST(CastRays, StepsDoNotAllocateAfterTheFirst) {
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(hits.all()[i].depth, first[i].depth);
 }
 
-// The early-out of cast_rays may leave out only rays that hit nothing.
+// The early exit of cast_rays excludes only rays that miss.
 TEST(CastRays, AllRaysOfAModelAreCast) {
   const std::vector<ContactSurface> surfaces = {random_surface(30, 0.05, 12)};
   SurfaceCaster caster;

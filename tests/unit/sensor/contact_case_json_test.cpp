@@ -1,4 +1,4 @@
-// Contact cases: what is read, and what is refused where.
+// Contact case files: values, and the places of errors.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -62,7 +62,7 @@ TEST(ContactCase, QuaternionsKeepTheirBitsUnlessTheyAreNotUnit) {
   const auto quat = [](const std::string& numbers) {
     return parse_contact_case(replaced("[1, 0, 0, 0]", numbers)).a.X_WB.q;
   };
-  // as simulations leave them: a squared length of 1 + 6e-14
+  // Quaternions of simulations have squared lengths such as 1 + 6e-14.
   EXPECT_EQ(quat("[0.6, 0.80000000000004, 1e-17, 0]"), dquat(0.6, 0.80000000000004, 1e-17, 0));
   EXPECT_EQ(quat("[2, 0, 0, 0]"), dquat(1, 0, 0, 0));
   EXPECT_NEAR(glm::length(quat("[1, 1, 1, 0.5]")), 1.0, 1e-15);

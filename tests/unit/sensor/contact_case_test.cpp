@@ -1,4 +1,4 @@
-// A case evaluated: frames, velocities, which body the force is on.
+// The evaluation of a contact case: frames, velocities, and the body that the force acts on.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -15,7 +15,7 @@ CaseBody body_at(const Pose& X, const Twist& V) {
 }
 
 TEST(RelativeTwist, OfARigidPairIsZero) {
-  // both bodies belong to one rigid body that turns about the world's origin and moves along
+  // Both bodies are parts of one rigid body that rotates about the world's origin and translates.
   const dvec3 omega(1, -2, 0.5), v(0.3, 0.1, -0.2);
   const Pose X_a{glm::normalize(dquat(0.3, 0.5, -0.2, 0.7)), dvec3(0.1, -0.4, 2)};
   const Pose X_b{glm::normalize(dquat(0.9, 0, 0.2, 0.1)), dvec3(-1, 0.7, 0.2)};

@@ -1,4 +1,4 @@
-// The same contact with fewer and with more samples: what building each sensor by hand would read.
+// One contact with fewer and with more samples, compared with sensors that are built one by one.
 #include "core/sensor/convergence.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(Convergence, EqualsSensorsMadeByHand) {
   }
 }
 
-// A mean of what is the same everywhere does not depend on samples; a sum grows with their number.
+// The mean of a constant pressure does not depend on the samples. A sum is proportional to their number.
 TEST(Convergence, OfAConstantPressure) {
   Plate plate(2e4, dvec3(0));
   SensorCache cache;
@@ -75,7 +75,7 @@ TEST(Convergence, OfAConstantPressure) {
   }
 }
 
-// What is in the cache needs no progress and cannot be cancelled; what must be made anew is.
+// Models from the cache cannot be cancelled. Models that are built can.
 TEST(Convergence, MakesNothingTwice) {
   const Plate plate(2e4, dvec3(0));
   SensorCache cache;

@@ -1,4 +1,4 @@
-// What taxels read where an object is pressed deeper than the tets of the pad reach.
+// Readings where an object is pressed deeper than the tets of the pad reach.
 #include <gtest/gtest.h>
 
 #include "core/sensor/readout/reading.h"

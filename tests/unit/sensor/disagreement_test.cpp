@@ -1,4 +1,4 @@
-// The largest gap between samples and surface: against every taxel's exact reading.
+// The largest sampling error, compared with the exact readings of all taxels.
 #include "core/sensor/explain/disagreement.h"
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ double pressure(const dvec3& x) {
   return 2e4 + glm::dot(kSlope, x);
 }
 
-// Odd terms cancel over a disc: means are the pressure at its centre; int w dA = pi r^4 / 6.
+// Odd terms cancel over a disc, so means are the pressure at its centre; int w dA = pi r^4 / 6.
 TEST(ExactReading, OfALinearPressure) {
   const double p = pressure(dvec3(kCenter.x, kCenter.y, 0));
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::mean, Aggregate::nearest}) {
@@ -60,8 +60,8 @@ TEST(ExactReading, OfALinearPressure) {
   EXPECT_NEAR(*PressedPlate(Aggregate::max).read().value, largest, 2e-3 * largest);
 }
 
-// A constant pressure right of the centre: half a mean, and all of it where misses are left out. For a slope along x,
-// int over the half disc of w x dA = r^5 / 30 int cos = r^5 / 15, over pi r^4 / 12.
+// A constant pressure right of the centre gives half of it as the mean, and all of it if misses are omitted. For a
+// slope along x, int over the half disc of w x dA = r^5 / 30 int cos = r^5 / 15, over pi r^4 / 12.
 TEST(ExactReading, OfHalfADisc) {
   const double p = pressure(dvec3(kCenter.x, kCenter.y, 0));
   const double moment = kSlope.x * std::pow(kRadius, 5) / 15 / (kPi * std::pow(kRadius, 4) / 6);
@@ -95,7 +95,7 @@ TEST(ExactReading, SaysWhatThereIsNotAndWhichTaxel) {
   EXPECT_EQ(*exact_reading(*PressedPlate(Aggregate::mean).model, 0, {}).value, 0.0);
 }
 
-// What many samples read, on a curved skin, for every way of gathering that has a limit.
+// Compares with the readings of many samples on a curved skin, for every aggregate with a limit.
 TEST(ExactReading, IsWhatManySamplesRead) {
   const TriMeshPtr mesh = test::egg_mesh();
   for (const bool other_way : {false, true}) {
@@ -117,7 +117,7 @@ TEST(ExactReading, IsWhatManySamplesRead) {
   }
 }
 
-// Where only a part of the skin is painted, only rays from there count, whatever else is pressed.
+// If a region is painted, only rays from the region affect the reading.
 TEST(ExactReading, OfAPaintedRegion) {
   const TriMeshPtr mesh = test::egg_mesh();
   Layout layout = test::layout_of(FieldKind::pad, 4e7);

@@ -1,4 +1,4 @@
-// The parts of an explanation agree with each other and with what is known otherwise.
+// The parts of an explanation agree with each other and with independent results.
 #include "core/sensor/explain/explainer.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Explanation, PartsAddUpForEveryAggregate) {
   }
 }
 
-// A force takes no samples: the exact one is itself, at every number of them.
+// A force takes no samples: the exact reading is the reading, with any number of samples.
 TEST(Explanation, AForceHasNoNoise) {
   const Explanation e = TwoSteps(Aggregate::force).explain(2);
   EXPECT_EQ(*e.exact.value, e.reading);
@@ -91,7 +91,7 @@ TEST(Explanation, WithoutAStepBeforeTellsOfOneAlone) {
   EXPECT_THROW(Explainer().explain(two.c.model, 9, two.now->step, nullptr, two.limits), Error);
 }
 
-// A question asked twice, or after others, has the same answer.
+// The same explanation twice, or after others, gives the same result.
 TEST(Explanation, DoesNotDependOnWhatWasAskedBefore) {
   const TwoSteps two(Aggregate::weighted_mean);
   Explainer explainer;
@@ -103,7 +103,8 @@ TEST(Explanation, DoesNotDependOnWhatWasAskedBefore) {
   EXPECT_EQ(a.levels->now, b.levels->now);
 }
 
-// Under even stiffness a sphere of a star, whose depth is even already, reads as before, to the order of its facets.
+// The star of a sphere has uniform stiffness already, so its reading under uniform stiffness is equal, to the order of
+// its facets.
 TEST(Counterfactual, EvenStiffnessOfAnEvenStar) {
   const auto mesh = std::make_shared<const TriMesh>(make_sphere(0.01, 0.0015));
   Layout layout = test::layout_of(FieldKind::star, 2e6);

@@ -1,5 +1,5 @@
-// Forces of taxels by integration over contact polygons: closed forms, an oracle of many points, and what must hold for
-// any contact.
+// Forces on taxels by integration over contact polygons: closed forms, an oracle of many points, and properties of any
+// contact.
 #include "core/sensor/readout/force_integral.h"
 #include "core/base/index.h"
 
@@ -58,7 +58,7 @@ ContactSurface patch(double lo, double hi, double base, const dvec3& slope, int 
   return surface;
 }
 
-// Every point belongs to someone: the taxels' sum is the whole force, however the quadrature divides it.
+// Every point is in a field: the sum over the taxels is the whole force for any subdivision of the quadrature.
 TEST(ForceIntegral, FullCoverGivesTheWholeForce) {
   Plate plate;
   plate.add(0, dvec3(-0.004, 0, 0.002), 0.018);
@@ -76,8 +76,8 @@ TEST(ForceIntegral, FullCoverGivesTheWholeForce) {
   }
 }
 
-// A taxel alone feels all within its radius: the pressure at its centre times the disc, of which a half-plane through
-// the centre leaves one half, with the first moment 2 r^3 / 3 of the half disc.
+// A single taxel reads the force within its radius: the pressure at its centre times the disc. A half-plane through the
+// centre covers half of the disc, with the first moment 2 r^3 / 3 of the half disc.
 TEST(ForceIntegral, OneTaxelFeelsItsDisc) {
   Plate plate;
   const dvec3 c(0.001, 0.002, 0.002);
@@ -109,7 +109,7 @@ TEST(ForceIntegral, TwoEqualTaxelsShareTheUnion) {
   EXPECT_NEAR(force.values[1], each, 1e-3 * each);
 }
 
-// The shares themselves, where three fields overlap: against a sum over a fine grid of points.
+// Compares the shares in the overlap of three fields with a sum over a fine grid of points.
 TEST(ForceIntegral, SharesFollowTheWeights) {
   Plate plate;
   plate.add(0, dvec3(-0.002, 0, 0.002), 0.006);
@@ -216,7 +216,7 @@ struct Finger {
   }
 };
 
-/// The integrals by their definition, over 4^level parts of every triangle.
+/// Computes the integrals by their definition, over 4^level parts of every triangle.
 ForceReading oracle(const SensorModel& model, const ContactSurface& surface, int level) {
   ForceReading sum;
   sum.values.assign(model.layout.taxels.size(), 0.0);
@@ -297,7 +297,7 @@ TEST(ForceIntegral, ARigidSensorHasItsContactInItsSkin) {
   for (std::size_t k = 0; k < 12; ++k) EXPECT_NEAR(force.values[k], expected.values[k], 1e-3 * expected.covered) << k;
 }
 
-// Geodesic ways are longer on a curved skin, and the same on a flat one.
+// Geodesic distances are longer on a curved skin, and equal on a flat one.
 TEST(ForceIntegral, GeodesicFieldsAreTheSameOnAFlatFaceAndSmallerOnARound) {
   Plate plate;
   plate.add(0, dvec3(-0.002, 0, 0.002), 0.004);

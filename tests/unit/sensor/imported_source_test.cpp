@@ -1,4 +1,4 @@
-// Layout files that do not say where the finger points: its shape and its taxels do.
+// Layout files without the directions of the finger, which come from its shape and its taxels.
 #include "core/sensor/imported_source.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json";
 
-/// Our fingertip and its layout, turned so that it points along +y and touches along +x.
+/// The project's fingertip and its layout, rotated so that it points along +y and touches along +x.
 std::filesystem::path turned_layout(const test::TempFolder& folder, bool with_frame) {
   const dmat3 R(dvec3(0, 0, 1), dvec3(-1, 0, 0), dvec3(0, 1, 0));  // columns: images of x, y, z
   const TriMeshPtr mesh = load_mesh(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj").mesh;

@@ -1,4 +1,4 @@
-// Contacts whose artifact is known by construction: a sensor, what it touches, and poses one after the other.
+// Contacts with an artifact that is known by construction: a sensor, the touched body, and a sequence of poses.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace taxel::test {
 
-/// One pose of a case: what was sensed there.
+/// The step at one pose of a case.
 struct CaseStep {
   ContactSurface surface;
   SensorReading reading;
@@ -21,7 +21,7 @@ struct CaseStep {
 struct LabelledCase {
   SensorModelPtr model;
   HydroBodyPtr other;
-  std::vector<Pose> path;  ///< X_MB of what is touched
+  std::vector<Pose> path;  ///< poses X_MB of the touched body
   ExplainLimits limits{.jump = 0.1, .equal_force = 0.02, .largest = 0};
 
   [[nodiscard]] std::unique_ptr<CaseStep> sense(const Pose& X_MB, double time = 0) const {
@@ -41,7 +41,7 @@ struct LabelledCase {
     intersect(*model->body, *other, Pose{}, X_MB, surface, workspace);
     return glm::length(pressure_wrench(surface).force);
   }
-  /// The largest change of a reading along the path, explained: what a user stops at.
+  /// Explains the largest change of a reading along the path.
   [[nodiscard]] Explanation explain_largest_jump() const {
     std::vector<std::unique_ptr<CaseStep>> steps;
     for (std::size_t i = 0; i < path.size(); ++i) steps.push_back(sense(path[i], 0.001 * static_cast<double>(i)));
@@ -78,7 +78,7 @@ inline LabelledCase sensed(const Touch& touch) {
   c.path = touch.path;
   return c;
 }
-/// Taps, each as deep as it takes for a force.
+/// Presses that are each deep enough for a force.
 inline std::vector<Pose> equal_taps(const LabelledCase& c, const TriMeshPtr& mesh, const std::vector<dvec3>& at,
                                     double ball, double force) {
   std::vector<Pose> path;

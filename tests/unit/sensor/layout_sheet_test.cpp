@@ -1,5 +1,4 @@
-// The sheet for the lab: the numbers of every taxel, a document that browsers take as it is, and nothing that a name
-// could break.
+// The printed sheet: the numbers of every taxel, valid HTML, and names with special characters.
 #include "core/sensor/layout_sheet.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ SensorModelPtr model_of(const std::string& name) {
   return build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.010, 0.004))), "", "f");
 }
 
-/// Every element that is opened is closed, in order; what has no end tag does not count.
+/// Checks that elements are closed in order, except elements without an end tag.
 bool balanced(const std::string& html) {
   std::vector<std::string> open;
   for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {

@@ -1,5 +1,4 @@
-// A linear pressure over a flat patch: what each aggregate converges to, and how fast (docs/theory.md states the
-// orders).
+// A linear pressure over a flat patch: the limit of each aggregate and the order of convergence (docs/theory.md).
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -36,7 +35,7 @@ double pressure_at(double x) {
   return kBase + kSlope * x;
 }
 
-/// What an aggregate is the approximation of, by the integrals over the disc about the taxel's centre c:
+/// Returns the limit of an aggregate by integrals over the disc about the taxel's centre c:
 ///   weighted_mean, mean: p(c), for odd terms cancel; nearest: p(c); max: p at the rim, c + r along the slope;
 ///   weighted_sum: N/A times the integral of (r - d)^2 p = N/A p(c) pi r^4 / 6.
 double integral_of(const SensorModel& model, Aggregate how, std::size_t k) {
@@ -47,7 +46,7 @@ double integral_of(const SensorModel& model, Aggregate how, std::size_t k) {
   return density * pressure_at(x) * kPi * std::pow(kRadius, 4) / 6.0;
 }
 
-/// Relative, root mean square over the 49 taxels.
+/// Returns the relative error as a root mean square over the 49 taxels.
 double error_of(const SensorModel& model, Aggregate how) {
   const ContactSurface surface = linear_pressure();
   const ContactSurface* list[] = {&surface};
@@ -60,9 +59,9 @@ double error_of(const SensorModel& model, Aggregate how) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// How far the weighted centre of a taxel's samples lies from its own, over the radius: the relative error of a
-/// weighted mean under the steepest pressure that stays positive over the field, p = p0 (1 + x/r), in the worst
-/// direction of x.
+/// Returns the distance of the weighted centre of a taxel's samples from the taxel's centre, over the radius: the
+/// relative error of a weighted mean under the steepest pressure that stays positive over the field, p = p0 (1 + x/r),
+/// in the worst direction of x.
 double worst_error(const SensorModel& model, std::size_t k, SampleWeights weights) {
   dvec3 moment(0);
   double sum = 0;
@@ -105,7 +104,7 @@ TEST(LinearPressure, AggregatesConvergeAtTheirOrders) {
     SampleWeights weights;
     double order;
   };
-  // Equal weights also carry how unevenly samples lie: less densely near the plate's edges, at any number of them.
+  // Equal weights have an error by the lower density of samples near the plate's edges, for any number of samples.
   const Case cases[] = {
       {Aggregate::weighted_mean, SampleWeights::voronoi, 1.25}, {Aggregate::weighted_sum, SampleWeights::voronoi, 1.25},
       {Aggregate::mean, SampleWeights::voronoi, 0.75},          {Aggregate::weighted_mean, SampleWeights::equal, 0.25},
@@ -128,7 +127,7 @@ TEST(LinearPressure, AggregatesConvergeAtTheirOrders) {
   }
 }
 
-/// sum w p / sum w and the others, term by term with p at the very samples: hits and aggregates together.
+// Compares rays and aggregates together with the definitions, term by term, with the pressures at the samples.
 TEST(LinearPressure, AggregatesEqualTheirDefinitions) {
   for (const SampleWeights weights : {SampleWeights::equal, SampleWeights::voronoi}) {
     const SensorModelPtr model = patch_model(patch_layout(100, 5, weights));
@@ -180,7 +179,7 @@ struct ReadAll {
   }
 };
 
-// The same bits of samples, fields and readings for 1, 2 and 8 threads.
+// Samples, fields and readings have the same bits with 1, 2 and 8 threads.
 TEST(Reading, TheSameForAnyNumberOfThreads) {
   for (const Metric metric : {Metric::euclidean, Metric::geodesic}) {
     Layout layout = patch_layout(100, 5, SampleWeights::voronoi);
@@ -199,7 +198,7 @@ TEST(Reading, TheSameForAnyNumberOfThreads) {
   }
 }
 
-// A taxel reads the same bits wherever it stands in the layout: by one ray a sample and by rays of its own.
+// The bits of a taxel's reading do not depend on its place in the layout, with rays by sample and with rays by entry.
 TEST(Reading, TheSameForAnyOrderOfTheTaxels) {
   for (const RayDirection ray : {RayDirection::surface_normal, RayDirection::taxel_normal}) {
     Layout layout = patch_layout(100, 5, SampleWeights::voronoi);

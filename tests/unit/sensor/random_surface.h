@@ -1,4 +1,4 @@
-// Contact surfaces made by hand: convex planar polygons with a linear pressure.
+// Generated contact surfaces: convex planar polygons with a linear pressure.
 #pragma once
 
 #include "core/base/rng.h"
@@ -28,7 +28,7 @@ inline void add_polygon(ContactSurface& surface, const std::vector<dvec3>& corne
   surface.polygons.push_back(polygon);
 }
 
-/// `count` polygons of 3 to 8 corners, about `size` wide, anywhere in the unit cube.
+/// Returns `count` polygons of 3 to 8 corners, about `size` wide, at random places in the unit cube.
 inline ContactSurface random_surface(int count, double size, std::uint64_t seed) {
   ContactSurface surface;
   const CounterRng rng(seed);

@@ -1,5 +1,5 @@
-// The raster path of flat arrays against brute force, trees and tet table: the same hits to the last bit, on random and
-// on degenerate scenes.
+// The raster path of flat arrays gives the hits of brute force, trees and tet table to the last bit, in random and in
+// degenerate scenes.
 #include "core/sensor/rays/ray_grid.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ TEST(RayGrid, EqualsBruteForceTreesAndTetTableOnRandomSets) {
   EXPECT_EQ(nodes_beside_bvh, 0);
 }
 
-/// Rays by the raster path and without any help, on surfaces that no tets belong to.
+/// Casts rays by the raster path and by brute force, on surfaces without tets.
 void expect_as_brute_force(const std::vector<SensorRay>& rays, const std::vector<ContactSurface>& surfaces,
                            long* hits = nullptr) {
   SensorModel model;
@@ -201,7 +201,7 @@ TEST(RayGrid, OnlyRaysOfOneDirectionHaveOne) {
   EXPECT_FALSE(RayGrid::make({}));
 }
 
-// What makes it fast: a polygon looks at the rays of the cells it covers, not at all of them.
+// A polygon tests only the rays of the cells that it covers.
 TEST(RayGrid, PolygonsVisitTheCellsUnderThem) {
   std::vector<SensorRay> rays;
   for (int i = 0; i < 10000; ++i)

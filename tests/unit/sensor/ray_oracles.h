@@ -1,4 +1,4 @@
-// First hits without trees or tables: every ray with every polygon.
+// Finds first hits without trees or tables, by testing every ray with every polygon.
 #pragma once
 
 #include "core/mesh/query/bvh.h"
@@ -8,16 +8,17 @@
 
 namespace taxel {
 
-/// Nearer to a rim than this part of a unit of length, either answer is right: rays may reach over rims by kRimReach of
-/// the coordinates.
+/// Distance from a rim below which a hit and a miss are both right, as a fraction of the unit of length: rays may reach
+/// beyond rims by kRimReach of the coordinates.
 inline constexpr double kRimUnclear = 2e-8;
 
 struct OracleHit {
   RayHit hit;
-  double margin = std::numeric_limits<double>::infinity();  ///< how clearly the nearest rim was missed or kept [m]
+  double margin = std::numeric_limits<double>::infinity();  ///< distance to the nearest rim [m]
 };
 
-/// By other formulas than the caster's: plane first, then the distances from the sides of the convex polygon.
+/// Finds hits by formulas other than the caster's: plane first, then the distances from the sides of the convex
+/// polygon.
 inline OracleHit oracle(const std::vector<const ContactSurface*>& surfaces, const Ray& ray) {
   OracleHit best;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -41,7 +42,7 @@ inline OracleHit oracle(const std::vector<const ContactSurface*>& surfaces, cons
   return best;
 }
 
-/// By the caster's own test of one ray with one polygon: what trees and tables must give to the last bit.
+/// Finds hits by the caster's own test of one ray with one polygon. Trees and tables must give the same bits.
 class WithoutTrees {
  public:
   explicit WithoutTrees(std::vector<const ContactSurface*> surfaces) : surfaces_(std::move(surfaces)) {

@@ -1,4 +1,4 @@
-// The view along rays of a tet: what it promises about where they pass, against the rays themselves.
+// The view along the rays of a tet: its error bounds for positions, compared with the rays.
 #include "core/sensor/rays/ray_view.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ dvec3 in_view(const RayView& view, const dvec3& p) {
 }
 
 /// Planes through points that the rays meet: by the formula of ray_view.h, in single precision, they meet them there.
-/// Returns how often the view tells anything.
+/// Returns the number of cases that the view decides.
 int expect_planes_met(std::mt19937& random, double size, double spread) {
   const Bundle bundle(random, size, spread);
   const RayViewer viewer(bundle.seen);

@@ -1,4 +1,4 @@
-// How alike curves are, in closed forms.
+// The comparison of curves, in closed forms.
 #include "core/sensor/compare/reading_models.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST(CompareCurve, OneThatOnlyHasAGainIsTheSame) {
   EXPECT_NEAR(*c.rms, 0, 1e-7);
 }
 
-// Curves at right angles: the best gain is 0, and what is left is the exact one.
+// Orthogonal curves: the best gain is 0, and the residual is the exact curve.
 TEST(CompareCurve, OneThatHasNothingToDoWithItLeavesItAll) {
   const std::vector<double> exact{3, 0, 3, 0}, curve{0, 5, 0, 5};
   const CurveComparison c = compare_curve(curve, exact);

@@ -1,4 +1,4 @@
-// From hits to readings: the formulas written out, and a patch whose integral is known.
+// The readings of hits: the formulas term by term, and a patch with a known integral.
 #include "core/sensor/readout/reading.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ struct Fixture {
   }
 };
 
-/// The definitions of the aggregates, term by term, in long double.
+/// Computes the aggregates by their definitions, term by term, in long double.
 double direct(const Fixture& f, Aggregate how, Misses misses, std::size_t k) {
   long double sum_wp = 0, sum_w = 0, sum_ap = 0, sum_a = 0, best = 0, nearest = 0, distance = 1e9L;
   for (int e = f.model.fields.first[k]; e < f.model.fields.first[k + 1]; ++e) {
@@ -193,8 +193,8 @@ double read_patch(const SensorModel& model, Aggregate how, const ContactSurface&
   return values.at(0);
 }
 
-// Odd terms cancel over the disc: the weighted mean of a linear pressure is the pressure below the centre. The error is
-// the quadrature's and shrinks with the density.
+// Odd terms cancel over the disc, so the weighted mean of a linear pressure is the pressure below the centre. The error
+// is that of the quadrature and decreases with the density.
 TEST(Reading, WeightedMeanOfALinearPressureIsThePressureBelowTheCentre) {
   const dvec3 slope(1.5e6, -4e5, 0);
   const double exact = 2e4 + slope.x * 0.001 + slope.y * 0.002;
@@ -205,8 +205,9 @@ TEST(Reading, WeightedMeanOfALinearPressureIsThePressureBelowTheCentre) {
   EXPECT_LT(error(1e7), 0.004);
 }
 
-// Half covered, through the centre: half of the pressure. The sum is samples per area times p times the integral of
-// (r - d)^2, which is pi r^4 / 6; a plane holds a little more than the mean density, sharp edges a little less.
+// If half of the disc is covered, the mean is half of the pressure. The sum is samples per area times p times the
+// integral of (r - d)^2, which is pi r^4 / 6; a plane holds a little more than the mean density, sharp edges a little
+// less.
 TEST(Reading, PartCoverAndSumOfAConstantPressure) {
   const double p = 2e4, r = 0.006, density = 4e6;
   const SensorModelPtr model = patch_model(density);

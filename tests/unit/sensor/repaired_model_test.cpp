@@ -30,8 +30,8 @@ TriMeshPtr sound_finger() {
   return load_mesh(mesh_path(layout, kFingerFile), layout.mesh.scale).mesh;
 }
 
-/// Our fingertip with a fin on its first edge as face 0 and without the face kMissing: all other faces have a number
-/// one higher up to there.
+/// The project's fingertip with a fin on its first edge as face 0 and without the face kMissing: all other faces have a
+/// number one higher up to there.
 TriMeshPtr broken_finger() {
   const TriMeshPtr sound = sound_finger();
   std::vector<dvec3> vertices = sound->vertices();

@@ -1,4 +1,4 @@
-// Parts of sensor models that are kept from one to the next: nothing changes but the time.
+// The cache of parts of sensor models: models with and without the cache are equal.
 #include "core/sensor/sensor_cache.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a taxel feels along the skin: its frame, Coulomb's law, and the weights of the reading.
+// The friction on a taxel: its tangent frame, Coulomb's law, and the weights of the reading.
 #include <gtest/gtest.h>
 
 #include "core/hydro/intersect.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr Aggregate kAll[] = {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean,
                               Aggregate::nearest,       Aggregate::max,          Aggregate::force};
 
-/// A plate of 20 x 20 x 4 mm with two taxels on top, asked for shear.
+/// A plate of 20 x 20 x 4 mm with two taxels on top, which reads shear.
 SensorModelPtr plate(Aggregate how, bool shear = true) {
   Layout layout;
   layout.mesh.file = "plate";
@@ -95,7 +95,7 @@ TEST(Shear, FollowsTheDampedPressure) {
   }
 }
 
-// Turning about the axis through the plate's centre rubs each taxel across its own radius.
+// A rotation about the axis through the plate's centre slides each taxel across its radius.
 TEST(Shear, ATurningSensorRubsAcrossTheRadius) {
   const ContactSurface surface = patch(2e4, dvec3(0));
   const ContactSurface* list[] = {&surface};
@@ -135,7 +135,7 @@ struct Finger {
   }
 };
 
-/// The traction where a ray ends, from the law itself.
+/// Computes the traction at the hit of a ray by the law.
 dvec3 traction_at(const Finger& f, const RayHit& hit, const SensorRay& ray) {
   if (!hit.hit()) return dvec3(0);
   const dvec3 x = ray.origin + hit.depth * ray.direction;
@@ -195,7 +195,7 @@ TEST(Shear, EqualsItsDefinitionForEveryAggregateOfRays) {
   }
 }
 
-// All friction belongs to someone: the taxels' sum is the traction's tangential force.
+// The sum of the friction over the taxels is the tangential force of the traction.
 TEST(Shear, ForcesOfFullCoverAddUpToTheTraction) {
   Layout layout = plate(Aggregate::force)->layout;
   for (Taxel& taxel : layout.taxels) taxel.radius = 0.025;

@@ -1,5 +1,4 @@
-// The tet table against brute force and against the trees: the same hits to the last bit, on random and on degenerate
-// scenes.
+// The tet table gives the hits of brute force and of the trees to the last bit, in random and in degenerate scenes.
 #include "core/sensor/rays/tet_table.h"
 
 #include <gtest/gtest.h>

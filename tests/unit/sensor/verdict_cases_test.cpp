@@ -1,4 +1,5 @@
-// The verdict on contacts whose artifact is known by construction: two of each kind, and six that no rule was made on.
+// The verdict on contacts with an artifact that is known by construction: two of each kind, and six that were not used
+// to make the rules.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +20,7 @@ struct Labelled {
   std::function<LabelledCase()> make;
 };
 
-/// How many get their label; all are told where TAXEL_SHOW_VERDICTS is set.
+/// Returns the number of right verdicts. Prints all verdicts if TAXEL_SHOW_VERDICTS is set.
 int count_right(const std::vector<Labelled>& cases) {
   int right = 0;
   for (const Labelled& c : cases) {
@@ -56,7 +57,7 @@ TEST(Verdict, IsRightOnLabelledContacts) {
   EXPECT_GE(count_right(cases), 11);
 }
 
-// Made when the rule was final, on other meshes, aggregates and ways.
+// Cases with other meshes, aggregates and motions, made after the rule was final.
 TEST(Verdict, OnContactsThatNoRuleWasMadeOn) {
   const auto noise = [] {
     Touch touch{test::layout_of(FieldKind::pad, 8e5, SampleWeights::equal, 5), test::egg_mesh(),

@@ -1,4 +1,4 @@
-// What a verdict is made of, by made-up numbers: each limit from both sides.
+// The verdict for given numbers, on both sides of each limit.
 #include "core/sensor/explain/verdict.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ VerdictInput risen(double noise, double field, double contact) {
   in.limits = {.jump = 0.05, .equal_force = 0.02, .largest = 100};
   in.sampled = {100, 100 + noise + field + contact};
   in.exact = Readings{100, 100 + field + contact};
-  // under even stiffness, in the proportion that gives the mean of both exact readings: scale is 1
+  // The readings under uniform stiffness have the mean of the exact readings, so their scale is 1.
   const double sum = 200 + field + contact;
   in.even = Readings{0.5 * (sum - contact), 0.5 * (sum + contact)};
   in.force = {2, 3};
