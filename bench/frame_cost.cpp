@@ -108,7 +108,7 @@ void measure(const char* what, int steps_before, bool again, const SimCommand& l
   watched.ask(load);
   const SimFramePtr frame = watched.ask(StepCommand{steps_before});
   std::size_t hits = 0, polygons = 0;
-  for (const SensorFrameState& sensor : frame->sensors) {
+  for (const SensorStep& sensor : frame->sensors) {
     hits += sensor.hits.size();
     for (const ContactSurface& surface : sensor.surfaces) polygons += surface.polygons.size();
   }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
-#include "core/hydro/contact_surface.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/run/history/breakpoints.h"
 #include "core/run/history/lanes.h"
@@ -16,9 +15,7 @@
 #include "core/run/scene_marks.h"
 #include "core/run/step_cost.h"
 #include "core/run/trace.h"
-#include "core/sensor/rays/cast_rays.h"
-#include "core/sensor/sensor_model.h"
-#include "core/sensor/surface_motion.h"
+#include "core/sensor/sensor_step.h"
 
 namespace taxel {
 
@@ -62,18 +59,6 @@ struct SimScene {
   SceneMarks marks;
 };
 
-/// One sensor in one step.
-struct SensorFrameState {
-  Pose X_WM;                     ///< mesh-file frame in the world
-  std::vector<double> readings;  ///< exactly what stands in sensordata
-  dvec3 force_W{0};              ///< contact force on the sensor [N]
-  dvec3 uncovered_W{0};  ///< elastic normal force that no taxel reaches; zero unless the readings are forces [N]
-  std::vector<ContactSurface> surfaces;  ///< frame M, of the bodies near the sensor: hits name them by number
-  std::vector<SurfaceMotion> motions;    ///< parallel to surfaces: what they are rubbed with; empty: unknown
-  std::vector<RayHit> hits;              ///< parallel to model->rays
-  std::vector<dvec2> shear;              ///< parallel to readings, in their unit; empty without readout.shear
-};
-
 /// The latest steps, any of which can be shown again.
 struct HistoryState {
   std::uint64_t first = 0, last = 0;  ///< steps that are kept
@@ -89,7 +74,7 @@ struct StepBefore {
   std::shared_ptr<const SimScene> scene;
   std::uint64_t step = 0;
   double time = 0;  ///< [s]
-  std::vector<SensorFrameState> sensors;
+  std::vector<SensorStep> sensors;
 };
 
 /// A step of the history, as it was recorded.
@@ -98,7 +83,7 @@ struct RecordedStep {
   std::uint64_t step = 0;
   double time = 0, travel = 0;  ///< [s], [m]
   std::vector<Pose> geom_poses;
-  std::vector<SensorFrameState> sensors;
+  std::vector<SensorStep> sensors;
 };
 
 /// What a RecallCommand asked for: those that are kept still.
@@ -139,7 +124,7 @@ struct SimFrame {
   double speed = 1.0;            ///< wanted, in multiples of real time
   double measured_speed = 0;     ///< reached lately
   std::vector<Pose> geom_poses;  ///< X_WG parallel to scene->geoms
-  std::vector<SensorFrameState> sensors;
+  std::vector<SensorStep> sensors;
   ControlValues controls;                 ///< of scene->controls
   std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown
   std::vector<HeldPoints> held;

@@ -28,12 +28,6 @@ struct SimRow {
   std::vector<Pose> sensor_poses;             ///< X_WM per sensor
 };
 
-/// One sensor's contact where it and all else lie in given poses.
-struct PosedContact {
-  std::vector<ContactSurface> surfaces;  ///< frame M, of all that the sensor touches
-  SensorReading reading;                 ///< without motions: no shear
-};
-
 class Simulator {
  public:
   /// A scenario around any compiled layout: the finger is led, and meets the scenario's object.
@@ -83,11 +77,12 @@ class Simulator {
   [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 
-  /// The contact of a sensor of scene()->sensors as a recorded row has it, computed as a step does: the same poses give
-  /// the same bits. `sensors`: X_WM of all sensors; `X_WG`: of all geoms of scene()->geoms. Throws Error for a geom
-  /// that the sensor touches which moves and is not among them.
-  [[nodiscard]] PosedContact contact_at(std::size_t sensor, std::span<const Pose> sensors,
-                                        std::span<const Pose> X_WG) const;
+  /// Returns the contact of a sensor of scene()->sensors at given poses, with one surface for each body that the sensor
+  /// can touch. The same poses give the same bits as step(). `sensors` has X_WM of all sensors, `X_WG` the poses of all
+  /// scene()->geoms. Poses have no velocities and no time: force_W, motions, shear and time are left empty. Throws
+  /// Error if the sensor touches a moving geom that is not in scene()->geoms.
+  [[nodiscard]] SensorStep contact_at(std::size_t sensor, std::span<const Pose> sensors,
+                                      std::span<const Pose> X_WG) const;
 
   /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
   void export_scene(const std::filesystem::path& folder) const;

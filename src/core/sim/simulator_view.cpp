@@ -130,10 +130,11 @@ Pose Simulator::pose_of_geom(int geom) const {
   return geom_pose(s.m(), s.d(), s.drawn.at(static_cast<std::size_t>(geom)));
 }
 
-PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sensors,
-                                   std::span<const Pose> X_WG) const {
+SensorStep Simulator::contact_at(std::size_t sensor, std::span<const Pose> sensors, std::span<const Pose> X_WG) const {
   const Impl& s = *impl_;
-  PosedContact out;
+  SensorStep out;
+  out.model = s.model(sensor);
+  out.X_WM = sensors[sensor];
   IntersectWorkspace workspace;
   const BodyContacts& self = s.contacts(sensor);
   for (const TouchedGeom& touched : self.touched()) {
@@ -152,9 +153,12 @@ PosedContact Simulator::contact_at(std::size_t sensor, std::span<const Pose> sen
                                              : X_WG[static_cast<std::size_t>(drawn - s.drawn.begin())];
     intersect(*self.body(), *touched.body, sensors[sensor], pose, surface, workspace);
   }
-  std::vector<const ContactSurface*> all;
-  for (const ContactSurface& surface : out.surfaces) all.push_back(&surface);
-  if (sensor < s.sensor_count()) read_sensor(*s.model(sensor), all, out.reading);
+  if (sensor >= s.sensor_count()) return out;
+  SensorReading reading;
+  read_sensor(*out.model, surface_pointers(out), reading);
+  out.hits = reading.hits.all();
+  out.readings = std::move(reading.values);
+  out.uncovered_W = out.X_WM.rotate(reading.force.uncovered_normal);
   return out;
 }
 

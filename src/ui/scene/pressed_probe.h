@@ -19,13 +19,13 @@ struct ProbeWish {
 struct PressedProbe {
   SensorModelPtr model;  ///< pressed on; never null
   ProbeWish wish;
-  std::string problem;     ///< why it cannot be pressed; then nothing below counts
-  TriMeshPtr mesh;         ///< the probe as drawn
-  Pose X_MG;               ///< of that mesh
-  SensorFrameState state;  ///< of the model at rest, its frame M the world
-  double force = 0;        ///< of the pressure on the sensor [N]
-  double area = 0;         ///< of the contact surface [m^2]
-  double largest = 0;      ///< pressure [Pa]
+  std::string problem;  ///< why it cannot be pressed; then nothing below counts
+  TriMeshPtr mesh;      ///< the probe as drawn
+  Pose X_MG;            ///< of that mesh
+  SensorStep state;     ///< sensor at rest, with frame M equal to the world frame
+  double force = 0;     ///< of the pressure on the sensor [N]
+  double area = 0;      ///< of the contact surface [m^2]
+  double largest = 0;   ///< pressure [Pa]
   int polygons = 0;
 };
 using PressedProbePtr = std::shared_ptr<const PressedProbe>;

@@ -20,7 +20,7 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
   if (input.frame && input.frame->scene) {
     const auto& models = input.frame->scene->sensors;
     for (std::size_t i = 0; i < models.size() && i < input.frame->sensors.size(); ++i) {
-      const SensorFrameState& state = input.frame->sensors[i];
+      const SensorStep& state = input.frame->sensors[i];
       const int index = static_cast<int>(i);
       if (models[i]) out.push_back({index, models[i], &state, state.X_WM, -1, {}, {}});
     }
@@ -42,7 +42,7 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
   return out;
 }
 
-bool pressure_centroid(const SensorFrameState& state, dvec3& centroid) {
+bool pressure_centroid(const SensorStep& state, dvec3& centroid) {
   dvec3 moment(0);
   double force = 0;
   for (const ContactSurface& surface : state.surfaces) {

@@ -9,9 +9,9 @@
 namespace taxel::ui {
 
 struct SensorView {
-  int index = 0;                            ///< of the sensor
-  SensorModelPtr model;                     ///< never null
-  const SensorFrameState* state = nullptr;  ///< null: a layout alone
+  int index = 0;                      ///< of the sensor
+  SensorModelPtr model;               ///< never null
+  const SensorStep* state = nullptr;  ///< null: a layout alone
   Pose X_WM;
   int selected_taxel = -1;           ///< the active one; -1: none, or in another sensor
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
@@ -29,7 +29,7 @@ struct SensorView {
 std::vector<SensorView> sensor_views(const SceneInput& input);
 
 /// Where the contact pushes: centroid of the pressure over all polygons of a sensor, frame M. False without contact.
-bool pressure_centroid(const SensorFrameState& state, dvec3& centroid);
+bool pressure_centroid(const SensorStep& state, dvec3& centroid);
 
 /// Box around the sensors. [m], world
 Aabb sensor_bounds(const SceneInput& input);

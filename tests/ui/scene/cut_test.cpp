@@ -162,7 +162,7 @@ TEST_F(CutTest, TheContactInsideStaysWhole) {
     const gl::RgbImage image = draw(input, camera);
     test::write_picture(transparent ? "cut_finger" : "cut_finger_solid", image);
     int compared = 0, same = 0;
-    const SensorFrameState& state = input.frame->sensors[0];
+    const SensorStep& state = input.frame->sensors[0];
     for (const ContactPolygon& polygon : state.surfaces[0].polygons) {
       const dvec3 p = state.X_WM * polygon.centroid;
       const dvec2 at(camera.project(p, kWidth, kHeight));

@@ -73,7 +73,7 @@ SimFramePtr finger_frame(const SensorModelPtr& model, double travel) {
   scene->path_W = {dvec3(-kBoxHalf - 0.012, 0, -depth), dvec3(-kBoxHalf + 0.012, 0, -depth)};
   X_WM.p = dvec3(-kBoxHalf + travel, 0, -depth) - lowest_point;
 
-  SensorFrameState state;
+  SensorStep state;
   state.X_WM = X_WM;
   state.surfaces.resize(1);
   const HydroBody rigid{RigidMesh{std::make_shared<const MeshIndex>(box)}, {}, "box"};

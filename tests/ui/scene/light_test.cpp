@@ -264,7 +264,7 @@ TEST_F(LightTest, AmbientOcclusionLeavesPressuresAndSamplesAsTheyAre) {
   const gl::RgbImage without = draw(input, camera);
   renderer_.set_ambient_occlusion(true);
   const gl::RgbImage with = draw(input, camera);
-  const SensorFrameState& state = input.frame->sensors[0];
+  const SensorStep& state = input.frame->sensors[0];
   int compared = 0;
   for (const ContactPolygon& polygon : state.surfaces[0].polygons) {
     const dvec2 at(camera.project(state.X_WM * polygon.centroid, kWidth, kHeight));

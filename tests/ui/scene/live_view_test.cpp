@@ -43,7 +43,7 @@ ContactSurface even_square(double pressure) {
 // The arrows, times area over their scale, are the force that moves the bodies.
 TEST(TractionMarks, TheirSumIsTheForce) {
   const double pressure = 2.0e4;
-  SensorFrameState state;
+  SensorStep state;
   state.surfaces = {even_square(pressure)};
   state.motions = {{{3.0, 0.5}, {dvec3(0.02, -0.01, 0.03), dvec3(0)}}};
   SensorView view;
@@ -64,7 +64,7 @@ TEST(TractionMarks, TheirSumIsTheForce) {
 }
 
 TEST(TractionMarks, WithoutMotionsThereIsOnlyPressure) {
-  SensorFrameState state;
+  SensorStep state;
   state.surfaces = {even_square(1e4)};
   SensorView view;
   view.model = ball_model(0.005);
@@ -78,7 +78,7 @@ TEST(TractionMarks, WithoutMotionsThereIsOnlyPressure) {
 /// Ends of the rays that are shown of 400 hits and 100 misses in a square, `spacing` pixels apart.
 std::pair<std::vector<glm::vec3>, std::size_t> shown_rays(double spacing) {
   auto model = std::make_shared<SensorModel>(*ball_model(0.005));
-  SensorFrameState state;
+  SensorStep state;
   for (int i = 0; i < 500; ++i) {
     model->rays.push_back({i, dvec3(i % 25, i / 25, 0), dvec3(0, 0, 1), 1.0});
     state.hits.push_back({.surface = i % 5 == 4 ? -1 : 0, .polygon = 0, .depth = 0.5, .pressure = 1e3});

@@ -87,7 +87,7 @@ TEST_F(PickingTest, FindsThePolygonAndItsPressure) {
   Camera camera = test::finger_camera();
   camera.elevation_deg = 55;
   camera.distance = 0.03;
-  const SensorFrameState& state = frame_->sensors[0];
+  const SensorStep& state = frame_->sensors[0];
   for (std::size_t i = 0; i < state.surfaces[0].polygons.size(); i += 7) {
     const ContactPolygon& polygon = state.surfaces[0].polygons[i];
     const dvec3 pixel = camera.project(state.X_WM * polygon.centroid, kWidth, kHeight);

@@ -65,7 +65,7 @@ struct ContactCheck {
 };
 ContactCheck check_contact(const SceneInput& input, const Camera& camera, const gl::RgbImage& image) {
   ContactCheck out;
-  const SensorFrameState& state = input.frame->sensors[0];
+  const SensorStep& state = input.frame->sensors[0];
   const ContactSurface& surface = state.surfaces[0];
   for (const ContactPolygon& polygon : surface.polygons) {
     const dvec3 projected = camera.project(state.X_WM * polygon.centroid, image.width, image.height);

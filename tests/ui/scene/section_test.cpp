@@ -37,7 +37,7 @@ SensorModelPtr SectionTest::model_;
 SimFramePtr SectionTest::frame_;
 
 TEST_F(SectionTest, PlaneHoldsTheTaxelItsNormalAndTheTravel) {
-  const SensorFrameState& state = frame_->sensors[0];
+  const SensorStep& state = frame_->sensors[0];
   for (int k = 0; k < model_->taxel_count(); ++k) {
     const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
     const Section s = section(k);
@@ -68,7 +68,7 @@ TEST_F(SectionTest, ClosedBodiesGiveClosedOutlinesOfTheRightArea) {
 }
 
 TEST_F(SectionTest, ContactPiecesLieOnTheSurfaceWithItsPressure) {
-  const SensorFrameState& state = frame_->sensors[0];
+  const SensorStep& state = frame_->sensors[0];
   const Section s = section(-1);
   ASSERT_GT(s.contact.size(), 5u);
   double length = 0;

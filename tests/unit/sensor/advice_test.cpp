@@ -39,7 +39,7 @@ struct NoisyCase {
     other.model = test::preview_model(changed, mesh);
     const auto reading = [&](double time) {
       const auto step = static_cast<std::size_t>(std::lround(1000 * time));
-      return other.sense(touch.path[step])->reading.values[static_cast<std::size_t>(e.taxel)];
+      return other.sense(touch.path[step]).readings[static_cast<std::size_t>(e.taxel)];
     };
     return reading(e.time) - reading(e.change->time_before);
   }

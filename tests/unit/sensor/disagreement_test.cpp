@@ -30,12 +30,12 @@ TEST(SampleGap, IsTheLargestOfAllTaxels) {
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean, Aggregate::max}) {
     const test::LabelledCase c = ring_of_taxels(3e6, how);
     const auto step = c.sense(c.path[0]);
-    const auto found = largest_sample_gap(*c.model, step->step.surfaces, step->reading.values);
+    const auto found = largest_sample_gap(*c.model, surface_pointers(step), step.readings);
     ASSERT_TRUE(found.has_value());
     double largest = 0, scale = 0;
     for (int k = 0; k < c.model->taxel_count(); ++k) {
-      const double exact = *exact_reading(*c.model, k, step->step.surfaces).value;
-      const double sampled = step->reading.values[static_cast<std::size_t>(k)];
+      const double exact = *exact_reading(*c.model, k, surface_pointers(step)).value;
+      const double sampled = step.readings[static_cast<std::size_t>(k)];
       scale = std::max(scale, exact);
       largest = std::max(largest, std::abs(sampled - exact));
       if (k == found->taxel) {
@@ -52,7 +52,7 @@ TEST(SampleGap, ClosesWithMoreSamples) {
   const auto gap = [](double density) {
     const test::LabelledCase c = ring_of_taxels(density, Aggregate::weighted_mean);
     const auto step = c.sense(c.path[0]);
-    return largest_sample_gap(*c.model, step->step.surfaces, step->reading.values)->gap;
+    return largest_sample_gap(*c.model, surface_pointers(step), step.readings)->gap;
   };
   EXPECT_LT(gap(8e7), 0.2 * gap(2e6));
 }
@@ -60,9 +60,9 @@ TEST(SampleGap, ClosesWithMoreSamples) {
 TEST(SampleGap, SeesATaxelWhoseSamplesAllMiss) {
   const test::LabelledCase c = ring_of_taxels(3e6, Aggregate::weighted_mean);
   const auto step = c.sense(c.path[0]);
-  const std::vector<double> nothing(step->reading.values.size(), 0.0);
-  const auto found = largest_sample_gap(*c.model, step->step.surfaces, nothing);
-  EXPECT_NEAR(found->exact, *exact_reading(*c.model, found->taxel, step->step.surfaces).value, 0.011 * found->exact);
+  const std::vector<double> nothing(step.readings.size(), 0.0);
+  const auto found = largest_sample_gap(*c.model, surface_pointers(step), nothing);
+  EXPECT_NEAR(found->exact, *exact_reading(*c.model, found->taxel, surface_pointers(step)).value, 0.011 * found->exact);
   EXPECT_GT(found->gap, 0.98 * found->exact);
   EXPECT_EQ(largest_sample_gap(*c.model, {}, nothing)->gap, 0.0);
 }
@@ -70,7 +70,7 @@ TEST(SampleGap, SeesATaxelWhoseSamplesAllMiss) {
 TEST(SampleGap, IsNoneWhereNoSamplesAreRead) {
   const test::LabelledCase c = ring_of_taxels(3e6, Aggregate::force);
   const auto step = c.sense(c.path[0]);
-  EXPECT_FALSE(largest_sample_gap(*c.model, step->step.surfaces, step->reading.values).has_value());
+  EXPECT_FALSE(largest_sample_gap(*c.model, surface_pointers(step), step.readings).has_value());
 }
 
 }  // namespace

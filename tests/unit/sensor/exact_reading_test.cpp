@@ -111,8 +111,8 @@ TEST(ExactReading, IsWhatManySamplesRead) {
     c.model = test::preview_model(layout, mesh);
     c.other = test::rigid_ball(0.003);
     const auto step = c.sense(test::tap(mesh, dvec3(0.0065, 0.001, 0.008), 0.003, 0.001));
-    const ExactReading exact = exact_reading(*c.model, 0, step->step.surfaces);
-    EXPECT_NEAR(*exact.value, step->reading.values[0], 0.01 * *exact.value) << other_way;
+    const ExactReading exact = exact_reading(*c.model, 0, surface_pointers(step));
+    EXPECT_NEAR(*exact.value, step.readings[0], 0.01 * *exact.value) << other_way;
     EXPECT_GT(*exact.value, 100.0);
   }
 }
@@ -133,9 +133,9 @@ TEST(ExactReading, OfAPaintedRegion) {
   layout.sampling.region = upper;
   c.model = test::preview_model(layout, mesh);
   const auto part = c.sense(pose);
-  const ExactReading exact = exact_reading(*c.model, 0, part->step.surfaces);
-  EXPECT_NEAR(*exact.value, part->reading.values[0], 0.01 * *exact.value);
-  EXPECT_GT(std::abs(part->reading.values[0] - whole->reading.values[0]), 0.1 * whole->reading.values[0]);
+  const ExactReading exact = exact_reading(*c.model, 0, surface_pointers(part));
+  EXPECT_NEAR(*exact.value, part.readings[0], 0.01 * *exact.value);
+  EXPECT_GT(std::abs(part.readings[0] - whole.readings[0]), 0.1 * whole.readings[0]);
 }
 
 }  // namespace

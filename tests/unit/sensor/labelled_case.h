@@ -11,28 +11,24 @@
 
 namespace taxel::test {
 
-/// The step at one pose of a case.
-struct CaseStep {
-  ContactSurface surface;
-  SensorReading reading;
-  SensorStep step;
-};
-
 struct LabelledCase {
   SensorModelPtr model;
   HydroBodyPtr other;
   std::vector<Pose> path;  ///< poses X_MB of the touched body
   ExplainLimits limits{.jump = 0.1, .equal_force = 0.02, .largest = 0};
 
-  [[nodiscard]] std::unique_ptr<CaseStep> sense(const Pose& X_MB, double time = 0) const {
-    auto out = std::make_unique<CaseStep>();
+  /// The contact at one pose, without damping and friction.
+  [[nodiscard]] SensorStep sense(const Pose& X_MB, double time = 0) const {
+    SensorStep out;
     IntersectWorkspace workspace;
-    intersect(*model->body, *other, Pose{}, X_MB, out->surface, workspace);
-    out->step.surfaces = {&out->surface};
-    read_sensor(*model, out->step.surfaces, out->reading);
-    out->step.hits = &out->reading.hits.all();
-    out->step.readings = out->reading.values;
-    out->step.time = time;
+    intersect(*model->body, *other, Pose{}, X_MB, out.surfaces.emplace_back(), workspace);
+    SensorReading reading;
+    read_sensor(*model, surface_pointers(out), reading);
+    out.model = model;
+    out.time = time;
+    out.readings = reading.values;
+    out.force_W = pressure_wrench(out.surfaces.front()).force;
+    out.hits = reading.hits.all();
     return out;
   }
   [[nodiscard]] double force(const Pose& X_MB) const {
@@ -43,20 +39,20 @@ struct LabelledCase {
   }
   /// Explains the largest change of a reading along the path.
   [[nodiscard]] Explanation explain_largest_jump() const {
-    std::vector<std::unique_ptr<CaseStep>> steps;
+    std::vector<SensorStep> steps;
     for (std::size_t i = 0; i < path.size(); ++i) steps.push_back(sense(path[i], 0.001 * static_cast<double>(i)));
     ExplainLimits at = limits;
-    for (const auto& s : steps)
-      for (const double r : s->step.readings) at.largest = std::max(at.largest, r);
+    for (const SensorStep& s : steps)
+      for (const double r : s.readings) at.largest = std::max(at.largest, r);
     double jump = -1;
     std::size_t step = 1;
     int taxel = 0;
     for (std::size_t i = 1; i < steps.size(); ++i)
-      for (std::size_t k = 0; k < steps[i]->step.readings.size(); ++k) {
-        const double change = std::abs(steps[i]->step.readings[k] - steps[i - 1]->step.readings[k]);
+      for (std::size_t k = 0; k < steps[i].readings.size(); ++k) {
+        const double change = std::abs(steps[i].readings[k] - steps[i - 1].readings[k]);
         if (change > jump) jump = change, step = i, taxel = static_cast<int>(k);
       }
-    return Explainer().explain(model, taxel, steps[step]->step, &steps[step - 1]->step, at);
+    return Explainer().explain(taxel, steps[step], &steps[step - 1], at);
   }
 };
 

@@ -161,7 +161,7 @@ SensorModelPtr Comparison::model_;
 TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1300);
-  const SensorFrameState& state = frame.sensors[0];
+  const SensorStep& state = frame.sensors[0];
   ModelComparison comparison(frame.scene, 0);
   const ModelReadings found = comparison.read(frame.sensors, frame.geom_poses);
   for (const ReadingModel m : kReadingModels) {
@@ -199,9 +199,9 @@ TEST_F(Comparison, TheStarIsAStarLayout) {
   const SensorModelPtr star = build_sensor_model(layout, model_->mesh, "", "star");
   const auto by_star = Simulator::make_scenario(star, test::box_sweep());
   const std::vector<Pose> X_WM{frame.sensors[0].X_WM};
-  const PosedContact contact = by_star->contact_at(0, X_WM, frame.geom_poses);
+  const SensorStep contact = by_star->contact_at(0, X_WM, frame.geom_poses);
   const std::vector<double> found = comparison.read(frame.sensors, frame.geom_poses)[ReadingModel::star].values;
-  EXPECT_EQ(found, contact.reading.values);
+  EXPECT_EQ(found, contact.readings);
   EXPECT_NE(found, frame.sensors[0].readings);
   EXPECT_GT(*std::max_element(found.begin(), found.end()), 0);
 }

@@ -188,7 +188,7 @@ TEST(ContactPlugin, ContactAtPosesIsThatOfTheStep) {
   const SimulatedStack s(3);
   const SimFrame& frame = s.frame;
   const std::vector<Pose> poses{frame.sensors[0].X_WM, frame.sensors[1].X_WM};
-  const PosedContact posed = s.simulator->contact_at(1, poses, frame.geom_poses);
+  const SensorStep posed = s.simulator->contact_at(1, poses, frame.geom_poses);
   ASSERT_EQ(posed.surfaces.size(), 1U);
   EXPECT_EQ(posed.surfaces[0].polygons.size(), frame.sensors[1].surfaces[0].polygons.size());
   EXPECT_EQ(posed.surfaces[0].area(), frame.sensors[1].surfaces[0].area());

@@ -106,7 +106,7 @@ TEST_F(FrameBundleTest, WhatIsNoneIsRefusedByName) {
 /// A number inside of the archive that is out of range names its array.
 TEST_F(FrameBundleTest, HitsOfPolygonsThatAreNotThereAreRefused) {
   SimFrame broken = *frame_;
-  SensorFrameState& sensor = broken.sensors[0];
+  SensorStep& sensor = broken.sensors[0];
   const auto hit = std::find_if(sensor.hits.begin(), sensor.hits.end(), [](const RayHit& h) { return h.hit(); });
   ASSERT_NE(hit, sensor.hits.end());
   hit->polygon = 1'000'000;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands/explain_text.h"
@@ -53,32 +54,22 @@ std::size_t row_at(const ExplainedRun& run, double time) {
   return static_cast<std::size_t>(std::min_element(rows.begin(), rows.end(), nearer) - rows.begin());
 }
 
-/// A row with its contact computed again from the recorded poses.
-struct RebuiltRow {
-  PosedContact contact;
-  SensorStep step;
-};
-
-std::unique_ptr<RebuiltRow> rebuild(const ExplainedRun& run, std::size_t number) {
+/// Computes the contact of a recorded row from its poses.
+SensorStep contact_of(const ExplainedRun& run, std::size_t number) {
   const RecordedRow& row = run.recording.rows[number];
   const RowPoses poses = poses_of(run, row);
-  auto out = std::make_unique<RebuiltRow>();
-  out->contact = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
-  out->step.time = row.time;
-  out->step.X_WM = poses.X_WM[run.sensor];
-  for (const ContactSurface& surface : out->contact.surfaces) out->step.surfaces.push_back(&surface);
-  out->step.hits = &out->contact.reading.hits.all();
-  out->step.readings = out->contact.reading.values;
-  out->step.force_W = row.sensors[run.sensor].force_W;
-  return out;
+  SensorStep step = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
+  step.time = row.time;
+  step.force_W = row.sensors[run.sensor].force_W;
+  return step;
 }
 
 /// Warns if the recorded reading of the taxel differs from the reading that is computed now. Then the program or the
 /// files are not those of the recording.
-void compare(const ExplainedRun& run, std::size_t row, const RebuiltRow& rebuilt, Console& console) {
+void compare(const ExplainedRun& run, std::size_t row, const SensorStep& step, Console& console) {
   constexpr double kMaxDifference = 1e-6;  // relative; the scene files of `taxel run` contain rounded numbers
   const double recorded = run.recording.rows[row].sensors[run.sensor].readings[run.taxel];
-  const double now = rebuilt.step.readings[run.taxel];
+  const double now = step.readings[run.taxel];
   if (std::abs(recorded - now) > kMaxDifference * std::max(std::abs(recorded), std::abs(now)))
     console.warn(
         fmt::format("{}: the row at {:.6g} s recorded {:.8g}, its contact reads {:.8g} now: the scene's files or "
@@ -103,16 +94,14 @@ int run(const Options& options, Console& console) {
   run.taxel = taxel_of(run, options.taxel);
   const std::size_t row = row_at(run, options.time);
   load_scene(run);
-  const auto now = rebuild(run, row);
-  const auto before = row > 0 ? rebuild(run, row - 1) : nullptr;
-  compare(run, row, *now, console);
-  if (before != nullptr) compare(run, row - 1, *before, console);
-  const SensorModelPtr& model = run.simulator->scene()->sensors[run.sensor];
+  const SensorStep now = contact_of(run, row);
+  const std::optional<SensorStep> before = row > 0 ? std::optional(contact_of(run, row - 1)) : std::nullopt;
+  compare(run, row, now, console);
+  if (before) compare(run, row - 1, *before, console);
   const bool of_sensor = options.limits.of_sensor;
-  const ExplainLimits limits{options.limits.jump, options.limits.equal_force, largest_reading(run, *model, of_sensor),
-                             of_sensor};
-  const Explanation found = Explainer().explain(model, static_cast<int>(run.taxel), now->step,
-                                                before != nullptr ? &before->step : nullptr, limits);
+  const ExplainLimits limits{options.limits.jump, options.limits.equal_force,
+                             largest_reading(run, *now.model, of_sensor), of_sensor};
+  const Explanation found = Explainer().explain(static_cast<int>(run.taxel), now, before ? &*before : nullptr, limits);
   console.result(console.json() ? explanation_to_json(found) : explain_text(found));
   return kDone;
 }

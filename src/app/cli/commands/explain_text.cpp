@@ -49,7 +49,7 @@ std::string budget_text(const ForceBudget& b) {
   text += fmt::format("{:>16} {}\n", "surfaces", vector_text(b.surfaces_W));
   text += fmt::format("{:>16} {}\n", "taxels", vector_text(b.taxels_W));
   text += fmt::format("{:>16} {}\n", "this taxel", vector_text(b.taxel_W));
-  if (b.net_W) text += fmt::format("{:>16} {}\n", "as simulated", vector_text(*b.net_W));
+  text += fmt::format("{:>16} {}\n", "as simulated", vector_text(b.net_W));
   text += fmt::format("pressed {:.6g} N, of it over taxels {:.6g} N, over none {:.6g} N\n", b.pressed, b.covered,
                       b.uncovered);
   return text;

@@ -129,15 +129,11 @@ std::string models_csv(const ModelsReport& report) {
   return text;
 }
 
-/// Computes the contact of a row again. Returns the states of all sensors as a frame of the simulation has them.
-std::vector<SensorFrameState> states_of(const RecordedRun& run, const RowPoses& poses) {
-  std::vector<SensorFrameState> states(poses.X_WM.size());
+/// Computes the contact of a recorded row. All other sensors have only their pose.
+std::vector<SensorStep> states_of(const RecordedRun& run, const RowPoses& poses) {
+  std::vector<SensorStep> states(poses.X_WM.size());
   for (std::size_t s = 0; s < states.size(); ++s) states[s].X_WM = poses.X_WM[s];
-  SensorFrameState& state = states[run.sensor];
-  PosedContact contact = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
-  state.surfaces = std::move(contact.surfaces);
-  state.hits = contact.reading.hits.all();
-  state.readings = std::move(contact.reading.values);
+  states[run.sensor] = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
   return states;
 }
 

@@ -156,7 +156,7 @@ void toggle_clip(UiState& ui, const UiInput& input) {
 }
 
 Pose shown_pose(const UiState& ui, const UiInput& input) {
-  const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  const SensorStep* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
   return sensor != nullptr ? sensor->X_WM : Pose{};
 }
 

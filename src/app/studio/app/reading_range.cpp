@@ -7,7 +7,7 @@
 namespace taxel::ui {
 
 PressureRange reading_range(const UiState& ui, const UiInput& input) {
-  const SensorFrameState* state = input.shown_state(ui);
+  const SensorStep* state = input.shown_state(ui);
   const SensorModelPtr model = input.shown_model(ui);
   if (state == nullptr || !model) return ui.range;
   const ReadingUnit unit = shown_unit(model->layout.readout.aggregate);

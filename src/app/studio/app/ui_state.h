@@ -272,13 +272,13 @@ struct UiInput {
   /// What runs is best shown over travel, not over time.
   [[nodiscard]] bool by_travel() const { return runs_scenario && scenario.kind == ScenarioKind::sweep; }
   /// State of the selected sensor in the newest frame, or null.
-  [[nodiscard]] const SensorFrameState* sensor(const UiState& ui) const {
+  [[nodiscard]] const SensorStep* sensor(const UiState& ui) const {
     if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))
       return nullptr;
     return &frame->sensors[static_cast<std::size_t>(ui.selection.sensor)];
   }
   /// What readings and contact are of: the probe in LAYOUT, the simulation else. Null: nothing is read.
-  [[nodiscard]] const SensorFrameState* shown_state(const UiState& ui) const {
+  [[nodiscard]] const SensorStep* shown_state(const UiState& ui) const {
     if (ui.mode == Mode::layout) return probe && probe->problem.empty() ? &probe->state : nullptr;
     return sensor(ui);
   }

@@ -34,7 +34,7 @@ Json tractions_json(const ui::FieldNumbers& numbers) {
 /// Middles of triangles of the coloured skin: where they are in the picture, and what they read.
 Json skin_json(const ui::UiState& ui, const ui::UiInput& input) {
   const SensorModelPtr model = input.shown_model(ui);
-  const SensorFrameState* state = input.shown_state(ui);
+  const SensorStep* state = input.shown_state(ui);
   if (!ui.saved.overlays.readings_on_skin || !model || state == nullptr || !input.fields) return nullptr;
   const ui::SensorFields* fields = input.fields->of(model);
   if (fields == nullptr || !fields->weights) return nullptr;

@@ -187,7 +187,7 @@ Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
       frame.trace ? std::count_if(frame.trace->rows.begin(), frame.trace->rows.end(), is_preview) : 0;
   json["sensors"] = Json::array();
   for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
-    const SensorFrameState& sensor = frame.sensors[s];
+    const SensorStep& sensor = frame.sensors[s];
     std::size_t polygons = 0;
     double largest = 0;
     for (const ContactSurface& surface : sensor.surfaces) {
@@ -255,7 +255,7 @@ Json samples_json(const Projector& project, const SensorModel& model) {
   return json;
 }
 
-Json polygons_json(const ui::UiState& ui, const Projector& project, const SensorFrameState& sensor) {
+Json polygons_json(const ui::UiState& ui, const Projector& project, const SensorStep& sensor) {
   Json json = Json::array();
   for (const ContactSurface& surface : sensor.surfaces) {
     const std::size_t stride = 1 + surface.polygons.size() / kMostMarks;
@@ -338,7 +338,7 @@ std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const
   const Projector project{ui, ui::shown_pose(ui, input)};
   json["taxels"] = model ? taxels_json(project, *model) : Json::array();
   json["samples"] = model ? samples_json(project, *model) : Json::array();
-  const SensorFrameState* sensor = input.shown_state(ui);
+  const SensorStep* sensor = input.shown_state(ui);
   json["polygons"] = sensor != nullptr ? polygons_json(ui, project, *sensor) : Json::array();
   json["messages"] = messages_json(ui);
   json["notices"] = Json::array();

@@ -40,7 +40,7 @@ Json probe_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["problem"] = input.probe ? input.probe->problem : "";
   json["latency"] = ui.probe.latency ? Json(*ui.probe.latency) : Json(nullptr);
   json["reading"] = nullptr;
-  const SensorFrameState* state = input.shown_state(ui);
+  const SensorStep* state = input.shown_state(ui);
   if (state != nullptr && ui.mode == ui::Mode::layout) {
     json["reading"] = {
         {"force", input.probe->force},

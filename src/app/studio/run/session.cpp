@@ -22,7 +22,7 @@ constexpr std::uintmax_t kLargeFile = 32'000'000;  // bytes
 /// Readings of a frame, all sensors one after the other, as trace rows have them.
 std::vector<double> all_readings(const SimFrame& frame) {
   std::vector<double> all;
-  for (const SensorFrameState& sensor : frame.sensors) {
+  for (const SensorStep& sensor : frame.sensors) {
     all.insert(all.end(), sensor.readings.begin(), sensor.readings.end());
   }
   return all;
@@ -319,7 +319,7 @@ void Session::note_pressures(const SimFrame& frame) {
   }
   for (; rows_seen_ < trace.rows.size(); ++rows_seen_) raise(peaks_, trace.rows[rows_seen_].readings);
   raise(peaks_, all_readings(frame));
-  for (const SensorFrameState& sensor : frame.sensors) {
+  for (const SensorStep& sensor : frame.sensors) {
     for (const ContactSurface& surface : sensor.surfaces) {
       largest_pressure_ = std::max(largest_pressure_, surface.max_pressure());
     }

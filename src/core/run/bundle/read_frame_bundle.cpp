@@ -166,8 +166,11 @@ dvec3 one_vector_of(const NpzReader& in, const std::string& name) {
   return vector_at(finite_doubles(in, name, {1, 3}), 0);
 }
 
-SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, const SensorModel& model) {
-  SensorFrameState state;
+SensorStep read_sensor(const NpzReader& in, const std::string& prefix, const SensorModelPtr& sensor, double time) {
+  const SensorModel& model = *sensor;
+  SensorStep state;
+  state.model = sensor;
+  state.time = time;
   state.X_WM = pose_of_row(finite_doubles(in, prefix + "pos", {3}), unit_quaternions(in, prefix + "quat", {4}), 0);
   state.force_W = one_vector_of(in, prefix + "force");
   state.uncovered_W = one_vector_of(in, prefix + "uncovered");
@@ -188,7 +191,7 @@ SensorFrameState read_sensor(const NpzReader& in, const std::string& prefix, con
 void remember(SimFrame& frame) {
   const StepView view = view_of(frame);
   TraceRow row{frame.time, frame.travel, {}, SampleQuality::polished};
-  for (const SensorFrameState& state : frame.sensors)
+  for (const SensorStep& state : frame.sensors)
     row.readings.insert(row.readings.end(), state.readings.begin(), state.readings.end());
   StepHistory history;
   history.record(view, SimState{{}, frame.step, frame.time, frame.travel, false});
@@ -223,7 +226,7 @@ SimFramePtr read_frame_bundle(const NpzReader& in, const SensorBuild& how) {
   for (std::size_t s = 0; s < scene->sensor_geoms.size(); ++s) {
     const std::string prefix = fmt::format("sensor{}/", s);
     scene->sensors.push_back(read_model(in, prefix, meshes, how));
-    frame->sensors.push_back(read_sensor(in, prefix, *scene->sensors.back()));
+    frame->sensors.push_back(read_sensor(in, prefix, scene->sensors.back(), frame->time));
   }
   read_touched(in, meshes, *scene);
   frame->scene = frame->simulated = std::move(scene);

@@ -75,8 +75,8 @@ void write_hits(const std::vector<RayHit>& hits, const std::string& prefix, NpzW
   out.add(prefix + "hit_depth_pressure", {rays.size(), 2}, std::span<const double>(values));
 }
 
-void write_sensor(const SensorFrameState& state, const SensorModel& model, const std::string& prefix,
-                  BundledMeshes& meshes, NpzWriter& out) {
+void write_sensor(const SensorStep& state, const SensorModel& model, const std::string& prefix, BundledMeshes& meshes,
+                  NpzWriter& out) {
   out.add(prefix + "layout", layout_to_json(layout_on_repaired_mesh(model)));
   add_number(out, prefix + "mesh", meshes.number(model.mesh));
   out.add(prefix + "quality", to_string(model.quality));

@@ -198,14 +198,14 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
 }
 
-/// What the rays met, and the shear, where one is asked for: read anew from the recorded surfaces and motions, which
-/// gives the same bits and takes less than keeping them.
-void read_anew(const SensorModelPtr& model, SensorFrameState& sensor) {
+/// Computes hits and shear from the recorded surfaces and motions. The result has the same bits as the recorded step,
+/// and computing takes less time than storing.
+void read_again(SensorStep& sensor) {
   sensor.hits.clear();
   sensor.shear.clear();
+  const SensorModelPtr& model = sensor.model;
   if (!model) return;
-  std::vector<const ContactSurface*> surfaces;
-  for (const ContactSurface& surface : sensor.surfaces) surfaces.push_back(&surface);
+  const std::vector<const ContactSurface*> surfaces = surface_pointers(sensor);
   SensorReading reading;
   if (model->layout.readout.shear) {
     read_sensor(*model, surfaces, reading, RayPath::fastest, sensor.motions);
@@ -216,8 +216,9 @@ void read_anew(const SensorModelPtr& model, SensorFrameState& sensor) {
   sensor.hits = reading.hits.all();
 }
 
-void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& sensor) {
-  const TetGradients gradients(model);
+/// Needs sensor.model and sensor.time.
+void take_sensor(Source& source, SensorStep& sensor) {
+  const TetGradients gradients(sensor.model);
   sensor.X_WM = source.take<Pose>();
   sensor.force_W = source.take<dvec3>();
   sensor.uncovered_W = source.take<dvec3>();
@@ -226,7 +227,7 @@ void take_sensor(Source& source, const SensorModelPtr& model, SensorFrameState& 
   source.take_all(sensor.motions, counts.motions);
   sensor.surfaces.resize(counts.surfaces);
   for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
-  read_anew(model, sensor);
+  read_again(sensor);
 }
 
 std::size_t largest_surface_size(const ContactSurface& surface) {
@@ -276,7 +277,11 @@ void unpack_step(const std::byte* from, SimFrame& frame) {
   source.take_all(frame.mark_poses.cameras, cameras);
   frame.facts = source.take<StepFacts>();
   frame.sensors.resize(sensors);
-  for (std::size_t s = 0; s < frame.sensors.size(); ++s) take_sensor(source, frame.scene->sensors[s], frame.sensors[s]);
+  for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
+    frame.sensors[s].model = frame.scene->sensors[s];
+    frame.sensors[s].time = frame.time;
+    take_sensor(source, frame.sensors[s]);
+  }
 }
 
 }  // namespace taxel

@@ -17,7 +17,9 @@ void fill_but_hits(const StepView& now, SimFrame& frame) {
   frame.sensors.resize(now.sensors.size());
   for (std::size_t i = 0; i < now.sensors.size(); ++i) {
     const SensorView& sensor = now.sensors[i];
-    SensorFrameState& state = frame.sensors[i];
+    SensorStep& state = frame.sensors[i];
+    state.model = now.scene->sensors[i];
+    state.time = now.time;
     state.X_WM = sensor.X_WM;
     state.readings.assign(sensor.readings.begin(), sensor.readings.end());
     state.force_W = sensor.force_W;
@@ -51,7 +53,7 @@ void fill_frame(const StepView& now, SimFrame& frame) {
 void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits) {
   fill_but_hits(now, frame);
   if (hits.size() != now.sensors.size()) {
-    for (SensorFrameState& state : frame.sensors) state.hits.clear();
+    for (SensorStep& state : frame.sensors) state.hits.clear();
     hits.resize(now.sensors.size());
   }
   for (std::size_t i = 0; i < now.sensors.size(); ++i) copy_hits(now.sensors[i], hits[i], frame.sensors[i].hits);
@@ -60,7 +62,7 @@ void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits) {
 StepView view_of(const SimFrame& frame) {
   StepView view{frame.scene,      frame.step, frame.time, frame.travel,     frame.finished,
                 frame.geom_poses, {},         frame.held, frame.mark_poses, frame.facts};
-  for (const SensorFrameState& state : frame.sensors) {
+  for (const SensorStep& state : frame.sensors) {
     SensorView& sensor = view.sensors.emplace_back();
     sensor.X_WM = state.X_WM;
     sensor.force_W = state.force_W;

@@ -13,13 +13,13 @@ namespace taxel {
 /// One sensor in the step just made. Pointers are valid until the next one.
 struct SensorView {
   Pose X_WM;
-  dvec3 force_W{0}, uncovered_W{0};  ///< see SensorFrameState
+  dvec3 force_W{0}, uncovered_W{0};  ///< see SensorStep
   std::span<const double> readings;
   std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
-  std::vector<SurfaceMotion> motions;           ///< see SensorFrameState
+  std::vector<SurfaceMotion> motions;           ///< see SensorStep
   std::span<const RayHit> hits;                 ///< by ray
   std::span<const std::int32_t> hit_rays;       ///< those of them that are no misses; of a simulator's own view alone
-  std::span<const dvec2> shear;                 ///< see SensorFrameState
+  std::span<const dvec2> shear;                 ///< see SensorStep
 };
 
 struct StepView {

@@ -11,7 +11,7 @@ namespace {
 
 double reading_of(const SensorModel& model, int taxel, const SensorStep& step) {
   SensorReading reading;
-  read_sensor(model, step.surfaces, reading);
+  read_sensor(model, surface_pointers(step), reading);
   return reading.values[static_cast<std::size_t>(taxel)];
 }
 

@@ -15,25 +15,20 @@
 namespace taxel {
 namespace {
 
-using Surfaces = std::span<const ContactSurface* const>;
-
 dvec3 elastic_force_W(const SensorStep& step) {
   dvec3 force(0);
-  for (const ContactSurface* surface : step.surfaces)
-    if (surface != nullptr) force += step.X_WM.rotate(pressure_wrench(*surface).force);
+  for (const ContactSurface& surface : step.surfaces) force += step.X_WM.rotate(pressure_wrench(surface).force);
   return force;
 }
 
 ForceBudget budget_of(const SensorModel& model, int taxel, const SensorStep& step) {
   ForceBudget budget;
   budget.surfaces_W = elastic_force_W(step);
-  for (const ContactSurface* surface : step.surfaces) {
-    if (surface == nullptr) continue;
-    for (const ContactPolygon& p : surface->polygons) budget.pressed += p.area * p.pressure;
-  }
+  for (const ContactSurface& surface : step.surfaces)
+    for (const ContactPolygon& p : surface.polygons) budget.pressed += p.area * p.pressure;
   ForceIntegral integral;
   ForceReading force;
-  integral.integrate(model, FieldWeights(model.layout, *model.skin), step.surfaces, {}, force);
+  integral.integrate(model, FieldWeights(model.layout, *model.skin), surface_pointers(step), {}, force);
   dvec3 sum(0);
   for (const dvec3& f : force.normal) sum += f;
   budget.taxels_W = step.X_WM.rotate(sum);
@@ -59,17 +54,12 @@ void count_samples(const Explanation& e, StepChange& change) {
 double inverted_part(const ExactReading& exact, const SensorStep& step, const InvertedTets& inverted) {
   double sum = 0;
   for (const PolygonPart& part : exact.parts)
-    if (inverted.concern(step.surfaces[at(part.surface)]->polygons[at(part.polygon)])) sum += part.value;
+    if (inverted.concern(step.surfaces[at(part.surface)].polygons[at(part.polygon)])) sum += part.value;
   return sum;
 }
 
 bool is_soft_contact(const SensorStep& step) {
-  return std::any_of(step.surfaces.begin(), step.surfaces.end(),
-                     [](const ContactSurface* s) { return s != nullptr && between_soft_bodies(*s); });
-}
-
-double force_of(const SensorStep& step) {
-  return glm::length(step.force_W ? *step.force_W : elastic_force_W(step));
+  return std::any_of(step.surfaces.begin(), step.surfaces.end(), between_soft_bodies);
 }
 
 }  // namespace
@@ -103,7 +93,7 @@ struct Explainer::Kept {
       return;
     }
     const auto read = [&](const SensorStep& step, std::array<double, 3>& values, std::array<int, 3>& samples) {
-      const Convergence found = read_convergence(*levels, step.surfaces);
+      const Convergence found = read_convergence(*levels, surface_pointers(step));
       samples = found.samples;
       for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = found.values[i][at(taxel)];
@@ -124,8 +114,8 @@ struct Explainer::Kept {
 /// Adds the readings of both contacts under uniform stiffness, and the parts on polygons of inverted tets.
 void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
                                VerdictInput& in) const {
-  const ExactReading was = exact_reading(*model, taxel, with_even_stiffness(*model, before.surfaces).pointers);
-  const ExactReading is = exact_reading(*model, taxel, with_even_stiffness(*model, now.surfaces).pointers);
+  const ExactReading was = exact_reading(*model, taxel, with_even_stiffness(*model, surface_pointers(before)).pointers);
+  const ExactReading is = exact_reading(*model, taxel, with_even_stiffness(*model, surface_pointers(now)).pointers);
   if (!was.value || !is.value) return;
   in.even = {*was.value, *is.value};
   in.even_inverted = {inverted_part(was, before, inverted), inverted_part(is, now, inverted)};
@@ -156,10 +146,11 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
 Explainer::Explainer() : kept_(std::make_unique<Kept>()) {}
 Explainer::~Explainer() = default;
 
-Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const SensorStep& now, const SensorStep* before,
-                               const ExplainLimits& limits, Progress* progress) {
+Explanation Explainer::explain(int taxel, const SensorStep& now, const SensorStep* before, const ExplainLimits& limits,
+                               Progress* progress) {
+  const SensorModelPtr& model = now.model;
   Explanation out;
-  out.samples = samples_behind(*model, *now.hits, taxel);
+  out.samples = samples_behind(*model, now.hits, taxel);
   const Taxel& of = model->layout.taxels[at(taxel)];
   out.taxel = taxel, out.id = of.id, out.name = of.name;
   out.aggregate = model->layout.readout.aggregate;
@@ -167,16 +158,16 @@ Explanation Explainer::explain(const SensorModelPtr& model, int taxel, const Sen
   kept_->keep(model, progress);
   kept_->read_levels(taxel, now, before, out);
   if (progress != nullptr) progress->check(0.5);
-  out.exact = exact_reading(*model, taxel, now.surfaces);
+  out.exact = exact_reading(*model, taxel, surface_pointers(now));
   out.polygons = polygons_behind(*model, taxel, now, out.samples, out.exact, kept_->inverted);
   out.budget = budget_of(*model, taxel, now);
   if (before == nullptr) return out;
-  out.samples_before = samples_behind(*model, *before->hits, taxel);
-  out.exact_before = exact_reading(*model, taxel, before->surfaces);
+  out.samples_before = samples_behind(*model, before->hits, taxel);
+  out.exact_before = exact_reading(*model, taxel, surface_pointers(*before));
   StepChange& change = out.change.emplace();
   change.time_before = before->time;
   change.reading = {before->readings[at(taxel)], out.reading};
-  change.force = {force_of(*before), force_of(now)};
+  change.force = {glm::length(before->force_W), glm::length(now.force_W)};
   count_samples(out, change);
   kept_->judge(taxel, now, *before, limits, out, progress);
   return out;

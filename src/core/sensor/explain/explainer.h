@@ -5,7 +5,6 @@
 
 #include "core/base/progress.h"
 #include "core/sensor/explain/explanation.h"
-#include "core/sensor/sensor_model.h"
 
 namespace taxel {
 
@@ -15,10 +14,10 @@ class Explainer {
  public:
   Explainer();
   ~Explainer();
-  /// Explains the reading of `taxel` in the step `now`. `before` is a step of the same model, or null. The result
-  /// depends on the arguments alone. Throws Error for an unknown taxel, and Cancelled through `progress`.
-  Explanation explain(const SensorModelPtr& model, int taxel, const SensorStep& now, const SensorStep* before,
-                      const ExplainLimits& limits, Progress* progress = nullptr);
+  /// Explains the reading of taxel number `taxel` of now.model. `before` is a step of the same model, or null. The
+  /// result depends on the arguments alone. Throws Error for an unknown taxel, and Cancelled through `progress`.
+  Explanation explain(int taxel, const SensorStep& now, const SensorStep* before, const ExplainLimits& limits,
+                      Progress* progress = nullptr);
 
  private:
   struct Kept;

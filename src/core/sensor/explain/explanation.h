@@ -6,18 +6,9 @@
 #include "core/sensor/explain/exact_value.h"
 #include "core/sensor/explain/samples_behind.h"
 #include "core/sensor/explain/verdict.h"
+#include "core/sensor/sensor_step.h"
 
 namespace taxel {
-
-/// A non-owning view of one sensor at one step.
-struct SensorStep {
-  double time = 0;  ///< [s]
-  Pose X_WM;
-  std::vector<const ContactSurface*> surfaces;  ///< frame M, as hits number them; null ones are empty
-  const std::vector<RayHit>* hits = nullptr;    ///< hits of the model's rays
-  std::vector<double> readings;                 ///< one per taxel
-  std::optional<dvec3> force_W;                 ///< contact force on the sensor with damping and friction [N]
-};
 
 /// One polygon of the sensor's contact surfaces.
 struct PolygonBehind {
@@ -40,7 +31,7 @@ struct ForceBudget {
   dvec3 taxel_W{0};                   ///< part of taxels_W on this taxel [N]
   double pressed = 0;                 ///< integral of p0 over all surfaces [N]
   double covered = 0, uncovered = 0;  ///< parts of `pressed` inside and outside all fields [N]
-  std::optional<dvec3> net_W;         ///< force that MuJoCo applied, with damping and friction [N]
+  dvec3 net_W{0};                     ///< force that MuJoCo applied, with damping and friction [N]
 };
 
 /// The taxel's reading with the numbers of samples of Convergence::kFactors. A weighted_sum is scaled to the number of

@@ -57,7 +57,7 @@ Json budget_object(const ForceBudget& b) {
           {"pressed", b.pressed},
           {"covered", b.covered},
           {"uncovered", b.uncovered},
-          {"net", b.net_W ? vector_of(*b.net_W) : Json(nullptr)}};
+          {"net", vector_of(b.net_W)}};
 }
 
 Json verdict_object(const Verdict& v) {

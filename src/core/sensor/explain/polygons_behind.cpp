@@ -50,16 +50,15 @@ std::vector<PolygonBehind> polygons_behind(const SensorModel& model, int taxel, 
   double pressed = 0;
   for (std::size_t s = 0; s < step.surfaces.size(); ++s) {
     first.push_back(rows.size());
-    if (step.surfaces[s] == nullptr) continue;
-    for (std::size_t p = 0; p < step.surfaces[s]->polygons.size(); ++p) {
-      rows.push_back(describe(inverted, *step.surfaces[s], static_cast<int>(s), static_cast<int>(p)));
+    for (std::size_t p = 0; p < step.surfaces[s].polygons.size(); ++p) {
+      rows.push_back(describe(inverted, step.surfaces[s], static_cast<int>(s), static_cast<int>(p)));
       pressed += rows.back().area * rows.back().mean;
     }
   }
   for (PolygonBehind& row : rows) row.force_share = pressed > 0 ? row.area * row.mean / pressed : 0.0;
   const int begin = model.fields.first[at(taxel)];
   for (std::size_t i = 0; i < behind.size(); ++i) {
-    const RayHit& hit = (*step.hits)[at(model.readout_table.ray_of_entry[at(begin) + i])];
+    const RayHit& hit = step.hits[at(model.readout_table.ray_of_entry[at(begin) + i])];
     if (!hit.hit()) continue;
     PolygonBehind& row = rows[first[at(hit.surface)] + at(hit.polygon)];
     ++row.samples;
@@ -68,7 +67,7 @@ std::vector<PolygonBehind> polygons_behind(const SensorModel& model, int taxel, 
   if (exact.value && *exact.value > 0)
     for (const PolygonPart& part : exact.parts)
       rows[first[at(part.surface)] + at(part.polygon)].exact_share = part.value / *exact.value;
-  add_served(model, *step.hits, first, rows);
+  add_served(model, step.hits, first, rows);
   return rows;
 }
 

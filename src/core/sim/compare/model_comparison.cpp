@@ -15,12 +15,6 @@
 namespace taxel {
 namespace {
 
-std::vector<const ContactSurface*> pointers_to(const std::vector<ContactSurface>& surfaces) {
-  std::vector<const ContactSurface*> pointers;
-  for (const ContactSurface& surface : surfaces) pointers.push_back(&surface);
-  return pointers;
-}
-
 /// The surface of a body with the sensor, as contact_at() finds it.
 void intersect_with(const HydroBody& self, const TouchedBody& other, const Pose& X_WM, const Pose& X_WB,
                     ContactSurface& out, IntersectWorkspace& workspace) {
@@ -73,24 +67,24 @@ ModelComparison::ModelComparison(std::shared_ptr<const SimScene> scene, std::siz
   }
 }
 
-void ModelComparison::read_star(std::span<const SensorFrameState> sensors, std::span<const Pose> X_WB,
-                                ModelReading& out) {
+void ModelComparison::read_star(std::span<const SensorStep> sensors, std::span<const Pose> X_WB, ModelReading& out) {
   out.missing = no_star_;
   if (!star_) return;
   const std::vector<TouchedBody>& touched = scene_->touched[sensor_];
-  std::vector<ContactSurface> surfaces(touched.size());
+  SensorStep step;
+  step.surfaces.resize(touched.size());
   IntersectWorkspace workspace;
   for (std::size_t i = 0; i < touched.size(); ++i)
     if (touched[i].body != nullptr)
-      intersect_with(*star_->body, touched[i], sensors[sensor_].X_WM, X_WB[i], surfaces[i], workspace);
+      intersect_with(*star_->body, touched[i], sensors[sensor_].X_WM, X_WB[i], step.surfaces[i], workspace);
   SensorReading reading;
-  read_sensor(*star_, pointers_to(surfaces), reading);
+  read_sensor(*star_, surface_pointers(step), reading);
   out.values = std::move(reading.values);
 }
 
-void ModelComparison::read_exact(const SensorFrameState& state, ModelReading& out) const {
+void ModelComparison::read_exact(const SensorStep& state, ModelReading& out) const {
   const SensorModel& model = *scene_->sensors[sensor_];
-  const std::vector<const ContactSurface*> surfaces = pointers_to(state.surfaces);
+  const std::vector<const ContactSurface*> surfaces = surface_pointers(state);
   std::vector<ExactReading> found(model.layout.taxels.size());
   parallel_chunks(model.taxel_count(), 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) found[static_cast<std::size_t>(k)] = exact_reading(model, k, surfaces);
@@ -102,7 +96,7 @@ void ModelComparison::read_exact(const SensorFrameState& state, ModelReading& ou
   }
 }
 
-void ModelComparison::read_mujoco(const SensorFrameState& state, std::span<const SensorFrameState> sensors,
+void ModelComparison::read_mujoco(const SensorStep& state, std::span<const SensorStep> sensors,
                                   const std::vector<Pose>& X_WB, ModelReadings& out) {
   ModelReading &depth = out[ReadingModel::tactile], &touch = out[ReadingModel::touch];
   depth.missing = touch.missing = no_mujoco_;
@@ -122,9 +116,9 @@ void ModelComparison::read_mujoco(const SensorFrameState& state, std::span<const
   touch.values = std::move(found.touch);
 }
 
-ModelReadings ModelComparison::read(std::span<const SensorFrameState> sensors, std::span<const Pose> X_WG) {
+ModelReadings ModelComparison::read(std::span<const SensorStep> sensors, std::span<const Pose> X_WG) {
   ModelReadings out;
-  const SensorFrameState& state = sensors[sensor_];
+  const SensorStep& state = sensors[sensor_];
   std::vector<Pose> X_WB;
   std::string unknown;
   if (!scene_->touched.empty()) {

@@ -27,13 +27,13 @@ class ModelComparison {
   [[nodiscard]] std::size_t sensor() const { return sensor_; }
 
   /// A step as it was recorded or computed: all sensors of the scene, X_WG of all its geoms. A pure function of these.
-  [[nodiscard]] ModelReadings read(std::span<const SensorFrameState> sensors, std::span<const Pose> X_WG);
+  [[nodiscard]] ModelReadings read(std::span<const SensorStep> sensors, std::span<const Pose> X_WG);
 
  private:
-  void read_star(std::span<const SensorFrameState> sensors, std::span<const Pose> X_WB, ModelReading& out);
-  void read_exact(const SensorFrameState& state, ModelReading& out) const;
-  void read_mujoco(const SensorFrameState& state, std::span<const SensorFrameState> sensors,
-                   const std::vector<Pose>& X_WB, ModelReadings& out);
+  void read_star(std::span<const SensorStep> sensors, std::span<const Pose> X_WB, ModelReading& out);
+  void read_exact(const SensorStep& state, ModelReading& out) const;
+  void read_mujoco(const SensorStep& state, std::span<const SensorStep> sensors, const std::vector<Pose>& X_WB,
+                   ModelReadings& out);
 
   std::shared_ptr<const SimScene> scene_;
   std::size_t sensor_;

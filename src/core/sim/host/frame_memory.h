@@ -24,7 +24,7 @@ class FrameMemory {
  private:
   struct Frame {
     std::vector<Pose> geom_poses;
-    std::vector<SensorFrameState> sensors;
+    std::vector<SensorStep> sensors;
     FilledHits hits;
   };
   template <class Fill>

@@ -188,7 +188,7 @@ void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
   const SceneInput& input = scene.input;
   if (const StepBefore* before = input.before.get();
       before != nullptr && static_cast<std::size_t>(view.index) < before->sensors.size()) {
-    const SensorFrameState& was = before->sensors[static_cast<std::size_t>(view.index)];
+    const SensorStep& was = before->sensors[static_cast<std::size_t>(view.index)];
     Segments lines;
     for (const ContactSurface& surface : was.surfaces)
       append_edges(surface, kGhostWidth, pack(scene.look.ghost), lines);

@@ -13,7 +13,7 @@ constexpr float kWidth = 1.1f;        // [pixel]
 TractionMarks traction_marks(const SensorView& view, const PressureRange& range, const Look& look) {
   TractionMarks out;
   TractionNumbers& numbers = out.numbers;
-  const SensorFrameState& state = *view.state;
+  const SensorStep& state = *view.state;
   numbers.metres_per_pascal = range.hi > 0 ? kLongest * view.model->mesh->bounds().diagonal() / range.hi : 0.0;
   numbers.friction_known = state.motions.size() == state.surfaces.size() && !state.surfaces.empty();
   const auto add = [&](Segments& to, const dvec3& from, const dvec3& traction, const glm::vec4& color,

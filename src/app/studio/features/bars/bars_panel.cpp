@@ -12,7 +12,7 @@ namespace taxel::ui {
 void draw_bars_panel(UiState& ui, const UiInput& input) {
   if (begin_panel(ui, kBarsTitle, &ui.saved.panels.bars)) {
     const bool probed = ui.mode == Mode::layout && input.shown_state(ui) != nullptr;
-    const SensorFrameState* sensor = probed ? input.shown_state(ui) : input.sensor(ui);
+    const SensorStep* sensor = probed ? input.shown_state(ui) : input.sensor(ui);
     if (sensor == nullptr || sensor->readings.empty()) {
       ui.bars.clear();
       ImGui::TextDisabled(sensor == nullptr ? "No sensor is simulated, and no probe is pressed."

@@ -97,7 +97,7 @@ void draw_budget(UiState& ui, const ForceBudget& b) {
   property("Surfaces", newtons(b.surfaces_W));
   property("Taxels together", newtons(b.taxels_W));
   property("This taxel", newtons(b.taxel_W));
-  if (b.net_W) property("As simulated", newtons(*b.net_W));
+  property("As simulated", newtons(b.net_W));
   property("Pressed", newtons(b.pressed));
   property("over taxels", newtons(b.covered));
   property("over none", newtons(b.uncovered));

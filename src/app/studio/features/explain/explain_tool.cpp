@@ -7,7 +7,7 @@ namespace {
 
 /// The taxel that changed most; in a first step the one that reads most.
 int taxel_to_explain(const UiState& ui, const UiInput& input) {
-  const SensorFrameState& state = *input.sensor(ui);
+  const SensorStep& state = *input.sensor(ui);
   const HistoryLanes* lanes = input.frame->history.lanes.get();
   if (lanes != nullptr && lanes->rows() > 0) {
     const std::size_t row = lanes->row_of(input.frame->step);
@@ -22,7 +22,7 @@ int taxel_to_explain(const UiState& ui, const UiInput& input) {
 void explain_reading(UiState& ui, const UiInput& input) {
   ui.saved.panels.explain = ui.explain.wants_focus = true;
   const SensorModelPtr model = input.shown_model(ui);
-  const SensorFrameState* state = input.sensor(ui);
+  const SensorStep* state = input.sensor(ui);
   if (!ui.selection.empty() || !model || state == nullptr || state->readings.empty()) return;
   const auto taxel = static_cast<std::size_t>(taxel_to_explain(ui, input));
   if (taxel < model->layout.taxels.size()) ui.selection.set(model->layout.taxels[taxel].id);

@@ -9,19 +9,8 @@
 namespace taxel::studio {
 namespace {
 
-SensorStep step_of(const SensorFrameState& state, double time) {
-  SensorStep step;
-  step.time = time;
-  step.X_WM = state.X_WM;
-  for (const ContactSurface& surface : state.surfaces) step.surfaces.push_back(&surface);
-  step.hits = &state.hits;
-  step.readings = state.readings;
-  step.force_W = state.force_W;
-  return step;
-}
-
-/// The step before, where the same layout read it.
-const SensorFrameState* state_before(const SimFrame& frame, int sensor) {
+/// Returns the sensor at the previous step, or null if another model read it.
+const SensorStep* sensor_before(const SimFrame& frame, int sensor) {
   const StepBefore* before = frame.before.get();
   if (before == nullptr || at(sensor) >= before->sensors.size() ||
       before->scene->sensors[at(sensor)] != frame.scene->sensors[at(sensor)])
@@ -70,14 +59,11 @@ ui::ExplainedPtr ExplainWorker::attempt(const Job& job, Progress& progress) {
     const std::vector<Taxel>& taxels = model->layout.taxels;
     const auto taxel =
         std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == job.wish.taxel; });
-    const SensorStep now = step_of(frame.sensors[at(job.wish.sensor)], frame.time);
-    std::optional<SensorStep> before;
-    if (const SensorFrameState* state = state_before(frame, job.wish.sensor))
-      before = step_of(*state, frame.before->time);
+    const SensorStep& now = frame.sensors[at(job.wish.sensor)];
     const int number = taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
     const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
                                largest_known(frame, job.wish.sensor, number, *model), frame.breakpoints.of_sensor};
-    out->explanation = explainer_.explain(model, number, now, before ? &*before : nullptr, limits, &progress);
+    out->explanation = explainer_.explain(number, now, sensor_before(frame, job.wish.sensor), limits, &progress);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {

@@ -47,7 +47,7 @@ void draw_found(const UiState& ui, const UiInput& input, const SensorModel& mode
     property("Off its normal", fmt::format("{:.1f}\u00b0", angle),
              angle < kWideAngleDeg ? colors.text : colors.warning);
   }
-  const SensorFrameState* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  const SensorStep* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
   if (sensor != nullptr && i < sensor->readings.size()) {
     const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
     property("Reading", in_unit(sensor->readings[i], unit));
@@ -110,7 +110,7 @@ void draw_scene(UiState& ui, const UiInput& input) {
   property("Geoms", std::to_string(scene.geoms.size()));
   property("Time step", fmt::format("{:g} ms", 1e3 * scene.timestep));
   if (scene.duration > 0) property("Duration", fmt::format("{:.2f} s", scene.duration));
-  if (const SensorFrameState* sensor = input.sensor(ui)) {
+  if (const SensorStep* sensor = input.sensor(ui)) {
     property("Force (N)",
              fmt::format("{:.3f}, {:.3f}, {:.3f}", sensor->force_W.x, sensor->force_W.y, sensor->force_W.z));
     const Layout& layout = scene.sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;

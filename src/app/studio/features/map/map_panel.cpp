@@ -77,7 +77,7 @@ std::string hover_text(const Taxel& taxel, const MapDisc& disc, bool read, const
 }
 
 void draw_map(UiState& ui, const UiInput& input, const SensorModel& model) {
-  const SensorFrameState* state = input.shown_state(ui);
+  const SensorStep* state = input.shown_state(ui);
   const std::vector<Taxel>& taxels = model.layout.taxels;
   const bool read = state != nullptr && state->readings.size() == taxels.size();
   const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);

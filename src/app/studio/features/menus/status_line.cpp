@@ -44,7 +44,7 @@ void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
   if (!input.frame) return;
   item(ui, flow, "time", fmt::format("{:.3f} s", input.frame->time));
   if (input.runs_scenario) item(ui, flow, "travel", in_mm(input.frame->travel, 1));
-  const SensorFrameState* sensor = input.sensor(ui);
+  const SensorStep* sensor = input.sensor(ui);
   if (sensor == nullptr) return;
   std::size_t polygons = 0;
   for (const ContactSurface& surface : sensor->surfaces) polygons += surface.polygons.size();

@@ -95,8 +95,7 @@ std::optional<RecallCommand> ModelsWorker::follow(const SimFramePtr& frame, bool
   return next;
 }
 
-void ModelsWorker::add(std::span<const SensorFrameState> sensors, std::span<const Pose> X_WG,
-                       const ui::ComparedStep& step) {
+void ModelsWorker::add(std::span<const SensorStep> sensors, std::span<const Pose> X_WG, const ui::ComparedStep& step) {
   if (known_.contains(step.step)) return;
   ui::ComparedStep& added = known_[step.step] = step;
   added.readings = comparison_->read(sensors, X_WG);

@@ -55,6 +55,7 @@ ui::PressedProbePtr ProbeWorker::attempt(const Job& job) {
   }
   out->mesh = press_.mesh;
   out->X_MG = press_.X_MG;
+  out->state.model = job.model;
   out->state.readings = press_.reading.values;
   out->state.force_W = press_.wrench.force;
   out->state.surfaces = {press_.surface};

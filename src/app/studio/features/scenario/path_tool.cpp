@@ -84,14 +84,14 @@ std::vector<WayPoint> points_to_begin_with(const UiState& ui, const UiInput& inp
   std::vector<WayPoint> points;
   if (input.frame && input.frame->scene) points = input.frame->scene->way_points;
   if (points.size() >= 2) return points;
-  const SensorFrameState* sensor = input.sensor(ui);
+  const SensorStep* sensor = input.sensor(ui);
   const Pose X_WM = sensor != nullptr ? sensor->X_WM : Pose{};
   return {{0, X_WM}, {kMoreSeconds, X_WM}};
 }
 
 void add_way_point(UiState& ui, const UiInput& input) {
   const Scenario* scenario = path_of(ui, input);
-  const SensorFrameState* sensor = input.sensor(ui);
+  const SensorStep* sensor = input.sensor(ui);
   if (scenario == nullptr || sensor == nullptr) return;
   const int last = static_cast<int>(scenario->points.size()) - 1;
   const int after = ui.path.selected >= 0 && ui.path.selected <= last ? ui.path.selected : last;

@@ -25,10 +25,10 @@ namespace {
 struct Table {
   const UiInput& input;
   const Layout& layout;
-  const SensorModel& model;        ///< may be older than the layout
-  const SensorFrameState* sensor;  ///< null in LAYOUT
-  std::vector<int> in_model;       ///< index in the model of each taxel of the layout; -1: not in there yet
-  std::vector<int> samples;        ///< of each taxel of the layout
+  const SensorModel& model;   ///< may be older than the layout
+  const SensorStep* sensor;   ///< null in LAYOUT
+  std::vector<int> in_model;  ///< index in the model of each taxel of the layout; -1: not in there yet
+  std::vector<int> samples;   ///< of each taxel of the layout
   bool edited = false;
 };
 

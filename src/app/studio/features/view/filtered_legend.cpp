@@ -26,7 +26,7 @@ const char* explain(Rejection reason) {
 
 }  // namespace
 
-std::array<RejectedPolygons, kRejections> left_out(const SensorFrameState& sensor) {
+std::array<RejectedPolygons, kRejections> left_out(const SensorStep& sensor) {
   std::array<RejectedPolygons, kRejections> sums{};
   for (const ContactSurface& surface : sensor.surfaces) {
     for (std::size_t r = 0; r < kRejections; ++r) {
@@ -38,7 +38,7 @@ std::array<RejectedPolygons, kRejections> left_out(const SensorFrameState& senso
   return sums;
 }
 
-float draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor) {
+float draw_filtered_legend(const UiState& ui, const SensorStep& sensor) {
   const Palette& colors = palette(ui.dark);
   const std::array<RejectedPolygons, kRejections> sums = left_out(sensor);
   std::array<std::string, kRejections> rows;

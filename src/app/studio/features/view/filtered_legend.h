@@ -9,9 +9,9 @@
 namespace taxel::ui {
 
 /// The sums over all surfaces of a sensor, by reason.
-std::array<RejectedPolygons, kRejections> left_out(const SensorFrameState& sensor);
+std::array<RejectedPolygons, kRejections> left_out(const SensorStep& sensor);
 
 /// Colour, reason, count, area and force, in the lower right corner of the view. Returns its upper edge.
-float draw_filtered_legend(const UiState& ui, const SensorFrameState& sensor);
+float draw_filtered_legend(const UiState& ui, const SensorStep& sensor);
 
 }  // namespace taxel::ui

@@ -34,7 +34,7 @@ void add_solver(const SimFrame& frame, std::vector<InfoRow>& rows) {
 void add_sensors(const SimFrame& frame, std::vector<InfoRow>& rows) {
   if (frame.sensors.empty()) return;
   std::size_t polygons = 0, rays = 0, hits = 0;
-  for (const SensorFrameState& sensor : frame.sensors) {
+  for (const SensorStep& sensor : frame.sensors) {
     for (const ContactSurface& surface : sensor.surfaces) polygons += surface.polygons.size();
     rays += sensor.hits.size();
     hits += static_cast<std::size_t>(

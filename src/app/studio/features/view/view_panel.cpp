@@ -88,7 +88,7 @@ std::string taxel_text(const UiState& ui, const UiInput& input, const SensorMode
   std::string text = fmt::format("Taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : ", ", taxel.name);
   text +=
       fmt::format("\n{} samples, radius {}", model.fields.first[i + 1] - model.fields.first[i], in_mm(taxel.radius));
-  const SensorFrameState* sensor = input.shown_state(ui);
+  const SensorStep* sensor = input.shown_state(ui);
   if (sensor != nullptr && i < sensor->readings.size())
     text += fmt::format("\n{}", in_unit(sensor->readings[i], shown_unit(model.layout.readout.aggregate)));
   return text;
