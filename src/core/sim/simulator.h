@@ -16,18 +16,6 @@
 
 namespace taxel {
 
-/// A row of results, evaluated at `time` (the state before the step's integration).
-struct SimRow {
-  double time = 0, travel = 0;
-  std::vector<dvec3> force_W;                 ///< per sensor: contact force on it
-  std::vector<double> area;                   ///< per sensor [m^2]
-  std::vector<int> polygons;                  ///< per sensor
-  std::vector<std::vector<double>> readings;  ///< per sensor: its part of sensordata
-  std::vector<std::vector<dvec2>> shear;      ///< per sensor and taxel; empty without readout.shear
-  std::vector<dvec3> uncovered_W;             ///< per sensor: see SensorRecord::uncovered_W
-  std::vector<Pose> sensor_poses;             ///< X_WM per sensor
-};
-
 class Simulator {
  public:
   /// A scenario around any compiled layout: the finger is led, and meets the scenario's object.
@@ -49,8 +37,9 @@ class Simulator {
   /// Where the time of all sensors went so far.
   [[nodiscard]] SensorTimes sensor_times() const;
 
-  /// One mj_step; then row() and frame() tell of the state that was evaluated. Throws Error that names the body where
-  /// MuJoCo found a number that is none: the state is then lost until restore_state() or reset().
+  /// Makes one mj_step; view() and fill_frame() then return the state that was evaluated, before its integration.
+  /// Throws Error with the body's name if MuJoCo computed a number that is not finite: the state is then lost until
+  /// restore_state() or reset().
   void step();
   /// All sensors that read by `replaced` read the present state anew, by `model`. Throws Error where it has another
   /// number of taxels; the sensors then stay as they are.
@@ -62,7 +51,6 @@ class Simulator {
   void reset();                         ///< back to the start, bit for bit
   [[nodiscard]] bool finished() const;  ///< the scenario's path has been run
   [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
-  [[nodiscard]] SimRow row() const;
   void fill_frame(SimFrame& frame) const;
   void fill_frame(SimFrame& frame, FilledHits& hits) const;  ///< see step_view.h
   /// The same without copies: valid until the next step, reset or model.

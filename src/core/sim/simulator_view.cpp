@@ -1,4 +1,4 @@
-// What a simulator has to show: rows, frames, contacts, files; nothing here moves it.
+// The results of a simulator: steps, contacts at given poses, scene files. Nothing here changes its state.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,30 +46,6 @@ SensorTimes Simulator::sensor_times() const {
     sum.readings += times.readings;
   }
   return sum;
-}
-
-SimRow Simulator::row() const {
-  const StepView now = view();
-  SimRow row;
-  row.time = now.time;
-  row.travel = now.travel;
-  for (std::size_t i = 0; i < now.sensors.size(); ++i) {
-    const SensorView& sensor = now.sensors[i];
-    double area = 0;
-    std::size_t polygons = 0;
-    for (const ContactSurface* surface : sensor.surfaces) {
-      area += surface->area();
-      polygons += surface->polygons.size();
-    }
-    row.force_W.push_back(sensor.force_W);
-    row.area.push_back(area);
-    row.polygons.push_back(static_cast<int>(polygons));
-    row.readings.emplace_back(sensor.readings.begin(), sensor.readings.end());
-    row.shear.emplace_back(sensor.shear.begin(), sensor.shear.end());
-    row.uncovered_W.push_back(sensor.uncovered_W);
-    row.sensor_poses.push_back(sensor.X_WM);
-  }
-  return row;
 }
 
 StepView Simulator::view() const {

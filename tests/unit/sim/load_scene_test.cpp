@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/scene/loaded_scene.h"
 #include "core/sim/simulator.h"
@@ -42,17 +43,17 @@ TEST_F(LoadScene, WithItsOwnSensors) {
   for (int n = 0; n < 100; ++n) simulator->step();
   EXPECT_TRUE(simulator->row_due());
   EXPECT_FALSE(simulator->finished());
-  EXPECT_GT(simulator->row().readings[0][0], 0);
+  EXPECT_GT(row_of(simulator->view()).sensors[0].readings[0], 0);
 }
 
 TEST_F(LoadScene, AnAttachedLayoutCarriesTheBallInPlaceOfMujocosContact) {
   const std::filesystem::path scene = write(kBall);
   const auto simulator = Simulator::load(scene, {{"ball", layout()}});
   for (int n = 0; n < 1000; ++n) simulator->step();
-  const SimRow row = simulator->row();
+  const RecordedRow row = row_of(simulator->view());
   // the mesh of this icosphere at MuJoCo's default density
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
-  EXPECT_NEAR(row.force_W[0].z, weight, 0.01 * weight);
+  EXPECT_NEAR(row.sensors[0].force_W.z, weight, 0.01 * weight);
   EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];
 }
 
@@ -102,8 +103,11 @@ TEST_F(LoadScene, AMovedCopyRepeatsBitForBit) {
   for (int n = 0; n < 200; ++n) {
     original->step();
     copy->step();
-    ASSERT_EQ(copy->row().readings, original->row().readings) << n;
-    largest = std::max(largest, copy->row().readings[0][0]);
+    const RecordedRow expected = row_of(original->view()), row = row_of(copy->view());
+    ASSERT_EQ(row.sensors.size(), expected.sensors.size());
+    for (std::size_t i = 0; i < row.sensors.size(); ++i)
+      ASSERT_EQ(row.sensors[i].readings, expected.sensors[i].readings) << n;
+    largest = std::max(largest, row.sensors[0].readings[0]);
   }
   EXPECT_GT(largest, 0);
 }
@@ -116,7 +120,7 @@ TEST_F(LoadScene, AMovedCopyOfAnAttachedLayoutRunsToo) {
     original->step();
     copy->step();
   }
-  EXPECT_NEAR(copy->row().force_W[0].z, original->row().force_W[0].z, 1e-6);
+  EXPECT_NEAR(row_of(copy->view()).sensors[0].force_W.z, row_of(original->view()).sensors[0].force_W.z, 1e-6);
   EXPECT_TRUE(copy->warnings().empty());
 }
 

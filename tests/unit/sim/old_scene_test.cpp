@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/simulator.h"
 #include "fixtures/complaint.h"
 #include "fixtures/sensor_scene.h"
@@ -42,10 +43,11 @@ TEST_F(OldScene, ASoftBoxCarriesTheWeightOfWhatLiesOnIt) {
   EXPECT_EQ(material.friction, 0.3);
   EXPECT_EQ(material.thickness, 0.0125);
   for (int n = 0; n < 1000; ++n) simulator->step();
-  EXPECT_NEAR(simulator->row().force_W[0].z, -2 * 9.81, 0.02 * 2 * 9.81);
+  EXPECT_NEAR(row_of(simulator->view()).sensors[0].force_W.z, -2 * 9.81, 0.02 * 2 * 9.81);
   // p = F/A under the middle four, which it covers
-  EXPECT_NEAR(simulator->row().readings[0][5], 2 * 9.81 / (0.04 * 0.04), 0.25 * 2 * 9.81 / (0.04 * 0.04));
-  EXPECT_EQ(simulator->row().readings[0][0], 0);
+  EXPECT_NEAR(row_of(simulator->view()).sensors[0].readings[5], 2 * 9.81 / (0.04 * 0.04),
+              0.25 * 2 * 9.81 / (0.04 * 0.04));
+  EXPECT_EQ(row_of(simulator->view()).sensors[0].readings[0], 0);
   EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];  // the box is the layout's
 }
 
@@ -82,11 +84,11 @@ TEST_F(OldScene, SoftMeshesAndSpheresHaveContactWithoutTaxels) {
   ASSERT_EQ(simulator->warnings().size(), 1U);
   EXPECT_TRUE(has(simulator->warnings()[0], "\"cs::floor\" makes geom \"floor\" soft")) << simulator->warnings()[0];
   for (int n = 0; n < 800; ++n) simulator->step();
-  const SimRow row = simulator->row();
+  const RecordedRow row = row_of(simulator->view());
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(row.force_W[i].z, 0.981, 0.02) << i;
-    EXPECT_GT(row.polygons[i], 3) << i;
-    EXPECT_TRUE(row.readings[i].empty());
+    EXPECT_NEAR(row.sensors[i].force_W.z, 0.981, 0.02) << i;
+    EXPECT_GT(row.sensors[i].polygons, 3) << i;
+    EXPECT_TRUE(row.sensors[i].readings.empty());
   }
 }
 
@@ -104,7 +106,8 @@ TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
   EXPECT_EQ(simulator->scene()->sensors[0], simulator->scene()->sensors[1]);  // compiled once
   for (int n = 0; n < 600; ++n) simulator->step();
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(simulator->row().force_W[i].z, weight, 0.02 * weight) << i;
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(row_of(simulator->view()).sensors[i].force_W.z, weight, 0.02 * weight) << i;
   // the sphere is no mesh: that is told, with how far its surface is from the layout's
   ASSERT_EQ(simulator->warnings().size(), 1U);
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"round\" has no mesh")) << simulator->warnings()[0];
@@ -115,7 +118,8 @@ TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
   const auto again = Simulator::load(s.folder / "out" / "with taxels.xml");
   ASSERT_EQ(again->scene()->sensor_geoms, simulator->scene()->sensor_geoms);
   for (int n = 0; n < 600; ++n) again->step();
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(again->row().force_W[i].z, simulator->row().force_W[i].z, 1e-4) << i;
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(row_of(again->view()).sensors[i].force_W.z, row_of(simulator->view()).sensors[i].force_W.z, 1e-4) << i;
 }
 
 TEST_F(OldScene, AGeomTakesOneLayout) {

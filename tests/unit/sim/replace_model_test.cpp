@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/layout/file/layout_json.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/host/sim_thread.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
@@ -66,9 +67,9 @@ void expect_same_frame(const Simulator& a, const Simulator& b) {
 
 TEST_F(ReplaceModel, ThePresentStateIsReadByTheNewSamplesAndGoesOn) {
   const auto simulator = sweep(preview_, kInContact), whole = sweep(polished_, kInContact);
-  const std::vector<double> before = simulator->row().readings[0];
+  const std::vector<double> before = row_of(simulator->view()).sensors[0].readings;
   simulator->replace_model(preview_, polished_);
-  EXPECT_NE(simulator->row().readings[0], before) << "other samples read a little else";
+  EXPECT_NE(row_of(simulator->view()).sensors[0].readings, before) << "other samples read a little else";
   expect_same_frame(*simulator, *whole);
   for (int i = 0; i < 20; ++i) simulator->step(), whole->step();
   expect_same_frame(*simulator, *whole);

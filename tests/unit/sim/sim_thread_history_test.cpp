@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/run/history/breakpoints.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sensor/explain/disagreement.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_thread.h"
@@ -201,14 +202,14 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   // by the definition, over a plain loop
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   simulator->step();  // the look before the first step reads the same
-  std::vector<double> before = simulator->row().readings[0];
+  std::vector<double> before = row_of(simulator->view()).sensors[0].readings;
   PeaksSoFar peaks(*model_, limits.jump);
   peaks.add(before);
   std::uint64_t expected = 0;
   std::size_t expected_taxel = 0;
   for (std::uint64_t step = 2; expected == 0 && !simulator->finished(); ++step) {
     simulator->step();
-    const std::vector<double> now = simulator->row().readings[0];
+    const std::vector<double> now = row_of(simulator->view()).sensors[0].readings;
     peaks.add(now);
     double most = limits.jump;
     for (std::size_t k = 0; k < now.size(); ++k) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <thread>
 
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/host/pacing.h"
 #include "core/sim/host/step_time.h"
 #include "core/sim/simulator.h"
@@ -57,9 +58,9 @@ TEST_F(Thread, StepsExactlyWhenTold) {
   for (int n = 0; n < 1300; ++n) {
     simulator->step();
     if (simulator->row_due())
-      rows.push_back({simulator->row().time, simulator->row().travel, simulator->row().readings[0]});
+      rows.push_back({simulator->view().time, simulator->view().travel, row_of(simulator->view()).sensors[0].readings});
   }
-  EXPECT_EQ(frame->sensors[0].readings, simulator->row().readings[0]);
+  EXPECT_EQ(frame->sensors[0].readings, row_of(simulator->view()).sensors[0].readings);
   ASSERT_EQ(frame->trace->rows.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(frame->trace->rows[i].readings, rows[i].readings);
 }

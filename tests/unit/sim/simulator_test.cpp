@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/scenario_scene.h"
 #include "fixtures/box_sweep.h"
@@ -13,10 +14,13 @@
 namespace taxel {
 namespace {
 
-bool operator==(const SimRow& a, const SimRow& b) {
-  return a.time == b.time && a.travel == b.travel && a.readings == b.readings && a.area == b.area &&
-         a.force_W == b.force_W && a.polygons == b.polygons && a.sensor_poses[0].p == b.sensor_poses[0].p &&
-         a.sensor_poses[0].q == b.sensor_poses[0].q;
+bool operator==(const RecordedRow& a, const RecordedRow& b) {
+  const auto same = [](const SensorRecord& x, const SensorRecord& y) {
+    return x.readings == y.readings && x.area == y.area && x.force_W == y.force_W && x.polygons == y.polygons &&
+           x.X_WM.p == y.X_WM.p && x.X_WM.q == y.X_WM.q;
+  };
+  return a.time == b.time && a.travel == b.travel &&
+         std::equal(a.sensors.begin(), a.sensors.end(), b.sensors.begin(), b.sensors.end(), same);
 }
 
 /// One whole sweep, shared by the tests.
@@ -27,7 +31,7 @@ class Sweep : public testing::Test {
     while (!simulator_->finished()) {
       simulator_->step();
       ++steps_;
-      if (simulator_->row_due()) rows_.push_back(simulator_->row());
+      if (simulator_->row_due()) rows_.push_back(row_of(simulator_->view()));
     }
   }
   static void TearDownTestSuite() {
@@ -36,15 +40,15 @@ class Sweep : public testing::Test {
   }
   static double peak(std::size_t taxel) {
     double largest = 0;
-    for (const SimRow& row : rows_) largest = std::max(largest, row.readings[0][taxel]);
+    for (const RecordedRow& row : rows_) largest = std::max(largest, row.sensors[0].readings[taxel]);
     return largest;
   }
   static std::unique_ptr<Simulator> simulator_;
-  static std::vector<SimRow> rows_;
+  static std::vector<RecordedRow> rows_;
   static int steps_;
 };
 std::unique_ptr<Simulator> Sweep::simulator_;
-std::vector<SimRow> Sweep::rows_;
+std::vector<RecordedRow> Sweep::rows_;
 int Sweep::steps_ = 0;
 
 TEST_F(Sweep, HasARowForEveryTenthOfAMillimetre) {
@@ -55,7 +59,7 @@ TEST_F(Sweep, HasARowForEveryTenthOfAMillimetre) {
     EXPECT_NEAR(rows_[i].time, 0.01 * static_cast<double>(i), 1e-9);
   }
   EXPECT_EQ(rows_[0].travel, 0);
-  EXPECT_EQ(rows_[0].force_W[0], dvec3(0));
+  EXPECT_EQ(rows_[0].sensors[0].force_W, dvec3(0));
 }
 
 TEST_F(Sweep, PadMiddleAndTipRespondOnBothSidesAndNobodyElse) {
@@ -70,13 +74,14 @@ TEST_F(Sweep, PadMiddleAndTipRespondOnBothSidesAndNobodyElse) {
 }
 
 TEST_F(Sweep, FingerFollowsTheMocapBody) {
-  const Pose first = rows_.front().sensor_poses[0], last = rows_.back().sensor_poses[0];
+  const Pose first = rows_.front().sensors[0].X_WM, last = rows_.back().sensors[0].X_WM;
   EXPECT_NEAR(last.p.x - first.p.x, 0.024, 1e-4);
-  for (const SimRow& row : rows_) EXPECT_NEAR(row.sensor_poses[0].p.z, first.p.z, 1e-4);
+  for (const RecordedRow& row : rows_) EXPECT_NEAR(row.sensors[0].X_WM.p.z, first.p.z, 1e-4);
   EXPECT_NEAR(simulator_->mocap_pos().x - first.p.x, 0.024, 1e-12);
-  EXPECT_GT(rows_.back().force_W[0].z, 0.1);
+  EXPECT_GT(rows_.back().sensors[0].force_W.z, 0.1);
   // Sliding on the top: friction near mu = 0.5 against the motion.
-  EXPECT_NEAR(rows_.back().force_W[0].x, -0.5 * rows_.back().force_W[0].z, 0.02 * rows_.back().force_W[0].z);
+  EXPECT_NEAR(rows_.back().sensors[0].force_W.x, -0.5 * rows_.back().sensors[0].force_W.z,
+              0.02 * rows_.back().sensors[0].force_W.z);
 }
 
 TEST(MocapBody, HasThePoseOfTheMotionInEachStep) {
@@ -110,7 +115,7 @@ TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
   for (std::size_t i = 0; i < 130;) {
     simulator_->step();
     if (simulator_->row_due()) {
-      ASSERT_TRUE(simulator_->row() == rows_[i]) << "row " << i;
+      ASSERT_TRUE(row_of(simulator_->view()) == rows_[i]) << "row " << i;
       ++i;
     }
   }
@@ -121,7 +126,7 @@ TEST_F(Sweep, AnotherSimulatorRepeatsBitForBit) {
   for (std::size_t i = 0; i < 130;) {
     other->step();
     if (other->row_due()) {
-      ASSERT_TRUE(other->row() == rows_[i]) << "row " << i;
+      ASSERT_TRUE(row_of(other->view()) == rows_[i]) << "row " << i;
       ++i;
     }
   }
@@ -146,7 +151,7 @@ TEST_F(Sweep, ExportedFolderRepeatsBitForBitInPlainMujoco) {
     const std::array<double, 4> quat{q.w, q.x, q.y, q.z};
     std::copy(quat.begin(), quat.end(), plain.data->mocap_quat);
     plain.step();
-    const std::vector<double> readings = simulator_->row().readings[0];
+    const std::vector<double> readings = row_of(simulator_->view()).sensors[0].readings;
     for (std::size_t k = 0; k < readings.size(); ++k) {
       ASSERT_EQ(plain.data->sensordata[k], readings[k]) << "step " << n << " taxel " << k;
       largest = std::max(largest, readings[k]);
@@ -163,12 +168,12 @@ TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
   IntersectWorkspace workspace;
   SensorReading reading;
   for (const std::size_t i : {0u, 90u, 130u, 240u}) {
-    intersect(*model->body, *box, rows_[i].sensor_poses[0], Pose{{1, 0, 0, 0}, dvec3(0.025, 0, 0.025)}, surface,
+    intersect(*model->body, *box, rows_[i].sensors[0].X_WM, Pose{{1, 0, 0, 0}, dvec3(0.025, 0, 0.025)}, surface,
               workspace);
     const ContactSurface* surfaces[] = {&surface};
     read_sensor(*model, surfaces, reading);
-    EXPECT_EQ(reading.values, rows_[i].readings[0]) << "row " << i;
-    EXPECT_EQ(surface.area(), rows_[i].area[0]);
+    EXPECT_EQ(reading.values, rows_[i].sensors[0].readings) << "row " << i;
+    EXPECT_EQ(surface.area(), rows_[i].sensors[0].area);
   }
 }
 
@@ -178,15 +183,15 @@ TEST_F(Sweep, FrameTellsTheWholeStep) {
   simulator_->fill_frame(before);
   EXPECT_EQ(before.step, 0u);
   ASSERT_EQ(before.geom_poses.size(), before.scene->geoms.size());
-  EXPECT_NEAR(before.sensors[0].X_WM.p.x, rows_[0].sensor_poses[0].p.x, 1e-12);  // there before the first step
+  EXPECT_NEAR(before.sensors[0].X_WM.p.x, rows_[0].sensors[0].X_WM.p.x, 1e-12);  // there before the first step
   for (int n = 0; n < 1200; ++n) simulator_->step();
   SimFrame frame;
   simulator_->fill_frame(frame);
-  const SimRow row = simulator_->row();
+  const RecordedRow row = row_of(simulator_->view());
   EXPECT_EQ(frame.step, 1200u);
   EXPECT_EQ(frame.time, row.time);
   EXPECT_EQ(frame.travel, row.travel);
-  EXPECT_EQ(frame.sensors[0].readings, row.readings[0]);
+  EXPECT_EQ(frame.sensors[0].readings, row.sensors[0].readings);
   EXPECT_EQ(frame.sensors[0].hits.size(), frame.scene->sensors[0]->rays.size());
   ASSERT_EQ(frame.sensors[0].surfaces.size(), 1u);
   EXPECT_GT(frame.sensors[0].surfaces[0].polygons.size(), 10u);
@@ -211,7 +216,7 @@ TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
   while (!simulator->finished()) {
     simulator->step();
     if (!simulator->row_due()) continue;
-    const double now = simulator->row().travel;
+    const double now = simulator->view().travel;
     EXPECT_GE(now, 0.00017 * rows - 1e-12);
     EXPECT_LT(now, 0.00017 * rows + 0.0071 * 0.001);
     EXPECT_GT(now, travel);
@@ -219,7 +224,7 @@ TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
     ++rows;
   }
   EXPECT_EQ(rows, 8);  // 0, 0.17, ... 1.19 mm
-  EXPECT_DOUBLE_EQ(simulator->row().travel, 0.00133);
+  EXPECT_DOUBLE_EQ(simulator->view().travel, 0.00133);
 }
 
 }  // namespace

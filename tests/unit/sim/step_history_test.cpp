@@ -1,6 +1,7 @@
 // Recorded steps: the same bits as were computed, for as many steps as fit, and a simulation that goes on from any of
 // them as it did.
 #include "core/run/history/step_history.h"
+#include "core/run/recording/run_recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,7 @@ TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
     expect_same_frame(run.recorded(frames[i].step), frames[i]);
   }
   Simulator& simulator = *run.simulator;
-  EXPECT_TRUE(simulator.row().readings[0] == frames.back().sensors[0].readings);
+  EXPECT_TRUE(row_of(simulator.view()).sensors[0].readings == frames.back().sensors[0].readings);
 }
 
 void expect_same_rows(const HistoryLanes& a, const HistoryLanes& b) {

@@ -79,6 +79,16 @@ std::size_t recorded_row_bytes(const SimScene& scene) {
   return bytes_of(row) + sizeof(Pose);
 }
 
+RecordedRow row_of(const StepView& step) {
+  RecordedRow row;
+  row.time = step.time;
+  row.travel = step.travel;
+  for (const SensorView& sensor : step.sensors) row.sensors.push_back(record_of(sensor));
+  for (std::size_t g = 0; g < step.scene->geoms.size(); ++g)
+    if (step.scene->geoms[g].sensor < 0) row.objects.push_back(step.geom_poses[g]);
+  return row;
+}
+
 RunRecorder::RunRecorder(const SimScene& scene) : recording_(describe_recording(scene)), sensors_(scene.sensors) {
   begin_calibrations();
 }
@@ -101,16 +111,9 @@ void RunRecorder::follow(const StepView& view, const Pose& mocap, bool keep) {
   for (std::size_t s = 0; any_calibration_ && s < calibrators_.size(); ++s)
     if (calibrators_[s]) calibrated_[s] = calibrators_[s]->advance(view.time, view.sensors[s].readings);
   if (!keep) return;
-  RecordedRow& row = recording_.rows.emplace_back();
+  RecordedRow& row = recording_.rows.emplace_back(row_of(view));
   row.step = step;
-  row.time = view.time;
-  row.travel = view.travel;
-  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
-    row.sensors.push_back(record_of(view.sensors[s]));
-    row.sensors.back().calibrated = calibrated_[s];
-  }
-  for (std::size_t g = 0; g < view.scene->geoms.size(); ++g)
-    if (view.scene->geoms[g].sensor < 0) row.objects.push_back(view.geom_poses[g]);
+  for (std::size_t s = 0; s < row.sensors.size(); ++s) row.sensors[s].calibrated = calibrated_[s];
   bytes_ += bytes_of(row);
 }
 

@@ -16,6 +16,9 @@ Recording describe_recording(const SimScene& scene);
 /// Memory that one row of a scene's recording takes [bytes].
 std::size_t recorded_row_bytes(const SimScene& scene);
 
+/// Returns a step as a row of a recording, without calibrated values; its RecordedRow::step is 0.
+RecordedRow row_of(const StepView& step);
+
 /// Collects rows of one scene, one step after the other. Calibrations begin with the first step: a loop or a held value
 /// depends on all that was felt since.
 class RunRecorder {

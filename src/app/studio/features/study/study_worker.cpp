@@ -26,10 +26,11 @@ void record_run(Simulator& simulator, StudyCurve& curve, const Progress& progres
       progress.stop_if_cancelled();
       simulator.step();
       if (!simulator.row_due()) continue;
-      const SimRow row = simulator.row();
-      curve.time.push_back(row.time);
-      curve.readings.resize(row.readings.front().size());
-      for (std::size_t k = 0; k < curve.readings.size(); ++k) curve.readings[k].push_back(row.readings.front()[k]);
+      const StepView step = simulator.view();
+      const std::span<const double> readings = step.sensors.front().readings;
+      curve.time.push_back(step.time);
+      curve.readings.resize(readings.size());
+      for (std::size_t k = 0; k < readings.size(); ++k) curve.readings[k].push_back(readings[k]);
     }
   } catch (const Error& e) {
     curve.error = e.what();
