@@ -109,8 +109,8 @@ struct PerturbShown {
   dquat hand_turn_W{1, 0, 0, 0};  ///< from the body's orientation to the hand's
 };
 
-/// Two points that a constraint holds together.
-struct HeldPoints {
+/// Two points that an active equality constraint holds together.
+struct ConstraintPoints {
   dvec3 a_W{0}, b_W{0};
   bool weld = false;
 };

@@ -85,7 +85,7 @@ void Simulator::view(StepView& view) const {
     one.hits = reading.hits.all();
     one.hit_rays = reading.hits.hit_rays();
   }
-  view.held = held_points(s.m(), s.d());
+  view.constraint_points = constraint_points(s.m(), s.d());
   pose_marks(s.m(), s.d(), view.mark_poses);
   view.facts = step_facts(s.m(), s.d());
 }
@@ -96,7 +96,7 @@ void Simulator::fill_frame(SimFrame& frame) const {
 }
 
 void Simulator::fill_frame(SimFrame& frame, FilledHits& hits) const {
-  taxel::fill_frame(view(), frame, hits);
+  fill_step(view(), frame, hits);
   frame.controls = control_values(impl_->m(), impl_->d());
   frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
 }

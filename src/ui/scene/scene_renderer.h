@@ -97,7 +97,7 @@ struct SceneInput {
   bool repair_changes = false;       ///< shows what the repair of the document's mesh changed
   ShownFieldsPtr fields;             ///< what of receptive fields is worked out elsewhere; null: not yet, or nothing
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
-  std::shared_ptr<const StepBefore> before;          ///< whose surfaces are drawn as ghosts; may be null
+  StepPtr before;                                    ///< whose surfaces are drawn as ghosts; may be null
   int marked_surface = -1, marked_polygon = -1;      ///< of the selected sensor: outlined; -1: none
   std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null

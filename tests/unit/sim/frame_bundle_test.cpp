@@ -25,7 +25,7 @@ class FrameBundleTest : public testing::Test {
     const auto simulator = Simulator::make_scenario(test::fingertip_model(1e6), test::box_sweep());
     for (int i = 0; i < kInContact; ++i) simulator->step();
     auto frame = std::make_shared<SimFrame>();
-    fill_frame(simulator->view(), *frame);
+    fill_step(simulator->view(), *frame);
     frame_ = frame;
   }
   static void TearDownTestSuite() { frame_.reset(); }

@@ -117,7 +117,7 @@ TEST_F(SceneEdits, AKeyframeIsAStartOfItsOwnAndResetTheFirst) {
 }
 
 TEST_F(SceneEdits, HeldPointsOfAWeldComeTogether) {
-  const std::vector<HeldPoints> held = frame().held;
+  const std::vector<ConstraintPoints> held = frame().constraint_points;
   ASSERT_EQ(held.size(), 1U);  // the connection is off
   EXPECT_TRUE(held[0].weld);
   // the anchor is a point of the second body, which is turned by 30 degrees and lies where the first one does
@@ -126,10 +126,10 @@ TEST_F(SceneEdits, HeldPointsOfAWeldComeTogether) {
   EXPECT_LT(glm::length(held[0].a_W - expected), 1e-9);
   EXPECT_LT(glm::length(held[0].b_W - expected), 1e-9);
   simulator->edit(SetMocap{0, {{1, 0, 0, 0}, {0, 1, 0.1}}});
-  EXPECT_NEAR(frame().held[0].a_W.z, 0.13, 1e-9);
-  EXPECT_NEAR(frame().held[0].b_W.z, 0.03, 1e-9);
+  EXPECT_NEAR(frame().constraint_points[0].a_W.z, 0.13, 1e-9);
+  EXPECT_NEAR(frame().constraint_points[0].b_W.z, 0.03, 1e-9);
   simulator->edit(SetEquality{1, true});
-  EXPECT_EQ(frame().held.size(), 2U);
+  EXPECT_EQ(frame().constraint_points.size(), 2U);
 }
 
 /// The spring is MuJoCo's: stiffness times the mass felt, critically damped; released, nothing of it stays.

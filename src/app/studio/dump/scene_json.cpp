@@ -57,7 +57,7 @@ std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
   }
   json["equalities"] = named(controls.equalities, frame.controls.equalities);
   json["held"] = Json::array();
-  for (const HeldPoints& held : frame.held)
+  for (const ConstraintPoints& held : frame.constraint_points)
     json["held"].push_back({{"a", numbers<Json>(held.a_W)}, {"b", numbers<Json>(held.b_W)}, {"weld", held.weld}});
   json["hand"] = hand_json(frame);
   json["gravity"] = numbers<Json>(controls.gravity);

@@ -240,7 +240,7 @@ std::size_t largest_surface_size(const ContactSurface& surface) {
 
 std::size_t largest_packed_size(const StepView& view) {
   std::size_t size =
-      5 * sizeof(std::uint32_t) + view.held.size() * sizeof(HeldPoints) + sizeof(StepFacts) +
+      5 * sizeof(std::uint32_t) + view.constraint_points.size() * sizeof(ConstraintPoints) + sizeof(StepFacts) +
       (view.geom_poses.size() + view.mark_poses.bodies.size() + view.mark_poses.cameras.size()) * sizeof(Pose);
   for (const SensorView& sensor : view.sensors) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
@@ -254,11 +254,11 @@ std::size_t pack_step(const StepView& view, std::byte* to) {
   Sink sink(to);
   sink.put(count(view.geom_poses.size()));
   sink.put(count(view.sensors.size()));
-  sink.put(count(view.held.size()));
+  sink.put(count(view.constraint_points.size()));
   sink.put(count(view.mark_poses.bodies.size()));
   sink.put(count(view.mark_poses.cameras.size()));
   sink.put_all(view.geom_poses);
-  sink.put_all(view.held);
+  sink.put_all(view.constraint_points);
   sink.put_all(view.mark_poses.bodies);
   sink.put_all(view.mark_poses.cameras);
   sink.put(view.facts);
@@ -266,21 +266,21 @@ std::size_t pack_step(const StepView& view, std::byte* to) {
   return static_cast<std::size_t>(sink.end() - to);
 }
 
-void unpack_step(const std::byte* from, SimFrame& frame) {
+void unpack_step(const std::byte* from, Step& step) {
   Source source(from);
   const auto geoms = source.take<std::uint32_t>(), sensors = source.take<std::uint32_t>();
-  const auto held = source.take<std::uint32_t>(), bodies = source.take<std::uint32_t>();
+  const auto points = source.take<std::uint32_t>(), bodies = source.take<std::uint32_t>();
   const auto cameras = source.take<std::uint32_t>();
-  source.take_all(frame.geom_poses, geoms);
-  source.take_all(frame.held, held);
-  source.take_all(frame.mark_poses.bodies, bodies);
-  source.take_all(frame.mark_poses.cameras, cameras);
-  frame.facts = source.take<StepFacts>();
-  frame.sensors.resize(sensors);
-  for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
-    frame.sensors[s].model = frame.scene->sensors[s];
-    frame.sensors[s].time = frame.time;
-    take_sensor(source, frame.sensors[s]);
+  source.take_all(step.geom_poses, geoms);
+  source.take_all(step.constraint_points, points);
+  source.take_all(step.mark_poses.bodies, bodies);
+  source.take_all(step.mark_poses.cameras, cameras);
+  step.facts = source.take<StepFacts>();
+  step.sensors.resize(sensors);
+  for (std::size_t s = 0; s < step.sensors.size(); ++s) {
+    step.sensors[s].model = step.scene->sensors[s];
+    step.sensors[s].time = step.time;
+    take_sensor(source, step.sensors[s]);
   }
 }
 

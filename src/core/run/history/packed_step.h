@@ -13,8 +13,8 @@ namespace taxel {
 [[nodiscard]] std::size_t largest_packed_size(const StepView& view);
 /// Writes at most so many bytes, and returns how many. Only for the thread that writes them (stream_copy.h).
 std::size_t pack_step(const StepView& view, std::byte* to);
-/// Fills what pack_step() wrote: the geoms' poses, the points held together and the sensors. Needs frame.scene and
-/// frame.time of the packed step.
-void unpack_step(const std::byte* from, SimFrame& frame);
+/// Reads what pack_step() wrote. Needs scene and time of the packed step; step number, travel and `finished` are not
+/// packed and stay unchanged.
+void unpack_step(const std::byte* from, Step& step);
 
 }  // namespace taxel

@@ -68,40 +68,46 @@ void StepHistory::forget_oldest() {
   steps_.pop_front();
 }
 
-void StepHistory::pack(const StepView& view, Step& step) {
-  step.scene = view.scene;
-  step.finished = view.finished;
+void StepHistory::pack(const StepView& view, Entry& entry) {
+  entry.scene = view.scene;
+  entry.finished = view.finished;
   const std::size_t room = largest_packed_size(view);
   std::byte* to = memory_.push(room);
-  step.packed_bytes = pack_step(view, to);
-  memory_.shrink_back(room, step.packed_bytes);
-  step.packed = to;
+  entry.packed_bytes = pack_step(view, to);
+  memory_.shrink_back(room, entry.packed_bytes);
+  entry.packed = to;
 }
 
 std::optional<Stop> StepHistory::record(const StepView& view, const SimState& state) {
   if (!empty() && view.step != last() + 1) clear();
   const bool other_layout = !empty() && steps_.back().scene != view.scene;
-  Step step;
+  Entry entry;
   if (size() >= limits_.steps) {
-    step = std::move(steps_.front());  // its vector is taken over
+    entry = std::move(steps_.front());  // reuses the memory of its vector
     forget_oldest();
   }
-  pack(view, step);
-  step.state = state;
-  state_bytes_ = sizeof(Step) + step.state.integration.capacity() * sizeof(double);
-  steps_.push_back(std::move(step));
+  pack(view, entry);
+  entry.state = state;
+  state_bytes_ = sizeof(Entry) + entry.state.integration.capacity() * sizeof(double);
+  steps_.push_back(std::move(entry));
   while (bytes() > limits_.bytes && size() > 1) forget_oldest();
   return add_row(view, other_layout);
 }
 
-void StepHistory::fill_frame(std::uint64_t step, SimFrame& frame) const {
-  const Step& from = at(step);
-  frame.scene = from.scene;
-  frame.step = from.state.step;
-  frame.time = from.state.time;
-  frame.travel = from.state.travel;
-  frame.finished = from.finished;
-  unpack_step(from.packed, frame);
+void StepHistory::fill_step(std::uint64_t number, Step& step) const {
+  const Entry& from = at(number);
+  step.scene = from.scene;
+  step.step = from.state.step;
+  step.time = from.state.time;
+  step.travel = from.state.travel;
+  step.finished = from.finished;
+  unpack_step(from.packed, step);
+}
+
+StepPtr StepHistory::step(std::uint64_t number) const {
+  auto step = std::make_shared<Step>();
+  fill_step(number, *step);
+  return step;
 }
 
 std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout) {

@@ -38,8 +38,10 @@ class StepHistory {
   [[nodiscard]] bool contains(std::uint64_t step) const { return !empty() && step >= first() && step <= last(); }
   [[nodiscard]] std::size_t bytes() const;  ///< memory held; scenes and sensor models are not counted
 
-  /// The step as it was, bit for bit. Needs contains(step).
-  void fill_frame(std::uint64_t step, SimFrame& frame) const;
+  /// Fills a step as it was recorded, bit for bit. Needs contains(number).
+  void fill_step(std::uint64_t number, Step& step) const;
+  /// Returns a copy of a step. Needs contains(number).
+  [[nodiscard]] StepPtr step(std::uint64_t number) const;
   [[nodiscard]] const SimState& state(std::uint64_t step) const { return at(step).state; }
   [[nodiscard]] std::uint64_t edition() const { return rows_.edition; }  ///< that of lanes()
   /// A copy of all rows.
@@ -48,15 +50,15 @@ class StepHistory {
   void copy_lanes(HistoryLanes& lanes) const;
 
  private:
-  struct Step {
+  struct Entry {
     std::shared_ptr<const SimScene> scene;
     bool finished = false;
     const std::byte* packed = nullptr;  // in memory_
     std::size_t packed_bytes = 0;
     SimState state;
   };
-  void pack(const StepView& view, Step& step);
-  [[nodiscard]] const Step& at(std::uint64_t step) const { return steps_[static_cast<std::size_t>(step - first())]; }
+  void pack(const StepView& view, Entry& entry);
+  [[nodiscard]] const Entry& at(std::uint64_t step) const { return steps_[static_cast<std::size_t>(step - first())]; }
   void forget_oldest();
   std::optional<Stop> add_row(const StepView& view, bool other_layout);
   /// The largest of all sensors, where it is to stop at it.
@@ -67,7 +69,7 @@ class StepHistory {
 
   StepHistoryLimits limits_;
   Breakpoints breakpoints_;
-  std::deque<Step> steps_;
+  std::deque<Entry> steps_;
   RingMemory memory_;
   std::size_t state_bytes_ = 0;  // of one step, with what the ring itself has of it
   JumpDetector detector_;

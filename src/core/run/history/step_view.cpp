@@ -3,21 +3,12 @@
 namespace taxel {
 namespace {
 
-/// All but the hits.
-void fill_but_hits(const StepView& now, SimFrame& frame) {
-  frame.scene = now.scene;
-  frame.step = now.step;
-  frame.time = now.time;
-  frame.travel = now.travel;
-  frame.finished = now.finished;
-  frame.geom_poses = now.geom_poses;
-  frame.held = now.held;
-  frame.mark_poses = now.mark_poses;
-  frame.facts = now.facts;
-  frame.sensors.resize(now.sensors.size());
+void fill_all_but_hits(const StepView& now, Step& to) {
+  static_cast<StepState&>(to) = now;
+  to.sensors.resize(now.sensors.size());
   for (std::size_t i = 0; i < now.sensors.size(); ++i) {
     const SensorView& sensor = now.sensors[i];
-    SensorStep& state = frame.sensors[i];
+    SensorStep& state = to.sensors[i];
     state.model = now.scene->sensors[i];
     state.time = now.time;
     state.X_WM = sensor.X_WM;
@@ -44,25 +35,24 @@ void copy_hits(const SensorView& sensor, std::vector<std::int32_t>& filled, std:
 
 }  // namespace
 
-void fill_frame(const StepView& now, SimFrame& frame) {
-  fill_but_hits(now, frame);
+void fill_step(const StepView& now, Step& to) {
+  fill_all_but_hits(now, to);
   for (std::size_t i = 0; i < now.sensors.size(); ++i)
-    frame.sensors[i].hits.assign(now.sensors[i].hits.begin(), now.sensors[i].hits.end());
+    to.sensors[i].hits.assign(now.sensors[i].hits.begin(), now.sensors[i].hits.end());
 }
 
-void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits) {
-  fill_but_hits(now, frame);
+void fill_step(const StepView& now, Step& to, FilledHits& hits) {
+  fill_all_but_hits(now, to);
   if (hits.size() != now.sensors.size()) {
-    for (SensorStep& state : frame.sensors) state.hits.clear();
+    for (SensorStep& sensor : to.sensors) sensor.hits.clear();
     hits.resize(now.sensors.size());
   }
-  for (std::size_t i = 0; i < now.sensors.size(); ++i) copy_hits(now.sensors[i], hits[i], frame.sensors[i].hits);
+  for (std::size_t i = 0; i < now.sensors.size(); ++i) copy_hits(now.sensors[i], hits[i], to.sensors[i].hits);
 }
 
-StepView view_of(const SimFrame& frame) {
-  StepView view{frame.scene,      frame.step, frame.time, frame.travel,     frame.finished,
-                frame.geom_poses, {},         frame.held, frame.mark_poses, frame.facts};
-  for (const SensorStep& state : frame.sensors) {
+StepView view_of(const Step& step) {
+  StepView view{step, {}};
+  for (const SensorStep& state : step.sensors) {
     SensorView& sensor = view.sensors.emplace_back();
     sensor.X_WM = state.X_WM;
     sensor.force_W = state.force_W;

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "core/run/sim_frame.h"
+#include "core/run/step.h"
 
 namespace taxel {
 
@@ -22,29 +21,22 @@ struct SensorView {
   std::span<const dvec2> shear;                 ///< see SensorStep
 };
 
-struct StepView {
-  std::shared_ptr<const SimScene> scene;
-  std::uint64_t step = 0;
-  double time = 0, travel = 0;
-  bool finished = false;
-  std::vector<Pose> geom_poses;
+/// A step of which nothing is copied.
+struct StepView : StepState {
   std::vector<SensorView> sensors;
-  std::vector<HeldPoints> held;
-  MarkPoses mark_poses;
-  StepFacts facts;
 };
 
-/// Copies what a viewer needs. Keeps the memory of `frame`.
-void fill_frame(const StepView& now, SimFrame& frame);
+/// Copies a step. Reuses the memory of `to`.
+void fill_step(const StepView& now, Step& to);
 
-/// The rays of each sensor that hit in a frame.
+/// Indices of the rays that hit, for each sensor of a step.
 using FilledHits = std::vector<std::vector<std::int32_t>>;
-/// The same from a simulator's own view into a frame that was filled so before, where `hits` is not empty: of rays,
-/// most of which miss, only those that hit then or now are touched.
-void fill_frame(const StepView& now, SimFrame& frame, FilledHits& hits);
+/// Copies a step of a simulator's own view. If `hits` is not empty it names the hits in `to`, which was filled by this
+/// function; only rays that hit then or now are written, because most rays miss.
+void fill_step(const StepView& now, Step& to, FilledHits& hits);
 
-/// The step of a frame that has all of it, valid as long as the frame is.
-StepView view_of(const SimFrame& frame);
+/// Returns a view of a step, valid as long as `step` is not changed.
+StepView view_of(const Step& step);
 
 /// MuJoCo's state after a step, from which the next one goes on the same way, bit for bit.
 struct SimState {

@@ -25,6 +25,7 @@ std::shared_ptr<SimFrame> FrameMemory::make_frame(const Fill& fill) {
   frame.sensors = std::move(memory.sensors);
   fill(frame, memory.hits);
   return shared(std::move(frame), [shelf = frames_, hits = std::move(memory.hits)](SimFrame& done) {
+    for (SensorStep& sensor : done.sensors) sensor.model.reset();  // only memory is retained
     shelf->put({std::move(done.geom_poses), std::move(done.sensors), hits});
   });
 }
@@ -32,7 +33,7 @@ std::shared_ptr<SimFrame> FrameMemory::make_frame(const Fill& fill) {
 std::shared_ptr<SimFrame> FrameMemory::recorded_frame(const StepHistory& history, std::uint64_t step) {
   return make_frame([&](SimFrame& frame, FilledHits& hits) {
     hits.clear();
-    history.fill_frame(step, frame);
+    history.fill_step(step, frame);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/run/recording/run_recorder.h"
+#include "core/run/sim_frame.h"
 #include "core/sim/host/recording_journal.h"
 
 namespace taxel {

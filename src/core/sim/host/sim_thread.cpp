@@ -138,16 +138,11 @@ void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
   if (other_rows || other_steps) last_trace = now;
 }
 
-/// As the history has it.
-std::shared_ptr<const StepBefore> SimThread::Impl::step_before() const {
+/// The step before the displayed one, or null if the history does not hold it.
+StepPtr SimThread::Impl::previous_step() const {
   if (history.empty()) return nullptr;
   const std::uint64_t shown = scrubbed.value_or(history.last());
-  if (shown == 0 || !history.contains(shown - 1)) return nullptr;
-  SimFrame frame;
-  history.fill_frame(shown - 1, frame);
-  auto before = std::make_shared<StepBefore>();
-  *before = {frame.scene, frame.step, frame.time, std::move(frame.sensors)};
-  return before;
+  return shown > 0 && history.contains(shown - 1) ? history.step(shown - 1) : nullptr;
 }
 
 /// Whether somebody takes what is posted while it runs: a window that is not drawn costs nothing. That a command's
@@ -184,7 +179,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
                     record_time.mean_seconds(),
                     history.limits(),
                     lanes};
-  if (follows_before && !stepping()) frame->before = step_before();
+  if (follows_before && !stepping()) frame->before = previous_step();
   frame->recalled = recalled;
   frame->breakpoints = history.breakpoints();
   frame->stop = stop;

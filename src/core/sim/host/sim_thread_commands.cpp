@@ -50,13 +50,8 @@ void SimThread::Impl::scrub(std::uint64_t step) {
 void SimThread::Impl::recall(const RecallCommand& asked) {
   auto found = std::make_shared<RecalledSteps>();
   found->number = asked.number;
-  for (const std::uint64_t step : asked.steps) {
-    if (!history.contains(step)) continue;
-    SimFrame frame;
-    history.fill_frame(step, frame);
-    found->steps.push_back(
-        {frame.scene, frame.step, frame.time, frame.travel, std::move(frame.geom_poses), std::move(frame.sensors)});
-  }
+  for (const std::uint64_t step : asked.steps)
+    if (history.contains(step)) found->steps.push_back(history.step(step));
   recalled = std::move(found);
 }
 

@@ -108,7 +108,7 @@ struct SimThread::Impl {
   bool frames_are_taken(double now);
   void publish(bool even_if_recent);
   void copy_rows(double now, bool even_if_recent);
-  [[nodiscard]] std::shared_ptr<const StepBefore> step_before() const;
+  [[nodiscard]] StepPtr previous_step() const;
 
   [[nodiscard]] bool stepping() const { return playing && by_clock && simulator != nullptr; }
 };

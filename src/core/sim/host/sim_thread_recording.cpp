@@ -112,15 +112,15 @@ void SimThread::Impl::export_history(const ExportHistoryCommand& command) {
     const StepRange asked = command.steps.value_or(all);
     const StepRange range{std::max(asked.first, all.first), std::min(asked.last, all.last)};
     if (range.first > range.last) throw Error(command.file, "is not written: the history has no step there");
-    SimFrame frame;
-    history.fill_frame(range.last, frame);
-    const std::shared_ptr<const SimScene> scene = frame.scene;
+    Step step;
+    history.fill_step(range.last, step);
+    const std::shared_ptr<const SimScene> scene = step.scene;
     expect_polished(*scene, command.file);
     RunRecorder recorder(*scene);
-    for (std::uint64_t step = range.first; step <= range.last; ++step) {
-      history.fill_frame(step, frame);
-      if (frame.scene != scene) continue;
-      recorder.follow(view_of(frame), simulator->mocap_in(history.state(step)), true);
+    for (std::uint64_t number = range.first; number <= range.last; ++number) {
+      history.fill_step(number, step);
+      if (step.scene != scene) continue;
+      recorder.follow(view_of(step), simulator->mocap_in(history.state(number)), true);
     }
     const Recording& made = recorder.recording();
     write_recording(command.file, made, scene == simulator->scene() ? simulator.get() : nullptr);

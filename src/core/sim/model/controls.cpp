@@ -169,12 +169,12 @@ bool set_equality(const mjModel& m, mjData& d, const SetEquality& edit) {
   return true;
 }
 
-std::vector<HeldPoints> held_points(const mjModel& m, const mjData& d) {
-  std::vector<HeldPoints> held;
+std::vector<ConstraintPoints> constraint_points(const mjModel& m, const mjData& d) {
+  std::vector<ConstraintPoints> points;
   for (int e = 0; e < m.neq; ++e)
     if (d.eq_active[e] != 0 && holds_points(m, e))
-      held.push_back({anchor(m, d, e, 0), anchor(m, d, e, 1), m.eq_type[e] == mjEQ_WELD});
-  return held;
+      points.push_back({anchor(m, d, e, 0), anchor(m, d, e, 1), m.eq_type[e] == mjEQ_WELD});
+  return points;
 }
 
 }  // namespace taxel

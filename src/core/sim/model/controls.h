@@ -23,6 +23,6 @@ bool set_mocap(const mjModel& m, mjData& d, const SetMocap& edit);
 bool set_equality(const mjModel& m, mjData& d, const SetEquality& edit);
 
 /// The points that active connect and weld constraints hold together, as they lie in the state last evaluated.
-std::vector<HeldPoints> held_points(const mjModel& m, const mjData& d);
+std::vector<ConstraintPoints> constraint_points(const mjModel& m, const mjData& d);
 
 }  // namespace taxel

@@ -48,10 +48,10 @@ void draw_hand(const PerturbShown& hand, const Camera& camera, const Look& look,
 void draw_hand_marks(const SceneInput& input, const Camera& camera, const Look& look, SegmentPass& segments,
                      PointPass& points) {
   if (!input.frame) return;
-  if (input.overlays.constraints && !input.frame->held.empty()) {
+  if (input.overlays.constraints && !input.frame->constraint_points.empty()) {
     Segments lines;
     std::vector<PointMark> ends;
-    for (const HeldPoints& held : input.frame->held) {
+    for (const ConstraintPoints& held : input.frame->constraint_points) {
       const std::uint32_t color = pack(held.weld ? look.weld : look.connection);
       lines.push_back(segment(held.a_W, held.b_W, kHeldWidth, color));
       for (const dvec3& p : {held.a_W, held.b_W}) ends.push_back(point_mark(p, dvec3(0), 1.0, color));

@@ -186,7 +186,7 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
 /// The surfaces of the step before as thin lines, where they were; the marked polygon of now boldly.
 void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
   const SceneInput& input = scene.input;
-  if (const StepBefore* before = input.before.get();
+  if (const Step* before = input.before.get();
       before != nullptr && static_cast<std::size_t>(view.index) < before->sensors.size()) {
     const SensorStep& was = before->sensors[static_cast<std::size_t>(view.index)];
     Segments lines;

@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the sensor at the previous step, or null if another model read it.
 const SensorStep* sensor_before(const SimFrame& frame, int sensor) {
-  const StepBefore* before = frame.before.get();
+  const Step* before = frame.before.get();
   if (before == nullptr || at(sensor) >= before->sensors.size() ||
       before->scene->sensors[at(sensor)] != frame.scene->sensors[at(sensor)])
     return nullptr;

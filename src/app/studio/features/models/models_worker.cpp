@@ -95,10 +95,10 @@ std::optional<RecallCommand> ModelsWorker::follow(const SimFramePtr& frame, bool
   return next;
 }
 
-void ModelsWorker::add(std::span<const SensorStep> sensors, std::span<const Pose> X_WG, const ui::ComparedStep& step) {
+void ModelsWorker::add(const Step& step) {
   if (known_.contains(step.step)) return;
-  ui::ComparedStep& added = known_[step.step] = step;
-  added.readings = comparison_->read(sensors, X_WG);
+  ui::ComparedStep& added = known_[step.step] = {step.step, step.time, step.travel, {}};
+  added.readings = comparison_->read(step.sensors, step.geom_poses);
 }
 
 std::shared_ptr<const ModelsWorker::Result> ModelsWorker::attempt(const Job& job, Progress& progress) {
@@ -118,10 +118,10 @@ std::shared_ptr<const ModelsWorker::Result> ModelsWorker::attempt(const Job& job
       comparison_ = std::make_unique<ModelComparison>(frame.scene, at(job.sensor), &progress);
     std::erase_if(
         known_, [&](const auto& step) { return step.first < frame.history.first || step.first > frame.history.last; });
-    add(frame.sensors, frame.geom_poses, {frame.step, frame.time, frame.travel, {}});
-    for (const RecordedStep& step : job.recalled ? job.recalled->steps : std::vector<RecordedStep>{}) {
+    add(frame);
+    for (const StepPtr& step : job.recalled ? job.recalled->steps : std::vector<StepPtr>{}) {
       progress.stop_if_cancelled();
-      if (step.scene == frame.scene) add(step.sensors, step.geom_poses, {step.step, step.time, step.travel, {}});
+      if (step->scene == frame.scene) add(*step);
     }
     for (const auto& [number, step] : known_) shown->steps.push_back(step);
   } catch (const Cancelled&) {

@@ -45,7 +45,7 @@ class ModelsWorker {
     std::uint64_t generation = 0, recalled = 0;  ///< number of the command whose steps are among them
   };
   std::shared_ptr<const Result> attempt(const Job& job, Progress& progress);
-  void add(std::span<const SensorStep> sensors, std::span<const Pose> X_WG, const ui::ComparedStep& step);
+  void add(const Step& step);
   void forget_what_changed(const SimFrame& frame, int sensor);
 
   std::optional<ui::ModelsWish> wish_;
