@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Limits of folders, types and functions, and circles of includes.
 
-A room is a header with its source file of the same name. What breaks a limit today stands in offenders.txt with its
-figure: it may not grow, and a line that is no longer needed must go.
+A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists what breaks a
+limit today, with its figure: the figure may not grow, and a line that is no longer needed must go.
 """
 import collections
 import pathlib
@@ -41,14 +41,19 @@ def long_scopes(root):
                 yield f"members {name} {scope.name}", members
 
 
+def room_of(path):
+    """The room of a source file or header, relative to src."""
+    return pathlib.PurePosixPath(path).with_suffix("").as_posix().removesuffix("_impl")
+
+
 def circles(root):
     """Groups of rooms that include each other, directly or through others, by Tarjan's algorithm (1972)."""
     source = pathlib.Path(root) / "src"
     rooms = collections.defaultdict(set)
     for path in sources(root):
-        room = path.relative_to(source).with_suffix("").as_posix()
+        room = room_of(path.relative_to(source))
         for _, header in includes(path):
-            other = pathlib.PurePosixPath(header).with_suffix("").as_posix()
+            other = room_of(header)
             if other != room and (source / header).exists():
                 rooms[room].add(other)
     index, low, stack, found = {}, {}, [], []

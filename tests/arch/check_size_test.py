@@ -22,6 +22,9 @@ FINE = {
     "src/core/mesh/value.h": "struct Value {\n" + MEMBERS * 2 + "};\n",
     "src/core/base/one.h": '#include "core/base/two.h"\n',
     "src/core/base/two.h": "struct One;\n",
+    "src/core/base/three.h": "",
+    "src/core/base/three_impl.h": '#include "core/base/three.h"\n',
+    "src/core/base/three.cpp": '#include "core/base/three_impl.h"\n',
 }
 
 
