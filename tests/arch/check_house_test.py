@@ -30,7 +30,7 @@ FINE = {
     "core/layout/sampling/k.cpp": "const double x = std::sqrt(2.0);  // not std::sin\n",
     "core/layout/check/layout_check.cpp": "const double x = std::sin(1.0);\n",
     "core/sim/simulator.cpp": '#include <mujoco/mujoco.h>\n#include "core/hydro/traction.h"\n',
-    "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/run/sim_frame.h"\n',
+    "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/run/frame.h"\n',
     "app/cli/command_line.cpp": "#include <CLI/CLI.hpp>\n",
     "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
 }

@@ -8,8 +8,8 @@
 
 #include "core/document/scenario/scenario.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/run/scene_controls.h"
-#include "core/run/scene_marks.h"
+#include "core/run/controls.h"
+#include "core/run/marks.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
+#include "core/run/frame.h"
 #include "core/run/history/step_view.h"
-#include "core/run/sim_frame.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sim/sensor_times.h"
 

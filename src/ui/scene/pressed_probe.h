@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "core/sensor/probe/probe.h"
 
 namespace taxel::ui {

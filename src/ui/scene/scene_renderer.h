@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/shared_value.h"
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
 #include "ui/scene/color_map.h"

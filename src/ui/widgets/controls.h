@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/run/scene_controls.h"
+#include "core/run/controls.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {

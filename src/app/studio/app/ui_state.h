@@ -33,7 +33,7 @@
 #include "core/base/error.h"
 #include "core/document/history.h"
 #include "core/mesh/topology/mesh_report.h"
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "ui/scene/pick/camera.h"
 #include "ui/scene/pick/picking.h"
 #include "ui/scene/pressed_probe.h"

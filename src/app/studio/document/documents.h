@@ -11,7 +11,7 @@
 #include "app/studio/document/open_meshes.h"
 #include "core/document/project.h"
 #include "core/layout/file/skin_choice.h"
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::studio {

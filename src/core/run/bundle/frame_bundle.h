@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/run/frame.h"
 #include "core/run/recording/npz.h"
-#include "core/run/sim_frame.h"
 
 namespace taxel {
 

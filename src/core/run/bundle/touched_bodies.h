@@ -10,7 +10,7 @@
 #pragma once
 
 #include "core/run/bundle/bundle_arrays.h"
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 
 namespace taxel {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/progress.h"
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "core/sensor/compare/reading_models.h"
 
 namespace taxel {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "core/sim/mujoco_handles.h"
 
 namespace taxel {

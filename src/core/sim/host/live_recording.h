@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/run/frame.h"
 #include "core/run/recording/run_recorder.h"
-#include "core/run/sim_frame.h"
 #include "core/sim/host/recording_journal.h"
 
 namespace taxel {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "core/run/sim_command.h"
-#include "core/run/sim_frame.h"
+#include "core/run/command.h"
+#include "core/run/frame.h"
 
 namespace taxel {
 

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "core/run/scene_controls.h"
+#include "core/run/controls.h"
 
 namespace taxel {
 

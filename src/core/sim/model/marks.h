@@ -3,7 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "core/run/scene_marks.h"
+#include "core/run/marks.h"
 
 namespace taxel {
 

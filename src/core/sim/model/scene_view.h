@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 
 namespace taxel {
 

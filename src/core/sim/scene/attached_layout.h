@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/layout/file/layout_format.h"
-#include "core/run/scene_controls.h"
+#include "core/run/controls.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/run/scene_controls.h"
+#include "core/run/controls.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/mujoco_handles.h"
 #include "core/sim/scene/scene_files.h"

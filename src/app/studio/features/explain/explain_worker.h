@@ -6,7 +6,7 @@
 
 #include "app/studio/features/explain/explain_state.h"
 #include "app/studio/jobs/newest_wins.h"
-#include "core/run/sim_frame.h"
+#include "core/run/frame.h"
 #include "core/sensor/explain/explainer.h"
 
 namespace taxel::studio {

@@ -9,8 +9,8 @@
 
 #include "app/studio/features/models/models_state.h"
 #include "app/studio/jobs/newest_wins.h"
-#include "core/run/sim_command.h"
-#include "core/run/sim_frame.h"
+#include "core/run/command.h"
+#include "core/run/frame.h"
 #include "core/sim/compare/model_comparison.h"
 
 namespace taxel::studio {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/run/scene_controls.h"
+#include "core/run/controls.h"
 
 namespace taxel::ui {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
+#include "core/run/controls.h"
 #include "core/run/history/breakpoints.h"
 #include "core/run/history/lanes.h"
-#include "core/run/scene_controls.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
