@@ -1,4 +1,4 @@
-// What a viewer may ask of the simulation; executed between two steps, in order.
+// Commands to the simulation. They are executed in order, between two steps.
 #pragma once
 
 #include <cstdint>
@@ -21,40 +21,41 @@ struct StepCommand {
   int steps = 1;
 };
 struct ResetCommand {};
+/// Sets the speed, in multiples of real time.
 struct SpeedCommand {
   double factor = 1.0;
-};  ///< multiples of real time
+};
 struct LoadScenarioCommand {
   SensorModelPtr model;
   Scenario scenario;
 };
-/// The sensors that read by `replaced` read by `model` from now on: the state stays as it is, and its readings are made
-/// anew. Nothing happens where no sensor does.
+/// Replaces the model of all sensors that use `replaced`. The state stays as it is, and the sensors read it again. Does
+/// nothing if no sensor uses `replaced`.
 struct ReplaceModelCommand {
   SensorModelPtr replaced, model;
 };
-/// MJCF with its own sensors, and layouts attached to others of its geoms.
+/// Loads an MJCF file with its own sensors, and attaches layouts to other geoms of it.
 struct LoadSceneCommand {
   std::string file;
   std::vector<SceneAttachment> attachments = {};
 };
-/// Writes the scene that runs, with all its sensors declared, as an MJCF file; what it needs beside it, in a folder of
-/// the same name. SimFrame::saved tells of it.
+/// Writes the loaded scene as an MJCF file that declares all its sensors, and the files that it needs into a folder of
+/// the same name. SimFrame::saved has the result.
 struct SaveSceneCommand {
   std::string file;
 };
-/// Pauses, and shows a step of the history, or the nearest that is kept. Where the simulation runs on, it does so from
-/// that step, and what came after it is forgotten.
+/// Pauses and displays a recorded step, or the nearest recorded one. When the simulation continues, it continues from
+/// the displayed step and discards all later steps.
 struct ScrubCommand {
   std::uint64_t step = 0;
 };
-/// Whether frames carry the step before the one that they show.
+/// Whether frames have the previous step in SimFrame::before.
 struct FollowStepBeforeCommand {
   bool on = false;
 };
-/// SimFrame::recalled gets these steps of the history; nothing else changes.
+/// Requests recorded steps, which SimFrame::recalled then has. Nothing else changes.
 struct RecallCommand {
-  std::uint64_t number = 0;  ///< told in the answer
+  std::uint64_t number = 0;  ///< returned in RecalledSteps::number
   std::vector<std::uint64_t> steps;
 };
 struct BreakpointsCommand {
@@ -63,29 +64,29 @@ struct BreakpointsCommand {
 struct StepHistoryLimitsCommand {
   StepHistoryLimits limits;
 };
-/// Nothing happens while a step of the past is shown. What is set between two steps is no step: the recorded ones stay
-/// as they were, and the next one goes on from it.
+/// Edits the present state, without making a step. The recorded steps stay as they are, and the next step begins from
+/// the edited state. Does nothing while a recorded step is displayed.
 struct EditSceneCommand {
   SceneEdit edit;
 };
-/// The run begins anew, at a keyframe of the scene; pauses.
+/// Pauses and starts a new run from a keyframe of the scene.
 struct LoadKeyframeCommand {
   int keyframe = 0;
 };
-/// Every step is kept from now on. Nothing happens where one runs already. It ends by EndRecordingCommand, with the
-/// run, where another layout reads, and where it takes kMostRecordedBytes; then it is written.
+/// Starts a recording of every step. Does nothing while a recording is being made. The recording ends and is written
+/// at EndRecordingCommand, at the end of the run, when another layout reads, or at kMaxRecordedBytes.
 struct RecordCommand {
-  std::string file;  ///< as write_recording() takes it
+  std::string file;  ///< path for write_recording()
 };
 struct EndRecordingCommand {};
-/// Writes a recording that could not be written where it was to be.
+/// Writes a recording that could not be written to its own file.
 struct WriteRecordingCommand {
   std::string file;
 };
-/// Writes what the history holds, of all steps or of these, that the layout of the last one read.
+/// Writes recorded steps of the history that have the layout of the last one of them.
 struct ExportHistoryCommand {
   std::string file;
-  std::optional<StepRange> steps = {};
+  std::optional<StepRange> steps = {};  ///< all steps if empty
 };
 struct QuitCommand {};
 

@@ -1,4 +1,5 @@
-// What a hand can set in a scene, free of MuJoCo: what there is to set, how it stands, and what is asked for.
+// The controls of a scene that users can set: their descriptions, their values, and requests to change them. Free of
+// MuJoCo.
 #pragma once
 
 #include <array>
@@ -17,12 +18,12 @@ using ControlRange = std::array<double, 2>;
 
 struct SceneActuator {
   std::string name;
-  std::optional<ControlRange> range;  ///< of the control, in the actuator's own unit; none: unlimited
+  std::optional<ControlRange> range;  ///< range of the control, in the actuator's unit; empty if unlimited
 };
-/// A joint of one coordinate: an angle [rad] or a length [m].
+/// A joint with one coordinate: an angle [rad] or a length [m].
 struct SceneJoint {
   std::string name;
-  bool hinge = true;  ///< else it slides
+  bool hinge = true;  ///< true for a hinge, false for a slide
   std::optional<ControlRange> range;
 };
 struct SceneKeyframe {
@@ -32,53 +33,53 @@ struct SceneKeyframe {
 struct SceneEquality {
   std::string name;
   std::string kind;     ///< "weld", "connect", "joint", ...
-  bool placed = false;  ///< holds two points together, which can be drawn
+  bool placed = false;  ///< the constraint holds two points together, which can be drawn
 };
 struct SceneBody {
   std::string name;
-  int mocap = -1;      ///< its number among the mocap bodies
-  bool fixed = false;  ///< to the world: nothing moves it
-  int parent = 0;      ///< its number
+  int mocap = -1;      ///< index among the mocap bodies, or -1
+  bool fixed = false;  ///< fixed to the world, so that nothing moves the body
+  int parent = 0;      ///< index of the parent body
 };
 
-/// Does not change while the scene runs.
+/// All controls of a scene. They do not change while the scene runs.
 struct SceneControls {
-  std::vector<SceneBody> bodies;  ///< as MuJoCo numbers them; the first is the world
+  std::vector<SceneBody> bodies;  ///< in MuJoCo's order; the first is the world
   std::vector<SceneActuator> actuators;
   std::vector<SceneJoint> joints;  ///< hinges and slides
   std::vector<SceneKeyframe> keyframes;
-  std::vector<std::string> mocaps;  ///< body of each
+  std::vector<std::string> mocaps;  ///< body name of each mocap body
   std::vector<SceneEquality> equalities;
   dvec3 gravity{0};        ///< [m/s^2]
-  std::string integrator;  ///< as MJCF says it
+  std::string integrator;  ///< MJCF keyword
 };
 
-/// A layout on a geom of a scene that does not declare it.
+/// A layout on a geom of a scene that does not declare the layout.
 struct SceneAttachment {
-  std::string geom;      ///< its name, or "geom 7" for one without; empty: the one that the layout names
-  std::string layout;    ///< file
-  SkinChoice skin = {};  ///< for layouts of other programs, which may name the geom, and take its mesh
+  std::string geom;      ///< name, "geom 7" for an unnamed one; empty for the geom that the layout names
+  std::string layout;    ///< layout file
+  SkinChoice skin = {};  ///< skin of another program's layout, which may name the geom and take its mesh
   bool operator==(const SceneAttachment&) const = default;
 };
 
-/// How all that stands, in the state from which the next step goes on.
+/// The values of all controls, in the state from which the next step begins.
 struct ControlValues {
   std::vector<double> controls, joints;  ///< parallel to actuators and joints
   std::vector<Pose> mocaps;              ///< X_WB
-  std::vector<bool> equalities;          ///< whether they hold
+  std::vector<bool> equalities;          ///< active constraints
 };
 
-/// A body in the hand, as MuJoCo's viewer has it: a spring pulls its grabbed point to the hand, or turns it as the hand
-/// does; while nothing runs a free body is put where the hand is, and a mocap body always is.
+/// A body that the user drags, as in MuJoCo's viewer: a spring pulls the grabbed point, or turns the body. While the
+/// simulation is paused, a free body moves with the pointer at once; a mocap body always does.
 struct Perturb {
   enum class Kind { none, pull, turn };
   Kind kind = Kind::none;
-  int geom = -1;               ///< in SimScene::geoms, on which it was grabbed
-  dvec3 point_G{0};            ///< where
-  std::uint64_t grip = 0;      ///< another number: it is taken hold of anew, where it is then
-  dvec3 moved_W{0};            ///< by the hand since [m]
-  dquat turned_W{1, 0, 0, 0};  ///< likewise
-  bool running = true;         ///< steps are being made
+  int geom = -1;               ///< index in SimScene::geoms of the grabbed geom
+  dvec3 point_G{0};            ///< grabbed point
+  std::uint64_t grip = 0;      ///< number of the grab; a new number grabs the body again where it is then
+  dvec3 moved_W{0};            ///< translation since the grab [m]
+  dquat turned_W{1, 0, 0, 0};  ///< rotation since the grab
+  bool running = true;         ///< the simulation is making steps
 };
 
 struct SetControl {
@@ -97,16 +98,16 @@ struct SetEquality {
   int equality = 0;
   bool active = true;
 };
-/// To be carried out between two steps.
+/// A change of the scene between two steps.
 using SceneEdit = std::variant<SetControl, SetJoint, SetMocap, SetEquality, Perturb>;
 
-/// A body in the hand, in one step.
+/// The body that the user drags, at one step.
 struct PerturbShown {
   Perturb::Kind kind = Perturb::Kind::none;
   int body = -1;
-  dvec3 grabbed_W{0};             ///< the point that was grabbed, and
-  dvec3 hand_W{0};                ///< where the hand has it
-  dquat hand_turn_W{1, 0, 0, 0};  ///< from the body's orientation to the hand's
+  dvec3 grabbed_W{0};               ///< grabbed point of the body
+  dvec3 target_W{0};                ///< point to which the user drags the grabbed point
+  dquat target_turn_W{1, 0, 0, 0};  ///< rotation from the body's orientation to the requested one
 };
 
 /// Two points that an active equality constraint holds together.

@@ -1,4 +1,4 @@
-// What a viewer needs of one simulation step, free of MuJoCo: everything drawn in one frame comes from one SimFrame.
+// A frame: one step with the state of the simulation around it. Everything drawn at one time comes from one SimFrame.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,15 @@
 
 namespace taxel {
 
-/// The latest steps, any of which can be shown again.
+/// The recorded steps, each of which can be displayed again.
 struct HistoryState {
-  std::uint64_t first = 0, last = 0;  ///< steps that are kept
-  std::size_t steps = 0;              ///< how many those are
-  std::size_t bytes = 0;              ///< memory that they take
-  double step_seconds = 0;            ///< mean wall time that recording one of the latest steps took [s]
+  std::uint64_t first = 0, last = 0;  ///< range of the recorded steps
+  std::size_t steps = 0;              ///< number of recorded steps
+  std::size_t bytes = 0;              ///< memory that the recorded steps take
+  double step_seconds = 0;            ///< mean wall time of recording a step, over the latest steps [s]
   StepHistoryLimits limits;
-  std::shared_ptr<const HistoryLanes> lanes;  ///< all of them, up to the newest or a little before; never null
+  /// Rows of the recorded steps; the newest rows may be missing. Never null.
+  std::shared_ptr<const HistoryLanes> lanes;
 };
 
 /// The result of a RecallCommand.
@@ -30,57 +31,59 @@ struct RecalledSteps {
   std::vector<StepPtr> steps;  ///< requested steps that the history still holds
 };
 
-/// The scene was written to a file, or could not be.
+/// The result of a SaveSceneCommand.
 struct SavedScene {
-  std::uint64_t number = 0;  ///< counts
-  std::string file, error;   ///< error empty: it was
+  std::uint64_t number = 0;  ///< number of results so far
+  std::string file, error;   ///< the error is empty if the file was written
 };
 
-/// Every step that is made is kept, whatever the history holds.
+/// The recording that is being made. It holds every step, whatever the limits of the history are.
 struct RecordingState {
   bool on = false;
-  std::size_t steps = 0, bytes = 0;  ///< so far; the memory that they take
-  double seconds = 0;                ///< simulated
+  std::size_t steps = 0, bytes = 0;  ///< number of recorded steps, and the memory that they take
+  double seconds = 0;                ///< simulated time
 };
 
-/// A recording was written, or could not be: then it is kept until it is, or another one begins.
+/// The result of writing a recording. A recording that could not be written is retained until another one begins.
 struct WrittenRecording {
-  std::uint64_t number = 0;  ///< counts
-  std::string file, error;   ///< error empty: it was
-  std::size_t rows = 0;
-  std::string note;   ///< what the user should know of it; may be empty
-  bool kept = false;  ///< WriteRecordingCommand writes it elsewhere
+  std::uint64_t number = 0;  ///< number of results so far
+  std::string file, error;   ///< the error is empty if the file was written
+  std::size_t rows = 0;      ///< number of written rows
+  std::string note;          ///< a remark for the user; may be empty
+  bool kept = false;         ///< the recording is retained; WriteRecordingCommand writes it elsewhere
 };
 
 /// A step, with the state of the simulation around it.
 struct SimFrame : Step {
   bool playing = false;
-  double speed = 1.0;                     ///< wanted, in multiples of real time
-  double measured_speed = 0;              ///< reached lately
-  ControlValues controls;                 ///< of scene->controls
-  std::optional<PerturbShown> perturbed;  ///< none while a step of the past is shown
-  std::shared_ptr<const Trace> trace;     ///< copied when a row is added, at most 30 times a second
-  std::vector<std::string> warnings;  ///< all that the sensors have to say about the scene, as Simulator::warnings()
-  double step_seconds = 0;            ///< mean wall time of one of the latest steps [s]; 0: none was made
-  std::vector<StepCost> costs;        ///< of the latest steps that were made, oldest first
-  bool recorded = false;              ///< a step of the past is shown; the newest is history.last
-  std::shared_ptr<const SimScene> simulated;  ///< of the newest step: another than `scene` where its layout changed
+  double speed = 1.0;                     ///< requested speed, in multiples of real time
+  double measured_speed = 0;              ///< speed over the latest half second
+  ControlValues controls;                 ///< values of scene->controls
+  std::optional<PerturbShown> perturbed;  ///< empty while a recorded step is displayed
+  std::shared_ptr<const Trace> trace;     ///< copied when a row is added, at most 30 times per second
+  std::vector<std::string> warnings;      ///< Simulator::warnings(), and failures of the recording
+  double step_seconds = 0;                ///< mean wall time of the latest steps [s]; 0 before the first step
+  std::vector<StepCost> costs;            ///< costs of the latest steps, oldest first
+  bool recorded = false;                  ///< a recorded step is displayed; the newest step is history.last
+  /// Scene of the newest step; differs from `scene` if a later step has another layout.
+  std::shared_ptr<const SimScene> simulated;
   HistoryState history;
   /// The previous step, after a FollowStepBeforeCommand, while the simulation does not run by itself and if the history
   /// holds the step. Otherwise null.
   StepPtr before;
-  std::shared_ptr<const RecalledSteps> recalled;  ///< last; null: none were asked for
+  std::shared_ptr<const RecalledSteps> recalled;  ///< latest result; null before the first RecallCommand
   Breakpoints breakpoints;
-  std::optional<Stop> stop;        ///< the breakpoint that was met, until the simulation goes on
-  std::uint64_t runs = 0;          ///< times that the simulation began at its start
-  std::uint64_t commands = 0;      ///< executed so far
-  std::uint64_t loads = 0;         ///< scenes asked for so far, whether built or refused
-  std::uint64_t replacements = 0;  ///< likewise models to replace
-  SavedScene saved;                ///< last
+  std::optional<Stop> stop;        ///< event that stopped the simulation; empty when the simulation continues
+  std::uint64_t runs = 0;          ///< number of runs that were started
+  std::uint64_t commands = 0;      ///< number of executed commands
+  std::uint64_t loads = 0;         ///< number of executed load commands, successful or refused
+  std::uint64_t replacements = 0;  ///< number of executed ReplaceModelCommands, successful or refused
+  SavedScene saved;                ///< latest result
   RecordingState recording;
-  WrittenRecording written;  ///< last
-  bool failed = false;       ///< `error` is the simulation's own: it goes on only from an earlier step, or the start
-  std::string error;         ///< why the simulation stopped, or the last scene or model was refused; empty: fine
+  WrittenRecording written;  ///< latest result
+  bool failed = false;       ///< the simulation failed; it continues only from an earlier step or the start
+  /// Why the simulation failed, or why the latest scene or model was refused. Empty without an error.
+  std::string error;
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

@@ -1,4 +1,4 @@
-// Where the wall time of simulation steps goes: the latest ones, to be drawn.
+// The parts of the wall time of the latest simulation steps, for drawing.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace taxel {
 
-/// [s]
+/// Wall times of the parts of one step [s].
 struct StepCost {
-  float mujoco = 0;    ///< its step, but for the sensors
+  float mujoco = 0;    ///< mj_step without the sensors
   float surfaces = 0;  ///< poses, broad phase, contact surfaces
   float forces = 0;    ///< tractions, the implicit step
   float readings = 0;  ///< rays and aggregates
@@ -17,6 +17,7 @@ struct StepCost {
   [[nodiscard]] float sum() const { return mujoco + surfaces + forces + readings + history; }
 };
 
+/// Costs of the latest kSteps steps.
 class StepCosts {
  public:
   static constexpr std::size_t kSteps = 240;
@@ -25,7 +26,7 @@ class StepCosts {
     next_ = (next_ + 1) % kSteps;
     if (count_ < kSteps) ++count_;
   }
-  /// Oldest first.
+  /// Returns the latest costs, oldest first.
   [[nodiscard]] std::vector<StepCost> latest() const {
     std::vector<StepCost> out;
     out.reserve(count_);

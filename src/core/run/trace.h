@@ -1,4 +1,4 @@
-// The readings of a run so far, as plots and bars need them. Free of MuJoCo.
+// The readings of a run, for plots and bars. Free of MuJoCo.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,18 @@
 
 namespace taxel {
 
-/// A taxel's values of the past, one entry per recorded row (every 0.1 mm in a sweep, every step otherwise).
+/// The readings of one recorded row. A sweep has a row for every 0.1 mm, other runs have one for every step.
 struct TraceRow {
   double time = 0, travel = 0;   ///< [s], [m]
-  std::vector<double> readings;  ///< all sensors, one after the other
-  /// preview: some of them are of samples that were replaced since.
+  std::vector<double> readings;  ///< readings of all sensors, one sensor after the other
+  /// Quality of the samples; preview if any sensor used preview samples, which are replaced later.
   SampleQuality quality = SampleQuality::polished;
 };
 
 /// All rows of a run so far.
 struct Trace {
   std::vector<TraceRow> rows;
-  /// Copies of one trace have the same until rows are taken away from it: of those, the longer goes on where the
-  /// shorter ends.
+  /// Changes when rows are removed. Of two copies with the same edition, the longer one continues the shorter one.
   std::uint64_t edition = 0;
 };
 

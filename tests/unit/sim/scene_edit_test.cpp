@@ -139,7 +139,7 @@ TEST_F(SceneEdits, AHandPullsAFreeBodyByASpringWhileItRuns) {
   simulator->edit(pull("ball", {0, 0, 0.1}, true));
   EXPECT_EQ(place("ball"), dvec3(0, 0, 1));  // no jump
   ASSERT_TRUE(frame().perturbed.has_value());
-  EXPECT_EQ(frame().perturbed->hand_W, dvec3(0, 0, 1.1));
+  EXPECT_EQ(frame().perturbed->target_W, dvec3(0, 0, 1.1));
   simulator->step();
   simulator->step();
   // a free body at rest: a = k x, k = vis.map.stiffness = 100 by default

@@ -31,8 +31,8 @@ Json hand_json(const SimFrame& frame) {
   return {{"turns", hand.kind == Perturb::Kind::turn},
           {"body", hand.body},
           {"grabbed", numbers<Json>(hand.grabbed_W)},
-          {"at", numbers<Json>(hand.hand_W)},
-          {"turn", turn_json(hand.hand_turn_W)}};
+          {"at", numbers<Json>(hand.target_W)},
+          {"turn", turn_json(hand.target_turn_W)}};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ constexpr int kArcPieces = 24;
 
 /// The way from a body's orientation to the hand's, seen around the grabbed point.
 Segments arc(const PerturbShown& hand, double radius, std::uint32_t color) {
-  const dquat q = hand.hand_turn_W.w < 0 ? -hand.hand_turn_W : hand.hand_turn_W;
+  const dquat q = hand.target_turn_W.w < 0 ? -hand.target_turn_W : hand.target_turn_W;
   const dvec3 sine(q.x, q.y, q.z);
   const double angle = 2 * std::atan2(glm::length(sine), q.w);
   Segments lines;
@@ -36,7 +36,7 @@ void draw_hand(const PerturbShown& hand, const Camera& camera, const Look& look,
   if (hand.kind == Perturb::Kind::turn) {
     segments.draw_lines(arc(hand, kArcPart * glm::length(hand.grabbed_W - camera.eye()), color), state);
   } else {
-    const std::array<Segment, 1> pull{segment(hand.grabbed_W, hand.hand_W, kHandWidth, color)};
+    const std::array<Segment, 1> pull{segment(hand.grabbed_W, hand.target_W, kHandWidth, color)};
     segments.draw_arrows(pull, state, look.mark_outline);
   }
   const std::array<PointMark, 1> grabbed{point_mark(hand.grabbed_W, dvec3(0), 1.0, color)};
