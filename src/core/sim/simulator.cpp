@@ -141,8 +141,8 @@ void Simulator::Impl::place_mocap() {
   q[0] = X.q.w, q[1] = X.q.x, q[2] = X.q.y, q[3] = X.q.z;
 }
 
-/// Evaluates the present state without changing it, so that there is something to show before the first step.
-void Simulator::Impl::look() {
+/// Evaluates the present state without changing it, so that contacts and readings exist before the first step.
+void Simulator::Impl::evaluate_present_state() {
   std::vector<mjtNum> state(static_cast<std::size_t>(mj_stateSize(&m(), mjSTATE_INTEGRATION)));
   mj_getState(&m(), &d(), state.data(), mjSTATE_INTEGRATION);
   mj_forward(&m(), &d());
@@ -162,16 +162,16 @@ void Simulator::Impl::check_stability() const {
     throw Error(title, fmt::format("the simulation became unstable at {:.6g} s, {}", time, what));
 }
 
-/// At its start, or at a keyframe.
+/// Starts a run at a keyframe, or at the initial state if `keyframe` is negative.
 void Simulator::Impl::start_at(int keyframe) {
   keyframe < 0 ? mj_resetData(&m(), &d()) : mj_resetDataKeyframe(&m(), &d(), keyframe);
-  hand.let_go();
+  perturbation.end();
   steps = 0;
   time = d().time;
   travel = 0;
   row_due = false;
   if (scenario) place_mocap();
-  look();
+  evaluate_present_state();
 }
 
 std::unique_ptr<Simulator> Simulator::make_scenario(const SensorModelPtr& model, const Scenario& scenario) {
@@ -213,9 +213,9 @@ void Simulator::step() {
     s.travel = s.mocap >= 0 ? glm::distance(mocap_pos(), s.mocap_start) : 0.0;
   }
   s.row_due = !s.scenario || s.scenario->motion.row_due(s.steps);
-  s.hand.push(s.m(), s.d());
+  s.perturbation.add_force(s.m(), s.d());
   mj_step(&s.m(), &s.d());
-  s.hand.release(s.d());
+  s.perturbation.clear_force(s.d());
   ++s.steps;
   s.check_stability();
   s.check_sensors();
@@ -231,16 +231,16 @@ bool Simulator::load_keyframe(int keyframe) {
   return true;
 }
 
-/// Returns whether geoms may lie elsewhere now.
+/// Drags a body, or ends dragging. Returns whether geoms may have moved.
 bool Simulator::Impl::move(const Perturb& asked) {
   const bool held = asked.kind != Perturb::Kind::none && asked.geom >= 0;
   if (!held || static_cast<std::size_t>(asked.geom) >= drawn.size()) {
-    hand.let_go();
+    perturbation.end();
     return false;
   }
   const int geom = drawn[static_cast<std::size_t>(asked.geom)], body = m().geom_bodyid[geom];
   const Pose X_WB = body_pose(d(), body);
-  return hand.follow(m(), d(), asked, body, X_WB.inverse() * (geom_pose(m(), d(), geom) * asked.point_G));
+  return perturbation.follow(m(), d(), asked, body, X_WB.inverse() * (geom_pose(m(), d(), geom) * asked.point_G));
 }
 
 void Simulator::edit(const SceneEdit& edit) {
@@ -254,7 +254,7 @@ void Simulator::edit(const SceneEdit& edit) {
   };
   if (!std::visit(Apply{*impl_}, edit)) return;
   impl_->time = impl_->d().time;
-  impl_->look();
+  impl_->evaluate_present_state();
 }
 
 void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model) {
@@ -275,7 +275,7 @@ void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelP
   const auto scene = std::make_shared<SimScene>(*s.shown);
   std::replace(scene->sensors.begin(), scene->sensors.end(), replaced, model);
   s.shown = scene;
-  if (another_body) s.look();
+  if (another_body) s.evaluate_present_state();
 }
 
 ControlValues Simulator::controls_of(const SimState& state) const {
@@ -298,7 +298,7 @@ void Simulator::restore_state(const SimState& state) {
     throw Error(s.title, "the state is another scene's");
   mj_setState(&s.m(), &s.d(), state.integration.data(), mjSTATE_INTEGRATION);
   for (mjWarningStat& warning : s.d().warning) warning.number = 0;
-  s.hand.let_go();
+  s.perturbation.end();
   s.steps = state.step;
   s.time = state.time;
   s.travel = state.travel;

@@ -1,5 +1,5 @@
-// A MuJoCo model with its tactile sensors, stepped deterministically. No threads, no clock: the command line runs it in
-// a loop, sim_thread runs the same in a thread.
+// A MuJoCo model with its tactile sensors, stepped deterministically. It has no threads and no clock: the command line
+// runs it in a loop, and SimThread runs it in a thread.
 #pragma once
 
 #include <filesystem>
@@ -17,13 +17,14 @@
 
 namespace taxel {
 
+/// A scene with its sensors. Belongs to one thread.
 class Simulator {
  public:
-  /// A scenario around any compiled layout: the finger is led, and meets the scenario's object.
+  /// Makes the scene of a scenario for any compiled layout: a mocap body moves the sensor, which touches the scenario's
+  /// object. Throws Error.
   static std::unique_ptr<Simulator> make_scenario(const SensorModelPtr& model, const Scenario& scenario);
-  /// Any MJCF with the sensors it declares, and layouts attached to others of its geoms. `aggregate`, where given, goes
-  /// over that of every layout.
-  /// Throws Error that names the file and MuJoCo's reason.
+  /// Loads an MJCF file with the sensors that it declares, and attaches layouts to other geoms. `aggregate` replaces
+  /// the aggregate of every layout. Throws Error that names the file and MuJoCo's reason.
   static std::unique_ptr<Simulator> load(const std::filesystem::path& scene,
                                          const std::vector<SceneAttachment>& attachments = {},
                                          std::optional<Aggregate> aggregate = std::nullopt);
@@ -31,39 +32,39 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  /// What the sensors have to say about the scene: another mesh than the layout's, contacts doubled by MuJoCo's own,
-  /// ...
+  /// Returns the warnings of the sensors about the scene, such as a mesh that differs from the layout's, or contacts
+  /// that MuJoCo computes a second time.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
-  /// Where the time of all sensors went so far.
+  /// Returns the wall times of all sensors since the start.
   [[nodiscard]] SensorTimes sensor_times() const;
 
   /// Makes one mj_step; view() and fill_frame() then return the state that was evaluated, before its integration.
   /// Throws Error with the body's name if MuJoCo computed a number that is not finite: the state is then lost until
   /// restore_state() or reset().
   void step();
-  /// All sensors that read by `replaced` read the present state anew, by `model`. Throws Error where it has another
+  /// Replaces the model `replaced` of sensors, and reads the present state again. Throws Error if `model` has another
   /// number of taxels; the sensors then stay as they are.
   void replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model);
-  /// Sets what a hand asks for, between two steps; what moves is seen at once, and sensed.
+  /// Changes the scene between two steps, and evaluates the changed state if geoms may have moved.
   void edit(const SceneEdit& edit);
-  /// Goes to a keyframe, as a start of its own. False: the scene has none of that number.
+  /// Starts a run at a keyframe. Returns false if the scene has no keyframe of that number.
   bool load_keyframe(int keyframe);
-  void reset();                         ///< back to the start, bit for bit
-  [[nodiscard]] bool finished() const;  ///< the scenario's path has been run
-  [[nodiscard]] bool row_due() const;   ///< the step just made belongs to a recorded row
+  void reset();                         ///< returns to the initial state, bit for bit
+  [[nodiscard]] bool finished() const;  ///< the end of the scenario is reached
+  [[nodiscard]] bool row_due() const;   ///< the latest step belongs to a recorded row
+  /// Copies the latest step with the controls and the dragged body.
   void fill_frame(SimFrame& frame) const;
-  void fill_frame(SimFrame& frame, FilledHits& hits) const;  ///< see step_view.h
-  /// The same without copies: valid until the next step, reset or model.
+  void fill_frame(SimFrame& frame, FilledHits& hits) const;  ///< with `hits` as in fill_step()
+  /// Returns the latest step without copies. The view is valid until the next step, reset or model.
   [[nodiscard]] StepView view() const;
-  void view(StepView& view) const;  ///< keeps the memory of `view`
-  /// The state after the step just made, to go on from. Keeps the memory of `state`.
+  void view(StepView& view) const;  ///< reuses the memory of `view`
+  /// Saves the state after the latest step, from which restore_state() continues. Reuses the memory of `state`.
   void save_state(SimState& state) const;
-  /// Goes back to a state of this simulator. The sensors still show what they sensed last: the next step() is as it
-  /// was.
+  /// Restores a state of this simulator: the next step() repeats, bit for bit. view() still returns the latest step.
   void restore_state(const SimState& state);
-  [[nodiscard]] ControlValues controls_of(const SimState& state) const;  ///< in a state of this simulator
-  [[nodiscard]] Pose pose_of_geom(int geom) const;  ///< X_WG of scene()->geoms[geom], as fill_frame() gives it
+  [[nodiscard]] ControlValues controls_of(const SimState& state) const;  ///< controls in a state of this simulator
+  [[nodiscard]] Pose pose_of_geom(int geom) const;                       ///< X_WG of scene()->geoms[geom], as in view()
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 
   /// Returns the contact of a sensor of scene()->sensors at given poses, with one surface for each body that the sensor
@@ -73,13 +74,15 @@ class Simulator {
   [[nodiscard]] SensorStep contact_at(std::size_t sensor, std::span<const Pose> sensors,
                                       std::span<const Pose> X_WG) const;
 
-  /// Writes scene.xml with its mesh and layout files into `folder`, so that the folder runs elsewhere with the plugin.
+  /// Writes scene.xml with its mesh and layout files into `folder`, so that any program with the plugin can run the
+  /// folder.
   void export_scene(const std::filesystem::path& folder) const;
-  /// The same as FILE.xml with what it needs in a folder FILE_files beside it.
+  /// Writes FILE.xml, and the files that it needs into a folder FILE_files next to it.
   void save_scene(const std::filesystem::path& file) const;
   [[nodiscard]] dvec3 mocap_pos() const;
   [[nodiscard]] dquat mocap_quat() const;
-  [[nodiscard]] Pose mocap_in(const SimState& state) const;  ///< both of a state of this simulator
+  /// Returns the pose of the mocap body in a state of this simulator.
+  [[nodiscard]] Pose mocap_in(const SimState& state) const;
 
  private:
   Simulator();

@@ -1,4 +1,4 @@
-// What a simulator holds: the compiled scene, MuJoCo's data, and where the run stands.
+// The members of a simulator: the compiled scene, MuJoCo's data, and the state of the run.
 #pragma once
 
 #include <map>
@@ -18,28 +18,28 @@ struct Simulator::Impl {
   DataHandle data;
   std::optional<ScenarioScene> scenario;
   std::vector<BodyId> bodies;                          // of scene->sensors: sensors, then soft geoms without taxels
-  std::vector<SensorModelPtr> bare_models;             // of the latter
+  std::vector<SensorModelPtr> bare_models;             // models of soft geoms without taxels
   std::vector<int> drawn;                              // geoms of scene->geoms
   std::map<int, std::shared_ptr<const Shape>> shapes;  // of geoms that sensors touch
-  std::shared_ptr<const SimScene> shown;               // what does not change
-  int mocap = -1;                                      // the first mocap body's number, -1: none
+  std::shared_ptr<const SimScene> shown;               // description of the scene
+  int mocap = -1;                                      // index of the first mocap body, or -1
   dvec3 mocap_start{0};
-  Perturbation hand;
+  Perturbation perturbation;
 
-  std::uint64_t steps = 0;      // made so far
-  double time = 0, travel = 0;  // of the state evaluated last
+  std::uint64_t steps = 0;      // number of steps of the run
+  double time = 0, travel = 0;  // values of the state that was evaluated last
   bool row_due = false;
 
   [[nodiscard]] const mjModel& m() const { return *compiled.model; }
   [[nodiscard]] mjData& d() const { return *data; }
   [[nodiscard]] const BodyContacts& contacts(std::size_t i) const { return *find_body(*data, bodies[i]); }
-  /// Null for a soft geom without taxels.
+  /// Returns null for a soft geom without taxels.
   [[nodiscard]] HydroInstance* sensor(std::size_t i) const { return find_sensor(*data, bodies[i].instance); }
   [[nodiscard]] std::size_t sensor_count() const { return bodies.size() - bare_models.size(); }
   [[nodiscard]] const SensorModelPtr& model(std::size_t i) const {
     return i < sensor_count() ? sensor(i)->model() : bare_models[i - sensor_count()];
   }
-  /// Place of a declared body in scene->sensors, or -1.
+  /// Returns the index of a declared body in scene->sensors, or -1.
   [[nodiscard]] int place_of(BodyId id) const;
 
   void make_data();
@@ -47,7 +47,7 @@ struct Simulator::Impl {
   void describe();
   [[nodiscard]] std::vector<TouchedBody> touched_by(std::size_t number);
   void place_mocap();
-  void look();
+  void evaluate_present_state();
   void check_stability() const;
   void check_sensors() const;
   void start_at(int keyframe);

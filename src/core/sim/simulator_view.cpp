@@ -98,7 +98,7 @@ void Simulator::fill_frame(SimFrame& frame) const {
 void Simulator::fill_frame(SimFrame& frame, FilledHits& hits) const {
   fill_step(view(), frame, hits);
   frame.controls = control_values(impl_->m(), impl_->d());
-  frame.perturbed = impl_->hand.shown(impl_->m(), impl_->d());
+  frame.perturbed = impl_->perturbation.shown(impl_->m(), impl_->d());
 }
 
 Pose Simulator::pose_of_geom(int geom) const {

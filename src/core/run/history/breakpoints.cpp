@@ -82,7 +82,7 @@ const std::vector<std::optional<Jump>>& JumpDetector::compare(std::uint64_t step
   return jumps_;
 }
 
-void JumpDetector::go_on_from(std::span<const SensorSignal> sensors, std::span<const ReadingHistory> histories) {
+void JumpDetector::continue_from(std::span<const SensorSignal> sensors, std::span<const ReadingHistory> histories) {
   latest_.resize(sensors.size());
   for (std::size_t s = 0; s < sensors.size(); ++s) {
     latest_[s].readings.assign(sensors[s].readings.begin(), sensors[s].readings.end());

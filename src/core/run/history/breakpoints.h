@@ -1,5 +1,5 @@
-// Where the simulation stops by itself: a reading that jumps, one that jumps although the force stays, and one that is
-// not what the contact surface presses on the field. Free of MuJoCo.
+// Breakpoints of the simulation: a reading that jumps, a reading that jumps at equal force, and a reading that differs
+// from the exact integral over the contact surface. Free of MuJoCo.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace taxel {
 
-/// What to stop at. Thresholds are relative and mark events whether or not they stop.
+/// The events at which to stop. Thresholds are relative, and mark events whether or not the simulation stops at them.
 struct Breakpoints {
   bool on_jump = false;
   bool at_equal_force = false;
   /// A change from one step to the next, as a fraction of the taxel's largest reading of the run so far.
   double jump = 0.1;
-  double equal_force = 0.02;  ///< the force stays where it changes by at most this part of itself
+  double equal_force = 0.02;  ///< largest change of an equal force, as a fraction of the force
   bool on_disagreement = false;
-  double disagreement = 0.1;  ///< between samples and surface (SampleGap::gap), as a fraction of the same
-  bool of_sensor = false;     ///< measures against the largest reading of all taxels of the sensor instead
+  double disagreement = 0.1;  ///< SampleGap::gap, as a fraction of the largest reading
+  bool of_sensor = false;     ///< use the largest reading of all taxels of the sensor
   bool operator==(const Breakpoints&) const = default;
 };
 
@@ -30,29 +30,29 @@ struct Jump {
   double time = 0;  ///< [s]
   int sensor = 0, taxel = 0;
   double before = 0, after = 0;              ///< readings, in their unit
-  double part = 0;                           ///< |after - before| over the largest reading; 0 in a first touch
+  double part = 0;                           ///< |after - before| / largest reading; 0 at a first touch
   double force_before = 0, force_after = 0;  ///< on the sensor [N]
   bool at_equal_force = false;
-  double largest_change = 0;  ///< |after - before| of the taxel of this sensor that changed most, jump or not
+  double largest_change = 0;  ///< largest |after - before| of all taxels of this sensor
 };
 
-/// A taxel whose samples do not read what its field is pressed with (disagreement.h).
+/// A taxel whose sampled reading differs from the exact integral over its field (disagreement.h).
 struct Disagreement {
   std::uint64_t step = 0;
   double time = 0;  ///< [s]
   int sensor = 0, taxel = 0;
   double sampled = 0, exact = 0;  ///< readings, in their unit
-  double part = 0;                ///< the gap over the largest reading
+  double part = 0;                ///< gap / largest reading
 };
 
-/// What the simulation stopped at.
+/// The event that stopped the simulation.
 using Stop = std::variant<Jump, Disagreement>;
 
-/// One sensor as the detector sees it.
+/// The values of one sensor that the detector compares.
 struct SensorSignal {
   std::span<const double> readings;
   double force = 0;  ///< magnitude [N]
-  double least = 0;  ///< least value of a largest reading (reading_floor.h) [unit of the readings]
+  double least = 0;  ///< lower bound of the largest reading (reading_floor.h) [unit of the readings]
 };
 
 /// The readings of one sensor in the steps so far.
@@ -64,7 +64,7 @@ struct ReadingHistory {
 [[nodiscard]] inline bool is_jump(const Jump& jump, const Breakpoints& limits) {
   return jump.part > limits.jump;
 }
-/// Whether the simulation is to stop there.
+/// Returns whether the simulation stops at this jump.
 [[nodiscard]] inline bool stops(const Jump& jump, const Breakpoints& limits) {
   return is_jump(jump, limits) && (limits.on_jump || (limits.at_equal_force && jump.at_equal_force));
 }
@@ -80,15 +80,15 @@ struct ReadingHistory {
 class JumpDetector {
  public:
   void restart() { *this = {}; }
-  /// The change of each sensor since the step before that is the largest fraction of its taxel's largest reading, a
-  /// jump or not; of several that do not count yet the largest change. There is none in the first step, and none of a
-  /// sensor that had another number of taxels.
+  /// Returns for each sensor the change since the previous step that is the largest fraction of its taxel's largest
+  /// reading, whether or not it is a jump; the largest change if no taxel is valid yet. Empty at the first step, and
+  /// for a sensor whose number of taxels changed.
   const std::vector<std::optional<Jump>>& compare(std::uint64_t step, double time,
                                                   std::span<const SensorSignal> sensors, const Breakpoints& limits);
-  /// As if the step just compared had been this one: it was read anew, or the run goes on from an earlier one.
-  /// `histories` of the sensors so far; empty: as they are.
-  void go_on_from(std::span<const SensorSignal> sensors, std::span<const ReadingHistory> histories);
-  /// Of all taxels of a sensor, of the steps compared so far.
+  /// Continues as if the latest step had these signals, because it was read again or the run continues from an earlier
+  /// step. `histories` replaces the histories of the sensors; if it is empty they stay as they are.
+  void continue_from(std::span<const SensorSignal> sensors, std::span<const ReadingHistory> histories);
+  /// Returns the largest reading of all taxels of a sensor so far.
   [[nodiscard]] double largest(std::size_t sensor) const;
   /// Returns for each taxel the reading that fractions are measured by [Pa] or [N]; infinite if the taxel does not
   /// count yet for a threshold `limit`.

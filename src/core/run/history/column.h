@@ -1,4 +1,4 @@
-// A column of numbers that grows at its end and is forgotten at its front.
+// A column of numbers that grows at its end and shrinks at its front.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace taxel {
 
-/// As a vector, but forgetting the first values moves the others only now and then.
+/// A vector whose first values can be removed at a constant mean cost per value.
 template <class T>
 class Column {
  public:
   Column() = default;
-  Column(std::vector<T> values) : all_(std::move(values)) {}  // NOLINT: they are the same
+  Column(std::vector<T> values) : all_(std::move(values)) {}  // NOLINT: implicit, as both are lists of values
 
   [[nodiscard]] std::size_t size() const { return all_.size() - forgotten_; }
   [[nodiscard]] bool empty() const { return size() == 0; }

@@ -1,4 +1,4 @@
-// The recorded steps as columns of numbers, one row a step: what a timeline draws and searches. Free of MuJoCo.
+// The recorded steps as columns of numbers, one row per step, which a timeline draws and searches. Free of MuJoCo.
 #pragma once
 
 #include <algorithm>
@@ -11,60 +11,60 @@
 
 namespace taxel {
 
-/// How much is kept; what is reached first counts.
+/// The limits of the history; the limit that is reached first applies.
 struct StepHistoryLimits {
   std::size_t steps = 2000;
   std::size_t bytes = std::size_t{1} << 30;
   bool operator==(const StepHistoryLimits&) const = default;
 };
 
-/// Steps from one to another, both of them.
+/// A range of steps, including its ends.
 struct StepRange {
   std::uint64_t first = 0, last = 0;
   bool operator==(const StepRange&) const = default;
 };
 
-/// What happened in a step; a step may have several.
+/// An event of a step; a step may have several.
 enum class StepEvent : std::uint8_t {
   contact_begins = 1,
   contact_ends = 2,
   jump = 4,                 ///< a taxel jumped by more than the threshold
-  jump_at_equal_force = 8,  ///< likewise while the force stayed
-  other_layout = 16,        ///< read by another layout than the step before
-  disagreement = 32         ///< samples and surface disagree; looked for only where it is to stop
+  jump_at_equal_force = 8,  ///< a taxel jumped while the force was equal
+  other_layout = 16,        ///< the layout differs from that of the previous step
+  disagreement = 32         ///< samples and surface disagree; only with that breakpoint
 };
 
 /// A step in the timeline.
 struct StepMark {
   std::uint64_t step = 0;
   double time = 0, travel = 0;  ///< [s], [m]
-  std::uint8_t events = 0;      ///< StepEvent, added up
+  std::uint8_t events = 0;      ///< sum of StepEvent values
   [[nodiscard]] bool has(StepEvent event) const { return (events & static_cast<std::uint8_t>(event)) != 0; }
 };
 
-/// One sensor in one step.
+/// The summary of one sensor at one step.
 struct SensorSummary {
   double force = 0;             ///< magnitude of the contact force [N]
-  double area = 0;              ///< of the contact surfaces [m^2]
-  double smallest_polygon = 0;  ///< area of the smallest polygon [m^2]; 0: there is none
-  double largest_jump = 0;      ///< largest change of a reading since the step before [its unit]
-  double largest_reading = 0;   ///< of all its taxels in the run so far [its unit]
+  double area = 0;              ///< area of the contact surfaces [m^2]
+  double smallest_polygon = 0;  ///< area of the smallest polygon [m^2]; 0 without polygons
+  double largest_jump = 0;      ///< largest change of a reading since the previous step [its unit]
+  double largest_reading = 0;   ///< largest reading of all taxels in the run so far [its unit]
   int polygons = 0;
-  /// Number of the taxel that changed by the largest part of what breakpoints measure it against; -1: none changed.
+  /// Index of the taxel with the largest relative change, as breakpoints measure it, or -1 if no taxel changed.
   int jumped_taxel = -1;
 };
 
-/// Rows ascend by one step each.
+/// The columns of all recorded steps. The step number grows by one from row to row.
 struct HistoryLanes {
   Column<StepMark> steps;
-  std::size_t sensor_count = 0, reading_count = 0;  ///< of each row
+  std::size_t sensor_count = 0, reading_count = 0;  ///< numbers per row
   Column<SensorSummary> sensors;                    ///< rows x sensor_count
-  Column<double> readings;                          ///< rows x reading_count: all sensors, one after the other
-  /// Of the history that they are of: in one edition a step's row stays as it is, new ones follow, the first are
-  /// forgotten.
+  Column<double> readings;                          ///< rows x reading_count, sensor by sensor
+  /// Changes when a row is changed or removed at the end. Within one edition rows are only added, and removed at the
+  /// front.
   std::uint64_t edition = 0;
-  /// Of the rows that were forgotten because others came, by reading: the largest magnitude, and the number of rows in
-  /// which it was not 0. Empty if none was forgotten.
+  /// Largest magnitude of each reading in the rows that were removed at the front, and the number of those rows in
+  /// which the reading was not 0. Empty if no row was removed.
   std::vector<double> forgotten_largest;
   std::vector<int> forgotten_touched;
 
@@ -85,14 +85,14 @@ struct HistoryLanes {
     sensors.forget_back(rows * sensor_count);
     readings.forget_back(rows * reading_count);
   }
-  /// Row of a step, or of the nearest there is. Needs a row.
+  /// Returns the row of a step, or the nearest row. Needs a row.
   [[nodiscard]] std::size_t row_of(std::uint64_t step) const {
     const std::uint64_t first = steps.front().step, last = steps.back().step;
     return static_cast<std::size_t>(std::clamp(step, first, last) - first);
   }
 };
 
-/// The largest magnitude of one reading of a row (index below reading_count) in the run as far as it is known.
+/// Returns the largest magnitude of one reading (index below reading_count) in the run so far.
 inline double largest_reading(const HistoryLanes& lanes, std::size_t reading) {
   double largest = reading < lanes.forgotten_largest.size() ? lanes.forgotten_largest[reading] : 0.0;
   for (std::size_t row = 0; row < lanes.rows(); ++row)
@@ -100,7 +100,7 @@ inline double largest_reading(const HistoryLanes& lanes, std::size_t reading) {
   return largest;
 }
 
-/// Row whose time, or travel, is nearest to x; of equal ones the first. Needs a row.
+/// Returns the row whose time or travel is nearest to x; the first one if several are. Needs a row.
 inline std::size_t nearest_row(const HistoryLanes& lanes, double StepMark::*what, double x) {
   const auto nearer = [&](const StepMark& a, const StepMark& b) {
     return std::abs(a.*what - x) < std::abs(b.*what - x);
@@ -109,7 +109,7 @@ inline std::size_t nearest_row(const HistoryLanes& lanes, double StepMark::*what
                                   lanes.steps.begin());
 }
 
-/// The next step after `step` (direction 1) or before it (-1) in which something happened; `step` where nothing did.
+/// Returns the next step with an event after `step` (direction 1) or before it (-1), or `step` if there is none.
 inline std::uint64_t next_event(const HistoryLanes& lanes, std::uint64_t step, int direction) {
   if (lanes.steps.empty()) return step;
   const auto rows = static_cast<std::ptrdiff_t>(lanes.rows());

@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// Numbers of one sensor's arrays.
+/// Sizes of one sensor's arrays.
 struct SensorCounts {
   std::uint32_t readings = 0, surfaces = 0, motions = 0;
 };
@@ -18,12 +18,12 @@ struct SurfaceCounts {
   std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
 };
 
-// Parts of a polygon that are not as expected, and are written after what all have.
-constexpr std::uint32_t kFirst = 1;     // its vertices do not follow those of the polygon before
-constexpr std::uint32_t kNormal = 2;    // another normal than that of the polygon before
-constexpr std::uint32_t kGradient = 4;  // another gradient than that of its tet
-constexpr std::uint32_t kTetB = 8;      // has a tet of the other body
-constexpr unsigned kPartBits = 4;       // the number of corners stands above these
+// Flags of the values of a polygon that are written only if they are not the expected ones.
+constexpr std::uint32_t kFirst = 1;     // the vertices do not follow those of the previous polygon
+constexpr std::uint32_t kNormal = 2;    // the normal differs from that of the previous polygon
+constexpr std::uint32_t kGradient = 4;  // the gradient differs from that of the tet
+constexpr std::uint32_t kTetB = 8;      // the polygon has a tet of the other body
+constexpr unsigned kPartBits = 4;       // the number of corners is in the bits above
 
 std::uint32_t count(std::size_t n) {
   return static_cast<std::uint32_t>(n);
@@ -33,7 +33,7 @@ bool same_bits(const dvec3& a, const dvec3& b) {
   return std::memcmp(&a, &b, sizeof(dvec3)) == 0;
 }
 
-/// Gradients of a sensor's own field, which polygons refer to.
+/// The gradients of a sensor's own field, by tet.
 class TetGradients {
  public:
   explicit TetGradients(const SensorModelPtr& model) {
@@ -66,7 +66,7 @@ class Sink {
   void put_all(const Container& values) {
     put(values.data(), values.size());
   }
-  /// Large arrays: a step's record would push what the next step needs out of the caches.
+  /// Bypasses the caches, for large arrays: packed data would evict what the next step needs.
   template <class Container>
   void stream_all(const Container& values) {
     const std::size_t size = values.size() * sizeof(values[0]);
@@ -80,7 +80,7 @@ class Sink {
   std::byte* to_;
 };
 
-/// For loops: bytes may alias anything, so that a Sink would be read and written again at each of them.
+/// Appends a value in a loop. Bytes may alias the members of a Sink, which would then be loaded again for each value.
 template <class T>
 std::byte* append(std::byte* to, const T& value) {
   std::memcpy(to, &value, sizeof(T));
@@ -117,7 +117,8 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
   int first = 0;
   dvec3 normal(0);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    // The tets lie apart, and what is written is in no cache: waiting for each took a third of the time.
+    // The tets are far apart, and the destination is in no cache: without prefetching, waiting took a third of the
+    // time.
     constexpr std::size_t kAhead = 8, kBytesAhead = 1024;
     if (i + kAhead < polygons.size()) __builtin_prefetch(gradients.of(polygons[i + kAhead].tet));
     __builtin_prefetch(to + kBytesAhead, 1);

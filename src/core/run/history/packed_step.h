@@ -1,4 +1,4 @@
-// A step in one piece of memory: everything a viewer needs of it, bit for bit, with nothing to spare.
+// A step packed into one piece of memory, bit for bit, for the history.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,12 @@
 
 namespace taxel {
 
-/// Flat: poses, readings, the surfaces' arrays one after the other. Shared: the scene, the sensor models, and of
-/// polygons in a tet of the sensor's own field the gradient, which is the tet's. Not kept: what rays hit, and the
-/// shear, which follow from the surfaces and their motions when a step is unpacked, to the same bits.
+/// Returns an upper bound of the packed size [bytes]. Packed are poses, readings and the arrays of the surfaces. Not
+/// packed are the scene, the sensor models, and gradients that the sensor's own field has; nor hits and shear, which
+/// unpack_step() computes again from the surfaces and motions, to the same bits.
 [[nodiscard]] std::size_t largest_packed_size(const StepView& view);
-/// Writes at most so many bytes, and returns how many. Only for the thread that writes them (stream_copy.h).
+/// Packs a step into largest_packed_size() bytes, and returns the number of bytes used. Only the calling thread may
+/// read them (stream_copy.h).
 std::size_t pack_step(const StepView& view, std::byte* to);
 /// Reads what pack_step() wrote. Needs scene and time of the packed step; step number, travel and `finished` are not
 /// packed and stay unchanged.

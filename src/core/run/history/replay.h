@@ -1,4 +1,4 @@
-// Recorded steps played like a film: forwards or backwards, once or round and round. Knows neither clock nor history.
+// The playback of recorded steps, forwards or backwards, once or in a loop. It knows neither a clock nor the history.
 #pragma once
 
 #include <algorithm>
@@ -8,23 +8,24 @@
 
 namespace taxel {
 
+/// The position of the playback.
 class Replay {
  public:
-  /// direction: 1 forwards, -1 backwards.
+  /// Starts at `step`, forwards (direction 1) or backwards (-1).
   void start(std::uint64_t step, int direction) {
     at_ = static_cast<double>(step);
     direction_ = direction;
   }
   void stop() { direction_ = 0; }
-  [[nodiscard]] int direction() const { return direction_; }  ///< 0: it stands
+  [[nodiscard]] int direction() const { return direction_; }  ///< 0 if stopped
 
-  /// The step to show after so many steps more, parts of one included. Past the end of the range it begins again at the
-  /// other end, or stops there.
+  /// Advances by `steps`, which need not be a whole number, and returns the step to display. At the end of the range
+  /// the playback continues at the other end if `loop`, otherwise it stops.
   std::uint64_t advance(double steps, const StepRange& range, bool loop) {
     const auto first = static_cast<double>(range.first), last = static_cast<double>(range.last);
     at_ += direction_ * steps;
     if (loop) {
-      const double length = last - first + 1;  // each step is shown as long as the others
+      const double length = last - first + 1;  // every step is displayed for the same time
       at_ = first + std::fmod(at_ - first, length);
       if (at_ < first) at_ += length;
     } else {

@@ -1,4 +1,4 @@
-// Memory for pieces of any size that are forgotten in the order in which they came, or the newest first.
+// Memory for pieces of any size that are freed oldest first or newest first.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,24 @@
 
 namespace taxel {
 
-/// Pieces lie one after the other in large blocks, which are used again when they are empty: a full ring takes no new
-/// memory. While it grows, a thread of its own gets the next block ready: the first touch of fresh memory costs more
-/// than filling it, and would empty the caches of the one who fills. Pieces do not move.
+/// Pieces are placed one after the other in large blocks, which are reused when they are empty: a full ring allocates
+/// no memory. While the ring grows, a separate thread prepares the next block, because the first access to new memory
+/// costs more than filling it and evicts the caches of the thread that fills. Pieces do not move.
 class RingMemory {
  public:
   static constexpr std::size_t kBlock = std::size_t{1} << 21;  ///< a huge page [bytes]
 
-  /// A new piece after all others; its bytes hold anything.
+  /// Adds a piece with uninitialized bytes.
   std::byte* push(std::size_t size);
-  /// The newest piece, pushed with `size`, needs only `used` of it.
+  /// Reduces the newest piece from `size` to `used` bytes.
   void shrink_back(std::size_t size, std::size_t used) { blocks_.back().used -= size - used; }
-  /// Forgets the oldest piece. Needs one.
+  /// Frees the oldest piece. Needs a piece.
   void pop_front();
-  /// Forgets the newest piece, whose size is `size`. Needs one.
+  /// Frees the newest piece, which has `size` bytes. Needs a piece.
   void pop_back(std::size_t size);
   void clear();
 
-  [[nodiscard]] std::size_t bytes() const;  ///< of all blocks
+  [[nodiscard]] std::size_t bytes() const;  ///< size of all blocks
 
  private:
   struct Free {
@@ -40,9 +40,9 @@ class RingMemory {
   [[nodiscard]] Block take_block(std::size_t size);
   void retire(Block block);
 
-  std::deque<Block> blocks_;  // none of them without pieces
-  Block spare_;               // the last one that ran empty
-  std::future<Block> next_;   // made ready
+  std::deque<Block> blocks_;  // blocks with at least one piece
+  Block spare_;               // the block that became empty last
+  std::future<Block> next_;   // the block that is being prepared
 };
 
 }  // namespace taxel

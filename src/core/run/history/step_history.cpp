@@ -39,7 +39,7 @@ std::uint8_t bit(StepEvent event) {
   return static_cast<std::uint8_t>(event);
 }
 
-/// Appends the last of one column to another one.
+/// Appends the last `count` values of a column to another column.
 template <class T>
 void append_last(const Column<T>& values, std::size_t count, Column<T>& to) {
   to.append(values.end() - count, values.end());
@@ -166,7 +166,7 @@ std::optional<Disagreement> StepHistory::disagreement(const StepView& view) cons
   return worst;
 }
 
-/// Drops the oldest rows and keeps their largest readings and their numbers of touched steps.
+/// Removes the rows of forgotten steps, but retains their largest readings and numbers of touched steps.
 void StepHistory::trim_rows() {
   const std::size_t count = rows_.rows() - size();
   if (count > 0 && rows_.forgotten_largest.size() != rows_.reading_count) {
@@ -183,7 +183,7 @@ void StepHistory::trim_rows() {
   rows_.forget_front(count);
 }
 
-/// Of one sensor, whose first reading is `first` of each row.
+/// Returns the history of one sensor, whose first reading has the index `first` in each row.
 ReadingHistory StepHistory::history_of(std::size_t first, std::size_t count) const {
   ReadingHistory history{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
   for (std::size_t k = 0; k < count; ++k) {
@@ -196,7 +196,7 @@ ReadingHistory StepHistory::history_of(std::size_t first, std::size_t count) con
   return history;
 }
 
-/// The newest ones: others may take their place.
+/// Removes the newest rows. Other rows may then replace them, so the edition changes.
 void StepHistory::forget_rows(std::size_t count) {
   rows_.forget_back(count);
   ++rows_.edition;
@@ -207,12 +207,12 @@ void StepHistory::replace_newest(const StepView& view) {
   memory_.pop_back(steps_.back().packed_bytes);
   pack(view, steps_.back());
   gather_signals(view, signals_);
-  detector_.go_on_from(signals_, {});
+  detector_.continue_from(signals_, {});
   double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
   for (const SensorView& sensor : view.sensors)
     readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
   ++rows_.edition;
-  if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // else it reads so from the start
+  if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // the first step has no earlier layout
 }
 
 void StepHistory::cut_after(std::uint64_t step) {
@@ -234,7 +234,7 @@ void StepHistory::cut_after(std::uint64_t step) {
     histories.push_back(history_of(reading, reading_counts_[s]));
     reading += reading_counts_[s];
   }
-  detector_.go_on_from(signals_, histories);
+  detector_.continue_from(signals_, histories);
 }
 
 std::size_t StepHistory::bytes() const {

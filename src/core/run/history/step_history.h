@@ -1,5 +1,5 @@
-// The latest steps of a run, as they were computed: surfaces, hits and readings are kept, not computed anew from
-// MuJoCo's state, which would give other numbers. Belongs to one thread.
+// The latest steps of a run with their surfaces and readings, which could not be computed again from MuJoCo's state
+// with the same bits. Belongs to one thread.
 #pragma once
 
 #include <deque>
@@ -15,20 +15,20 @@ namespace taxel {
 
 class StepHistory {
  public:
-  /// Fewer steps than are there: the oldest are forgotten. At least one step is kept, whatever its size.
+  /// Forgets the oldest steps beyond the limits. At least one step is retained, whatever its size.
   void set_limits(const StepHistoryLimits& limits);
   [[nodiscard]] const StepHistoryLimits& limits() const { return limits_; }
-  /// Of steps to come.
+  /// Sets the breakpoints for later steps.
   void set_breakpoints(const Breakpoints& breakpoints) { breakpoints_ = breakpoints; }
   [[nodiscard]] const Breakpoints& breakpoints() const { return breakpoints_; }
 
   void clear();
-  /// Adds the step of `view`, with the state after it: the one after last(); any other one begins a new history.
-  /// Forgets the oldest where a limit is reached, and uses its memory again. Returns what to stop at first.
+  /// Adds the step `view` and the state after it. A step other than last() + 1 begins a new history. Forgets the oldest
+  /// steps beyond the limits, and reuses their memory. Returns the first event at which to stop.
   std::optional<Stop> record(const StepView& view, const SimState& state);
-  /// The newest step was read anew by another layout; all others stay.
+  /// Replaces the newest step, which was read again with another layout.
   void replace_newest(const StepView& view);
-  /// Forgets what came after a step, which becomes the newest. Needs contains(step).
+  /// Forgets all steps after `step`. Needs contains(step).
   void cut_after(std::uint64_t step);
 
   [[nodiscard]] bool empty() const { return steps_.empty(); }
@@ -36,17 +36,17 @@ class StepHistory {
   [[nodiscard]] std::uint64_t first() const { return steps_.front().state.step; }
   [[nodiscard]] std::uint64_t last() const { return steps_.back().state.step; }
   [[nodiscard]] bool contains(std::uint64_t step) const { return !empty() && step >= first() && step <= last(); }
-  [[nodiscard]] std::size_t bytes() const;  ///< memory held; scenes and sensor models are not counted
+  [[nodiscard]] std::size_t bytes() const;  ///< allocated memory, without scenes and sensor models
 
   /// Fills a step as it was recorded, bit for bit. Needs contains(number).
   void fill_step(std::uint64_t number, Step& step) const;
   /// Returns a copy of a step. Needs contains(number).
   [[nodiscard]] StepPtr step(std::uint64_t number) const;
   [[nodiscard]] const SimState& state(std::uint64_t step) const { return at(step).state; }
-  [[nodiscard]] std::uint64_t edition() const { return rows_.edition; }  ///< that of lanes()
-  /// A copy of all rows.
+  [[nodiscard]] std::uint64_t edition() const { return rows_.edition; }  ///< edition of lanes()
+  /// Returns a copy of all rows.
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes() const;
-  /// The same. `lanes` are empty, or an earlier copy of this history's: of those only what is new is copied.
+  /// Copies all rows to `lanes`, which is empty or an earlier copy from this history; then only new rows are copied.
   void copy_lanes(HistoryLanes& lanes) const;
 
  private:
@@ -61,7 +61,7 @@ class StepHistory {
   [[nodiscard]] const Entry& at(std::uint64_t step) const { return steps_[static_cast<std::size_t>(step - first())]; }
   void forget_oldest();
   std::optional<Stop> add_row(const StepView& view, bool other_layout);
-  /// The largest of all sensors, where it is to stop at it.
+  /// Returns the largest disagreement of all sensors, if it exceeds the breakpoint's threshold.
   [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view) const;
   void trim_rows();
   [[nodiscard]] ReadingHistory history_of(std::size_t first, std::size_t count) const;
@@ -71,10 +71,10 @@ class StepHistory {
   Breakpoints breakpoints_;
   std::deque<Entry> steps_;
   RingMemory memory_;
-  std::size_t state_bytes_ = 0;  // of one step, with what the ring itself has of it
+  std::size_t state_bytes_ = 0;  // size of one Entry with its state
   JumpDetector detector_;
-  HistoryLanes rows_;                        // of steps_
-  std::vector<std::size_t> reading_counts_;  // of each sensor
+  HistoryLanes rows_;                        // rows of steps_
+  std::vector<std::size_t> reading_counts_;  // by sensor
   std::vector<SensorSignal> signals_;        // scratch
 };
 

@@ -1,4 +1,4 @@
-// What a simulation step left behind, without copies: what a frame is filled from, and what the history records.
+// The latest step of a simulator without copies: frames are filled from it, and the history packs it.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace taxel {
 
-/// One sensor in the step just made. Pointers are valid until the next one.
+/// One sensor at the latest step. Pointers are valid until the next step. See SensorStep for the values.
 struct SensorView {
   Pose X_WM;
-  dvec3 force_W{0}, uncovered_W{0};  ///< see SensorStep
+  dvec3 force_W{0}, uncovered_W{0};
   std::span<const double> readings;
-  std::vector<const ContactSurface*> surfaces;  ///< as the hits number them
-  std::vector<SurfaceMotion> motions;           ///< see SensorStep
-  std::span<const RayHit> hits;                 ///< by ray
-  std::span<const std::int32_t> hit_rays;       ///< those of them that are no misses; of a simulator's own view alone
-  std::span<const dvec2> shear;                 ///< see SensorStep
+  std::vector<const ContactSurface*> surfaces;
+  std::vector<SurfaceMotion> motions;
+  std::span<const RayHit> hits;
+  std::span<const std::int32_t> hit_rays;  ///< rays that hit; empty in view_of()
+  std::span<const dvec2> shear;
 };
 
-/// A step of which nothing is copied.
+/// The latest step of a simulator, or a view of a Step.
 struct StepView : StepState {
   std::vector<SensorView> sensors;
 };
@@ -38,11 +38,11 @@ void fill_step(const StepView& now, Step& to, FilledHits& hits);
 /// Returns a view of a step, valid as long as `step` is not changed.
 StepView view_of(const Step& step);
 
-/// MuJoCo's state after a step, from which the next one goes on the same way, bit for bit.
+/// MuJoCo's state after a step. The next step from this state repeats, bit for bit.
 struct SimState {
   std::vector<double> integration;  ///< mjSTATE_INTEGRATION
   std::uint64_t step = 0;
-  double time = 0, travel = 0;  ///< of the state that was evaluated
+  double time = 0, travel = 0;  ///< values of the state that was evaluated
   bool row_due = false;
 };
 

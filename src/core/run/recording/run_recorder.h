@@ -1,4 +1,4 @@
-// Makes a recording of steps, whoever makes them: the command line's loop, the window's simulation, or its history.
+// Makes a recording of steps, for the command line, the window's simulation, and the window's history.
 #pragma once
 
 #include <optional>
@@ -10,30 +10,30 @@
 
 namespace taxel {
 
-/// What the columns of a scene's recording mean; no rows yet.
+/// Returns the recording of a scene without rows: the meaning of its columns.
 Recording describe_recording(const SimScene& scene);
 
-/// Memory that one row of a scene's recording takes [bytes].
+/// Returns the memory that one row of a scene's recording takes [bytes].
 std::size_t recorded_row_bytes(const SimScene& scene);
 
 /// Returns a step as a row of a recording, without calibrated values; its RecordedRow::step is 0.
 RecordedRow row_of(const StepView& step);
 
-/// Collects rows of one scene, one step after the other. Calibrations begin with the first step: a loop or a held value
-/// depends on all that was felt since.
+/// Collects rows of one scene, step by step. Calibrations begin at the first step, because hysteresis and held values
+/// depend on all readings since then.
 class RunRecorder {
  public:
   explicit RunRecorder(const SimScene& scene);
 
-  /// The step of `view`, during which the mocap body was at `mocap`; `keep`: it becomes a row.
+  /// Follows the step `view`, during which the mocap body had the pose `mocap`. Adds a row if `keep`.
   void follow(const StepView& view, const Pose& mocap, bool keep);
 
   [[nodiscard]] const Recording& recording() const { return recording_; }
   [[nodiscard]] Recording take() { return std::move(recording_); }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }  ///< of rows and mocap poses, about
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }  ///< approximate size of rows and mocap poses
 
-  /// Forgets all that was followed after the first `steps` steps. Where there is a calibration, each must have been
-  /// kept: it runs through them anew.
+  /// Forgets all steps after the first `steps`. With a calibration every step must have a row, because the calibration
+  /// runs through the remaining rows again.
   void cut_after(std::size_t steps);
 
  private:
@@ -41,8 +41,8 @@ class RunRecorder {
 
   Recording recording_;
   std::vector<SensorModelPtr> sensors_;
-  std::vector<std::optional<Calibrator>> calibrators_;  // per sensor
-  std::vector<std::vector<double>> calibrated_;         // after the latest step, per sensor
+  std::vector<std::optional<Calibrator>> calibrators_;  // by sensor
+  std::vector<std::vector<double>> calibrated_;         // values of the latest step, by sensor
   bool any_calibration_ = false;
   std::size_t bytes_ = 0;
 };

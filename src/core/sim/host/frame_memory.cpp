@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-/// Shared by whoever has it; the last one's thread calls give_back(value).
+/// Returns a shared value. The thread that releases the value last calls give_back(value).
 template <class T, class GiveBack>
 std::shared_ptr<T> shared(T value, GiveBack give_back) {
   return {std::make_unique<T>(std::move(value)).release(), [give_back = std::move(give_back)](T* done) {
@@ -16,17 +16,17 @@ std::shared_ptr<T> shared(T value, GiveBack give_back) {
 
 }  // namespace
 
-/// All but the memory is as in a new frame.
+/// Makes a new frame from reused memory, and fills it.
 template <class Fill>
 std::shared_ptr<SimFrame> FrameMemory::make_frame(const Fill& fill) {
-  Frame memory = frames_->take();
+  Frame memory = frames_->pop();
   SimFrame frame;
   frame.geom_poses = std::move(memory.geom_poses);
   frame.sensors = std::move(memory.sensors);
   fill(frame, memory.hits);
-  return shared(std::move(frame), [shelf = frames_, hits = std::move(memory.hits)](SimFrame& done) {
+  return shared(std::move(frame), [pool = frames_, hits = std::move(memory.hits)](SimFrame& done) {
     for (SensorStep& sensor : done.sensors) sensor.model.reset();  // only memory is retained
-    shelf->put({std::move(done.geom_poses), std::move(done.sensors), hits});
+    pool->put({std::move(done.geom_poses), std::move(done.sensors), hits});
   });
 }
 
@@ -42,20 +42,20 @@ std::shared_ptr<SimFrame> FrameMemory::frame_of(const Simulator& simulator) {
 }
 
 std::shared_ptr<const Trace> FrameMemory::copy_of(const Trace& trace) {
-  Trace copy = traces_->take();
+  Trace copy = traces_->pop();
   const std::size_t known = copy.rows.size();
   if (copy.edition == trace.edition && known <= trace.rows.size()) {
     copy.rows.insert(copy.rows.end(), trace.rows.begin() + static_cast<std::ptrdiff_t>(known), trace.rows.end());
   } else {
     copy = trace;
   }
-  return shared(std::move(copy), [shelf = traces_](Trace& done) { shelf->put(std::move(done)); });
+  return shared(std::move(copy), [pool = traces_](Trace& done) { pool->put(std::move(done)); });
 }
 
 std::shared_ptr<const HistoryLanes> FrameMemory::lanes_of(const StepHistory& history) {
-  HistoryLanes lanes = lanes_->take();
+  HistoryLanes lanes = lanes_->pop();
   history.copy_lanes(lanes);
-  return shared(std::move(lanes), [shelf = lanes_](HistoryLanes& done) { shelf->put(std::move(done)); });
+  return shared(std::move(lanes), [pool = lanes_](HistoryLanes& done) { pool->put(std::move(done)); });
 }
 
 }  // namespace taxel

@@ -1,23 +1,24 @@
-// What frames are made of, used again once nobody has them any more: a frame costs the simulation what it copies.
+// The memory of frames, reused when a frame is no longer used, so that making a frame costs only its copies.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "core/base/shelf.h"
+#include "core/base/buffer_pool.h"
 #include "core/run/history/step_history.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {
 
-/// The memory comes back from whatever thread lets go of a frame last, also after this object is gone.
+/// Makes frames. Any thread may release a frame last, also after this object is destroyed.
 class FrameMemory {
  public:
-  /// A frame with the step of `history`, or with what the simulator shows; of both, what fill_frame() fills.
+  /// Returns a frame with a recorded step, or with the latest step of a simulator. All values that
+  /// StepHistory::fill_step() or Simulator::fill_frame() do not set are as in a new frame.
   [[nodiscard]] std::shared_ptr<SimFrame> recorded_frame(const StepHistory& history, std::uint64_t step);
   [[nodiscard]] std::shared_ptr<SimFrame> frame_of(const Simulator& simulator);
-  /// A copy, of the same edition: of memory that held rows of that, only new ones are copied.
+  /// Returns a copy. If the reused memory has an earlier copy of the same edition, only new rows are copied.
   [[nodiscard]] std::shared_ptr<const Trace> copy_of(const Trace& trace);
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes_of(const StepHistory& history);
 
@@ -30,9 +31,9 @@ class FrameMemory {
   template <class Fill>
   std::shared_ptr<SimFrame> make_frame(const Fill& fill);
 
-  std::shared_ptr<Shelf<Frame>> frames_ = std::make_shared<Shelf<Frame>>();
-  std::shared_ptr<Shelf<Trace>> traces_ = std::make_shared<Shelf<Trace>>();
-  std::shared_ptr<Shelf<HistoryLanes>> lanes_ = std::make_shared<Shelf<HistoryLanes>>();
+  std::shared_ptr<BufferPool<Frame>> frames_ = std::make_shared<BufferPool<Frame>>();
+  std::shared_ptr<BufferPool<Trace>> traces_ = std::make_shared<BufferPool<Trace>>();
+  std::shared_ptr<BufferPool<HistoryLanes>> lanes_ = std::make_shared<BufferPool<HistoryLanes>>();
 };
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Steps that are recorded while the simulation runs, however few of them the history holds.
+// A recording of all steps while the simulation runs, whatever the limits of the history are.
 #pragma once
 
 #include <memory>
@@ -11,32 +11,33 @@
 
 namespace taxel {
 
-/// A recording ends where it takes so much memory; a fingertip of twelve taxels has filled it after a quarter of an
-/// hour at 1 ms.
-inline constexpr std::size_t kMostRecordedBytes = std::size_t{1} << 29;
+/// Memory at which a recording ends [bytes]. A fingertip with twelve taxels reaches it after 15 minutes of steps of 1
+/// ms.
+inline constexpr std::size_t kMaxRecordedBytes = std::size_t{1} << 29;
 
-/// Rows, and the scene that they are of.
+/// The rows of a recording with their scene.
 struct EndedRecording {
   Recording recording;
   std::shared_ptr<const SimScene> scene;
-  std::string note;                                     ///< what the user should know of it; may be empty
-  std::unique_ptr<RecordingJournal> journal = nullptr;  ///< to be removed when the rows are written; may be null
+  std::string note;                                     ///< a remark for the user; may be empty
+  std::unique_ptr<RecordingJournal> journal = nullptr;  ///< journal to remove when the rows are written; may be null
 };
 
+/// A recording that is being made.
 class LiveRecording {
  public:
   LiveRecording(std::shared_ptr<const SimScene> scene, std::string file)
       : scene_(std::move(scene)), file_(std::move(file)), recorder_(*scene_) {}
 
-  /// Keeps the rows on disk from now on.
+  /// Writes the rows to disk from now on.
   void keep_in(std::unique_ptr<RecordingJournal> journal) { journal_ = std::move(journal); }
-  /// Returns why the journal could not be written, once; empty if it could. It is given up then.
+  /// Returns once why the journal could not be written, or an empty text. A journal that failed is removed.
   [[nodiscard]] std::string consume_failure() { return std::exchange(failure_, ""); }
 
   void follow(const StepView& view, const Pose& mocap);
-  /// The simulation goes on from `step`: what was recorded after it has not been.
+  /// Forgets all steps after `step`, from which the simulation continues.
   void go_back_to(std::uint64_t step);
-  [[nodiscard]] bool full() const { return recorder_.bytes() >= kMostRecordedBytes; }
+  [[nodiscard]] bool full() const { return recorder_.bytes() >= kMaxRecordedBytes; }
   [[nodiscard]] bool empty() const { return recorder_.recording().rows.empty(); }
   [[nodiscard]] RecordingState state() const;
   [[nodiscard]] const std::string& file() const { return file_; }
@@ -53,7 +54,7 @@ class LiveRecording {
   RunRecorder recorder_;
   std::unique_ptr<RecordingJournal> journal_;
   std::string failure_;
-  std::uint64_t first_step_ = 0;  ///< recorded, where it is not empty()
+  std::uint64_t first_step_ = 0;  // number of the first recorded step, if there is one
 };
 
 }  // namespace taxel

@@ -1,13 +1,14 @@
-// Keeps simulated time beside the clock, at a wanted speed. Knows no clock itself: callers say what time it is [s].
+// Keeps simulated time in step with a clock, at a requested speed. Callers pass the time of the clock [s].
 #pragma once
 
 #include <deque>
 
 namespace taxel {
 
+/// The pace of a simulation.
 class Pacing {
  public:
-  /// Begins anew: from `now` on, simulated time runs at `speed` times the clock.
+  /// Restarts: from `now` on, simulated time runs at `speed` times the clock.
   void restart(double now, double speed) {
     begin_ = now;
     speed_ = speed;
@@ -16,8 +17,8 @@ class Pacing {
     history_.push_back({now, 0.0});
   }
 
-  /// A step of `timestep` was made. A simulation that cannot keep up does not try to catch up later: what it is behind
-  /// by more than kMaxLag is forgiven.
+  /// Registers a step of length `timestep`. A simulation that is too slow does not catch up later: a lag beyond kMaxLag
+  /// is ignored.
   void advance(double timestep, double now) {
     simulated_ += timestep;
     const double behind = (now - begin_) - simulated_ / speed_;
@@ -26,10 +27,10 @@ class Pacing {
     while (history_.size() > 2 && now - history_.front().clock > kWindow) history_.pop_front();
   }
 
-  /// How long until the next step is due; 0 or less when it is.
+  /// Returns the time until the next step is due; 0 or less if the step is due.
   [[nodiscard]] double wait(double now) const { return begin_ + simulated_ / speed_ - now; }
 
-  /// Simulated time over clock time of the last kWindow seconds.
+  /// Returns simulated time divided by clock time, over the last kWindow seconds.
   [[nodiscard]] double measured_speed(double now) const {
     if (history_.empty() || !(now > history_.front().clock)) return 0.0;
     return (simulated_ - history_.front().simulated) / (now - history_.front().clock);

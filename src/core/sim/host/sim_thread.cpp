@@ -9,12 +9,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFrameInterval = 1.0 / 60.0;  // [s] at most so many frames while playing
-constexpr double kForgotten = 0.25;            // [s] so long frames are made that nobody takes
-constexpr double kTraceInterval = 1.0 / 30.0;  // [s] at most so many copies of the trace
-constexpr double kBurst = 0.005;               // [s] of stepping before commands are looked at again
-constexpr double kNap = 0.002;                 // [s] shortest wait for the clock: several steps are then due at once
-constexpr std::size_t kEndlessRows = 10000;    // rows kept, at least, of a scene that has no end
+constexpr double kFrameInterval = 1.0 / 60.0;  // [s] shortest time between frames while playing
+constexpr double kUnconsumed = 0.25;           // [s] time for which frames are made that nobody consumes
+constexpr double kTraceInterval = 1.0 / 30.0;  // [s] shortest time between copies of the trace
+constexpr double kBurst = 0.005;               // [s] time of stepping before commands are checked
+constexpr double kNap = 0.002;                 // [s] shortest wait for the clock; several steps may then be due
+constexpr std::size_t kEndlessRows = 10000;    // least number of retained rows of a scene without an end
 
 StepCost cost_of(Clock::duration step, Clock::duration history, const SensorTimes& before, const SensorTimes& after) {
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<float>(d).count(); };
@@ -39,7 +39,7 @@ std::vector<SimCommand> SimThread::Impl::take_commands() {
     if (rest > 0) wake.wait_for(lock, std::chrono::duration<double>(std::clamp(rest, kNap, kFrameInterval)), something);
   }
   if (clock_changed) {
-    by_clock = clock_driven;
+    real_time = clock_driven;
     clock_changed = false;
     pacing.restart(seconds_since_epoch(), speed);
   }
@@ -68,7 +68,7 @@ void SimThread::Impl::run() {
   }
 }
 
-/// Steps until the clock is reached, commands wait, or it is time for a frame.
+/// Makes steps until simulated time reaches the clock, or kBurst has passed.
 void SimThread::Impl::burst() {
   const double begin = seconds_since_epoch();
   while (stepping()) {
@@ -79,10 +79,10 @@ void SimThread::Impl::burst() {
   }
 }
 
-/// One step with its row. Stops playing at the end of the scenario, or when the simulation fails. Returns whether it
-/// may go on.
+/// Makes one step and records it. Stops playing at the end of the scenario, at a breakpoint, or when the simulation
+/// fails. Returns whether another step can be made.
 bool SimThread::Impl::step_once() {
-  if (simulator != nullptr && error.empty()) go_on_from_shown();
+  if (simulator != nullptr && error.empty()) resume_from_displayed_step();
   if (simulator == nullptr || simulator->finished() || !error.empty()) {
     set_playing(false);
     return false;
@@ -101,10 +101,10 @@ bool SimThread::Impl::step_once() {
     step_time.add(recorded - begin);
     costs.add(cost_of(stepped - begin, recorded - stepped, before, simulator->sensor_times()));
     record_step();
-  } catch (const std::exception& e) {  // what was computed of this step is no step: the one before is shown
+  } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
     error = e.what();
     set_playing(false);
-    if (!history.empty()) scrubbed = history.last();
+    if (!history.empty()) displayed = history.last();
     return false;
   }
   changed = true;
@@ -126,14 +126,14 @@ void SimThread::Impl::add_trace_row() {
   ++trace.edition;
 }
 
-/// The rows for plots and timeline, copied only when there are others, and not too often.
+/// Copies the rows for plots and timeline if they changed, at most every kTraceInterval.
 void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
-  const bool rows_cut = posted_trace->edition != trace.edition, steps_cut = lanes->edition != history.edition();
-  const bool other_rows = rows_cut || posted_trace->rows.size() != trace.rows.size();
+  const bool rows_cut = published_trace->edition != trace.edition, steps_cut = lanes->edition != history.edition();
+  const bool other_rows = rows_cut || published_trace->rows.size() != trace.rows.size();
   const bool other_steps =
       steps_cut || lanes->rows() != history.size() || (!history.empty() && lanes->steps.back().step != history.last());
   if (!rows_cut && !steps_cut && !even_if_recent && now - last_trace < kTraceInterval) return;
-  if (other_rows) posted_trace = memory.copy_of(trace);
+  if (other_rows) published_trace = memory.copy_of(trace);
   if (other_steps || even_if_recent) lanes = memory.lanes_of(history);
   if (other_rows || other_steps) last_trace = now;
 }
@@ -141,37 +141,37 @@ void SimThread::Impl::copy_rows(double now, bool even_if_recent) {
 /// The step before the displayed one, or null if the history does not hold it.
 StepPtr SimThread::Impl::previous_step() const {
   if (history.empty()) return nullptr;
-  const std::uint64_t shown = scrubbed.value_or(history.last());
+  const std::uint64_t shown = displayed.value_or(history.last());
   return shown > 0 && history.contains(shown - 1) ? history.step(shown - 1) : nullptr;
 }
 
-/// Whether somebody takes what is posted while it runs: a window that is not drawn costs nothing. That a command's
-/// answer was taken says nothing of it.
-bool SimThread::Impl::frames_are_taken(double now) {
-  if (mailbox.full()) return now - last_taken < kForgotten;
-  if (!answered) last_taken = now;
+/// Returns whether frames are consumed while the simulation plays: a window that is not drawn must cost nothing. A
+/// frame that followed a command does not count, because it is always consumed.
+bool SimThread::Impl::frames_are_consumed(double now) {
+  if (mailbox.full()) return now - last_consumed < kUnconsumed;
+  if (!answered) last_consumed = now;
   return true;
 }
 
-/// Posts a frame when there is something new; unless told otherwise at most every kFrameInterval, and while somebody
-/// takes them.
+/// Publishes a frame if the state has changed, at most every kFrameInterval and while frames are consumed, or always if
+/// `even_if_recent`.
 void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
   if (!changed) return;
-  if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_taken(now))) return;
+  if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_consumed(now))) return;
   copy_rows(now, even_if_recent);
   const std::shared_ptr<SimFrame> frame = simulator == nullptr ? std::make_shared<SimFrame>()
-                                          : scrubbed           ? memory.recorded_frame(history, *scrubbed)
+                                          : displayed          ? memory.recorded_frame(history, *displayed)
                                                                : memory.frame_of(*simulator);
   if (simulator == nullptr) {
     frame->scene = frame->simulated = std::make_shared<const SimScene>();
   } else {
-    if (scrubbed) frame->controls = simulator->controls_of(history.state(*scrubbed));
+    if (displayed) frame->controls = simulator->controls_of(history.state(*displayed));
     frame->simulated = simulator->scene();
     frame->warnings = simulator->warnings();
     if (!journal_failure.empty()) frame->warnings.push_back(journal_failure);
   }
-  frame->recorded = scrubbed.has_value();
+  frame->recorded = displayed.has_value();
   frame->history = {history.empty() ? 0 : history.first(),
                     history.empty() ? 0 : history.last(),
                     history.size(),
@@ -188,7 +188,7 @@ void SimThread::Impl::publish(bool even_if_recent) {
   frame->measured_speed = playing ? pacing.measured_speed(now) : 0.0;
   frame->step_seconds = step_time.mean_seconds();
   frame->costs = costs.latest();
-  frame->trace = posted_trace;
+  frame->trace = published_trace;
   frame->runs = runs;
   frame->commands = commands;
   frame->saved = saved;

@@ -1,4 +1,4 @@
-// The simulation in its own thread: commands go in, the newest frame comes out, nobody waits for anybody.
+// The simulation in its own thread: it executes commands and publishes the newest frame, without blocking the caller.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 namespace taxel {
 
+/// A thread with a simulator, its history and its recording.
 class SimThread {
  public:
   SimThread();
@@ -17,13 +18,14 @@ class SimThread {
   SimThread(const SimThread&) = delete;
   SimThread& operator=(const SimThread&) = delete;
 
-  /// Never blocks. Returns the command's number, which frames after it have reached in SimFrame::commands.
+  /// Queues a command without blocking. Returns its number: frames with SimFrame::commands of at least that number
+  /// include its effect.
   std::uint64_t send(SimCommand command);
-  SimFramePtr newest_frame();  ///< newest since the last call, or null
-  /// For headless pictures and tests: steps exactly when told (StepCommand), never by the clock.
+  SimFramePtr newest_frame();  ///< newest frame since the last call, or null
+  /// Sets whether play runs in real time. Otherwise only StepCommand makes steps, for scripts and tests.
   void set_clock_driven(bool on);
-  /// Recordings are kept in journals (recording_journal.h) of this folder while they run, so that a killed process
-  /// loses none of their rows. Without it they are in memory only.
+  /// Sets the folder for the journals of recordings (recording_journal.h), from which the rows of a killed process can
+  /// be recovered. Without a folder, recordings are in memory until they end.
   void set_journal_folder(const std::string& folder);
 
  private:

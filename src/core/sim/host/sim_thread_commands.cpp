@@ -1,4 +1,4 @@
-// What the simulation's thread does when it is asked.
+// The commands of the simulation's thread.
 #include <algorithm>
 #include <cmath>
 
@@ -14,13 +14,13 @@ bool uses(const SimScene& scene, const SensorModelPtr& model) {
 
 }  // namespace
 
-/// At its start: the history begins with what is there before the first step.
+/// Begins a run: the history starts with the state before the first step.
 void SimThread::Impl::begin_run() {
   end_recording("the run began anew");
   ++runs;
   error.clear();
   trace = {{}, trace.edition + 1};
-  scrubbed.reset();
+  displayed.reset();
   stop.reset();
   history.clear();
   if (simulator == nullptr) return;
@@ -28,23 +28,23 @@ void SimThread::Impl::begin_run() {
   history.record(simulator->view(), state);
 }
 
-/// The simulation goes back to the step that is shown, and what came after it has not been.
-void SimThread::Impl::go_on_from_shown() {
-  if (!scrubbed) return;
-  const SimState& from = history.state(*scrubbed);
+/// Restores the state of the displayed step and discards all later steps.
+void SimThread::Impl::resume_from_displayed_step() {
+  if (!displayed) return;
+  const SimState& from = history.state(*displayed);
   simulator->restore_state(from);
   while (!trace.rows.empty() && trace.rows.back().time > from.time) trace.rows.pop_back();
   ++trace.edition;
-  history.cut_after(*scrubbed);
-  if (recording) recording->go_back_to(*scrubbed);
-  scrubbed.reset();
+  history.cut_after(*displayed);
+  if (recording) recording->go_back_to(*displayed);
+  displayed.reset();
 }
 
 void SimThread::Impl::scrub(std::uint64_t step) {
   if (history.empty()) return;
   set_playing(false);
-  scrubbed = std::clamp(step, history.first(), history.last());
-  if (*scrubbed == history.last() && error.empty()) scrubbed.reset();  // the newest, which the simulator has
+  displayed = std::clamp(step, history.first(), history.last());
+  if (*displayed == history.last() && error.empty()) displayed.reset();  // the simulator has the newest step
 }
 
 void SimThread::Impl::recall(const RecallCommand& asked) {
@@ -66,14 +66,14 @@ void SimThread::Impl::execute_on_history(const SimCommand& command) {
     history.set_breakpoints(breakpoints->breakpoints);
   } else if (const auto* limits = std::get_if<StepHistoryLimitsCommand>(&command)) {
     history.set_limits(limits->limits);
-    if (scrubbed && !history.contains(*scrubbed)) scrubbed = history.first();
+    if (displayed && !history.contains(*displayed)) displayed = history.first();
   }
 }
 
-/// What a hand sets. Returns whether the command was one of these.
+/// Executes a command that changes or saves the scene. Returns false for other commands.
 bool SimThread::Impl::execute_on_scene(const SimCommand& command) {
   if (const auto* edit = std::get_if<EditSceneCommand>(&command)) {
-    if (simulator != nullptr && !scrubbed && error.empty()) simulator->edit(edit->edit);
+    if (simulator != nullptr && !displayed && error.empty()) simulator->edit(edit->edit);
   } else if (const auto* key = std::get_if<LoadKeyframeCommand>(&command)) {
     if (simulator != nullptr && simulator->load_keyframe(key->keyframe)) begin_run();
     set_playing(false);
@@ -100,7 +100,7 @@ void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& ma
   ++loads;
   try {
     std::unique_ptr<Simulator> made = make();
-    end_recording("another scene was opened");  // with the files of its own
+    end_recording("another scene was opened");  // while its scene files can be written
     simulator = std::move(made);
   } catch (const std::exception& e) {
     refused = e.what();
@@ -110,7 +110,7 @@ void SimThread::Impl::load(const std::function<std::unique_ptr<Simulator>()>& ma
   begin_run();
   step_time = record_time = {};
   costs = {};
-  set_playing(false);  // no step is made before somebody asks for one
+  set_playing(false);  // a loaded scene is paused
 }
 
 void SimThread::Impl::replace_model(const ReplaceModelCommand& command) {
@@ -122,7 +122,7 @@ void SimThread::Impl::replace_model(const ReplaceModelCommand& command) {
     simulator->replace_model(command.replaced, command.model);
     if (error.empty()) history.replace_newest(simulator->view());
   } catch (const std::exception& e) {
-    refused = e.what();  // the one before goes on
+    refused = e.what();  // the previous model stays
   }
 }
 
@@ -134,8 +134,8 @@ void SimThread::Impl::execute(const SimCommand& command) {
   if (std::holds_alternative<QuitCommand>(command)) {
     running = false;
   } else if (std::holds_alternative<PlayCommand>(command)) {
-    const bool of_the_past = scrubbed && *scrubbed < history.last();
-    if (of_the_past) error.clear();  // what went wrong lies after it
+    const bool of_the_past = displayed && *displayed < history.last();
+    if (of_the_past) error.clear();  // the failure happened later
     const bool over = simulator != nullptr && simulator->finished() && !of_the_past;
     if (over || !error.empty()) rewind();
     set_playing(simulator != nullptr);

@@ -1,4 +1,4 @@
-// What the simulation's thread owns: the simulator, its history, and the door between the threads.
+// The members of SimThread: the simulator, its history, and the queue and mailbox between the threads.
 #pragma once
 
 #include <chrono>
@@ -22,49 +22,49 @@ inline double seconds_since_epoch() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Everything but the queue and the mailbox belongs to the simulation's thread.
+/// All members except the first seven and the mailbox belong to the simulation's thread.
 struct SimThread::Impl {
-  std::mutex mutex;  // guards the next six
+  std::mutex mutex;  // guards the next six members
   std::condition_variable wake;
   std::vector<SimCommand> queue;
   std::uint64_t posted = 0;
   bool clock_driven = true;
   bool clock_changed = false;
-  std::string journal_folder;  // empty: recordings are kept in memory only
+  std::string journal_folder;  // empty if recordings are in memory only
 
   Mailbox<SimFrame> mailbox;
 
   std::unique_ptr<Simulator> simulator;
   Pacing pacing;
-  bool running = true, playing = false, by_clock = true;
+  bool running = true, playing = false, real_time = true;
   double speed = 1.0;
-  std::string error;    // why stepping stopped
-  std::string refused;  // why the last scene or model was not taken; the one before goes on
+  std::string error;    // why the simulation failed
+  std::string refused;  // why the latest scene or model was refused; the previous one continues
   std::uint64_t loads = 0, replacements = 0, runs = 0, commands = 0;
   SavedScene saved;
-  std::optional<LiveRecording> recording;   // runs
-  std::optional<EndedRecording> unwritten;  // ended, and could not be written
+  std::optional<LiveRecording> recording;   // recording that is being made
+  std::optional<EndedRecording> unwritten;  // ended recording that could not be written
   WrittenRecording written;
-  std::string journal_failure;  // why the newest recording is not kept on disk; empty: it is
+  std::string journal_failure;  // why the newest recording has no journal, or empty
   int journals = 0;             // number of journals begun
   StepHistory history;
-  std::optional<std::uint64_t> scrubbed;  // the step of the past that is shown
-  bool follows_before = false;            // frames carry the step before
+  std::optional<std::uint64_t> displayed;  // number of the recorded step that is displayed
+  bool follows_before = false;             // frames have the previous step
   std::shared_ptr<const RecalledSteps> recalled;
   std::optional<Stop> stop;
-  SimState state;  // scratch, and
-  StepView view;   // likewise, of the step just made
+  SimState state;  // scratch
+  StepView view;   // scratch; the latest step
   std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
   Trace trace;
   FrameMemory memory;
-  std::shared_ptr<const Trace> posted_trace = std::make_shared<const Trace>();  // a copy
+  std::shared_ptr<const Trace> published_trace = std::make_shared<const Trace>();  // a copy
   StepTime step_time, record_time;
   StepCosts costs;
-  double last_frame = 0, last_trace = 0, last_taken = 0;
-  bool answered = true;  // the last frame answers a command, or is the last of a run
-  bool changed = true;   // something to show since the last frame
+  double last_frame = 0, last_trace = 0, last_consumed = 0;
+  bool answered = true;  // the latest frame followed a command, or is the last one of a run
+  bool changed = true;   // the state has changed since the latest frame
 
-  std::thread thread;  // last: starts when all else is there
+  std::thread thread;  // last member: starts after all others exist
 
   Impl() : thread([this] { run(); }) {}
   ~Impl() {
@@ -90,7 +90,7 @@ struct SimThread::Impl {
   void replace_model(const ReplaceModelCommand& command);
   void set_playing(bool on);
   void begin_run();
-  void go_on_from_shown();
+  void resume_from_displayed_step();
   void scrub(std::uint64_t step);
   void recall(const RecallCommand& asked);
   bool execute_on_scene(const SimCommand& command);
@@ -105,12 +105,12 @@ struct SimThread::Impl {
   bool step_once();
   void add_trace_row();
   void burst();
-  bool frames_are_taken(double now);
+  bool frames_are_consumed(double now);
   void publish(bool even_if_recent);
   void copy_rows(double now, bool even_if_recent);
   [[nodiscard]] StepPtr previous_step() const;
 
-  [[nodiscard]] bool stepping() const { return playing && by_clock && simulator != nullptr; }
+  [[nodiscard]] bool stepping() const { return playing && real_time && simulator != nullptr; }
 };
 
 }  // namespace taxel

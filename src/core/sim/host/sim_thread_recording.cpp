@@ -1,4 +1,4 @@
-// What the simulation's thread records: every step from one command to another, and what its history holds.
+// Recordings of the simulation's thread: every step between two commands, and the steps of the history.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 namespace taxel {
 namespace {
 
-/// What is written never comes from a preview.
+/// Throws Error if the scene has no sensor, or a sensor with preview samples.
 void expect_polished(const SimScene& scene, const std::string& file) {
   if (scene.sensors.empty()) throw Error(file, "there is no sensor to record");
   for (const SensorModelPtr& sensor : scene.sensors)
@@ -22,7 +22,7 @@ void expect_polished(const SimScene& scene, const std::string& file) {
 
 }  // namespace
 
-/// Returns whether the command was about recordings.
+/// Executes a command about recordings. Returns false for other commands.
 bool SimThread::Impl::execute_on_recording(const SimCommand& command) {
   if (const auto* record = std::get_if<RecordCommand>(&command)) {
     begin_recording(record->file);
@@ -51,7 +51,7 @@ void SimThread::Impl::begin_recording(const std::string& file) {
   }
 }
 
-/// Where no journal can be written the recording goes on in memory, with a warning.
+/// Begins the journal of the recording. If it cannot be written, the recording stays in memory, with a warning.
 void SimThread::Impl::begin_journal() {
   journal_failure.clear();
   std::string folder;
@@ -84,10 +84,10 @@ void SimThread::Impl::record_step() {
   recording->follow(view, {simulator->mocap_quat(), simulator->mocap_pos()});
   if (const std::string why = recording->consume_failure(); !why.empty())
     journal_failure = fmt::format("The recording is in memory only: {}", why);
-  if (recording->full()) end_recording(fmt::format("it takes {} MiB of memory", kMostRecordedBytes >> 20U));
+  if (recording->full()) end_recording(fmt::format("it takes {} MiB of memory", kMaxRecordedBytes >> 20U));
 }
 
-/// What cannot be written is kept.
+/// Writes a recording. If it cannot be written, the recording is retained in `unwritten`.
 void SimThread::Impl::write(EndedRecording ended, const std::string& file) {
   written = {written.number + 1, file, "", ended.recording.rows.size(), ended.note, false};
   try {

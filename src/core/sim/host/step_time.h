@@ -1,4 +1,4 @@
-// How long a simulation step takes: the mean of the latest ones.
+// The mean wall time of the latest simulation steps.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 
 namespace taxel {
 
+/// The mean wall time of the latest kSteps steps.
 class StepTime {
  public:
   using Duration = std::chrono::nanoseconds;  // whole numbers: the running sum stays exact
@@ -18,7 +19,7 @@ class StepTime {
     if (count_ < kSteps) ++count_;
   }
 
-  /// 0 before the first step [s].
+  /// Returns the mean [s]; 0 before the first step.
   [[nodiscard]] double mean_seconds() const {
     return count_ == 0 ? 0.0 : 1e-9 * static_cast<double>(sum_.count()) / static_cast<double>(count_);
   }

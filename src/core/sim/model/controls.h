@@ -1,4 +1,4 @@
-// What a hand can set in a MuJoCo model and its data.
+// The controls of a MuJoCo model and its data: descriptions, values, and changes.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,18 +11,18 @@ namespace taxel {
 
 SceneControls scene_controls(const mjModel& m);
 
-/// Of a saved state (mjSTATE_INTEGRATION).
+/// Returns the values in a saved state (mjSTATE_INTEGRATION), or in `d`.
 ControlValues control_values(const mjModel& m, std::span<const mjtNum> integration);
 ControlValues control_values(const mjModel& m, const mjData& d);
 
-// Numbers outside of what the model has, and values that are no numbers, are left alone. Controls are held to their
-// range. Return whether geoms may lie elsewhere now.
+// The functions below ignore indices that the model does not have and values that are not finite, and clamp controls
+// to their range. They return whether geoms may have moved.
 bool set_control(const mjModel& m, mjData& d, const SetControl& edit);
 bool set_joint(const mjModel& m, mjData& d, const SetJoint& edit);
 bool set_mocap(const mjModel& m, mjData& d, const SetMocap& edit);
 bool set_equality(const mjModel& m, mjData& d, const SetEquality& edit);
 
-/// The points that active connect and weld constraints hold together, as they lie in the state last evaluated.
+/// Returns the points of active connect and weld constraints, in the state that was evaluated last.
 std::vector<ConstraintPoints> constraint_points(const mjModel& m, const mjData& d);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Where MuJoCo found that a simulation runs away.
+// The detection of an unstable simulation.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,8 +7,8 @@
 
 namespace taxel {
 
-/// MuJoCo's first warning of a bad number, with the body or actuator that has it: "at body \"finger\": Nan, ...".
-/// Empty: there is none.
+/// Returns MuJoCo's first warning of a bad number, with its body or actuator: "at body \"finger\": Nan, ...". Empty if
+/// there is no warning.
 std::string instability(const mjModel& m, const mjData& d);
 
 }  // namespace taxel

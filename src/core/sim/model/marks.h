@@ -1,4 +1,4 @@
-// What viewers mark in a compiled model beside its geoms, and what MuJoCo says of a step.
+// Sites, cameras and joints of a compiled model, and MuJoCo's figures of a step.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,11 +7,11 @@
 
 namespace taxel {
 
-/// Sites that are not fully transparent, all cameras and joints, in model order.
+/// Returns the sites that are not fully transparent, and all cameras and joints, in model order.
 SceneMarks scene_marks(const mjModel& m);
-/// In the state last evaluated. Keeps the memory of `poses`.
+/// Sets the poses in the state that was evaluated last. Reuses the memory of `poses`.
 void pose_marks(const mjModel& m, const mjData& d, MarkPoses& poses);
-/// Of the step just made.
+/// Returns the figures of the latest step.
 StepFacts step_facts(const mjModel& m, const mjData& d);
 
 }  // namespace taxel

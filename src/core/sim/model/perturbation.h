@@ -1,4 +1,4 @@
-// A body in the hand: MuJoCo's own perturbation, mjvPerturb, led by Perturb values.
+// A body that the user drags: MuJoCo's own perturbation, mjvPerturb, set from Perturb values.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,26 +9,28 @@
 
 namespace taxel {
 
+/// The body that the user drags, or none.
 class Perturbation {
  public:
-  /// Follows the hand; `body` and `point_B` are what its geom and point are in the model. Where nothing runs, a free
-  /// body goes with it at once, and so does a mocap body: returns whether geoms may lie elsewhere now. What is fixed
-  /// to the world stays.
-  bool follow(const mjModel& m, mjData& d, const Perturb& hand, int body, const dvec3& point_B);
-  void let_go() { *this = {}; }
+  /// Sets the requested position of the grabbed body. `body` and `point_B` are the model's values for request.geom and
+  /// request.point_G. A mocap body moves at once, and a free body does so while the simulation is paused. A body that
+  /// is fixed to the world does not move. Returns whether geoms may have moved.
+  bool follow(const mjModel& m, mjData& d, const Perturb& request, int body, const dvec3& point_B);
+  void end() { *this = {}; }
 
-  /// Spring and damper to the hand, in xfrc_applied, for the step to come; then release() takes them away again, so
-  /// that no saved state has them.
-  void push(const mjModel& m, mjData& d) const;
-  void release(mjData& d) const;
+  /// Adds the force of a spring and a damper to xfrc_applied, for the next step.
+  void add_force(const mjModel& m, mjData& d) const;
+  /// Clears the force after the step, so that no saved state has it.
+  void clear_force(mjData& d) const;
 
+  /// Returns the dragged body, or an empty value if there is none.
   [[nodiscard]] std::optional<PerturbShown> shown(const mjModel& m, const mjData& d) const;
 
  private:
-  void take_hold(const mjModel& m, mjData& d, int body, const dvec3& point_B);
+  void grab(const mjModel& m, mjData& d, int body, const dvec3& point_B);
 
-  Perturb hand_;
-  mjvPerturb start_{}, now_{};  // as it was taken hold of, and as the hand has it
+  Perturb request_;
+  mjvPerturb start_{}, now_{};  // at the grab, and as requested now
 };
 
 }  // namespace taxel

@@ -9,15 +9,14 @@
 
 namespace taxel {
 
-/// Triangles of a geom's surface, frame G, fine enough to look round; null for what is not drawn. A signed distance
-/// function shows the mesh that MuJoCo made of it.
+/// Returns the triangles of a geom's surface, frame G, fine enough to appear smooth; null for a geom that is not drawn.
+/// A signed distance function has the mesh that MuJoCo made of it.
 TriMeshPtr drawn_mesh(const mjModel& m, int geom);
 
-/// The same of MuJoCo's shapes that need no more than a size (mjtGeom): sphere, capsule, cylinder, ellipsoid, box; else
-/// null.
+/// Returns the triangles of a sphere, capsule, cylinder, ellipsoid or box (mjtGeom), frame G; null for other types.
 TriMeshPtr drawn_primitive(int type, const dvec3& size);
 
-/// Every geom that is not fully transparent, in model order; `geoms` gets its number in the model.
+/// Returns the geoms that are not fully transparent, in model order. Sets `geoms` to their numbers in the model.
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms);
 
 }  // namespace taxel
