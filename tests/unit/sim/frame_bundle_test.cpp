@@ -10,7 +10,7 @@
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/complaint.h"
-#include "fixtures/same_frame.h"
+#include "fixtures/same_step.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 
@@ -53,7 +53,7 @@ TEST_F(FrameBundleTest, KeepsTheGroupsOfGeoms) {
 TEST_F(FrameBundleTest, OpensWithTheSameBits) {
   ASSERT_FALSE(frame_->sensors[0].surfaces.at(0).empty());
   const SimFramePtr opened = read_frame_bundle(write(frame_to_bundle(*frame_)));
-  test::expect_same_frame(*opened, *frame_);
+  test::expect_same_step(*opened, *frame_);
   const SimScene &a = *opened->scene, &b = *frame_->scene;
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.timestep, b.timestep);

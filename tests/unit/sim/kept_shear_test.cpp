@@ -5,7 +5,7 @@
 #include "core/run/recording/npz.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/recorded_simulation.h"
-#include "fixtures/same_frame.h"
+#include "fixtures/same_step.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 
@@ -49,7 +49,7 @@ TEST_P(KeptShear, TheHistoryHasTheSameBitsAlsoAfterTheLayoutWasReplaced) {
   for (const SimFrame& frame : kept) {
     EXPECT_GT(largest(frame),
               0.01 * std::abs(*std::max_element(frame.sensors[0].readings.begin(), frame.sensors[0].readings.end())));
-    test::expect_same_frame(run.recorded(frame.step), frame);
+    test::expect_same_step(run.recorded(frame.step), frame);
   }
 }
 
@@ -62,11 +62,11 @@ TEST_P(KeptShear, ASavedStepHasTheSameBits) {
   const std::string bytes = frame_to_bundle(frame);
   write_file_atomically(file, bytes);
   const SimFramePtr opened = read_frame_bundle(file);
-  test::expect_same_frame(*opened, frame);
+  test::expect_same_step(*opened, frame);
   EXPECT_EQ(frame_to_bundle(*opened), bytes);
   // from the history as well
   write_file_atomically(file, frame_to_bundle(run.recorded(frame.step)));
-  test::expect_same_frame(*read_frame_bundle(file), frame);
+  test::expect_same_step(*read_frame_bundle(file), frame);
   EXPECT_EQ(NpzReader(file).shape("sensor0/shear"), (NpzReader::Shape{12, 2}));
 }
 

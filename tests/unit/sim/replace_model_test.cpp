@@ -48,7 +48,7 @@ std::unique_ptr<SensorSource> ReplaceModel::source_;
 SensorModelPtr ReplaceModel::preview_, ReplaceModel::polished_;
 
 /// Values of one state, all of them from the same model.
-void expect_same_frame(const Simulator& a, const Simulator& b) {
+void expect_same_step(const Simulator& a, const Simulator& b) {
   SimFrame x, y;
   a.fill_frame(x);
   b.fill_frame(y);
@@ -70,9 +70,9 @@ TEST_F(ReplaceModel, ThePresentStateIsReadByTheNewSamplesAndGoesOn) {
   const std::vector<double> before = row_of(simulator->view()).sensors[0].readings;
   simulator->replace_model(preview_, polished_);
   EXPECT_NE(row_of(simulator->view()).sensors[0].readings, before) << "other samples read a little else";
-  expect_same_frame(*simulator, *whole);
+  expect_same_step(*simulator, *whole);
   for (int i = 0; i < 20; ++i) simulator->step(), whole->step();
-  expect_same_frame(*simulator, *whole);
+  expect_same_step(*simulator, *whole);
   EXPECT_GT(*std::max_element(before.begin(), before.end()), 1000) << "Pa: in contact";
 }
 
@@ -80,9 +80,9 @@ TEST_F(ReplaceModel, AfterAResetItReadsByTheNewOne) {
   const auto simulator = sweep(preview_, 3), whole = sweep(polished_, 0);
   simulator->reset();
   simulator->replace_model(preview_, polished_);
-  expect_same_frame(*simulator, *whole);
+  expect_same_step(*simulator, *whole);
   for (int i = 0; i < 50; ++i) simulator->step(), whole->step();
-  expect_same_frame(*simulator, *whole);
+  expect_same_step(*simulator, *whole);
 }
 
 TEST_F(ReplaceModel, AModelThatNoSensorReadsByChangesNothing) {
@@ -116,7 +116,7 @@ TEST_F(ReplaceModel, OtherNumbersOfTaxelsAreRefusedAndTheSensorStays) {
   const SensorModelPtr fewer = build_sensor_model(layout, source_->mesh.mesh, source_->mesh.sha256, "fewer");
   EXPECT_THROW(simulator->replace_model(preview_, fewer), Error);
   simulator->step(), untouched->step();
-  expect_same_frame(*simulator, *untouched);
+  expect_same_step(*simulator, *untouched);
 }
 
 TEST_F(ReplaceModel, RowsOfTheThreadTellWhichSamplesTheyAreOf) {

@@ -8,13 +8,13 @@
 #include "fixtures/box_sweep.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/recorded_simulation.h"
-#include "fixtures/same_frame.h"
+#include "fixtures/same_step.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
 namespace {
 
-using test::expect_same_frame;
+using test::expect_same_step;
 using test::RecordedSimulation;
 
 constexpr int kBeforeContact = 800;  // steps of the sweep
@@ -49,7 +49,7 @@ TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
   for (int i = 0; i < 5; ++i) run.step();
   std::size_t with_polygons = 0, with_hits = 0;
   for (const SimFrame& frame : kept) {
-    expect_same_frame(run.recorded(frame.step), frame);
+    expect_same_step(run.recorded(frame.step), frame);
     for (const ContactSurface& surface : frame.sensors[0].surfaces) with_polygons += surface.polygons.empty() ? 0 : 1;
     for (const RayHit& hit : frame.sensors[0].hits) with_hits += hit.hit() ? 1 : 0;
   }
@@ -57,7 +57,7 @@ TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
   EXPECT_GT(with_hits, 20u);
   EXPECT_LE(kept.front().step + 500, run.history.last());
   EXPECT_EQ(run.recorded(run.history.last()).scene->sensors[0], edited_);
-  expect_same_frame(run.recorded(run.history.last()), run.now());
+  expect_same_step(run.recorded(run.history.last()), run.now());
 }
 
 TEST_F(History, TheNewestStepIsReadAnewByAnotherLayoutAndSaysSo) {
@@ -66,7 +66,7 @@ TEST_F(History, TheNewestStepIsReadAnewByAnotherLayoutAndSaysSo) {
   const SimFrame before = run.now();
   run.simulator->replace_model(model_, edited_);
   run.history.replace_newest(run.simulator->view());
-  expect_same_frame(run.recorded(before.step), run.now());
+  expect_same_step(run.recorded(before.step), run.now());
   EXPECT_NE(run.now().sensors[0].readings, before.sensors[0].readings);
   const auto lanes = run.history.lanes();
   EXPECT_TRUE(lanes->steps.back().has(StepEvent::other_layout));
@@ -90,8 +90,8 @@ TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
   EXPECT_EQ(run.history.lanes()->steps.back().step, from);
   for (std::size_t i = 121; i < 400; ++i) {
     run.step();
-    expect_same_frame(run.now(), frames[i]);
-    expect_same_frame(run.recorded(frames[i].step), frames[i]);
+    expect_same_step(run.now(), frames[i]);
+    expect_same_step(run.recorded(frames[i].step), frames[i]);
   }
   Simulator& simulator = *run.simulator;
   EXPECT_TRUE(row_of(simulator.view()).sensors[0].readings == frames.back().sensors[0].readings);

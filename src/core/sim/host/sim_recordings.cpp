@@ -1,0 +1,129 @@
+#include "core/sim/host/sim_recordings.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/sim/host/write_recording.h"
+
+namespace taxel {
+namespace {
+
+/// Throws Error if the scene has no sensor, or a sensor with preview samples.
+void expect_polished(const SimScene& scene, const std::string& file) {
+  if (scene.sensors.empty()) throw Error(file, "there is no sensor to record");
+  for (const SensorModelPtr& sensor : scene.sensors)
+    if (sensor->quality == SampleQuality::preview)
+      throw Error(file, "is not recorded: the samples are a preview's, which are still to be polished");
+}
+
+}  // namespace
+
+void SimRecordings::begin(const std::string& file, const Simulator* simulator) {
+  if (recording_) return;
+  try {
+    if (simulator == nullptr) throw Error(file, "there is no simulation to record");
+    expect_polished(*simulator->scene(), file);
+    unwritten_.reset();
+    recording_.emplace(simulator->scene(), file);
+    begin_journal();
+  } catch (const Error& refusal) {
+    written_ = {written_.number + 1, file, refusal.what(), 0, "", false};
+  }
+}
+
+/// Begins the journal of the recording. If it cannot be written, the recording stays in memory, with a warning.
+void SimRecordings::begin_journal() {
+  journal_failure_.clear();
+  if (journal_folder_.empty()) return;
+  const std::string target = std::filesystem::absolute(recording_->file()).string();
+  const std::string name = fmt::format("{}-{}", ::getpid(), ++journals_);
+  try {
+    make_folder(journal_folder_);
+    recording_->keep_in(std::make_unique<RecordingJournal>(std::filesystem::path(journal_folder_) / name, target));
+  } catch (const Error& failure) {
+    journal_failure_ = fmt::format("The recording is in memory only: {}", failure.what());
+  }
+}
+
+void SimRecordings::follow(const StepView& view, const Simulator& simulator) {
+  if (!recording_) return;
+  recording_->follow(view, {simulator.mocap_quat(), simulator.mocap_pos()});
+  if (const std::string failure = recording_->consume_failure(); !failure.empty())
+    journal_failure_ = fmt::format("The recording is in memory only: {}", failure);
+  if (recording_->full()) end(fmt::format("it takes {} MiB of memory", kMaxRecordedBytes >> 20U), &simulator);
+}
+
+void SimRecordings::go_back_to(std::uint64_t step) {
+  if (recording_) recording_->go_back_to(step);
+}
+
+void SimRecordings::end(const std::string& reason, const Simulator* simulator) {
+  if (!recording_) return;
+  const std::string file = recording_->file();
+  EndedRecording ended = recording_->end(reason.empty() ? "" : "it ended because " + reason);
+  recording_.reset();
+  write(std::move(ended), file, simulator);
+}
+
+void SimRecordings::write_again(const std::string& file, const Simulator* simulator) {
+  if (unwritten_) write(std::move(*unwritten_), file, simulator);
+}
+
+/// Writes a recording. If it cannot be written, the recording is retained in unwritten_.
+void SimRecordings::write(EndedRecording ended, const std::string& file, const Simulator* simulator) {
+  written_ = {written_.number + 1, file, "", ended.recording.rows.size(), ended.note, false};
+  try {
+    if (ended.recording.rows.empty()) throw Error(file, "is not written: no step was made while it was recorded");
+    const bool of_this_scene = simulator != nullptr && simulator->scene() == ended.scene;
+    write_recording(file, ended.recording, of_this_scene ? simulator : nullptr);
+    if (ended.journal) ended.journal->remove();
+    unwritten_.reset();
+  } catch (const std::exception& e) {
+    written_.error = e.what();
+    written_.kept = !ended.recording.rows.empty();
+    if (!written_.kept && ended.journal) ended.journal->remove();
+    if (written_.kept) unwritten_ = std::move(ended);
+  }
+}
+
+void SimRecordings::export_history(const ExportHistoryCommand& command, const StepHistory& history,
+                                   const Simulator* simulator) {
+  written_ = {written_.number + 1, command.file, "", 0, "", false};
+  try {
+    if (simulator == nullptr || history.empty()) throw Error(command.file, "is not written: nothing was simulated");
+    const StepRange all{std::max<std::uint64_t>(history.first(), 1), history.last()};  // 0: before the first step
+    const StepRange asked = command.steps.value_or(all);
+    const StepRange range{std::max(asked.first, all.first), std::min(asked.last, all.last)};
+    if (range.first > range.last) throw Error(command.file, "is not written: the history has no step there");
+    Step step;
+    history.fill_step(range.last, step);
+    const std::shared_ptr<const SimScene> scene = step.scene;
+    expect_polished(*scene, command.file);
+    RunRecorder recorder(*scene);
+    for (std::uint64_t number = range.first; number <= range.last; ++number) {
+      history.fill_step(number, step);
+      if (step.scene != scene) continue;
+      recorder.follow(view_of(step), simulator->mocap_in(history.state(number)), true);
+    }
+    const Recording& made = recorder.recording();
+    write_recording(command.file, made, scene == simulator->scene() ? simulator : nullptr);
+    written_.rows = made.rows.size();
+    if (const std::size_t others = range.last - range.first + 1 - made.rows.size(); others > 0)
+      written_.note = fmt::format("{} earlier steps were read by another layout and are left out", others);
+  } catch (const std::exception& e) {
+    written_.error = e.what();
+  }
+}
+
+void SimRecordings::fill_frame(SimFrame& frame) const {
+  if (recording_) frame.recording = recording_->state();
+  frame.written = written_;
+  if (!journal_failure_.empty()) frame.warnings.push_back(journal_failure_);
+}
+
+}  // namespace taxel

@@ -1,0 +1,50 @@
+// The recordings of a simulation: every step between two commands, and the recorded steps of its history.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/run/command.h"
+#include "core/run/frame.h"
+#include "core/run/history/step_history.h"
+#include "core/sim/host/live_recording.h"
+#include "core/sim/simulator.h"
+
+namespace taxel {
+
+/// Makes and writes the recordings of one simulation. `simulator` is null while no scene is loaded. No function throws:
+/// fill_frame() reports the result of the latest recording.
+class SimRecordings {
+ public:
+  /// Sets the folder for the journals of later recordings; empty for recordings in memory only.
+  void set_journal_folder(const std::string& folder) { journal_folder_ = folder; }
+
+  /// Begins a recording for `file`. Does nothing while a recording is being made.
+  void begin(const std::string& file, const Simulator* simulator);
+  /// Adds the latest step to the recording, if there is one. Ends the recording at kMaxRecordedBytes.
+  void follow(const StepView& view, const Simulator& simulator);
+  /// Forgets all recorded steps after `step`, from which the simulation continues.
+  void go_back_to(std::uint64_t step);
+  /// Ends and writes the recording, if there is one. `reason` is empty, or completes "it ended because".
+  void end(const std::string& reason, const Simulator* simulator);
+  /// Writes the recording that could not be written, if there is one, to another file.
+  void write_again(const std::string& file, const Simulator* simulator);
+  /// Writes recorded steps of the history.
+  void export_history(const ExportHistoryCommand& command, const StepHistory& history, const Simulator* simulator);
+
+  /// Sets the recording and the latest result of a frame, and adds a warning if the recording has no journal.
+  void fill_frame(SimFrame& frame) const;
+
+ private:
+  void begin_journal();
+  void write(EndedRecording ended, const std::string& file, const Simulator* simulator);
+
+  std::optional<LiveRecording> recording_;   // recording that is being made
+  std::optional<EndedRecording> unwritten_;  // ended recording that could not be written
+  WrittenRecording written_;
+  std::string journal_folder_;
+  std::string journal_failure_;  // why the newest recording has no journal, or empty
+  int journals_ = 0;             // number of journals begun
+};
+
+}  // namespace taxel
