@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 

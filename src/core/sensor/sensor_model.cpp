@@ -12,6 +12,7 @@
 #include "core/hydro/fields/field_report.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/loaded_faces.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/sensor/readout/aggregate.h"
 
 namespace taxel {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/sim/model/controls.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/marks.h"

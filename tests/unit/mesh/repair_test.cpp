@@ -4,6 +4,7 @@
 
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/mesh/repair/steps/hole_fill.h"
 #include "unit/mesh/broken_mesh.h"
 

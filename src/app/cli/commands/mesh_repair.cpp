@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/layout/words.h"
+#include "core/mesh/repair/repair_message.h"
 
 namespace taxel::cli {
 

@@ -15,6 +15,7 @@
 #include "core/layout/frame_guess.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/mesh/topology/mesh_check.h"
 #include "core/run/bundle/frame_bundle.h"
 #include "core/run/recording/npz.h"

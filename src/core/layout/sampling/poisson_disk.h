@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/layout/sampling/surface_sample.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
-
-struct SurfaceSample {
-  dvec3 position{0};
-  dvec3 normal{0, 0, 1};  ///< geometric normal of the face, unit
-  int face = -1;
-  double area = 0.0;  ///< area this sample stands for [m^2]; all sum to the sampled area
-};
 
 /// How much work goes into evenness.
 enum class SampleQuality {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/layout/sampling/poisson_disk.h"
+#include "core/layout/sampling/surface_sample.h"
 #include "core/layout/sampling/surface_walk.h"
 
 namespace taxel {

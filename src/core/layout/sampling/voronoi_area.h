@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "core/layout/sampling/poisson_disk.h"
+#include "core/layout/sampling/surface_sample.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace taxel {
 

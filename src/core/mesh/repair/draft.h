@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/index.h"
-#include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/repaired_mesh.h"
 #include "core/mesh/topology/edge_sides.h"
 
 namespace taxel {

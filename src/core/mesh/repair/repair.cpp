@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/base/stopwatch.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/mesh/repair/repair_run.h"
-#include "core/mesh/repair/step_message.h"
 #include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {

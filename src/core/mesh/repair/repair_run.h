@@ -1,6 +1,7 @@
 // One run of all steps of a repair over one mesh.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/mesh/repair/steps.h"
 #include "core/mesh/repair/wrap/wrap_field.h"
 
@@ -48,7 +49,7 @@ class RepairRun {
   std::vector<ToWrap> to_wrap_;
   bool has_wrapped_ = false;
   RepairChanges changes_;
-  std::optional<SelfIntersections> loaded_crossings_;  ///< of the loaded mesh, if they were searched in it
+  std::optional<SelfIntersections> loaded_crossings_;  ///< intersections of the loaded mesh, if they were searched
   std::vector<RepairStep> steps_;
 };
 

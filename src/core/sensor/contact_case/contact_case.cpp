@@ -6,6 +6,7 @@
 #include "core/hydro/fields/soft_mesh.h"
 #include "core/hydro/fields/vtk_tets.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {

@@ -1,7 +1,7 @@
 // How far a repaired surface is from the loaded one.
 #pragma once
 
-#include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 

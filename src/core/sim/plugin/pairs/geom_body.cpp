@@ -4,6 +4,7 @@
 
 #include "core/hydro/body_cache.h"
 #include "core/hydro/fields/soft_mesh.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/sim/model/geometry.h"
 
 namespace taxel {

@@ -1,4 +1,4 @@
-#include "core/mesh/repair/step_message.h"
+#include "core/mesh/repair/repair_message.h"
 
 #include <fmt/format.h>
 
