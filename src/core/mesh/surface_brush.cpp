@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// Ascending.
+/// Returns the faces within the brush, connected or not, ascending.
 std::vector<int> faces_within(const MeshIndex& index, const SurfacePoint& at, const SurfaceBrush& brush) {
   const TriMesh& mesh = index.mesh();
   const dvec3 normal = mesh.face_normals()[static_cast<std::size_t>(at.face)];
@@ -36,29 +36,18 @@ std::vector<int> faces_within(const MeshIndex& index, const SurfacePoint& at, co
 std::vector<int> faces_under_brush(const MeshIndex& index, const SurfacePoint& at, const SurfaceBrush& brush) {
   const TriMesh& mesh = index.mesh();
   const std::vector<int> within = faces_within(index, at, brush);
-  using Edge = std::pair<int, int>;
-  const auto edge_of = [&](int face, int corner) -> Edge {
-    const ivec3 v = mesh.faces()[static_cast<std::size_t>(face)];
-    return std::minmax(v[corner], v[(corner + 1) % 3]);
-  };
-  std::vector<std::pair<Edge, int>> sides;
-  for (const int face : within)
-    for (int corner = 0; corner < 3; ++corner) sides.emplace_back(edge_of(face, corner), face);
-  std::sort(sides.begin(), sides.end());
+  const EdgeTopology& edges = mesh.topology();
   std::vector<int> painted{at.face};
-  std::vector<bool> done(within.size(), false);
-  const auto number = [&](int face) {
-    return static_cast<std::size_t>(std::lower_bound(within.begin(), within.end(), face) - within.begin());
-  };
-  done[number(at.face)] = true;
-  for (std::size_t next = 0; next < painted.size(); ++next) {  // grows
-    for (int corner = 0; corner < 3; ++corner) {
-      const Edge edge = edge_of(painted[next], corner);
-      auto side = std::lower_bound(sides.begin(), sides.end(), std::pair(edge, -1));
-      for (; side != sides.end() && side->first == edge; ++side) {
-        const std::size_t neighbour = number(side->second);
-        if (!done[neighbour]) painted.push_back(side->second);
-        done[neighbour] = true;
+  std::vector<bool> is_painted(within.size(), false);
+  const auto number = [&](int face) { return std::lower_bound(within.begin(), within.end(), face) - within.begin(); };
+  is_painted[static_cast<std::size_t>(number(at.face))] = true;
+  for (std::size_t next = 0; next < painted.size(); ++next) {  // `painted` grows in the loop
+    for (int h = 3 * painted[next], end = h + 3; h < end; ++h) {
+      for (const int other : edges.edge_between(edges.from(h), edges.to(h))) {
+        const auto neighbour = static_cast<std::size_t>(number(other / 3));
+        if (neighbour == within.size() || within[neighbour] != other / 3 || is_painted[neighbour]) continue;
+        painted.push_back(other / 3);
+        is_painted[neighbour] = true;
       }
     }
   }

@@ -12,7 +12,7 @@
 namespace taxel {
 namespace {
 
-/// Throws for the first face that the class cannot carry.
+/// Throws Error naming the first vertex or face that is not valid.
 void check_input(const std::vector<dvec3>& vertices, const std::vector<ivec3>& faces) {
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!is_finite(vertices[v])) throw Error(fmt::format("vertex {}: coordinate is not finite", v));
@@ -28,7 +28,7 @@ void check_input(const std::vector<dvec3>& vertices, const std::vector<ivec3>& f
   }
 }
 
-/// Connected shells over shared vertices, numbered by their first face. Returns how many there are.
+/// Finds shells of faces that share vertices, numbered by their first face. Returns the number of shells.
 int find_shells(int vertex_count, const std::vector<ivec3>& faces, std::vector<int>& shell_of_face) {
   DisjointSets sets(at(vertex_count));
   for (const ivec3& f : faces) {
@@ -46,38 +46,24 @@ int find_shells(int vertex_count, const std::vector<ivec3>& faces, std::vector<i
   return count;
 }
 
-/// Every directed edge occurs once and so does its opposite.
-bool is_closed(const std::vector<ivec3>& faces) {
-  std::vector<std::pair<int, int>> edges;
-  edges.reserve(3 * faces.size());
-  for (const ivec3& f : faces) {
-    for (int c = 0; c < 3; ++c) edges.emplace_back(f[c], f[(c + 1) % 3]);
-  }
-  std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
-  return std::all_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& e) {
-    return std::binary_search(edges.begin(), edges.end(), std::pair(e.second, e.first));
-  });
-}
-
 }  // namespace
 
 TriMesh::TriMesh(std::vector<dvec3> vertices, std::vector<ivec3> faces, std::vector<ivec3> flat_faces)
-    : vertices_(std::move(vertices)), faces_(std::move(faces)), flat_faces_(std::move(flat_faces)) {
-  check_input(vertices_, faces_);
+    : vertices_(std::move(vertices)), flat_faces_(std::move(flat_faces)) {
+  check_input(vertices_, faces);
   check_input(vertices_, flat_faces_);
+  topology_ = EdgeTopology(std::move(faces), vertices_.size());
   for (const dvec3& v : vertices_) bounds_.include(v);
   compute_normals();
   compute_integrals();
-  shell_count_ = find_shells(vertex_count(), faces_, shell_of_face_);
-  closed_ = !faces_.empty() && is_closed(faces_);
-  if (!closed_ || std::abs(volume_) <= std::numeric_limits<double>::epsilon() * area_ * bounds_.diagonal())
+  shell_count_ = find_shells(vertex_count(), topology_.faces(), shell_of_face_);
+  if (!closed() || std::abs(volume_) <= std::numeric_limits<double>::epsilon() * area_ * bounds_.diagonal())
     centroid_ = area_centroid();
 }
 
 void TriMesh::compute_normals() {
-  face_normals_.resize(faces_.size());
-  face_areas_.resize(faces_.size());
+  face_normals_.resize(faces().size());
+  face_areas_.resize(faces().size());
   vertex_normals_.assign(vertices_.size(), dvec3(0));
   for (int f = 0; f < face_count(); ++f) {
     const dvec3 &a = vertex(f, 0), &b = vertex(f, 1), &c = vertex(f, 2);
@@ -87,15 +73,15 @@ void TriMesh::compute_normals() {
     face_areas_[at(f)] = 0.5 * length;
     face_normals_[at(f)] = n / length;
     area_ += 0.5 * length;
-    // Angle weights (Thuermer, Wuethrich 1998): the normal does not depend on how the faces around are cut.
-    const ivec3& ids = faces_[at(f)];
+    // Angle weights (Thuermer, Wuethrich 1998): the normal does not depend on the triangulation around the vertex.
+    const ivec3& ids = faces()[at(f)];
     vertex_normals_[at(ids.x)] += angle_between(b - a, c - a) * face_normals_[at(f)];
     vertex_normals_[at(ids.y)] += angle_between(c - b, a - b) * face_normals_[at(f)];
     vertex_normals_[at(ids.z)] += angle_between(a - c, b - c) * face_normals_[at(f)];
   }
   for (dvec3& n : vertex_normals_) {
     const double length = glm::length(n);
-    n = length > 0 ? n / length : dvec3(0, 0, 1);  // of a vertex without faces, or whose faces cancel out
+    n = length > 0 ? n / length : dvec3(0, 0, 1);  // any normal if no faces are there or they cancel out
   }
 }
 

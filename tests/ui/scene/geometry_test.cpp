@@ -4,8 +4,8 @@
 #include "ui/scene/geometry/crease_normals.h"
 #include "ui/scene/geometry/depth_order.h"
 #include "ui/scene/geometry/field_ring.h"
-#include "ui/scene/geometry/mesh_edges.h"
 #include "ui/scene/geometry/simplify.h"
+#include "ui/scene/geometry/visible_edges.h"
 
 namespace taxel::ui {
 namespace {

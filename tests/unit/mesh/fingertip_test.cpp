@@ -1,3 +1,4 @@
+// The fingertip: its size, symmetry and smoothness, and the taxels of the paper.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -6,7 +7,7 @@
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/query/closest_point.h"
-#include "core/mesh/topology/halfedge.h"
+#include "unit/mesh/dihedral.h"
 
 namespace taxel {
 namespace {
@@ -37,7 +38,7 @@ TEST(Fingertip, IsItsOwnMirrorImageToTheLastBit) {
     ASSERT_NE(found, vertex_at.end()) << p.x << ' ' << p.y << ' ' << p.z;
     mirror.push_back(found->second);
   }
-  // Faces too: the mirror image of every face, wound the other way, is a face.
+  // The mirror image of every face, with the opposite winding, is a face.
   std::map<std::tuple<int, int, int>, int> faces;
   const auto key = [](int a, int b, int c) {
     return a < b && a < c ? std::tuple(a, b, c) : b < c ? std::tuple(b, c, a) : std::tuple(c, a, b);
@@ -65,10 +66,9 @@ TEST(Fingertip, HasEvenTrianglesAndNoSlivers) {
 }
 
 TEST(Fingertip, IsSmoothAndConvexButForTheRimOfItsBase) {
-  const HalfEdges half_edges(make_fingertip());
-  for (const MeshEdge& edge : half_edges.edges()) {
-    EXPECT_GT(edge.dihedral * 180 / kPi, -0.05);
-    EXPECT_LT(edge.dihedral * 180 / kPi, 50);
+  for (const test::InnerEdge& edge : test::inner_edges(make_fingertip())) {
+    EXPECT_GT(edge.angle * 180 / kPi, -0.05);
+    EXPECT_LT(edge.angle * 180 / kPi, 50);
   }
 }
 

@@ -1,3 +1,4 @@
+// Primitive shapes: volumes, areas, edge lengths and errors.
 #include "core/mesh/make/primitives.h"
 
 #include <gtest/gtest.h>
@@ -5,8 +6,8 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/mesh/topology/halfedge.h"
 #include "core/mesh/topology/mesh_check.h"
+#include "unit/mesh/dihedral.h"
 
 namespace taxel {
 namespace {
@@ -36,12 +37,12 @@ void expect_solid(const TriMesh& mesh) {
   EXPECT_TRUE(mesh.closed());
   EXPECT_GT(mesh.volume(), 0);
   EXPECT_EQ(mesh.shell_count(), 1);
-  const HalfEdges half_edges(mesh);
-  for (const MeshEdge& edge : half_edges.edges()) EXPECT_GT(edge.dihedral, -1e-9) << "convex shapes have no valleys";
+  for (const test::InnerEdge& edge : test::inner_edges(mesh))
+    EXPECT_GT(edge.angle, -1e-9) << "convex shapes have no valleys";
   for (const Problem& problem : check_mesh(mesh, "")) EXPECT_EQ(problem.code, "mesh_units") << problem.message;
 }
 
-/// Two halvings of the edges divide the error by sixteen: order 2.
+/// Expects order 2: two halvings of the edges divide the error by sixteen.
 void expect_second_order(const std::function<double(int)>& value, double exact, double tolerance) {
   const double coarse = value(0) - exact, fine = value(2) - exact;
   EXPECT_LT(coarse, 0) << "inscribed";
@@ -124,7 +125,7 @@ TEST(Primitives, ShapesToLookAtAreRoundOfFewTriangles) {
     for (const dvec3& v : capsule.vertices())
       EXPECT_NEAR(glm::length(v - dvec3(0, 0, std::clamp(v.z, -h, h))), r, 1e-15);
   }
-  const dvec3 axes(0.002, 0.1, 0.05);  // however flat
+  const dvec3 axes(0.002, 0.1, 0.05);  // for a flat body too
   const TriMesh ellipsoid = make_drawn_ellipsoid(axes);
   expect_solid(ellipsoid);
   EXPECT_LT(ellipsoid.face_count(), 1000);

@@ -1,13 +1,13 @@
+// Meshes of real robots and scans, if they are there.
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/topology/halfedge.h"
 #include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {
 
-/// Loads a real mesh; skips the test where it is absent.
+/// Loads a real mesh. Skips the test if the mesh is absent.
 class RealMesh : public testing::Test {
  protected:
   LoadedMesh load(const std::string& name, double scale = 1) {
@@ -52,10 +52,9 @@ TEST_F(RealMesh, SpotIsClosedInSpiteOfItsTextureSeams) {
   EXPECT_EQ(spot.face_count(), 5856);
   EXPECT_TRUE(spot.closed());
   EXPECT_EQ(spot.shell_count(), 1);
-  const HalfEdges half_edges(spot);
-  EXPECT_TRUE(half_edges.boundary_edges().empty());
+  EXPECT_TRUE(spot.topology().edges_of(EdgeKind::boundary).empty());
   // Euler: V - E + F = 2 for a body without handles.
-  EXPECT_EQ(spot.vertex_count() - static_cast<int>(half_edges.edges().size()) + spot.face_count(), 2);
+  EXPECT_EQ(spot.vertex_count() - spot.topology().edge_count() + spot.face_count(), 2);
 }
 
 TEST_F(RealMesh, PlateIsSound) {

@@ -1,12 +1,12 @@
-// Decimation and subdivision: numbers of faces, closed stays closed, how far the surface moves.
+// Decimation and subdivision: numbers of faces, closed shells, and the distance between the surfaces.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/topology/decimate.h"
-#include "core/mesh/topology/halfedge.h"
 #include "core/mesh/topology/subdivide.h"
 #include "core/mesh/topology/surface_distance.h"
 #include "fixtures/complaint.h"
+#include "unit/mesh/dihedral.h"
 
 namespace taxel {
 namespace {
@@ -15,9 +15,9 @@ TriMeshPtr shared(TriMesh mesh) {
   return std::make_shared<const TriMesh>(std::move(mesh));
 }
 
-/// V - E + F.
+/// Returns V - E + F.
 int euler_characteristic(const TriMesh& mesh) {
-  return mesh.vertex_count() - static_cast<int>(HalfEdges(mesh).edges().size()) + mesh.face_count();
+  return mesh.vertex_count() - mesh.topology().edge_count() + mesh.face_count();
 }
 
 TriMesh without_last_face(const TriMesh& mesh) {
@@ -57,13 +57,11 @@ TEST(Decimate, KeepsTheRimOfAnOpenMesh) {
   EXPECT_LE(fewer.face_count(), 200);
   const auto rim_length = [](const TriMesh& mesh) {
     double length = 0;
-    const HalfEdges half_edges(mesh);
-    for (const auto& [a, b] : half_edges.boundary_edges())
-      length +=
-          glm::distance(mesh.vertices()[static_cast<std::size_t>(a)], mesh.vertices()[static_cast<std::size_t>(b)]);
+    for (const auto edge : mesh.topology().edges_of(EdgeKind::boundary))
+      length += glm::distance(mesh.vertex(edge[0] / 3, edge[0] % 3), mesh.vertex(edge[0] / 3, (edge[0] + 1) % 3));
     return length;
   };
-  EXPECT_EQ(HalfEdges(fewer).boundary_edges().size(), 3U);
+  EXPECT_EQ(fewer.topology().edges_of(EdgeKind::boundary).size(), 3U);
   EXPECT_DOUBLE_EQ(rim_length(fewer), rim_length(open));
 }
 
@@ -83,7 +81,7 @@ TEST(Subdivide, KeepsTheSurfaceByMidpoints) {
   EXPECT_LT(measure_surface_distance(finger, fine).largest, 1e-15);
 }
 
-/// Loop's limit surface of a sphere is smaller and as round.
+/// Loop's limit surface of a sphere is smaller and smoother.
 TEST(Subdivide, SmoothsByLoop) {
   const TriMesh ball = make_icosphere(1, 1);
   const TriMesh smooth = subdivide(ball, 3, SubdivisionScheme::loop);
@@ -92,8 +90,7 @@ TEST(Subdivide, SmoothsByLoop) {
   EXPECT_LT(smooth.volume(), ball.volume());
   const auto sharpest = [](const TriMesh& mesh) {
     double angle = 0;
-    const HalfEdges half_edges(mesh);
-    for (const MeshEdge& edge : half_edges.edges()) angle = std::max(angle, std::abs(edge.dihedral));
+    for (const test::InnerEdge& edge : test::inner_edges(mesh)) angle = std::max(angle, std::abs(edge.angle));
     return angle;
   };
   EXPECT_LT(sharpest(smooth), 0.25 * sharpest(ball));

@@ -36,33 +36,19 @@ struct Edge {
 };
 
 /// The faces across the edges from corner c to c + 1 of every face of a closed mesh.
-std::vector<ivec3> faces_across(const std::vector<ivec3>& faces) {
-  struct Side {
-    int low, high, face, corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * faces.size());
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-    for (int c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax(faces[at(f)][c], faces[at(f)][(c + 1) % 3]);
-      sides.push_back({low, high, f, c});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-  });
-  std::vector<ivec3> across(faces.size());
-  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    across[at(sides[i].face)][sides[i].corner] = sides[i + 1].face;
-    across[at(sides[i + 1].face)][sides[i + 1].corner] = sides[i].face;
-  }
+std::vector<ivec3> faces_across(const EdgeTopology& topology) {
+  std::vector<ivec3> across(topology.faces().size());
+  for (int h = 0; h < topology.half_edge_count(); ++h) across[at(h / 3)][h % 3] = topology.face_across(h);
   return across;
 }
 
 class Bisection {
  public:
   Bisection(const TriMesh& mesh, std::vector<char> wanted)
-      : vertices_(mesh.vertices()), faces_(mesh.faces()), across_(faces_across(faces_)), face_of_(faces_.size()) {
+      : vertices_(mesh.vertices()),
+        faces_(mesh.faces()),
+        across_(faces_across(mesh.topology())),
+        face_of_(faces_.size()) {
     std::iota(face_of_.begin(), face_of_.end(), 0);
     for (int f = 0; f < mesh.face_count(); ++f) {
       if (wanted[at(f)] != 0) wanted_.push_back(f);

@@ -18,42 +18,7 @@ double from_origin(const dvec2& a, const dvec2& b) {
 }  // namespace
 
 SurfaceGraph::SurfaceGraph(const TriMesh& mesh) : mesh_(mesh), sides_(3 * mesh.faces().size()), flat_(sides_.size()) {
-  find_across();
   lay_flat();
-}
-
-void SurfaceGraph::find_across() {
-  // Sides by the vertex where they begin, each with the vertex where it ends.
-  struct Ray {
-    int end, side;
-  };
-  std::vector<std::size_t> first(mesh_.vertices().size() + 1, 0);
-  const auto vertex = [](int v) { return static_cast<std::size_t>(v); };
-  for (const ivec3& f : mesh_.faces())
-    for (int c = 0; c < 3; ++c) ++first[vertex(f[c]) + 1];
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
-  std::vector<Ray> rays(sides_.size());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (int f = 0; f < mesh_.face_count(); ++f) {
-    const ivec3& face = mesh_.faces()[static_cast<std::size_t>(f)];
-    for (int c = 0; c < 3; ++c) rays[next[vertex(face[c])]++] = {face[(c + 1) % 3], 3 * f + c};
-  }
-  const auto only_side = [&](int a, int b) {
-    int found = kNone, count = 0;
-    for (std::size_t i = first[vertex(a)]; i < first[vertex(a) + 1]; ++i)
-      if (rays[i].end == b) found = rays[i].side, ++count;
-    return count == 1 ? found : kNone;
-  };
-  for (int a = 0; a < mesh_.vertex_count(); ++a) {
-    for (std::size_t i = first[vertex(a)]; i < first[vertex(a) + 1]; ++i) {
-      const int b = rays[i].end;
-      if (b < a) continue;  // seen from there
-      const int forth = only_side(a, b), back = only_side(b, a);
-      if (forth == kNone || back == kNone) continue;
-      flat_[static_cast<std::size_t>(forth)].across = back;
-      flat_[static_cast<std::size_t>(back)].across = forth;
-    }
-  }
 }
 
 void SurfaceGraph::lay_flat() {
@@ -66,6 +31,7 @@ void SurfaceGraph::lay_flat() {
       mine.length = glm::length(mine.along);
       mine.along /= mine.length;
       mine.outward = glm::cross(mine.along, normal);
+      flat_[side(f, c)].across = mesh_.topology().twin(3 * f + c);
       flat_[side(f, c)].apex = dvec2(glm::dot(to_apex, mine.along), -glm::dot(to_apex, mine.outward)) / mine.length;
     }
   }
@@ -86,7 +52,7 @@ SurfaceStep SurfaceGraph::walk(SurfaceStep at, dvec3 way) const {
     at.position += part * way;
     if (exit < 0) return at;
     const int entered = flat_[side(at.face, exit)].across;
-    if (entered == kNone) return at;
+    if (entered < 0) return at;
     way = turn((1.0 - part) * way, at.face, exit);
     at.face = entered / 3;
     came_from = entered % 3;

@@ -22,9 +22,6 @@ class SurfaceGraph {
   explicit SurfaceGraph(const TriMesh& mesh);  ///< keeps a reference
 
   [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
-  /// The face across the edge from corner c to corner c + 1, -1 where there is none.
-  [[nodiscard]] int across(int face, int corner) const { return flat_[side(face, corner)].across / 3; }
-
   /// Turns the tangent vector `v` of `from` over the edge at `corner` into the plane of the face across: unfolded, the
   /// two are parallel.
   [[nodiscard]] dvec3 turn(const dvec3& v, int from, int corner) const {
@@ -44,13 +41,11 @@ class SurfaceGraph {
     double length = 0;
   };
   struct FlatSide {
-    dvec2 apex{0};       // the third corner over the edge laid from (0, 0) to (1, 0)
-    int across = kNone;  // 3 face + corner of the same edge in the other face
+    dvec2 apex{0};    // the third corner over the edge laid from (0, 0) to (1, 0)
+    int across = -1;  // twin of the half-edge
   };
   friend class SurfaceChart;
-  void find_across();
   void lay_flat();
-  static constexpr int kNone = -3;  // / 3 is -1
   static std::size_t side(int face, int corner) { return static_cast<std::size_t>(3 * face + corner); }
 
   const TriMesh& mesh_;

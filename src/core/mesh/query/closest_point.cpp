@@ -6,13 +6,12 @@
 #include "core/mesh/query/nearest_tree_inl.h"
 #include "core/mesh/query/point_triangle.h"
 #include "core/mesh/query/ray_triangle.h"
-#include "core/mesh/topology/edge_sides.h"
 
 namespace taxel {
 namespace {
 
-/// Rounding turns a normal, the cross product of two edges over its length, by at most some units in the last place of
-/// the product of the edges' lengths.
+/// Returns a bound of the rounding error of each unit normal: a normal is the cross product of two edges over its
+/// length, and the product is exact to some units in the last place of the product of the edges' lengths.
 std::vector<double> normal_errors(const TriMesh& mesh) {
   std::vector<double> errors(mesh.faces().size());
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -23,14 +22,14 @@ std::vector<double> normal_errors(const TriMesh& mesh) {
   return errors;
 }
 
-/// Sum of the normals of the faces at each face's three edges: the pseudonormal of an edge (both weigh pi),
-/// unnormalised. Entry 3 f + c belongs to the edge from corner c to corner c + 1.
+/// Returns for each half-edge the sum of the normals of all faces at its edge: the pseudonormal of the edge, in which
+/// both faces have the weight pi, unnormalised.
 std::vector<dvec3> edge_pseudonormals(const TriMesh& mesh) {
   std::vector<dvec3> normals(3 * mesh.faces().size());
-  for_each_edge(edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
+  mesh.topology().for_each_edge([&](std::span<const int> edge) {
     dvec3 sum{0};
-    for (const EdgeSide& side : sides) sum += mesh.face_normals()[at(side.face)];
-    for (const EdgeSide& side : sides) normals[at(3 * side.face + side.corner)] = sum;
+    for (const int h : edge) sum += mesh.face_normals()[at(h / 3)];
+    for (const int h : edge) normals[at(h)] = sum;
   });
   return normals;
 }
@@ -51,14 +50,14 @@ SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
   SurfacePoint best;
   best.distance = std::numeric_limits<double>::infinity();
   if (bvh_.empty()) return best;
-  // Distances carry roundings of the coordinates' size; boxes that are farther by less than that are still opened, so
-  // that the face found does not depend on the shape of the tree.
+  // Rounding errors of distances grow with the coordinates. Boxes that are farther by less than these errors are still
+  // visited, so that the result does not depend on the shape of the tree.
   const dvec3 reach = glm::max(glm::max(glm::abs(mesh_->bounds().lo), glm::abs(mesh_->bounds().hi)), glm::abs(p));
   const double slack = 16 * std::numeric_limits<double>::epsilon() * glm::length(reach);
   double best_squared = best.distance;
   tree_.visit(p, within + slack, [&, reach = within + slack](int face) mutable {
     const dvec3& a = mesh_->vertex(face, 0);
-    // No point of a triangle is nearer than its plane: that spares many of them the search.
+    // No point of a triangle is nearer than its plane, which excludes many triangles quickly.
     const dvec3 from = p - a;
     const double above = std::abs(glm::dot(mesh_->face_normals()[at(face)], from));
     const double error = normal_errors_[at(face)] * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z));
@@ -92,8 +91,8 @@ std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const 
 SignedPoint MeshIndex::signed_point(const dvec3& p, double within) const {
   const SurfacePoint q = closest_point(p, within);
   if (q.face < 0) return {q, q.distance};
-  // Pseudonormal of the feature that holds the point: exact zeros among the weights tell which (Baerentzen, Aanaes
-  // 2005).
+  // Pseudonormal of the feature that holds the point: exact zeros among the weights identify it (Baerentzen,
+  // Aanaes 2005).
   dvec3 normal = mesh_->face_normals()[at(q.face)];
   for (int c = 0; c < 3; ++c) {
     const int next = (c + 1) % 3, opposite = (c + 2) % 3;

@@ -7,7 +7,7 @@
 
 #include "core/base/index.h"
 #include "core/mesh/repair/repaired_mesh.h"
-#include "core/mesh/topology/edge_sides.h"
+#include "core/mesh/topology/edge_topology.h"
 
 namespace taxel {
 
@@ -29,7 +29,8 @@ struct Draft {
     return glm::cross(corner(face, 1) - corner(face, 0), corner(face, 2) - corner(face, 0));
   }
   [[nodiscard]] double area(int face) const { return 0.5 * glm::length(area_normal(face)); }
-  [[nodiscard]] std::vector<EdgeSide> sides() const { return edge_sides(points.size(), faces); }
+  /// The edges of the present faces.
+  [[nodiscard]] EdgeTopology edges() const { return {faces, points.size()}; }
   /// Adds a face that comes from the loaded face `from`.
   void add(const ivec3& face, int from) {
     faces.push_back(face);

@@ -36,11 +36,9 @@ double area_of(const Draft& draft, const std::vector<int>& faces) {
 /// A nonzero entry for each face at an edge that is not shared by two faces in opposite directions.
 std::vector<char> faces_at_open_edges(const Draft& draft) {
   std::vector<char> open(draft.faces.size(), 0);
-  const std::vector<EdgeSide> sides = draft.sides();
-  for_each_edge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-    if (edge.size() == 2 && edge[0].forward != edge[1].forward) return;
-    for (const EdgeSide& side : edge) open[at(side.face)] = 1;
-  });
+  const EdgeTopology edges = draft.edges();
+  for (int h = 0; h < edges.half_edge_count(); ++h)
+    if (edges.twin(h) < 0) open[at(h / 3)] = 1;
   return open;
 }
 
@@ -335,8 +333,8 @@ void RepairRun::find_nearest_faces(RepairedMesh& repaired) const {
   }
 }
 
-/// A loaded face of which nothing is left is removed; where less of it is left, the rest went inside a union. Of a
-/// wrap only the difference of areas is known.
+/// A loaded face without remaining area is removed. If a part remains, the rest is inside a union. Of a wrap only the
+/// difference of areas is known.
 void RepairRun::list_changes(RepairedMesh& repaired) const {
   const TriMesh& mesh = *repaired.mesh;
   RepairReport& report = repaired.report;

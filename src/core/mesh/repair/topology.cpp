@@ -4,22 +4,20 @@
 
 namespace taxel {
 
-std::vector<SidePair> plain_pairs(std::span<const EdgeSide> sides) {
-  std::vector<SidePair> pairs;
-  pairs.reserve(sides.size() / 2);
-  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
-    if (edge.size() == 2 && edge[0].forward != edge[1].forward && edge[0].face != edge[1].face)
-      pairs.push_back({edge[0], edge[1]});
+std::vector<HalfEdgePair> twin_pairs(const EdgeTopology& edges) {
+  std::vector<HalfEdgePair> pairs;
+  pairs.reserve(at(edges.edge_count()));
+  edges.for_each_edge([&](std::span<const int> edge) {
+    if (edges.kind(edge) == EdgeKind::inner) pairs.push_back({edge[0], edge[1]});
   });
   return pairs;
 }
 
-DisjointSets join_corners(const Draft& draft, std::span<const SidePair> pairs) {
+DisjointSets join_corners(const Draft& draft, std::span<const HalfEdgePair> pairs) {
   DisjointSets corners(3 * draft.faces.size());
-  for (const SidePair& pair : pairs) {
-    const EdgeSide &s = pair.a, &t = pair.b;
-    corners.unite(3 * s.face + s.corner, 3 * t.face + (t.corner + 1) % 3);
-    corners.unite(3 * s.face + (s.corner + 1) % 3, 3 * t.face + t.corner);
+  for (const HalfEdgePair& pair : pairs) {
+    corners.unite(pair.a, next_edge(pair.b));
+    corners.unite(next_edge(pair.a), pair.b);
   }
   return corners;
 }
@@ -43,7 +41,7 @@ void add_alone(Topology& topology, const Draft& draft, int face) {
 /// pass in opposite directions. So no side is taken twice, and OpenMesh accepts every face. Several pairs at one edge
 /// that share both of its ends are the exception: parted.cpp splits such edges beforehand, and a face that OpenMesh
 /// still refuses gets vertices of its own.
-Topology make_topology(const Draft& draft, std::span<const SidePair> pairs) {
+Topology make_topology(const Draft& draft, std::span<const HalfEdgePair> pairs) {
   DisjointSets corners = join_corners(draft, pairs);
   Topology topology;
   topology.mesh.reserve(draft.points.size(), 3 * draft.faces.size() / 2, draft.faces.size());
@@ -64,9 +62,9 @@ Topology make_topology(const Draft& draft, std::span<const SidePair> pairs) {
   return topology;
 }
 
-int find_patches(const Draft& draft, std::span<const SidePair> pairs, std::vector<int>& patch_of_face) {
+int find_patches(const Draft& draft, std::span<const HalfEdgePair> pairs, std::vector<int>& patch_of_face) {
   DisjointSets sets(draft.faces.size());
-  for (const SidePair& pair : pairs) sets.unite(pair.a.face, pair.b.face);
+  for (const HalfEdgePair& pair : pairs) sets.unite(pair.a / 3, pair.b / 3);
   patch_of_face.resize(draft.faces.size());
   int count = 0;
   for (int f = 0; f < draft.face_count(); ++f) {

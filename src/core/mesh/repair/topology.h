@@ -14,9 +14,9 @@ struct DraftTraits : OpenMesh::DefaultTraits {
   using Normal = OpenMesh::Vec3d;
 };
 
-/// Two sides of an edge across which the surface continues. They pass the edge in opposite directions.
-struct SidePair {
-  EdgeSide a, b;
+/// Two half-edges of an edge across which the surface continues. They run in opposite directions.
+struct HalfEdgePair {
+  int a = -1, b = -1;
 };
 
 /// Faces of OpenMesh have the numbers of the draft's faces. Where the draft is no orientable manifold it is cut open.
@@ -26,14 +26,14 @@ struct Topology {
   std::vector<int> vertex_of;  ///< point of the draft for each vertex of OpenMesh
 };
 
-/// Pairs at the edges of exactly two faces in opposite directions, in the order of edges.
-std::vector<SidePair> plain_pairs(std::span<const EdgeSide> sides);
-/// Joins the corners, 3 face + c, that meet across paired sides: each set is one fan of faces at a point.
-DisjointSets join_corners(const Draft& draft, std::span<const SidePair> pairs);
+/// The pairs of twins, in the order of edges.
+std::vector<HalfEdgePair> twin_pairs(const EdgeTopology& edges);
+/// Joins the corners 3 face + c that meet across pairs: each set is one fan of faces at a point.
+DisjointSets join_corners(const Draft& draft, std::span<const HalfEdgePair> pairs);
 /// Makes one vertex of each set of join_corners(). Every face is kept.
-Topology make_topology(const Draft& draft, std::span<const SidePair> pairs);
+Topology make_topology(const Draft& draft, std::span<const HalfEdgePair> pairs);
 
-/// Groups of faces that hang together across `pairs`, numbered by their first face. Returns how many there are.
-int find_patches(const Draft& draft, std::span<const SidePair> pairs, std::vector<int>& patch_of_face);
+/// Groups of faces that are connected across `pairs`, numbered by their first face. Returns the number of groups.
+int find_patches(const Draft& draft, std::span<const HalfEdgePair> pairs, std::vector<int>& patch_of_face);
 
 }  // namespace taxel

@@ -4,7 +4,6 @@
 
 #include "core/base/error.h"
 #include "core/base/text/number_text.h"
-#include "core/mesh/topology/halfedge.h"
 
 namespace taxel {
 namespace {
@@ -18,15 +17,15 @@ void refuse(const TriMesh& mesh, int vertex, std::size_t count, const std::strin
 }
 
 void check_manifold(const TriMesh& mesh) {
-  const HalfEdges edges(mesh);
+  const EdgeTopology& edges = mesh.topology();
   const auto plural = [](std::size_t count, const char* one, const char* many) { return count == 1 ? one : many; };
-  if (const auto& bad = edges.nonmanifold_edges(); !bad.empty())
-    refuse(mesh, bad.front().a, bad.size(),
+  if (const auto bad = edges.edges_of(EdgeKind::nonmanifold); !bad.empty())
+    refuse(mesh, edges.low(bad[0][0]), bad.size(),
            plural(bad.size(), "edge with more than two faces", "edges with more than two faces"));
-  if (const auto& bad = edges.misoriented_edges(); !bad.empty())
-    refuse(mesh, bad.front().a, bad.size(),
+  if (const auto bad = edges.edges_of(EdgeKind::misoriented); !bad.empty())
+    refuse(mesh, edges.low(bad[0][0]), bad.size(),
            plural(bad.size(), "edge whose faces wind differently", "edges whose faces wind differently"));
-  if (const auto& bad = edges.nonmanifold_vertices(); !bad.empty())
+  if (const auto bad = edges.nonmanifold_vertices(); !bad.empty())
     refuse(mesh, bad.front(), bad.size(), plural(bad.size(), "vertex where parts touch", "vertices where parts touch"));
 }
 

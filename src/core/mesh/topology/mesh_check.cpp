@@ -9,12 +9,12 @@
 #include "core/base/index.h"
 #include "core/base/text/number_text.h"
 #include "core/mesh/query/disjoint_sets.h"
-#include "core/mesh/topology/halfedge.h"
 
 namespace taxel {
 namespace {
 
-std::string middle_text(const TriMesh& mesh, int a, int b) {
+std::string middle_text(const TriMesh& mesh, std::span<const int> edge) {
+  const int a = mesh.topology().low(edge[0]), b = mesh.topology().high(edge[0]);
   return place_in_mm(0.5 * (mesh.vertices()[at(a)] + mesh.vertices()[at(b)]));
 }
 
@@ -22,38 +22,39 @@ const char* plural(std::size_t count) {
   return count == 1 ? "" : "s";
 }
 
-/// Open edges that hang together count as one hole.
-std::string holes_text(const TriMesh& mesh, const std::vector<std::pair<int, int>>& open) {
+/// Open edges that are connected make one hole.
+std::string holes_text(const TriMesh& mesh, const std::vector<std::span<const int>>& open) {
+  const EdgeTopology& edges = mesh.topology();
   DisjointSets rims(at(mesh.vertex_count()));
-  for (const auto& [a, b] : open) rims.unite(a, b);
+  for (const auto& edge : open) rims.unite(edges.from(edge[0]), edges.to(edge[0]));
   std::set<int> holes;
-  for (const auto& [a, b] : open) holes.insert(rims.find(a));
+  for (const auto& edge : open) holes.insert(rims.find(edges.from(edge[0])));
   return fmt::format("{} hole{}", holes.size(), plural(holes.size()));
 }
 
 void add_edge_problems(const TriMesh& mesh, const std::string& file, Problems& problems) {
-  const HalfEdges half_edges(mesh);
-  const auto& open = half_edges.boundary_edges();
+  const EdgeTopology& edges = mesh.topology();
+  const auto open = edges.edges_of(EdgeKind::boundary);
   if (!open.empty()) {
     problems.push_back({file, "", Severity::warning, "mesh_open",
                         fmt::format("{} open edge{} around {}, the first at {}", open.size(), plural(open.size()),
-                                    holes_text(mesh, open), middle_text(mesh, open[0].first, open[0].second)),
+                                    holes_text(mesh, open), middle_text(mesh, open[0])),
                         "close the mesh: without an inside it has no pressure field"});
   }
-  const auto& bad = half_edges.nonmanifold_edges();
+  const auto bad = edges.edges_of(EdgeKind::nonmanifold);
   if (!bad.empty()) {
     problems.push_back({file, "", Severity::error, "mesh_nonmanifold",
                         fmt::format("{} edge{} with more than two faces, the first at {} ({} faces)", bad.size(),
-                                    plural(bad.size()), middle_text(mesh, bad[0].a, bad[0].b), bad[0].faces.size()),
+                                    plural(bad.size()), middle_text(mesh, bad[0]), bad[0].size()),
                         "remove the inner faces there"});
   }
-  const auto& turned = half_edges.misoriented_edges();
+  const auto turned = edges.edges_of(EdgeKind::misoriented);
   if (!turned.empty()) {
-    problems.push_back({file, "", Severity::error, "mesh_winding",
-                        fmt::format("{} edge{} between faces that wind differently, the first at {} (faces {} and {})",
-                                    turned.size(), plural(turned.size()), middle_text(mesh, turned[0].a, turned[0].b),
-                                    turned[0].faces[0], turned[0].faces[1]),
-                        "orient the faces alike"});
+    problems.push_back(
+        {file, "", Severity::error, "mesh_winding",
+         fmt::format("{} edge{} between faces that wind differently, the first at {} (faces {} and {})", turned.size(),
+                     plural(turned.size()), middle_text(mesh, turned[0]), turned[0][0] / 3, turned[0][1] / 3),
+         "orient the faces alike"});
   }
 }
 

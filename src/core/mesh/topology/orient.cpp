@@ -1,26 +1,28 @@
 #include <utility>
 
 #include "core/base/index.h"
-#include "core/mesh/topology/edge_sides.h"
 #include "core/mesh/topology/enclosed_shells.h"
 #include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {
 
-/// A face across an edge with exactly two faces, and whether both wind alike.
+/// A face across an edge of two faces.
 struct Link {
   int face = -1;
-  bool alike = true;
+  bool is_alike = true;  ///< true if both faces wind alike
 };
 
-std::vector<std::vector<Link>> links(const TriMesh& mesh) {
+/// The links of each face, in the order of edges.
+std::vector<std::vector<Link>> find_links(const TriMesh& mesh) {
   std::vector<std::vector<Link>> result(at(mesh.face_count()));
-  for_each_edge(edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
-    if (sides.size() != 2) return;
-    const bool alike = sides[0].forward != sides[1].forward;
-    result[at(sides[0].face)].push_back({sides[1].face, alike});
-    result[at(sides[1].face)].push_back({sides[0].face, alike});
+  const EdgeTopology& edges = mesh.topology();
+  edges.for_each_edge([&](std::span<const int> edge) {
+    if (edge.size() != 2) return;
+    const int f = edge[0] / 3, g = edge[1] / 3;
+    const bool is_alike = edges.kind(edge) == EdgeKind::inner;
+    result[at(f)].push_back({g, is_alike});
+    result[at(g)].push_back({f, is_alike});
   });
   return result;
 }
@@ -42,8 +44,8 @@ std::vector<double> shell_volumes(const TriMesh& mesh) {
 }  // namespace
 
 TriMesh oriented(const TriMesh& mesh) {
-  const std::vector<std::vector<Link>> neighbours = links(mesh);
-  std::vector<int> turned(at(mesh.face_count()), -1);  // -1: not seen yet
+  const std::vector<std::vector<Link>> neighbours = find_links(mesh);
+  std::vector<int> turned(at(mesh.face_count()), -1);  // -1 until reached
   std::vector<ivec3> faces = mesh.faces();
   std::vector<int> queue;
   for (int seed = 0; seed < mesh.face_count(); ++seed) {
@@ -53,7 +55,7 @@ TriMesh oriented(const TriMesh& mesh) {
     for (std::size_t i = 0; i < queue.size(); ++i) {
       for (const Link& link : neighbours[at(queue[i])]) {
         if (turned[at(link.face)] >= 0) continue;
-        turned[at(link.face)] = link.alike ? turned[at(queue[i])] : 1 - turned[at(queue[i])];
+        turned[at(link.face)] = link.is_alike ? turned[at(queue[i])] : 1 - turned[at(queue[i])];
         queue.push_back(link.face);
       }
     }

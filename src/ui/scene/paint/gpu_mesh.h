@@ -7,7 +7,7 @@
 
 #include "core/mesh/tri_mesh.h"
 #include "ui/gl/buffer.h"
-#include "ui/scene/geometry/mesh_edges.h"
+#include "ui/scene/geometry/visible_edges.h"
 #include "ui/scene/paint/segments.h"
 
 namespace taxel::ui {

@@ -19,9 +19,9 @@ struct Patch {
 };
 
 /// Patches are joined across every edge of two faces, however these wind.
-std::vector<Patch> find_all_patches(const Draft& draft, std::span<const EdgeSide> sides) {
-  std::vector<SidePair> pairs;
-  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+std::vector<Patch> find_all_patches(const Draft& draft, const EdgeTopology& edges) {
+  std::vector<HalfEdgePair> pairs;
+  edges.for_each_edge([&](std::span<const int> edge) {
     if (edge.size() == 2) pairs.push_back({edge[0], edge[1]});
   });
   std::vector<int> patch_of_face;
@@ -32,9 +32,9 @@ std::vector<Patch> find_all_patches(const Draft& draft, std::span<const EdgeSide
     patch.area += draft.area(f);
   }
   int crowded = 0;
-  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
-    for (const EdgeSide& side : edge) {
-      Patch& patch = patches[at(patch_of_face[at(side.face)])];
+  edges.for_each_edge([&](std::span<const int> edge) {
+    for (const int h : edge) {
+      Patch& patch = patches[at(patch_of_face[at(h / 3)])];
       if (edge.size() > 2) patch.crowded_edges.push_back(crowded);
       patch.open = patch.open || edge.size() == 1;
     }
@@ -66,7 +66,7 @@ RepairStep remove_fins(Draft& draft, const RepairLimits& limits) {
   constexpr double kMaxFraction = 0.02;  // of the loaded area
   RepairStep step = start_step("repair_fin");
   for (;;) {
-    const std::vector<Patch> patches = find_all_patches(draft, draft.sides());
+    const std::vector<Patch> patches = find_all_patches(draft, draft.edges());
     const std::vector<const Patch*> fins = find_fins(patches, kMaxFraction * limits.loaded_area - step.area);
     if (fins.empty()) return step;
     std::vector<char> removed(draft.faces.size(), 0);

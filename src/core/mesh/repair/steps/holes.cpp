@@ -1,4 +1,4 @@
-// Holes: every rim that the half-edges of the surface run along is filled.
+// Holes: every boundary loop of the surface is filled.
 #include <set>
 
 #include "core/mesh/repair/steps.h"
@@ -14,10 +14,9 @@ struct Loop {
   std::vector<dvec3> normals;  ///< normal of the face outside of the edge from each point to the next
 };
 
-/// Rims as OpenMesh runs along them. A rim that passes a point twice is several rims that touch there.
+/// Finds the rims in the order of OpenMesh. A rim that passes a point twice is split into rims that touch there.
 std::vector<Loop> find_loops(const Draft& draft) {
-  const std::vector<EdgeSide> sides = draft.sides();
-  const Topology topology = make_topology(draft, pair_sides(draft, sides));
+  const Topology topology = make_topology(draft, pair_half_edges(draft, draft.edges()));
   std::vector<char> seen(topology.mesh.n_halfedges(), 0);
   std::vector<Loop> loops;
   std::vector<int> place_of(draft.points.size(), -1);  // in the open loop
@@ -51,21 +50,17 @@ std::vector<Loop> find_loops(const Draft& draft) {
   return loops;
 }
 
-/// The edges of a draft, and those made since.
+/// The edges of a draft, and those added later.
 class KnownEdges {
  public:
-  explicit KnownEdges(const Draft& draft) : sides_(draft.sides()) {}
+  explicit KnownEdges(const Draft& draft) : first_(draft.edges()) {}
   void add(int a, int b) { made_.emplace(std::min(a, b), std::max(a, b)); }
   [[nodiscard]] bool contains(int a, int b) const {
-    const std::pair edge(std::min(a, b), std::max(a, b));
-    if (made_.contains(edge)) return true;
-    const auto found = std::lower_bound(sides_.begin(), sides_.end(), edge,
-                                        [](const EdgeSide& s, const auto& e) { return std::pair(s.low, s.high) < e; });
-    return found != sides_.end() && found->low == edge.first && found->high == edge.second;
+    return made_.contains({std::min(a, b), std::max(a, b)}) || !first_.edge_between(a, b).empty();
   }
 
  private:
-  std::vector<EdgeSide> sides_;
+  EdgeTopology first_;
   std::set<std::pair<int, int>> made_;
 };
 

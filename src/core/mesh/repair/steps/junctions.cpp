@@ -7,25 +7,20 @@
 namespace taxel {
 namespace {
 
-struct OpenEdge {
-  int face, corner;
-};
-
-/// Open edges and the points at their ends.
+/// Open edges as half-edges, and the points at their ends.
 struct Rims {
-  std::vector<OpenEdge> edges;
+  std::vector<int> edges;
   std::vector<int> points;
 };
 
 Rims find_rims(const Draft& draft) {
   Rims rims;
-  const std::vector<EdgeSide> sides = draft.sides();
-  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
-    if (edge.size() != 1) return;
-    rims.edges.push_back({edge[0].face, edge[0].corner});
-    rims.points.push_back(edge[0].low);
-    rims.points.push_back(edge[0].high);
-  });
+  const EdgeTopology edges = draft.edges();
+  for (const std::span<const int> edge : edges.edges_of(EdgeKind::boundary)) {
+    rims.edges.push_back(edge[0]);
+    rims.points.push_back(edges.from(edge[0]));
+    rims.points.push_back(edges.to(edge[0]));
+  }
   std::sort(rims.points.begin(), rims.points.end());
   rims.points.erase(std::unique(rims.points.begin(), rims.points.end()), rims.points.end());
   return rims;
@@ -101,9 +96,9 @@ RepairStep split_junctions(Draft& draft, const RepairLimits& limits) {
     const Rims rims = find_rims(draft);
     const PointsOnEdges on_edges(draft, rims.points, kWithin * limits.diagonal);
     std::map<int, std::pair<int, std::vector<int>>> splits;  // face -> corner and points
-    for (const OpenEdge& edge : rims.edges) {
-      std::vector<int> points = on_edges.find(edge.face, edge.corner);
-      if (!points.empty()) splits.try_emplace(edge.face, edge.corner, std::move(points));
+    for (const int h : rims.edges) {
+      std::vector<int> points = on_edges.find(h / 3, h % 3);
+      if (!points.empty()) splits.try_emplace(h / 3, h % 3, std::move(points));
     }
     if (splits.empty()) break;
     for (const auto& [face, where] : splits) {

@@ -1,12 +1,12 @@
-// Which sides of an edge belong together, also where more than two faces meet.
+// The half-edges of an edge that belong together, also at edges of more than two faces.
 #pragma once
 
 #include "core/mesh/repair/topology.h"
 
 namespace taxel {
 
-/// Pairs of sides between which solid lies: the two of a plain edge, and those of an edge of more faces by their angles
-/// around it. Sides that wind alike, or that are too many, stay without a partner.
-std::vector<SidePair> pair_sides(const Draft& draft, std::span<const EdgeSide> sides);
+/// Pairs of half-edges with solid between their faces: twins, and those of an edge of more than two faces by the angles
+/// of the faces around the edge. Half-edges that run alike, or that are too many, stay without a partner.
+std::vector<HalfEdgePair> pair_half_edges(const Draft& draft, const EdgeTopology& edges);
 
 }  // namespace taxel

@@ -9,12 +9,11 @@ namespace {
 
 std::vector<int> rim_points(const Draft& draft) {
   std::vector<int> points;
-  const std::vector<EdgeSide> sides = draft.sides();
-  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
-    if (edge.size() != 1) return;
-    points.push_back(edge[0].low);
-    points.push_back(edge[0].high);
-  });
+  const EdgeTopology edges = draft.edges();
+  for (const std::span<const int> edge : edges.edges_of(EdgeKind::boundary)) {
+    points.push_back(edges.from(edge[0]));
+    points.push_back(edges.to(edge[0]));
+  }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
@@ -87,8 +86,7 @@ struct EdgeCounts {
 EdgeCounts count_edges(std::size_t point_count, std::vector<ivec3> faces) {
   std::erase_if(faces, has_equal_corners);
   EdgeCounts counts;
-  const std::vector<EdgeSide> sides = edge_sides(point_count, faces);
-  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+  EdgeTopology(std::move(faces), point_count).for_each_edge([&](std::span<const int> edge) {
     counts.open += edge.size() == 1 ? 1 : 0;
     counts.crowded += edge.size() > 2 ? 1 : 0;
   });

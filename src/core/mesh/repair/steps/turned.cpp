@@ -42,7 +42,7 @@ bool is_flat_face(const Mesh& mesh, OpenMesh::FaceHandle face) {
 class FlatFaces {
  public:
   FlatFaces(Draft& draft, RepairStep& step)
-      : draft_(draft), step_(step), topology_(make_topology(draft, plain_pairs(draft.sides()))) {
+      : draft_(draft), step_(step), topology_(make_topology(draft, twin_pairs(draft.edges()))) {
     for (int f = 0; f < draft.face_count(); ++f) add(OpenMesh::FaceHandle(f));
   }
 

@@ -18,13 +18,11 @@ class Regions {
  public:
   explicit Regions(const Draft& draft) : region_(draft.faces.size()), patch_(draft.faces.size()) {
     std::vector<std::pair<int, int>> unlike;
-    const std::vector<EdgeSide> sides = draft.sides();
-    for_each_edge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-      if (edge.size() != 2) return;
-      if (edge[0].forward != edge[1].forward)
-        region_.unite(edge[0].face, edge[1].face);
-      else
-        unlike.emplace_back(edge[0].face, edge[1].face);
+    const EdgeTopology edges = draft.edges();
+    edges.for_each_edge([&](std::span<const int> edge) {
+      const EdgeKind kind = edges.kind(edge);
+      if (kind == EdgeKind::inner) region_.unite(edge[0] / 3, edge[1] / 3);
+      if (kind == EdgeKind::misoriented) unlike.emplace_back(edge[0] / 3, edge[1] / 3);
     });
     std::map<std::pair<int, int>, int> borders;  // number of edges between two regions
     for (const auto& [f, g] : unlike) {
@@ -80,9 +78,8 @@ std::set<int> find_bands(const Draft& draft, Regions& regions) {
   std::map<int, std::pair<int, int>> edges;  // open and all edges of the patches with seams
   for (const auto& [patch, count] : regions.seams()) edges[patch] = {count, 0};
   if (edges.empty()) return {};
-  const std::vector<EdgeSide> sides = draft.sides();
-  for_each_edge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-    const auto found = edges.find(regions.patch(edge[0].face));
+  draft.edges().for_each_edge([&](std::span<const int> edge) {
+    const auto found = edges.find(regions.patch(edge[0] / 3));
     if (found == edges.end()) return;
     found->second.first += edge.size() == 1 ? 1 : 0;
     ++found->second.second;

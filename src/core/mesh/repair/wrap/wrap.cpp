@@ -44,12 +44,11 @@ Draft outer_shells(const manifold::Manifold& level_set, double edge) {
   return draft;
 }
 
-/// Moves each point to the closest point of the faces where that is nearer than half an edge and turns no face around
-/// the point by more than 60 degrees.
+/// Moves each point to the closest point of the faces if that is nearer than half an edge and turns no face at the
+/// point by more than 60 degrees.
 void snap_to_faces(Draft& draft, const MeshIndex& faces, double edge) {
   constexpr double kLeastCosine = 0.5;
-  const std::vector<EdgeSide> sides = draft.sides();
-  const Topology topology = make_topology(draft, plain_pairs(sides));
+  const Topology topology = make_topology(draft, twin_pairs(draft.edges()));
   std::vector<dvec3> normals;
   for (int f = 0; f < draft.face_count(); ++f) normals.push_back(glm::normalize(draft.area_normal(f)));
   for (const OpenMesh::SmartVertexHandle v : topology.mesh.vertices()) {

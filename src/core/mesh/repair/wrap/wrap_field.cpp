@@ -36,15 +36,14 @@ WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind
   }
   is_rim_.assign(3 * mesh.faces().size(), 0);
   std::vector<Aabb> boxes;
-  const std::vector<EdgeSide> sides = edge_sides(mesh);
-  for_each_edge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-    if (edge.size() != 1) return;
-    is_rim_[at(3 * edge[0].face + edge[0].corner)] = 1;
-    rim_.emplace_back(mesh.vertices()[at(edge[0].low)], mesh.vertices()[at(edge[0].high)]);
+  const EdgeTopology& edges = mesh.topology();
+  for (const std::span<const int> edge : edges.edges_of(EdgeKind::boundary)) {
+    is_rim_[at(edge[0])] = 1;
+    rim_.emplace_back(mesh.vertices()[at(edges.low(edge[0]))], mesh.vertices()[at(edges.high(edge[0]))]);
     boxes.emplace_back();
     boxes.back().include(rim_.back().first);
     boxes.back().include(rim_.back().second);
-  });
+  }
   rim_tree_.build(boxes);
 }
 
@@ -59,8 +58,8 @@ void WrapField::check_lattice() const {
                           1.1 * edge_ * std::cbrt(nodes / kMaxNodes), edge_));
 }
 
-/// Cells near faces are evaluated point by point, and so are those where a hole lets the winding number be a fraction.
-/// Everywhere else one winding number decides for the whole cell.
+/// Cells near faces are evaluated point by point, and so are cells with a fractional winding number near a hole. For
+/// all other cells one winding number decides.
 void WrapField::classify_cells() {
   constexpr double kCellEdges = 4;
   constexpr double kWhole = 0.1;  // largest distance of the winding number from a whole number
