@@ -1,4 +1,4 @@
-// Faces of a repaired mesh and those of the mesh as loaded that they come from.
+// Maps faces of a repaired mesh to the loaded faces that they come from, and back.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace taxel {
 
-/// The loaded mesh as it is, with a report of no change.
+/// Returns the loaded mesh as a repaired mesh without changes.
 RepairedMeshPtr as_loaded(const TriMeshPtr& loaded);
 
-/// Faces of the repaired mesh that come from `loaded_faces`. Both lists ascend.
+/// Returns the faces of the repaired mesh that come from `loaded_faces`. Both lists are ascending.
 std::vector<int> repaired_faces(const RepairedMesh& repaired, const std::vector<int>& loaded_faces);
 
-/// Faces of the loaded mesh that `faces` of the repaired mesh come from, each once, ascending. Filled-in faces come
-/// from none.
+/// Returns the loaded faces that `faces` of the repaired mesh come from, each once, ascending. Filled-in faces have no
+/// loaded face.
 std::vector<int> loaded_faces(const RepairedMesh& repaired, const std::vector<int>& faces);
 
 }  // namespace taxel

@@ -7,7 +7,7 @@
 namespace taxel {
 namespace {
 
-/// A walk along both rows: true is a step of the lower one. Always along the shorter diagonal.
+/// Steps along both rows, always along the shorter diagonal: true is a step of the lower row.
 std::vector<bool> shortest_walk(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper) {
   const auto gap = [&](std::size_t i, std::size_t j) {
     return glm::distance(points[at(lower[i])], points[at(upper[j])]);
@@ -22,12 +22,12 @@ std::vector<bool> shortest_walk(std::span<const dvec3> points, std::span<const i
   return walk;
 }
 
-/// Exchanges two neighbouring steps wherever the diagonal between them is a valley, until there is none: each exchange
-/// adds volume, so this ends. Returns whether anything changed.
+/// Exchanges two neighbouring steps wherever the diagonal between them is a valley, until no valley is left. Each
+/// exchange adds volume, so the loop ends. Returns whether anything changed.
 bool raise_valleys(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper,
                    std::vector<bool>& walk) {
   bool changed = false;
-  std::size_t i = 0, j = 0;  // where step k begins
+  std::size_t i = 0, j = 0;  // points at the begin of step k
   for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
     if (walk[k] != walk[k + 1]) {
       const dvec3 &a = points[at(lower[i])], &b = points[at(lower[i + 1])];

@@ -1,4 +1,4 @@
-// Triangles between rings of points stacked along an axis: how round meshes are made.
+// Builds round meshes from rings of points stacked along an axis.
 #pragma once
 
 #include <span>
@@ -14,24 +14,23 @@ namespace taxel {
 void join_rows(std::span<const dvec3> points, std::span<const int> lower, std::span<const int> upper,
                std::vector<ivec3>& faces);
 
-/// A surface made of rings, each counter-clockwise seen from where the rings go to (bottom to top: seen from above).
-/// Rings may have different numbers of points; a ring of one point is a pole. Faces look away from the axis when the
-/// rings begin at the bottom.
+/// A surface made of rings from bottom to top, each counter-clockwise seen from above. Rings may have different
+/// numbers of points; a ring of one point is a pole. Faces look away from the axis.
 class RingSurface {
  public:
-  /// Adds a ring and joins it to the one before.
+  /// Adds a ring and joins it to the previous ring.
   void add_ring(const std::vector<dvec3>& ring);
-  /// The mesh of all rings. Closed when the first and the last ring are poles.
+  /// Returns the mesh of all rings, which is closed if the first and the last ring are poles.
   [[nodiscard]] TriMesh mesh() const { return {vertices_, faces_}; }
 
  private:
   std::vector<dvec3> vertices_;
   std::vector<ivec3> faces_;
-  std::vector<int> last_;  ///< the last ring, its first point again at the end
+  std::vector<int> last_;  ///< points of the last ring, with the first one again at the end
 };
 
-/// The same for surfaces that are mirror images of themselves in the plane x = 0, exactly, bit by bit: made of half
-/// rings from the front (-y) through +x to the back (+y), whose ends have x == 0. One point is a pole.
+/// A surface made of rings that is its own mirror image in the plane x = 0, bit by bit. Each half ring runs from the
+/// front (-y) through +x to the back (+y), and its ends have x == 0. A half ring of one point is a pole.
 class MirroredRingSurface {
  public:
   void add_half_ring(const std::vector<dvec3>& half_ring);
@@ -39,7 +38,7 @@ class MirroredRingSurface {
 
  private:
   std::vector<dvec3> vertices_;
-  std::vector<int> mirror_;  ///< for each vertex its mirror image; itself on the plane
+  std::vector<int> mirror_;  ///< mirror image of each vertex; the vertex itself on the plane
   std::vector<ivec3> faces_;
   std::vector<int> last_;
 };

@@ -1,4 +1,4 @@
-// What a brush paints on a mesh: faces, as sets.
+// Sets of faces that a brush paints on a mesh.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,17 @@ struct SurfaceBrush {
   double max_angle_deg = 90;  ///< faces turned further away from the one below the brush stay unpainted
 };
 
-/// The face at `at`, and all that hang together with it by edges and are reached by the brush: some point of them
-/// within its radius of `at.position`, turned away by less than the angle. So neither the opposite wall of a thin shell
-/// is painted nor a finger's neighbour. Ascending; at least one face. Costs what lies within the radius.
+/// Returns the face at `at` and the faces that are connected with it by edges within the brush, ascending: those with a
+/// point within the radius of `at.position` and a normal that differs by less than the angle. So neither the opposite
+/// wall of a thin shell nor a neighbouring finger is painted. The cost grows with the number of faces in the radius.
 std::vector<int> faces_under_brush(const MeshIndex& index, const SurfacePoint& at, const SurfaceBrush& brush);
 
-/// Ascending sets of faces: those of either, and those of the first that the second has not.
+/// Returns the union of two ascending sets of faces.
 std::vector<int> with_faces(const std::vector<int>& region, const std::vector<int>& painted);
+/// Returns the faces of the first ascending set that are not in the second one.
 std::vector<int> without_faces(const std::vector<int>& region, const std::vector<int>& erased);
 
-/// Area of these faces [m^2]. Those that the mesh has not count nothing.
+/// Returns the area of some faces [m^2]. Numbers that are no face of the mesh add nothing.
 double area_of_faces(const TriMesh& mesh, const std::vector<int>& faces);
 
 }  // namespace taxel

@@ -1,3 +1,4 @@
+// Broken mesh files: each gives an error that names the file and the fault.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -12,7 +13,7 @@ namespace {
 
 using test::TempFolder;
 
-/// The message of the Error that loading gives; fails the test when it loads, or when the file is not named.
+/// Returns the message of the Error that loading throws. Fails the test if the file loads, or if its name is missing.
 std::string message_of(const std::filesystem::path& path, const dvec3& scale = dvec3(1)) {
   try {
     const LoadedMesh loaded = load_mesh(path, scale);

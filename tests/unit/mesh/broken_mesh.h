@@ -103,7 +103,7 @@ inline TriMesh refined_box(double h, int n) {
   return welded({std::move(vertices), std::move(faces)});
 }
 
-/// A cube one of whose edges has a vertex in its middle that only the face on one side of it knows. The vertex is the
+/// A cube with a vertex in the middle of an edge that only the face on one side of the edge uses. The vertex is the
 /// last one.
 inline TriMesh box_with_t_junction(double h) {
   const TriMesh box = make_box(dvec3(h));
@@ -131,7 +131,7 @@ inline TriMesh closed_ring_of_cubes(double h) {
   const std::vector<ivec3> ring{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
   TriMesh all = moved(make_box(dvec3(h)), 2 * h * dvec3(ring[0]));
   for (std::size_t i = 1; i < ring.size(); ++i) all = together(all, moved(make_box(dvec3(h)), 2 * h * dvec3(ring[i])));
-  // Sides between two cubes of the ring go: they are the faces whose square is there twice.
+  // Sides between two cubes of the ring are removed: the faces whose square occurs twice.
   std::map<std::tuple<long, long, long>, int> squares;
   const auto square = [&](const TriMesh& mesh, int f) {
     Aabb box;

@@ -1,3 +1,4 @@
+// Bvh: the structure of the tree, and its traversals against a list of boxes.
 #include "core/mesh/query/bvh.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ bool contains(const Aabb& outer, const Aabb& inner) {
          (glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi)));
 }
 
-/// Every primitive in exactly one leaf, every node reached once, children inside their parents, depth bounded.
+/// Expects each primitive in exactly one leaf, each node reached once, children inside their parents, bounded depth.
 void expect_sound(const Bvh& bvh, const std::vector<Aabb>& boxes, int max_leaf) {
   std::vector<int> seen(boxes.size(), 0), reached(bvh.nodes().size(), 0);
   struct Visit {
@@ -76,7 +77,7 @@ TEST(Bvh, SurvivesBoxesWithoutPlace) {
   boxes[6] = {dvec3(1e308), dvec3(1.5e308)};
   boxes[7] = {dvec3(-1.5e308), dvec3(-1e308)};
   expect_sound(Bvh(boxes, 2), boxes, 2);
-  // A box of NaN contains nothing that could be compared; it must still be somewhere.
+  // A box of NaN cannot be compared, but it must be in some leaf.
   boxes[8] = {dvec3(kNan), dvec3(kNan)};
   const Bvh bvh(boxes, 2);
   EXPECT_EQ(std::count(bvh.items().begin(), bvh.items().end(), 8), 1);
@@ -88,7 +89,7 @@ TEST(Bvh, SplitsEqualBoxes) {
 }
 
 TEST(Bvh, DepthStaysBoundedForClustersInsideClusters) {
-  // Each box is a thousandth of the one before: every binned split takes one box off.
+  // Each box is a thousandth of the previous one: every binned split separates one box.
   std::vector<Aabb> boxes;
   for (int i = 0; i < 100; ++i) {
     const double size = std::pow(10.0, -3.0 * i);
@@ -140,7 +141,7 @@ TEST(Bvh, VisitFindsExactlyTheOverlappingBoxesAmongItsLeaves) {
   EXPECT_LT(tested, total / 8);  // a tree, not a list
 }
 
-/// First box along a ray by the same slab test, without a tree.
+/// Returns the first box along a ray by the same slab test, without a tree.
 std::pair<double, int> brute_force(const std::vector<Aabb>& boxes, const Ray& ray) {
   std::pair<double, int> best{ray.t_max, -1};
   const SlabTest slabs(ray);

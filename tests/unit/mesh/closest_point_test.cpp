@@ -1,3 +1,4 @@
+// Nearest points, ray hits and signed distances against brute force and closed forms.
 #include "core/mesh/query/closest_point.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ std::shared_ptr<const TriMesh> share(TriMesh mesh) {
   return std::make_shared<const TriMesh>(std::move(mesh));
 }
 
-/// Nearest distance by dense sampling of the triangle: an upper bound that closes in.
+/// Returns the nearest distance by dense sampling of the triangle: an upper bound that converges.
 double sampled_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
   double best = std::numeric_limits<double>::infinity();
   constexpr int kSteps = 200;
@@ -51,7 +52,7 @@ TEST(PointTriangle, IsExactOnNeedles) {
   }
 }
 
-/// Lowest face among the nearest ones, by trying all.
+/// Returns the lowest of the nearest faces, by trying all.
 SurfacePoint brute_force(const TriMesh& mesh, const dvec3& p) {
   SurfacePoint best;
   double best_squared = std::numeric_limits<double>::infinity();
@@ -89,7 +90,7 @@ TEST(MeshIndex, TiesGoToTheLowestFace) {
   test::RandomStream random(5);
   const TriMesh& mesh = index.mesh();
   for (int i = 0; i < 500; ++i) {
-    // Above a vertex or a point of an edge all faces around are equally near.
+    // All faces at a vertex or an edge are equally near to a point above it.
     const int face = random.below(mesh.face_count());
     const double part = i % 2 == 0 ? 0.0 : random.uniform(0.1, 0.9);
     const dvec3 p = 1.7 * glm::mix(mesh.vertex(face, 0), mesh.vertex(face, 1), part);
@@ -162,7 +163,7 @@ TEST(MeshIndex, CastExceptLeavesTheFace) {
   EXPECT_FALSE(index.cast({{0.1, 0.2, 3}, {0, 0, -1}, 1.9}));
 }
 
-/// Distance to the box |x| <= 1, negative inside.
+/// Returns the distance to the box |x| <= 1, negative inside.
 double box_distance(const dvec3& p) {
   const dvec3 d = glm::abs(p) - 1.0;
   return glm::length(glm::max(d, dvec3(0))) + std::min(std::max({d.x, d.y, d.z}), 0.0);

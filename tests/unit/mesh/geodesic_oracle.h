@@ -26,7 +26,7 @@ class GeodesicOracle {
   using Real = long double;
   using Plane = std::complex<Real>;
 
-  /// No path longer than `longest` is looked for.
+  /// Paths longer than `longest` are not searched.
   GeodesicOracle(const TriMesh& mesh, Real longest) : mesh_(mesh), longest_(longest) {
     for (int f = 0; f < mesh.face_count(); ++f)
       for (int c = 0; c < 3; ++c) {
@@ -36,7 +36,7 @@ class GeodesicOracle {
     for (int v = 0; v < mesh.vertex_count(); ++v) from_vertex_.push_back(straight_from_vertex(v));
   }
 
-  /// Least length over the vertices and the targets of all paths from a point.
+  /// Finds the least lengths of all straight paths from a point to the vertices and the targets.
   std::vector<Real> distances(const OnSurface& from, const std::vector<OnSurface>& targets) {
     std::vector<Real> to_vertex(static_cast<std::size_t>(mesh_.vertex_count()), infinite()), to_target;
     targets_ = &targets;
@@ -67,7 +67,7 @@ class GeodesicOracle {
     const Real x = Real(p.x) - q.x, y = Real(p.y) - q.y, z = Real(p.z) - q.z;
     return std::sqrt(x * x + y * y + z * z);
   }
-  /// Third corner of a triangle left of a -> b, from its three sides.
+  /// Returns the third corner of a triangle left of a -> b, from its three sides.
   [[nodiscard]] Plane third(Plane a, Plane b, Real ab, Real bc, Real ca) const {
     const Real along = (ab * ab + ca * ca - bc * bc) / (2 * ab);
     const Real up = std::sqrt(std::max(Real(0), ca * ca - along * along));
@@ -89,7 +89,7 @@ class GeodesicOracle {
     return {std::vector<Real>(static_cast<std::size_t>(mesh_.vertex_count()), infinite()),
             std::vector<Real>(targets_ ? targets_->size() : 0, infinite())};
   }
-  /// The source at the plane's origin; the face's corners laid out around it.
+  /// Places the source at the origin of the plane and the corners of its face around it.
   void see_whole_face(int face, const Plane (&p)[3], Straight& out) {
     visited_.assign(static_cast<std::size_t>(mesh_.face_count()), 0);
     visited_[static_cast<std::size_t>(face)] = 1;

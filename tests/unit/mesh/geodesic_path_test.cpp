@@ -1,4 +1,4 @@
-// Shortest paths traced back: as long as the distance says, on the surface from end to end.
+// Shortest paths have the length of the geodesic distance and stay on the surface.
 #include "core/mesh/geodesic/geodesic_path.h"
 
 #include <gtest/gtest.h>

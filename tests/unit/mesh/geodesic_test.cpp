@@ -1,4 +1,4 @@
-// Geodesic distances against exhaustion, closed forms and what any distance obeys.
+// Geodesic distances against exhaustive search, closed forms and the properties of any distance.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -22,7 +22,7 @@ std::shared_ptr<const UnfoldedMesh> unfolded(const TriMesh& mesh) {
   return std::make_shared<UnfoldedMesh>(std::make_shared<TriMesh>(mesh));
 }
 
-/// Any face; inside of it, on one of its edges, or at a corner.
+/// Returns a random point inside a face, on one of its edges, or at a corner.
 OnSurface random_point(const TriMesh& mesh, test::RandomStream& random) {
   dvec3 w(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
   const int kind = random.below(4), corner = random.below(3);
@@ -144,7 +144,7 @@ TEST(Geodesic, SpiderAndFly) {  // Dudeney 1903: room of 30 x 12 x 12, one below
   EXPECT_GE(pairs, 1);
 }
 
-/// A prism without caps of n sides, rows high, all of whose distances are those of the unrolled strip.
+/// A prism of n sides and some rows without caps. Its distances are those of the unrolled strip.
 TEST(Geodesic, DevelopablePrism) {
   const int n = 23, rows = 7;
   std::vector<dvec3> vertices;
@@ -188,8 +188,8 @@ TEST(Geodesic, FlatSheetIsEuclidean) {
   }
 }
 
-/// n legs of length 1 around an apex, `turn` in all, in a row or in a ring; rising and falling by `rise` beyond a full
-/// turn. Paths follow the law of cosines, and go over the apex from half a turn on.
+/// n legs of length 1 around an apex, `turn` in total, in a row or in a ring; rising and falling by `rise` beyond a
+/// full turn. Paths follow the law of cosines, or lead over the apex if the angle is half a turn or more.
 void expect_law_of_cosines(const TriMesh& fan, double step, double turn, bool ring, int least_bent) {
   GeodesicDistance geodesic(unfolded(fan));
   test::RandomStream random(8);
@@ -306,7 +306,7 @@ TEST(Geodesic, NoAbsoluteEpsilons) {
   }
 }
 
-/// From a source a millionth of an edge, and less, away from a vertex or an edge: nothing is lost around it.
+/// A source a millionth of an edge or less away from a vertex or an edge reaches all points around it.
 TEST(Geodesic, SourcesBesideVerticesAndEdges) {
   const TriMesh mesh = test::bumpy_sphere(1);
   GeodesicDistance geodesic(unfolded(mesh));
@@ -344,7 +344,7 @@ TEST(GeodesicMap, KeepsEveryBitOfAPropagation) {
       expected.emplace_back(target, geodesic.to(target.face, target.position(mesh)));
       reached += expected.back().second < kInfinity ? 1 : 0;
     }
-    geodesic.propagate(elsewhere.face, elsewhere.position(mesh), radius);  // the map does not depend on it any more
+    geodesic.propagate(elsewhere.face, elsewhere.position(mesh), radius);  // the map is a copy and does not change
     for (const auto& [target, d] : expected) EXPECT_EQ(map.to(target.face, target.position(mesh)), d);
     EXPECT_GT(reached, 10);
   }

@@ -1,3 +1,4 @@
+// Height fields: their volume, shape and errors.
 #include "core/mesh/make/height_field.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ HeightField random_field(int rows, int columns) {
   return field;
 }
 
-/// Over each triangle the solid is a prism: its area times the mean of its three heights.
+/// Returns the volume as a sum of prisms: the area of each triangle times the mean of its three heights.
 TEST(HeightField, IsClosedAndHasTheVolumeOfItsPrisms) {
   const HeightField field = random_field(4, 7);
   const TriMesh mesh = make_height_field(field);

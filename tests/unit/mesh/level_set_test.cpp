@@ -1,3 +1,4 @@
+// Level sets: closed meshes of the right volume, and errors.
 #include "core/mesh/make/level_set.h"
 
 #include <gtest/gtest.h>
@@ -26,17 +27,17 @@ TEST(LevelSet, OfATorusIsATorus) {
   EXPECT_NEAR(mesh.volume(), volume, 0.02 * volume);
   const double finer = make_level_set(torus, box, 0.001).volume();  // second order
   EXPECT_NEAR((volume - mesh.volume()) / (volume - finer), 4, 0.5);
-  // On the zero, but for vertices that keep a thousandth of an edge from the grid's nodes.
+  // Vertices are on the zero, except those moved a thousandth of an edge away from the grid's nodes.
   for (const dvec3& v : mesh.vertices()) EXPECT_LT(std::abs(torus(v)), 0.0011 * 0.002 * std::sqrt(3.0));
   for (int f = 0; f < mesh.face_count(); f += 7) {
-    if (mesh.face_areas()[static_cast<std::size_t>(f)] < 1e-8) continue;  // slivers lean as they like
+    if (mesh.face_areas()[static_cast<std::size_t>(f)] < 1e-8) continue;  // slivers may have any normal
     const dvec3 middle = (mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0;
     EXPECT_GT(torus(middle + 0.0002 * mesh.face_normals()[static_cast<std::size_t>(f)]), torus(middle));
   }
 }
 
-/// Zeros exactly at nodes of the grid: whole faces of it. Tets that hold no node inside are left out, so the cube's
-/// edges are cut by half a cell at most.
+/// The zeros are exactly at nodes of the grid. Tets without a node inside are left out, so the cube's edges are cut by
+/// at most half a cell.
 TEST(LevelSet, OfAFunctionThatIsZeroOnTheGridIsClosed) {
   const auto cube = [](const dvec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) - 1.0; };
   const TriMesh mesh = make_level_set(cube, {dvec3(-1), dvec3(1)}, 0.25);

@@ -1,3 +1,4 @@
+// The problems that check_mesh finds, and the repairs without a decision.
 #include "core/mesh/topology/mesh_check.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Mesh files: reading, welding, writing and round trips.
 #include "core/mesh/mesh_io.h"
 
 #include <gtest/gtest.h>
@@ -137,7 +138,7 @@ TEST(MeshIo, BinaryStlMayBeginWithSolid) {
   EXPECT_EQ(load_mesh(folder.write("b.stl", bytes)).mesh->face_count(), 12);
 }
 
-/// A tetrahedron as PLY with numbers of the given types; properties around and between what is read.
+/// Returns a tetrahedron as PLY with numbers of these types, and with properties that the reader skips.
 template <class Real, class Count, class Index>
 std::string ply(const char* format, const std::string& types, bool big_endian) {
   std::string bytes = std::string("ply\nformat ") + format + " 1.0\ncomment end_header is not here\nelement junk 2\n" +
@@ -221,7 +222,7 @@ TEST(MeshIo, RepairsAreNoted) {
   const auto path = folder.write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n") +
                                               "v -0 0 0\nv 7 7 7\nv 0.5 0 0\n"
                                               "f 1 3 2\nf 5 2 4\nf 2 3 4\nf 1 4 3\n"  // a tetrahedron; 5 is 1 again
-                                              "f 3 2 5\n"                             // the first once more
+                                              "f 3 2 5\n"                             // the first face again
                                               "f 1 5 2\nf 1 7 2\n"                    // no area
                                               "f 1 2\n");
   const LoadedMesh loaded = load_mesh(path);
@@ -238,7 +239,7 @@ TEST(MeshIo, TinyTrianglesStayAndOnlyRoundingIsDropped) {
   const TempFolder folder;
   const auto path = folder.write("a.obj",
                                  "v 0 0 0\nv 1e-9 0 0\nv 0 1e-9 0\nf 1 2 3\n"                // a nanometre: real
-                                 "v 0.1 0.2 0.3\nv 0.2 0.4 0.6\nv 0.3 0.6 0.9\nf 4 5 6\n");  // a line but for rounding
+                                 "v 0.1 0.2 0.3\nv 0.2 0.4 0.6\nv 0.3 0.6 0.9\nf 4 5 6\n");  // a line up to rounding
   EXPECT_EQ(load_mesh(path).mesh->face_count(), 1);
 }
 

@@ -1,4 +1,4 @@
-// What is found about a mesh, with what it means.
+// The findings about a mesh, with their meaning.
 #include "core/mesh/topology/mesh_report.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Meshes for oracles: triangle soups with everything a BVH may stumble over.
+// Random meshes for oracles: triangle soups with the hard cases of a BVH, and bumpy spheres.
 #pragma once
 
 #include "core/base/rng.h"
@@ -47,7 +47,7 @@ inline TriMesh random_soup(std::uint64_t seed, int face_count) {
   return {std::move(vertices), std::move(faces)};
 }
 
-/// A sphere whose radius waves: smooth, closed, not convex.
+/// A sphere with waves in its radius: smooth, closed, not convex.
 inline TriMesh bumpy_sphere(int subdivisions) {
   const TriMesh sphere = make_icosphere(1.0, subdivisions);
   std::vector<dvec3> vertices = sphere.vertices();
@@ -55,7 +55,7 @@ inline TriMesh bumpy_sphere(int subdivisions) {
   return {std::move(vertices), sphere.faces()};
 }
 
-/// Two meshes as one, not joined.
+/// Returns two meshes as one, without joining them.
 inline TriMesh together(const TriMesh& a, const TriMesh& b) {
   std::vector<dvec3> vertices = a.vertices();
   std::vector<ivec3> faces = a.faces();

@@ -1,3 +1,4 @@
+// Rays against triangles: hits, misses and watertight edges.
 #include "core/mesh/query/ray_triangle.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(RayTriangle, RimBelongsToTheTriangleAndItsPlaneIsMissed) {
 }
 
 TEST(RayTriangle, NoRaySlipsThroughASharedEdge) {
-  // Two triangles over one random edge, rays aimed at points of the edge as well as floating point can.
+  // Two triangles share a random edge. The rays aim at points of the edge to within rounding.
   test::RandomStream random(3);
   int both = 0;
   for (int i = 0; i < 200000; ++i) {

@@ -45,7 +45,7 @@ TEST(Repair, KeepsTheObjectOfASoundMesh) {
   }
 }
 
-/// Only of the mesh itself: faces of a changed mesh have other numbers.
+/// Intersections are kept only for the mesh itself: faces of a changed mesh have other numbers.
 TEST(Repair, KeepsTheIntersectionsOfAnUnchangedMeshAlone) {
   const auto sound = std::make_shared<const TriMesh>(make_fingertip());
   const RepairedMeshPtr unchanged = repair_mesh(sound, {}, 0.002);
@@ -123,7 +123,7 @@ TEST(Repair, FillsALargeHoleOfABoxFlat) {
 }
 
 TEST(Repair, FillsAHoleWithTheLeastAngleToItsSurroundings) {
-  // A saddle: both diagonals give the same area. The faces around say whether it is a ridge (0 2) or a valley (1 3).
+  // A saddle: both diagonals give the same area. The faces around decide between a ridge (0 2) and a valley (1 3).
   HoleRim rim;
   rim.corners = {{0, 0, 0.3}, {1, 0, 0}, {1, 1, 0.3}, {0, 1, 0}};
   rim.may_join = [](int, int) { return true; };
@@ -138,7 +138,7 @@ TEST(Repair, FillsAHoleWithTheLeastAngleToItsSurroundings) {
   };
   const std::vector<dvec3> ridge{normal(0, 1, 2), normal(0, 1, 2), normal(0, 2, 3), normal(0, 2, 3)};
   const std::vector<dvec3> valley{normal(0, 1, 3), normal(1, 2, 3), normal(1, 2, 3), normal(0, 1, 3)};
-  // Steeper than the triangles of one choice, and so far from those of the other that the rim's angles decide.
+  // The faces are steeper than the triangles of one choice and far from those of the other, so the rim's angles decide.
   const auto beyond = [](const dvec3& from, const dvec3& to) { return glm::normalize(to + 4.0 * (to - from)); };
   for (std::size_t i = 0; i < 4; ++i) rim.normals.push_back(beyond(valley[i], ridge[i]));
   EXPECT_TRUE(has_edge(fill_by_least_angle(rim).value(), 0, 2));
@@ -215,7 +215,7 @@ TEST(Repair, UnitesBoxesThatOverlapTouchOrLieInsideEachOther) {
     int shells;
   };
   const TriMesh box = make_box(dvec3(0.01));
-  // Overlapping by a quarter, stacked with faces of different size, nested; apart, which stays.
+  // Pairs of boxes that overlap by a quarter, are stacked with faces of different size, are nested, or are apart.
   for (const Case& c :
        {Case{dvec3(0.01), dvec3(0.015, 0.003, 0.001), 16e-6 - 0.005 * 0.017 * 0.019, 1},
         Case{dvec3(0.004), dvec3(0.014, 0.002, 0), 8e-6 + 512e-9, 1}, Case{dvec3(0.004), dvec3(0.001, 0, 0), 8e-6, 1},
@@ -225,7 +225,7 @@ TEST(Repair, UnitesBoxesThatOverlapTouchOrLieInsideEachOther) {
     EXPECT_EQ(codes(repaired), c.shells == 1 ? "repair_united" : "");
     EXPECT_NEAR(repaired.mesh->volume(), c.volume, 1e-12);
     EXPECT_EQ(repaired.mesh->shell_count(), c.shells);
-    // Every face lies in the plane of the loaded face that it comes from.
+    // Every face is in the plane of the loaded face that it comes from.
     for (int f = 0; f < repaired.mesh->face_count(); ++f) {
       ASSERT_GE(repaired.loaded_face(f), 0);
       const auto from = test::slot(repaired.loaded_face(f));
@@ -307,7 +307,7 @@ TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
   }
 }
 
-/// What was removed and what went inside of a union are not added up.
+/// The removed area and the area inside of a union are not added up.
 TEST(Repair, SummaryGivesEachKindOfAreaItsOwn) {
   const TriMesh box = make_box({0.01, 0.01, 0.01});
   std::vector<dvec3> vertices = box.vertices();

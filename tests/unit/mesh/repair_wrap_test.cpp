@@ -21,7 +21,7 @@ RepairedMesh wrapped(const TriMesh& mesh, const RepairRecipe& recipe = coarse())
   return *repair_mesh(std::make_shared<const TriMesh>(mesh), recipe, kThickness);
 }
 
-/// A wrap is closed, warned of, and sound when it is repaired again.
+/// Expects a closed wrap with a warning that a second repair does not change.
 void expect_wrapped(const RepairedMesh& repaired, const TriMesh& loaded) {
   EXPECT_TRUE(repaired.mesh->closed());
   EXPECT_EQ(repaired.report.level, RepairLevel::wrap);

@@ -1,3 +1,4 @@
+// Intersecting faces: none in sound meshes, all of a rod through a plate.
 #include "core/mesh/query/self_intersection.h"
 
 #include <gtest/gtest.h>

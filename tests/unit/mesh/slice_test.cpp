@@ -1,3 +1,4 @@
+// Cuts of meshes with planes: closed loops with the right area.
 #include "core/mesh/slice.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +13,14 @@ namespace {
 
 using Segments = std::vector<std::pair<dvec3, dvec3>>;
 
-/// Area enclosed by the segments, counter-clockwise about the normal: sum of a x b / 2.
+/// Returns the area enclosed by the segments, counter-clockwise about the normal: the sum of a x b / 2.
 double enclosed_area(const Segments& segments, const dvec3& point, const dvec3& normal) {
   dvec3 sum{0};
   for (const auto& [a, b] : segments) sum += 0.5 * glm::cross(a - point, b - point);
   return glm::dot(sum, glm::normalize(normal));
 }
 
-/// Every end of a segment is the begin of exactly one other, bit by bit.
+/// Expects every end of a segment to be the begin of exactly one other segment, bit by bit.
 void expect_closed_loops(const Segments& segments) {
   std::map<std::tuple<double, double, double>, int> balance;
   for (const auto& [a, b] : segments) {

@@ -1,4 +1,4 @@
-// The brush against its definition, face by face, and where it must not reach.
+// The brush against its definition, face by face, and faces that it must not reach.
 #include "core/mesh/surface_brush.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ MeshIndex index_of(TriMesh mesh) {
   return MeshIndex(std::make_shared<TriMesh>(std::move(mesh)));
 }
 
-/// Grows from the face under the brush until nothing is added, over all faces.
+/// Adds neighbours to the face under the brush until no face is added, by looking at all faces.
 std::vector<int> painted_by_definition(const TriMesh& mesh, const SurfacePoint& at, const SurfaceBrush& brush) {
   const auto reached = [&](int f) {
     const auto i = static_cast<std::size_t>(f);

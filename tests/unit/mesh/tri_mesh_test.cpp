@@ -1,3 +1,4 @@
+// TriMesh: normals, areas, volume, shells and errors.
 #include "core/mesh/tri_mesh.h"
 
 #include <gtest/gtest.h>

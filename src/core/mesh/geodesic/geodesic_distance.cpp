@@ -6,19 +6,20 @@ namespace taxel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Windows are taken in the order of their distance up to the width of a bucket (Xu et al. 2015, "Fast wavefront
-// propagation"): the result does not depend on it, only how many windows are found to be late when they are taken.
-constexpr int kBuckets = 256;         // up to the radius, or
-constexpr int kBucketsAcross = 2048;  // along the diagonal of the mesh, if that makes more
-constexpr double kMostBuckets = 1e6;  // for paths far longer than the diagonal
+// Windows are processed in the order of their distance up to the width of a bucket (Xu et al. 2015, "Fast wavefront
+// propagation"). The order changes only the number of windows that are late when they are processed, not the result.
+constexpr int kBuckets = 256;         // number up to the radius, or
+constexpr int kBucketsAcross = 2048;  // number along the diagonal of the mesh, if that gives narrower ones
+constexpr double kMaxBuckets = 1e6;   // for paths far longer than the diagonal
 constexpr double kAtVertex = 1e-9;    // of an edge
-constexpr double kTie = 1.0 - 1e-12;  // far above the rounding of a path's length, far below any difference that counts
+constexpr double kTie =
+    1.0 - 1e-12;  // far above the rounding of a path's length, far below any difference that matters
 
 double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Coordinates of v in the frame whose x axis is the unit vector u.
+/// Returns the coordinates of v in the frame whose x axis is the unit vector u.
 dvec2 turned(const dvec2& v, const dvec2& u) {
   return {glm::dot(v, u), cross(u, v)};
 }
@@ -52,10 +53,10 @@ void GeodesicDistance::propagate(int face, const dvec3& source, double radius) {
   drain_buckets();
 }
 
-/// The source sees its own face: the three corners, and the faces across its three edges. From very near to a vertex
-/// the windows through the two edges there turn about it, in directions that rounding blurs: then the vertex is a
-/// source in all directions too. A path over it is never too short, and too long by no more than the way to the vertex
-/// and back.
+/// Straight lines lead from the source to the three corners of its face and into the faces across the three edges. If
+/// the source is very near to a vertex, rounding blurs the directions of the windows through the two edges there. Then
+/// the vertex is a source in all directions too. A path over the vertex is never too short, and too long by no more
+/// than twice the distance between source and vertex.
 void GeodesicDistance::start(int face, const dvec3& source) {
   source_face_ = face;
   source_ = mesh_->flat(3 * face, source);
@@ -82,7 +83,7 @@ void GeodesicDistance::drain_buckets() {
       const int item = buckets_[bucket_].back();
       buckets_[bucket_].pop_back();
       if (item >= 0) {
-        take(item);
+        process(item);
       } else {
         emit(~item);
       }
@@ -91,29 +92,29 @@ void GeodesicDistance::drain_buckets() {
 }
 
 void GeodesicDistance::schedule(int item, double distance) {
-  const auto by_distance = static_cast<std::size_t>(std::min(distance * buckets_per_metre_, kMostBuckets));
-  const std::size_t bucket = std::max(bucket_, by_distance);  // not before this one, as rounding might have it
+  const auto by_distance = static_cast<std::size_t>(std::min(distance * buckets_per_metre_, kMaxBuckets));
+  const std::size_t bucket = std::max(bucket_, by_distance);  // not an earlier one, which rounding could give
   if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
   buckets_[bucket].push_back(item);
 }
 
-void GeodesicDistance::take(int window) {
-  const GeodesicWindow w = windows_[at(window)];  // a copy: more are added below
-  if (!late(w)) pass_face(w);
+void GeodesicDistance::process(int window) {
+  const GeodesicWindow w = windows_[at(window)];  // a copy, because more windows are added below
+  if (!is_late(w)) pass_face(w);
 }
 
-/// Whether every point of the window is reached earlier along the edge from one of its ends: if its far end is, so is
-/// every point between, by the triangle inequality (Xin, Wang 2009, theorem 3.2). Such a window is on no shortest path.
-/// What ties, up to rounding, is kept: windows that turn about a vertex very near to their source do.
-bool GeodesicDistance::late(const GeodesicWindow& w) const {
+/// Whether every point of the window is reached earlier along the edge from one of its ends. If the far end of the
+/// window is, so is every point between, by the triangle inequality (Xin, Wang 2009, theorem 3.2). Such a window is on
+/// no shortest path. Ties up to rounding are not late: windows through a vertex very near to their source tie.
+bool GeodesicDistance::is_late(const GeodesicWindow& w) const {
   const UnfoldedMesh::Ends& ends = mesh_->ends(w.halfedge);
   const double to_end = w.distance(w.end), to_begin = w.distance(w.begin);
   return arrivals_[at(ends.start)].distance + w.end < kTie * to_end ||
          arrivals_[at(ends.end)].distance + (mesh_->edge(w.halfedge).length - w.begin) < kTie * to_begin;
 }
 
-/// Lays the face ahead beside what is unfolded already. The rays through the window meet the edge to the left, that to
-/// the right, or both, with the apex between them.
+/// Unfolds the next face. The rays through the window intersect its left edge, its right edge, or both, with the apex
+/// between them.
 void GeodesicDistance::pass_face(const GeodesicWindow& w) {
   const FlatEdge& edge = mesh_->edge(w.halfedge);
   const dvec2 s = w.source, to_apex = edge.apex - s;
@@ -121,7 +122,7 @@ void GeodesicDistance::pass_face(const GeodesicWindow& w) {
   const double side_of_begin = (w.begin - s.x) * to_apex.y + s.y * to_apex.x;
   const double side_of_end = (w.end - s.x) * to_apex.y + s.y * to_apex.x;
   reach_apex(w, edge, side_of_begin, side_of_end);
-  // Where a ray meets an edge: its ends lie on both sides, at distances from the ray that the cross products tell.
+  // The fraction of an edge at which a ray intersects it: cross products measure the distances of its ends to the ray.
   const auto part = [](double before, double after) { return before > 0.0 ? before / (before + after) : 0.0; };
   if (side_of_begin < 0.0) {
     const FlatEdge& left = mesh_->edge(previous_edge(w.halfedge));
@@ -137,8 +138,8 @@ void GeodesicDistance::pass_face(const GeodesicWindow& w) {
   }
 }
 
-/// The path to the apex: straight where the window shows it, else along the outermost ray and straight on. That is a
-/// path in any case, so no vertex is missed because rounding leaves a gap between two windows.
+/// The path to the apex is straight if the apex is visible through the window. Otherwise it bends at the nearer end of
+/// the window. That is a path in any case, so no vertex is missed because rounding leaves a gap between two windows.
 void GeodesicDistance::reach_apex(const GeodesicWindow& w, const FlatEdge& edge, double side_of_begin,
                                   double side_of_end) {
   const Arrival& known = arrivals_[at(edge.apex_fan)];
@@ -163,11 +164,11 @@ void GeodesicDistance::arrive(int opposite, double distance, const dvec2& from) 
   if (mesh_->fan(fan).bends()) schedule(~fan, distance);
 }
 
-/// A vertex becomes a source of what no straight line reaches: the directions that make at least half a turn with the
-/// path that arrives, on either side (Mitchell, Mount, Papadimitriou 1987, lemma 3.4).
+/// A vertex becomes a source for the directions that make at least half a turn with the arriving path, on either side
+/// (Mitchell, Mount, Papadimitriou 1987, lemma 3.4).
 void GeodesicDistance::emit(int fan_index) {
   Arrival& arrival = arrivals_[at(fan_index)];
-  if (!(arrival.distance < arrival.emitted)) return;  // came here with a longer path before
+  if (!(arrival.distance < arrival.emitted)) return;  // a longer path was scheduled earlier
   arrival.emitted = arrival.distance;
   const double offset = arrival.distance;
   const UnfoldedMesh::Fan& fan = mesh_->fan(fan_index);
@@ -194,15 +195,15 @@ void GeodesicDistance::emit(int fan_index) {
   }
 }
 
-/// From the vertex at which the half-edge `corner` begins, across its face, between two directions: angles from that
-/// half-edge. Where they pass it or the face's other edge here, so does a path along it.
+/// Emits from the vertex at which the half-edge `corner` begins, across its face, between two directions, given as
+/// angles from that half-edge. If the directions include one of the two edges at the vertex, a path runs along it.
 void GeodesicDistance::emit_through(int corner, double lo, double hi, double offset) {
   const int across = next_edge(corner);
   const FlatEdge &edge = mesh_->edge(corner), &opposite = mesh_->edge(across),
                  &last = mesh_->edge(previous_edge(corner));
   touch_face(corner / 3);
-  // Where a direction meets the opposite edge: by cross products with the ends of that edge.
-  const auto meet = [&](double angle) {
+  // The point of the opposite edge in a direction, by cross products with the ends of that edge.
+  const auto intersect = [&](double angle) {
     const dvec2 ray(std::cos(angle), std::sin(angle));
     const double before = ray.y * edge.length, after = cross(ray, edge.apex);
     return after > 0.0 ? opposite.length * before / (before + after) : opposite.length;
@@ -210,8 +211,8 @@ void GeodesicDistance::emit_through(int corner, double lo, double hi, double off
   const bool first_edge = lo <= 0.0, second_edge = hi >= mesh_->apex_angle(across);
   arrive(previous_edge(corner), offset + edge.length, dvec2(last.length, 0.0));
   arrive(corner, offset + last.length, dvec2(0));
-  const double begin = first_edge ? 0.0 : meet(lo), end = second_edge ? opposite.length : meet(hi);
-  // Seen from the other side the edge runs the other way.
+  const double begin = first_edge ? 0.0 : intersect(lo), end = second_edge ? opposite.length : intersect(hi);
+  // In the face across, the edge runs the other way.
   add_window(opposite.twin, opposite.length - end, opposite.length - begin,
              dvec2(opposite.length - opposite.apex.x, -opposite.apex.y), offset);
 }

@@ -8,21 +8,21 @@
 namespace taxel {
 namespace {
 
-constexpr double kAtSource = 1e-9;  // parts of the path's length
-constexpr int kStepsPerEdge = 4;    // more than any path has: rounding must not send it round and round
+constexpr double kAtSource = 1e-9;   // of the path's length
+constexpr int kMaxStepsPerEdge = 4;  // more than any path has; ends a loop that rounding might cause
 
-/// Walks from the target to the source.
+/// Traces the path from the target back to the source.
 class Tracer {
  public:
   Tracer(const UnfoldedMesh& mesh, const GeodesicDistance& from, int face, const dvec3& target)
       : mesh_(mesh), from_(from), face_(face), at_(target), slack_(kAtSource * from.to(face, target)) {}
 
-  /// One piece back; the points passed, the source not among them. False: the rest is straight to the source.
+  /// Traces one piece and appends its points, but not the source. Returns false if the rest is straight to the source.
   bool step(std::vector<dvec3>& path) { return vertex_ >= 0 ? leave_vertex(path) : cross_face(path); }
 
  private:
   [[nodiscard]] dvec3 corner(int halfedge) const { return mesh_.mesh().vertex(halfedge / 3, halfedge % 3); }
-  /// The point x along a half-edge.
+  /// Returns the point at the distance x along a half-edge.
   [[nodiscard]] dvec3 on_edge(int halfedge, double x) const {
     return glm::mix(corner(halfedge), corner(next_edge(halfedge)), x / mesh_.edge(halfedge).length);
   }
@@ -48,11 +48,11 @@ class Tracer {
   int face_;
   dvec3 at_;
   double slack_;
-  int entered_ = -1;  ///< half-edge of the face over which it came in, not to go back over
-  int vertex_ = -1;   ///< it is at the apex of this half-edge; -1: inside of a face or on an edge
+  int entered_ = -1;  ///< half-edge over which the face was entered; the path does not go back over it
+  int vertex_ = -1;   ///< half-edge with the present vertex as apex, or -1 within a face or edge
 };
 
-/// The way to a point of a face leads over one of its edges, by the window that shows the least distance, or from one
+/// The path to a point of a face comes over one of its edges, through the window with the least distance, or from one
 /// of its corners.
 bool Tracer::cross_face(std::vector<dvec3>& path) {
   double best = std::numeric_limits<double>::infinity(), x = 0;
@@ -60,7 +60,7 @@ bool Tracer::cross_face(std::vector<dvec3>& path) {
   for (int h = 3 * face_; h < 3 * face_ + 3; ++h) {
     const dvec2 t = mesh_.flat(h, at_);
     const double to_corner = glm::distance(t, mesh_.edge(h).apex), by_corner = from_.at_apex(h) + to_corner;
-    if (to_corner <= slack_) {  // at a vertex: it knows where its path comes from, its faces may not
+    if (to_corner <= slack_) {  // at a vertex, whose path is known, while its faces may lack windows
       go_to_vertex(h, path);
       return true;
     }
@@ -75,7 +75,7 @@ bool Tracer::cross_face(std::vector<dvec3>& path) {
       const double straight = height > 0 ? w.source.x - (t.x - w.source.x) * w.source.y / height : t.x;
       const double crossing = std::clamp(straight, w.begin, w.end);
       const double length = w.distance(crossing) + glm::distance(dvec2(crossing, 0), t);
-      // A tie goes to the window: the corner is then only passed by.
+      // A tie goes to the window: the path then only touches the corner.
       if (length > best || (length == best && over >= 0)) return;
       best = length;
       x = crossing;
@@ -118,7 +118,7 @@ std::vector<dvec3> geodesic_path(const UnfoldedMesh& mesh, const GeodesicDistanc
   if (!std::isfinite(from.to(face, target))) return {};
   std::vector<dvec3> path{target};
   Tracer tracer(mesh, from, face, target);
-  for (int i = 0; i < kStepsPerEdge * mesh.edge_count() && tracer.step(path); ++i) {
+  for (int i = 0; i < kMaxStepsPerEdge * mesh.edge_count() && tracer.step(path); ++i) {
   }
   path.push_back(source);
   std::reverse(path.begin(), path.end());

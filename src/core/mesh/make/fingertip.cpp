@@ -3,9 +3,10 @@
 //   |x / a(z)|^q + |(y - y0) / b(z)|^q = 1,   a(z) = A sqrt(1 - (z/L)^m),
 //
 // with separate height b and exponents q, m for the pad (y < y0) and the nail side (y > y0): the sections shrink
-// smoothly to the tip, where they end round because of the square root. The parameters were fitted to the twelve taxel
-// centres and normals published for the original finger (formats of the paper's sensor file), which the surface passes
-// within 0.3 mm and 6 degrees. A rounded rim joins the flat base. Millimetres inside, metres out.
+// smoothly to the tip, which is round because of the square root. The parameters were fitted to the twelve taxel
+// centres and normals published for the original finger (formats of the paper's sensor file): the surface is within
+// 0.3 mm and 6 degrees of them. A rounded rim joins the flat base. Lengths here are in millimetres, those of the mesh
+// in metres.
 #include <array>
 
 #include "core/base/index.h"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double kLength = 30.5;    // L
 constexpr double kCenterY = 0.9;    // y0
-constexpr double kRimRadius = 1.5;  // of the rounding between side and base
+constexpr double kRimRadius = 1.5;  // radius between side and base
 constexpr double kEdge = 1.42;      // target edge length: about 2000 triangles
 
 struct Axis {
@@ -26,7 +27,7 @@ struct Axis {
 constexpr Axis kSide{8.9, 6.0}, kPad{8.0, 4.4}, kNail{7.5, 3.0};
 constexpr double kPadExponent = 2.1, kNailExponent = 2.5;  // q
 
-/// One cut across the finger.
+/// One section across the finger.
 struct Section {
   double side = 0, pad = 0, nail = 0;  // half widths
   double z = 0;
@@ -57,13 +58,14 @@ Section side_section(double u) {
   return section_at(kRimRadius + (kLength - kRimRadius) * std::sin(0.5 * kPi * u));
 }
 
-/// Mean distance between two neighbouring sections over the side, pad and nail meridians.
+/// Returns the mean distance between two neighbouring sections over the side, pad and nail meridians.
 double step_length(const Section& a, const Section& b) {
   const double dz = b.z - a.z;
   return (2 * std::hypot(b.side - a.side, dz) + std::hypot(b.pad - a.pad, dz) + std::hypot(b.nail - a.nail, dz)) / 4;
 }
 
-/// Sections along one stretch, evenly spaced by mean arc length, at most about `spacing` apart; without the first.
+/// Returns the sections along one stretch without the first one, evenly spaced by mean arc length, at most about
+/// `spacing` apart.
 template <class Stretch>
 std::vector<Section> evenly(const Stretch& stretch, double spacing) {
   constexpr int kSamples = 2000;
@@ -82,7 +84,8 @@ std::vector<Section> evenly(const Stretch& stretch, double spacing) {
   return sections;
 }
 
-/// Point of the right half of a section; angle -pi/2 at the pad's ridge, 0 at the side, pi/2 on the nail.
+/// Returns a point of the right half of a section. The angle is -pi/2 at the pad's ridge, 0 at the side, pi/2 on the
+/// nail.
 dvec3 section_point(const Section& s, double angle) {
   const double c = std::max(0.0, std::cos(angle)), n = std::sin(angle);
   const double power = 2.0 / (n < 0 ? kPadExponent : kNailExponent);
@@ -90,13 +93,13 @@ dvec3 section_point(const Section& s, double angle) {
   return {s.side * std::pow(c, power), kCenterY + height, s.z};
 }
 
-/// Metres on a grid of nanometres: the same on every machine, short in a file.
+/// Converts to metres on a grid of nanometres, so that coordinates are equal on every machine and short in a file.
 dvec3 to_grid(const dvec3& p_mm) {
   return glm::round(p_mm * 1.0e6) / 1.0e9 + 0.0;
 }
 
-/// Points of the right half of a section, evenly spaced by arc length. Keeps the last number of steps as long as these
-/// stay about kEdge long: rings that line up make no valleys along the straight part.
+/// Returns points of the right half of a section, evenly spaced by arc length. The number of steps changes only if the
+/// steps would differ too much from kEdge: aligned rings make no valleys along the straight part.
 std::vector<dvec3> half_ring(const Section& s, int& steps) {
   constexpr int kSamples = 2000;
   std::vector<dvec3> points(kSamples + 1);

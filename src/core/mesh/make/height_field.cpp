@@ -24,7 +24,7 @@ void check(const HeightField& field) {
   }
 }
 
-/// The points of the grid's rim, counter-clockwise seen from above.
+/// Returns the points of the grid's rim, counter-clockwise seen from above.
 std::vector<int> rim_of(int rows, int columns) {
   std::vector<int> rim;
   for (int c = 0; c < columns; ++c) rim.push_back(c);

@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-/// The six tets of a unit cube along its main diagonal: one corner after the other, a step along each axis.
+/// Returns the six tets of a unit cube around its main diagonal: each is a path of one step along each axis.
 constexpr std::array<std::array<int, 3>, 6> kAxisOrders{
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 
@@ -70,7 +70,7 @@ class LevelSet {
     }
   }
 
-  /// The vertex on the edge between two nodes of the grid, one inside, one not.
+  /// Returns the vertex on the edge between two nodes of the grid, of which one is inside.
   int vertex(ivec3 a, ivec3 b) {
     if (number(b) < number(a)) std::swap(a, b);
     const ivec3 d = b - a;
@@ -82,12 +82,12 @@ class LevelSet {
 
   /// Regula falsi in its Illinois form (Dowell, Jarratt 1971), bracketing.
   dvec3 zero_between(const ivec3& a, const ivec3& b) const {
-    constexpr int kMostRounds = 60;  // edges that graze the surface need many, the others some five
+    constexpr int kMaxRounds = 60;  // edges nearly tangent to the surface need many, others about 5
     constexpr double kLeast = 1e-3, kNear = 1e-9;
     const dvec3 p = position(a), q = position(b);
     double lo = 0, hi = 1, at_lo = values_[at(number(a))], at_hi = values_[at(number(b))], t = 0;
-    int kept = 0;  // which end stayed in the last round: 1 lo, -1 hi
-    for (int i = 0; i < kMostRounds; ++i) {
+    int kept = 0;  // end that was kept in the last round: 1 for lo, -1 for hi
+    for (int i = 0; i < kMaxRounds; ++i) {
       t = (lo * at_hi - hi * at_lo) / (at_hi - at_lo);
       const double now = value(p + t * (q - p));
       if (std::abs(now) <= kNear * step_) break;
@@ -115,12 +115,12 @@ class LevelSet {
       for (int i = 0; i < 3; ++i) {
         for (int j = i + 1; j < 4; ++j) ++tet[at(j)][kAxisOrders[k][at(i)]];
       }
-      if (k >= 3) std::swap(tet[2], tet[3]);  // the odd orders wind the other way
+      if (k >= 3) std::swap(tet[2], tet[3]);  // odd permutations have the opposite orientation
       cut_tet(tet);
     }
   }
 
-  /// Corners inside come first; an even permutation keeps the orientation, so triangles face from inside to outside.
+  /// Sorts corners inside to the front by an even permutation, so that triangles face from inside to outside.
   void cut_tet(std::array<ivec3, 4> tet) {
     int count = 0, swaps = 0;
     for (int i = 0; i < 4; ++i) {

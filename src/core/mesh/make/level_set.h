@@ -8,10 +8,10 @@
 namespace taxel {
 
 /// Marching tetrahedra (Doi, Koide 1991) on a grid of cubes of at most `edge`, six tets each (Kuhn 1960), over `box`
-/// and one cube beyond. `distance` is negative inside; vertices are moved to its zero along the grid's edges, at least
-/// a thousandth of an edge away from their ends. Closed, outward. Throws Error: nothing negative in the box, something
-/// negative at the rim of the grid (the box is too small), a value not finite, an edge that is not positive or too
-/// short for the box.
+/// and one cube beyond. `distance` is negative inside; vertices are at its zeros along the edges of the grid, at least
+/// a thousandth of an edge away from their ends. The mesh is closed and oriented outward. Throws Error if no value in
+/// the box is negative, if one at the rim of the grid is (the box is too small), if a value is not finite, or if the
+/// edge is not positive or too short for the box.
 TriMesh make_level_set(const std::function<double(const dvec3&)>& distance, const Aabb& box, double edge);
 
 }  // namespace taxel

@@ -20,7 +20,7 @@ Error too_fine(double edge_length, double size) {
   return Error(fmt::format("edge length {} is too small for a size of {}", edge_length, size));
 }
 
-/// How many pieces of at most `piece` a length needs.
+/// Returns the number of pieces of at most `piece` that a length needs.
 int pieces(double length, double piece) {
   return std::max(1, static_cast<int>(std::ceil(length / piece)));
 }
@@ -49,7 +49,7 @@ Polyhedron icosahedron() {
            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
-/// Cuts every triangle into four at the middles of its edges, and lifts these to the unit sphere.
+/// Splits every triangle into four at the middles of its edges, and moves these onto the unit sphere.
 void subdivide_on_unit_sphere(Polyhedron& p) {
   std::map<std::pair<int, int>, int> middles;
   const auto middle = [&](int a, int b) {
@@ -66,12 +66,12 @@ void subdivide_on_unit_sphere(Polyhedron& p) {
   p.faces = std::move(faces);
 }
 
-constexpr int kMostSubdivisions = 9;  // 5 million triangles
-constexpr int kDrawnSteps = 7;        // from the pole of a ball to its rim, which has 5 times as many corners
+constexpr int kMaxSubdivisions = 9;  // 5 million triangles
+constexpr int kDrawnSteps = 7;       // from the pole of a drawn ball to its rim of 5 times as many corners
 
 Polyhedron unit_icosphere(int subdivisions) {
-  if (subdivisions < 0 || subdivisions > kMostSubdivisions)
-    throw Error(fmt::format("a sphere of {} subdivisions is out of range (0 to {})", subdivisions, kMostSubdivisions));
+  if (subdivisions < 0 || subdivisions > kMaxSubdivisions)
+    throw Error(fmt::format("a sphere of {} subdivisions is out of range (0 to {})", subdivisions, kMaxSubdivisions));
   Polyhedron p = icosahedron();
   for (dvec3& v : p.vertices) v = glm::normalize(v);
   for (int i = 0; i < subdivisions; ++i) subdivide_on_unit_sphere(p);
@@ -87,7 +87,7 @@ double longest_edge(const std::vector<dvec3>& vertices, const std::vector<ivec3>
   return longest;
 }
 
-/// One ring of `count` points.
+/// Returns one ring of `count` points.
 std::vector<dvec3> circle(double radius, double z, int count) {
   std::vector<dvec3> ring;
   for (int i = 0; i < count; ++i) {
@@ -97,7 +97,7 @@ std::vector<dvec3> circle(double radius, double z, int count) {
   return ring;
 }
 
-/// Flat caps of rings of 6 k points; `rows` that line up, so that the side is a prism.
+/// Makes flat caps of rings of 6 k points, and `rows` of aligned points, so that the side is a prism.
 TriMesh cylinder(double radius, double half_length, int discs, int rows) {
   RingSurface surface;
   for (int k = 0; k <= discs; ++k) surface.add_ring(circle(radius * k / discs, -half_length, std::max(1, 6 * k)));
@@ -106,8 +106,8 @@ TriMesh cylinder(double radius, double half_length, int discs, int rows) {
   return surface.mesh();
 }
 
-/// Round caps of rings of 5 k points, k `steps` from the pole: even triangles at the pole and at the rim. Without rows
-/// a ball.
+/// Makes round caps of rings of 5 k points, k `steps` from the pole, with even triangles at the pole and at the rim.
+/// The result without rows is a ball.
 TriMesh capsule(double radius, double half_length, int steps, int rows) {
   const auto cap_ring = [&](int k, double side) {
     const double angle = 0.5 * kPi * k / steps;
@@ -121,7 +121,7 @@ TriMesh capsule(double radius, double half_length, int steps, int rows) {
   return surface.mesh();
 }
 
-/// Throws where the mesh of a surface would have more than some 10^7 triangles: a slip of the unit.
+/// Throws Error if the mesh of a surface would have more than about 10^7 triangles, as after a mistake in the unit.
 void require_feasible(double area, double size, double edge_length) {
   require_positive(edge_length, "edge length");
   constexpr double kMost = 5e6;
@@ -176,12 +176,12 @@ TriMesh make_sphere(double radius, double edge_length) {
 TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length) {
   for (int i = 0; i < 3; ++i) require_positive(semi_axes[i], "semi-axis of an ellipsoid");
   require_positive(edge_length, "edge length");
-  // Edges are halved by a subdivision, or a little less: what cannot be reached is refused before it is tried.
+  // A subdivision divides edge lengths by at most 2: an edge length that is out of reach is refused first.
   const double smallest = std::min({semi_axes.x, semi_axes.y, semi_axes.z});
-  if (smallest > edge_length * (1 << kMostSubdivisions)) throw too_fine(edge_length, smallest);
+  if (smallest > edge_length * (1 << kMaxSubdivisions)) throw too_fine(edge_length, smallest);
   Polyhedron p = unit_icosphere(0);
   for (int i = 0; longest_edge(p.vertices, p.faces, semi_axes) > edge_length; ++i) {
-    if (i == kMostSubdivisions) throw too_fine(edge_length, smallest);
+    if (i == kMaxSubdivisions) throw too_fine(edge_length, smallest);
     subdivide_on_unit_sphere(p);
   }
   for (dvec3& v : p.vertices) v *= semi_axes;

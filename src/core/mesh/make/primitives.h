@@ -7,17 +7,17 @@ namespace taxel {
 
 TriMesh make_box(const dvec3& half_size);                 ///< 12 triangles
 TriMesh make_icosphere(double radius, int subdivisions);  ///< 20 * 4^n triangles, vertices on the sphere
-TriMesh make_sphere(double radius, double edge_length);   ///< subdivisions chosen so that edges are <= edge_length
+TriMesh make_sphere(double radius, double edge_length);   ///< as many subdivisions as edge_length needs
 TriMesh make_capsule(double radius, double half_length, double edge_length);   ///< axis z
 TriMesh make_cylinder(double radius, double half_length, double edge_length);  ///< axis z, flat caps
 TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length);
 
-// Round shapes to look at: as few triangles as look round, so long ones along straight sides. Sizes as above, positive.
+// Round shapes for display, with few triangles: long ones along straight sides. Sizes as above, positive.
 TriMesh make_drawn_capsule(double radius, double half_length);
 TriMesh make_drawn_cylinder(double radius, double half_length);
 TriMesh make_drawn_ellipsoid(const dvec3& semi_axes);
 
-/// Moves vertices along their radius from the centroid by one common factor so that the volume becomes `volume`.
+/// Returns the mesh scaled about its centroid so that its volume is `volume`.
 TriMesh scaled_to_volume(const TriMesh& mesh, double volume);
 
 /// A human-like robot fingertip: metres, pad towards -y, tip towards +z, base in the plane z = 0, mirror symmetric in

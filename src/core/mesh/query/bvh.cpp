@@ -10,38 +10,38 @@ namespace {
 constexpr int kFewBins = 4, kSomeBins = 8, kMaxBins = 16;
 /// Cost of visiting a node, in units of testing one primitive.
 constexpr double kVisitCost = 1.0;
-/// Axes shorter than this part of the longest are not tried.
+/// Axes shorter than this fraction of the longest one are not tried.
 constexpr double kThinAxis = 0.25;
 /// Below this depth nodes are halved by count, which bounds the depth at kSahDepth + 31 < Bvh::kMaxDepth - 1.
 constexpr int kSahDepth = 56;
 
-/// Twice the centre along one axis. NaN (an empty or infinite box) and infinities are no place to sort by.
+/// Returns twice the centre of a box along one axis. NaN (an empty or infinite box) and infinities cannot be sorted.
 double key_of(const Aabb& box, int axis) {
   return box.lo[axis] + box.hi[axis];
 }
 
 int bin_of(double key, double lo, double scale, int bins) {
   const double bin = (key - lo) * scale;
-  if (!(bin > 0)) return 0;  // NaN too
+  if (!(bin > 0)) return 0;  // also for NaN
   return bin < bins - 1 ? static_cast<int>(bin) : bins - 1;
 }
 
-/// A node of few boxes needs no more bins than boxes: trees over contact surfaces are built anew each step.
+/// A node of few boxes needs no more bins than boxes: trees over contact surfaces are rebuilt in each step.
 int bins_for(int count) {
   return std::clamp(count, kFewBins, kMaxBins);
 }
 
 }  // namespace
 
-/// Bins below `bin` of the axis go left; axis -1: no plane separates the boxes, halve the list.
+/// A split: bins below `bin` of the axis go left. Axis -1 if no plane separates the boxes and the list is halved.
 struct Bvh::Split {
   int axis = -1, bin = 0, bins = 0;
   double lo = 0, scale = 0;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-// Binned SAH (Wald 2007): cost = visit + (area_left * count_left + area_right * count_right) / area. kMostBins: room
-// for the bins, which costs small nodes more than the sums do.
+// Binned SAH (Wald 2007): cost = visit + (area_left * count_left + area_right * count_right) / area. kMostBins is
+// the size of the arrays, whose setup costs small nodes more than the sums.
 template <int kMostBins>
 void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi,
                    Split& best) const {
@@ -56,7 +56,7 @@ void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, cons
     box[bin].include(b);
     ++count[bin];
   }
-  std::array<double, kMostBins> right_cost{};  // of bins >= i
+  std::array<double, kMostBins> right_cost{};  // cost of bins >= i
   Aabb right;
   int right_count = 0;
   for (int i = bins - 1; i > 0; --i) {
@@ -76,8 +76,8 @@ void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, cons
 }
 
 Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const {
-  // Bounds of twice the centres, of the finite ones. NaN fails every comparison; infinities are looked for only where
-  // there are any.
+  // Bounds of twice the finite centres. NaN fails every comparison; infinities are searched only if the bounds are
+  // infinite.
   Aabb keys;
   const auto gather = [&](const auto& wanted) {
     keys = {};
@@ -96,7 +96,7 @@ Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const 
   Split best;
   const dvec3 extent = keys.extent();
   for (int axis = 0; axis < 3; ++axis) {
-    // A direction much shorter than the longest one hardly ever has the better split.
+    // A direction much shorter than the longest one rarely has the better split.
     const double longest = std::max({extent.x, extent.y, extent.z});
     if (extent[axis] < kThinAxis * longest) continue;
     if (node.count <= kFewBins) {
@@ -106,7 +106,7 @@ Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const 
     } else {
       try_axis<kMaxBins>(boxes, node, axis, keys.lo, keys.hi, best);
     }
-    if (node.count == 2 && best.axis >= 0) break;  // two boxes part along every axis at the same cost
+    if (node.count == 2 && best.axis >= 0) break;  // two boxes are separated along every axis at equal cost
   }
   return best;
 }
@@ -134,7 +134,7 @@ void Bvh::build(std::span<const Aabb> boxes, int max_leaf) {
   if (count == 0) return;
   nodes_.reserve(2 * boxes.size());
   nodes_.push_back({Aabb{}, 0, count});
-  // Nodes still to be looked at, deepest last; each with its depth. One sibling waits per level.
+  // Pending nodes with their depths, the deepest last: one sibling per level.
   std::array<std::pair<std::int32_t, int>, kMaxDepth> stack{};
   int size = 0;
   stack[at(size++)] = {0, 0};

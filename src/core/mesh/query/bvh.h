@@ -1,5 +1,5 @@
 // Bounding volume hierarchy over boxes: binned SAH (Wald 2007, "On fast Construction of SAH-based Bounding Volume
-// Hierarchies"). The tree knows boxes only; what a leaf holds is tested by the caller's function.
+// Hierarchies"). The tree has boxes only; the caller's function tests the primitives of a leaf.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ class Bvh {
  public:
   struct Node {
     Aabb box;
-    std::int32_t first = 0;  ///< leaf: first item of items(); inner: index of the left child, the right one follows it
-    std::int32_t count = 0;  ///< leaf: number of items; inner: 0
+    std::int32_t first = 0;  ///< first entry of items() of a leaf; left child of an inner node
+    std::int32_t count = 0;  ///< number of items of a leaf; 0 for an inner node, whose right child is first + 1
     [[nodiscard]] bool leaf() const { return count > 0; }
   };
 
-  /// No path from the root is longer, whatever the boxes: traversals need no growing stack.
+  /// Largest length of a path from the root for any boxes, so that traversals have a stack of fixed size.
   static constexpr int kMaxDepth = 96;
 
   Bvh() = default;
-  /// Builds over primitives given by their boxes. Deterministic; no primitive is lost, whatever its box.
+  /// Builds a tree over primitives given by their boxes. Deterministic; no primitive is lost, even if its box is empty.
   explicit Bvh(std::span<const Aabb> boxes, int max_leaf = 4) { build(boxes, max_leaf); }
-  /// Builds again; keeps the memory of the last build.
+  /// Rebuilds the tree in the memory of the last build.
   void build(std::span<const Aabb> boxes, int max_leaf = 4);
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
@@ -43,8 +43,9 @@ class Bvh {
   template <class BoxTest, class Test>
   void visit(const BoxTest& box_test, const Test& test) const;
 
-  /// Front-to-back walk. test(primitive, t_max) returns the new t_max (unchanged where it missed). Boxes whose entry
-  /// equals t_max are still visited, so that ties can go to the lowest number. Returns the last t_max.
+  /// Traverses front to back. test(primitive, t_max) returns the new t_max, unchanged if the ray misses the primitive.
+  /// Boxes whose entry equals t_max are still visited, so that ties can go to the lowest number. Returns the last
+  /// t_max.
   template <class Test>
   double cast(const Ray& ray, const Test& test) const;
 

@@ -7,12 +7,13 @@
 namespace taxel {
 
 /// Slab test of one ray against many boxes (Kay, Kajiya 1986). Zero direction components give infinite reciprocals;
-/// an origin on a slab's plane then gives 0 * inf = NaN, and every comparison below ignores NaN: no constraint.
+/// an origin on a slab's plane then gives 0 * inf = NaN, which every comparison below ignores.
 class SlabTest {
  public:
   explicit SlabTest(const Ray& ray) : origin_(ray.origin), inverse_(1.0 / ray.direction) {}
 
-  /// The distance at which the ray enters the box, or infinity beyond `t_max` or when it misses. Touching counts.
+  /// Returns the distance at which the ray enters or touches the box, or infinity if it misses or enters beyond
+  /// `t_max`.
   [[nodiscard]] double entry(const Aabb& box, double t_max) const {
     double enter = 0.0, leave = t_max;
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,12 +25,12 @@ class SlabTest {
     }
     return enter <= leave * kRoundUp ? enter : kMiss;
   }
-  /// Whether an entry found earlier now lies beyond `t_max`.
+  /// Whether an entry found earlier is now beyond `t_max`.
   [[nodiscard]] static bool beyond(double entry, double t_max) { return entry > t_max * kRoundUp; }
   static constexpr double kMiss = std::numeric_limits<double>::infinity();
 
  private:
-  /// A few roundings upward, so that no box is missed whose edge the ray just touches (Ize 2013).
+  /// Increases a distance by a few roundings, so that a box whose edge the ray touches is not missed (Ize 2013).
   static constexpr double kRoundUp = 1.0 + 8.0 * std::numeric_limits<double>::epsilon();
   dvec3 origin_, inverse_;
 };
@@ -57,7 +58,7 @@ double Bvh::cast(const Ray& ray, const Test& test) const {
   double t_max = ray.t_max;
   if (nodes_.empty()) return t_max;
   const SlabTest slabs(ray);
-  struct Waiting {  // not a pair: that would be zeroed kMaxDepth times for every ray
+  struct Waiting {  // not a pair, whose constructor would zero kMaxDepth of them for every ray
     std::int32_t node;
     double entry;
   };
@@ -67,7 +68,7 @@ double Bvh::cast(const Ray& ray, const Test& test) const {
   if (root_entry < SlabTest::kMiss) stack[static_cast<std::size_t>(size++)] = {0, root_entry};
   while (size > 0) {
     const auto [index, entry] = stack[static_cast<std::size_t>(--size)];
-    if (SlabTest::beyond(entry, t_max)) continue;  // equal is visited: a tie may go to a lower number
+    if (SlabTest::beyond(entry, t_max)) continue;  // an equal entry is visited: a tie may go to a lower number
     const Node& node = nodes_[static_cast<std::size_t>(index)];
     if (node.leaf()) {
       for (std::int32_t i = 0; i < node.count; ++i)

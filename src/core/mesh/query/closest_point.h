@@ -1,4 +1,4 @@
-// The nearest point of a triangle mesh, by BVH; and ray hits on it.
+// Nearest points of a triangle mesh and ray hits on it, by a BVH.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ struct SurfacePoint {
   dvec3 position{0};
   int face = -1;
   dvec3 barycentric{0};  ///< weights of the face's corners, sum 1
-  double distance = 0;   ///< from the query point, unsigned [m]
+  double distance = 0;   ///< unsigned distance from the query point [m]
 };
 
-/// A nearest point, and on which side of the mesh the query lies.
+/// A nearest point with the side of the mesh on which the query is.
 struct SignedPoint {
   SurfacePoint point;
-  double signed_distance = 0;  ///< negative inside [m]
+  double signed_distance = 0;  ///< signed distance of the query, negative inside [m]
 };
 
 struct MeshHit {
@@ -37,16 +37,17 @@ class MeshIndex {
   [[nodiscard]] const TriMeshPtr& mesh_ptr() const { return mesh_; }
   [[nodiscard]] const Bvh& bvh() const { return bvh_; }
 
-  /// Nearest point; ties go to the lowest face number. O(log n), less where it is known to lie `within` some distance;
-  /// where none does, the face is -1.
+  /// Returns the nearest point; ties go to the lowest face number. A limit `within` on the distance makes the search
+  /// faster; the face is -1 if no point is within it. O(log n).
   [[nodiscard]] SurfacePoint closest_point(const dvec3& p,
                                            double within = std::numeric_limits<double>::infinity()) const;
-  /// First hit from either side (ray_triangle.h: watertight, no epsilon); ties go to the lowest face number.
+  /// Returns the first hit from either side (ray_triangle.h: watertight, no epsilon); ties go to the lowest face
+  /// number.
   [[nodiscard]] std::optional<MeshHit> cast(const Ray& ray) const;
-  /// Like cast, leaving out one face (rays that start on it).
+  /// Returns the first hit on any face except one, for rays that start on that face.
   [[nodiscard]] std::optional<MeshHit> cast_except(const Ray& ray, int face) const;
-  /// Inside test by the sign of the angle-weighted pseudonormal at the nearest point (Baerentzen, Aanaes 2005);
-  /// meaningful for closed meshes.
+  /// Returns the nearest point with its signed distance, by the angle-weighted pseudonormal there (Baerentzen, Aanaes
+  /// 2005). The sign is meaningful for closed meshes.
   [[nodiscard]] SignedPoint signed_point(const dvec3& p, double within = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] double signed_distance(const dvec3& p) const { return signed_point(p).signed_distance; }
 
@@ -55,7 +56,7 @@ class MeshIndex {
   Bvh bvh_;
   NearestTree tree_;
   std::vector<dvec3> edge_normals_;    ///< pseudonormal of the edge from corner c to c + 1 at 3 face + c
-  std::vector<double> normal_errors_;  ///< how far rounding may turn each face's normal; large for needles
+  std::vector<double> normal_errors_;  ///< largest rounding of each face's normal; large for needles
 };
 
 }  // namespace taxel

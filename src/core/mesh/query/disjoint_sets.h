@@ -1,4 +1,4 @@
-// Sets that only ever grow together (union-find).
+// Disjoint sets that can be united (union-find).
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace taxel {
 
-/// Disjoint sets of the numbers 0 to n - 1, each known by its lowest member.
+/// Disjoint sets of the numbers 0 to n - 1, each represented by its lowest member.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// The lowest number of the set that holds i. Shortens the path on the way.
+  /// Returns the lowest number of the set that contains i. Shortens paths, so it is not const.
   int find(int i) {
     while (parent(i) != i) {
       parent(i) = parent(parent(i));

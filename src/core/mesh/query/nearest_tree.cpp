@@ -7,7 +7,7 @@
 namespace taxel {
 namespace {
 
-/// A float below x, and below what x was before its own last roundings.
+/// Returns a float below x by more than the last roundings of x.
 float float_below(double x) {
   return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
 }
@@ -29,7 +29,7 @@ NearestTree::NearestTree(const Bvh& tree, std::span<const Aabb> boxes) {
   add(tree, boxes, 0);
 }
 
-/// Primitives, for a leaf; else its two children.
+/// Returns the primitives of a leaf, or the two children of an inner node.
 NearestTree::Entries NearestTree::below(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
   const Bvh::Node& node = tree.nodes()[at(binary)];
   Entries entries;
@@ -45,8 +45,8 @@ NearestTree::Entries NearestTree::below(const Bvh& tree, std::span<const Aabb> b
   return entries;
 }
 
-/// One node for the binary one and what lies directly below it: the largest parts are opened while there is room.
-/// Never deeper than the binary tree, and one for the primitives of a leaf.
+/// Makes one node of a binary node and its descendants: the largest parts are opened while there is room. A leaf
+/// becomes a node of its primitives. The tree is never deeper than the binary one.
 std::int32_t NearestTree::add(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
   Entries entries = below(tree, boxes, binary);
   while (true) {

@@ -1,4 +1,4 @@
-// Boxes in a tree for nearest-point queries: four children to a node, their distances found at once.
+// A tree of boxes for nearest-point queries, with four children per node whose distances are computed together.
 #pragma once
 
 #include <array>
@@ -12,32 +12,32 @@ namespace taxel {
 
 /// A Bvh with two levels folded into one and a leaf for each primitive (Dammertz, Hanika, Keller 2008, "Shallow
 /// Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays"). Boxes are single precision and rounded
-/// outward: what a query leaves out is certainly too far; what it does not leave out the caller measures.
+/// outward: a query skips only primitives that are too far, and the caller measures the others.
 class NearestTree {
  public:
   NearestTree() = default;
-  /// `boxes` [m]: those that `tree` was built over.
+  /// `boxes` are those of the primitives of `tree` [m].
   NearestTree(const Bvh& tree, std::span<const Aabb> boxes);
 
-  /// Calls test(primitive) for each primitive whose box may come within `reach` [m] of p, those nearer first, roughly.
-  /// test returns the reach from there on.
+  /// Calls test(primitive) for each primitive whose box may be within `reach` of p [m], roughly from near to far.
+  /// test returns the reach for the rest of the search.
   template <class Test>
   void visit(const dvec3& p, double reach, Test&& test) const;
 
  private:
   static constexpr int kWidth = 4;
-  /// One number of each child: a vector register of every processor, so that no target needs a form of its own.
+  /// One number of each child: a vector that fits a register of every processor.
   using Lanes [[gnu::vector_size(kWidth * sizeof(float))]] = float;
   struct alignas(64) Node {  // two cache lines
     std::array<Lanes, 3> lo, hi;
-    std::array<std::int32_t, kWidth> child;  ///< node, or ~primitive
+    std::array<std::int32_t, kWidth> child;  ///< number of a node, or ~primitive
     std::int32_t count;
   };
   struct Waiting {
     float squared_distance;
     std::int32_t child;
   };
-  /// A child to be: a node of the binary tree with the number of its parts, or ~primitive.
+  /// A future child: a node of the binary tree with the number of its parts, or ~primitive.
   struct Entry {
     Aabb box;
     std::int32_t child;
@@ -57,7 +57,7 @@ class NearestTree {
 
   std::vector<Node> nodes_;
   dvec3 origin_{0};
-  double scale_ = 1;  ///< boxes hold scale (x - origin), of size 1: no square of them leaves the range of a float
+  double scale_ = 1;  ///< factor that makes boxes of size 1, whose squares fit a float
 };
 
 }  // namespace taxel

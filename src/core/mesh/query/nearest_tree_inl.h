@@ -1,4 +1,4 @@
-// The walk of NearestTree.
+// Traversal of NearestTree. Included by nearest_tree.h.
 #pragma once
 
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace taxel {
 
-/// Children that may come within the limit, nearest first.
+/// Finds the children that may be within the limit, nearest first.
 inline int NearestTree::near_children(const Node& node, const std::array<float, 3>& q, float error, float limit,
                                       std::array<Waiting, kWidth>& found) const {
   Lanes sum{};
@@ -29,7 +29,7 @@ inline int NearestTree::near_children(const Node& node, const std::array<float, 
   return size;
 }
 
-/// Above scale^2 reach^2 by more than all roundings of near_children lower its distances.
+/// Returns a limit above scale^2 reach^2 by more than the rounding errors of near_children.
 inline float NearestTree::squared_limit(double reach) const {
   constexpr double kRoundings = 16 * std::numeric_limits<float>::epsilon();
   const double local = scale_ * reach;
@@ -41,7 +41,7 @@ void NearestTree::visit(const dvec3& p, double reach, Test&& test) const {
   if (nodes_.empty()) return;
   const dvec3 local = scale_ * (p - origin_);
   const std::array<float, 3> q{static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)};
-  // What rounding p may have moved it by, doubled.
+  // Twice the largest rounding of p.
   const double size = std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
   const auto error = static_cast<float>(std::numeric_limits<float>::epsilon() * size);
   float limit = squared_limit(reach);

@@ -9,12 +9,12 @@ namespace taxel {
 
 struct TrianglePoint {
   dvec3 position{0};
-  dvec3 barycentric{0};         ///< weights of a, b, c; exactly 0 off an edge's or a vertex's own corners
-  double squared_distance = 0;  ///< [m^2]
+  dvec3 barycentric{0};         ///< weights of a, b, c; exactly 0 for corners off the nearest edge or vertex
+  double squared_distance = 0;  ///< squared distance from the query [m^2]
 };
 
-/// Nearest point of segment a b. Does not depend on the order of the ends, bit by bit, so that two triangles agree
-/// about their shared edge.
+/// Finds the nearest point of the segment a b. The result has the same bits for both orders of the ends, so that two
+/// triangles agree at their shared edge.
 inline double nearest_on_segment(const dvec3& p, const dvec3& a, const dvec3& b, dvec3& nearest) {
   const bool swapped = std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z);
   const dvec3& from = swapped ? b : a;
@@ -33,8 +33,8 @@ inline double nearest_on_segment(const dvec3& p, const dvec3& a, const dvec3& b,
   return swapped ? 1.0 - t : t;
 }
 
-/// Where the foot of the perpendicular lies inside, that foot; else the nearest point of the edges that have it on
-/// their outer side, or have it there but for rounding: so it is stable on slivers too.
+/// Returns the foot of the perpendicular if it is inside the triangle. Otherwise returns the nearest point of the edges
+/// that have the foot on their outer side to within rounding, which is stable on slivers too.
 inline TrianglePoint nearest_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
   const dvec3 normal = glm::cross(b - a, c - a);
   const dvec3 pa = a - p, pb = b - p, pc = c - p;
@@ -51,7 +51,7 @@ inline TrianglePoint nearest_on_triangle(const dvec3& p, const dvec3& a, const d
   best.squared_distance = std::numeric_limits<double>::infinity();
   const dvec3* corner[3] = {&a, &b, &c};
   const double opposite[3] = {w, u, v};
-  // The crosses above and the normal carry roundings of this size at most.
+  // The largest rounding error of the cross products above and of the normal.
   const double error = 64 * std::numeric_limits<double>::epsilon() * (glm::dot(b - a, b - a) + glm::dot(c - a, c - a)) *
                        (glm::dot(pa, pa) + glm::dot(pb, pb) + glm::dot(pc, pc));
   for (int e = 0; e < 3; ++e) {

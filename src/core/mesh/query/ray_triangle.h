@@ -1,4 +1,4 @@
-// Rays against triangles.
+// Watertight intersection of rays with triangles.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ struct TriangleHit {
   dvec3 barycentric{0};  ///< weights of a, b, c; sum 1, none negative
 };
 
-/// One ray made ready for many triangles.
+/// One ray prepared for many triangles.
 ///
 /// Solves Moeller and Trumbore's system (1997) the watertight way of Woop, Benthin and Wald (2013): a shear that
-/// depends on the ray alone lays the ray on an axis, so every triangle around a vertex or an edge sees the same rounded
-/// 2-D points. The weights are 2-D cross products there; their rounding can make a sign zero but never wrong, and zero
-/// counts as inside. So no ray slips through a shared edge or vertex. No epsilons.
+/// depends on the ray alone maps the ray to an axis, so all triangles at a vertex or an edge have the same rounded 2-D
+/// points. The weights are 2-D cross products; rounding can make their sign zero but never wrong, and zero is inside.
+/// So no ray passes between triangles at a shared edge or vertex. There are no epsilons.
 class RayTriangleTest {
  public:
   explicit RayTriangleTest(const Ray& ray) : origin_(ray.origin) {
@@ -30,7 +30,8 @@ class RayTriangleTest {
     shear_y_ = ray.direction[y_] * scale_;
   }
 
-  /// The hit with triangle a b c from either side, rim included, with 0 <= t <= t_max; a ray in its plane misses.
+  /// Returns the hit with the triangle a b c from either side, including its rim, with 0 <= t <= t_max. A ray in the
+  /// plane of the triangle misses.
   [[nodiscard]] std::optional<TriangleHit> operator()(const dvec3& a, const dvec3& b, const dvec3& c,
                                                       double t_max) const {
     const dvec3 p = sheared(a), q = sheared(b), r = sheared(c);
@@ -44,7 +45,7 @@ class RayTriangleTest {
   }
 
  private:
-  /// x and y across the ray, z along it in units of t.
+  /// Returns x and y across the ray, and z along it in units of t.
   [[nodiscard]] dvec3 sheared(const dvec3& point) const {
     const dvec3 p = point - origin_;
     return {p[x_] - shear_x_ * p[z_], p[y_] - shear_y_ * p[z_], scale_ * p[z_]};
@@ -55,7 +56,7 @@ class RayTriangleTest {
   double shear_x_, shear_y_, scale_;
 };
 
-/// The same for one triangle, within ray.t_max.
+/// Returns the hit of a ray with one triangle within ray.t_max, as RayTriangleTest.
 inline std::optional<TriangleHit> intersect_triangle(const Ray& ray, const dvec3& a, const dvec3& b, const dvec3& c) {
   return RayTriangleTest(ray)(a, b, c, ray.t_max);
 }

@@ -9,7 +9,7 @@
 namespace taxel {
 namespace {
 
-/// Six times the volume of the tet a b c d, and the size of its terms: what rounding can be seen against.
+/// Six times the volume of the tet a b c d, and the size of its terms, which bounds the rounding error.
 struct Orientation {
   double volume, scale;
   Orientation(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
@@ -23,8 +23,8 @@ struct Orientation {
   }
 };
 
-/// Where the open segment p q goes through the inside of the triangle a b c: its ends lie on different sides, and it
-/// passes all edges on the same side.
+/// Returns the point at which the open segment p q goes through the inside of the triangle a b c: the ends of the
+/// segment are on different sides of the triangle, and the segment passes all edges on the same side.
 std::optional<dvec3> crossing(const dvec3& p, const dvec3& q, const dvec3& a, const dvec3& b, const dvec3& c) {
   const Orientation above(a, b, c, p), below(a, b, c, q);
   if (above.sign() * below.sign() >= 0) return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<dvec3> crossing(const TriMesh& mesh, int f, int g) {
   return std::nullopt;
 }
 
-/// Pairs of faces f < g with begin <= f < end.
+/// Finds pairs of faces f < g with begin <= f < end.
 SelfIntersections find_in_range(const TriMesh& mesh, const std::vector<Aabb>& boxes, const Bvh& bvh, int begin,
                                 int end) {
   SelfIntersections found;

@@ -1,4 +1,4 @@
-// Where the faces of a mesh cut through each other.
+// Pairs of faces of a mesh that cut through each other.
 #pragma once
 
 #include "core/mesh/tri_mesh.h"
@@ -6,12 +6,14 @@
 namespace taxel {
 
 struct SelfIntersections {
-  int pairs = 0;                 ///< of faces without a common vertex, one of which an edge of the other goes through
+  /// Number of pairs of faces without a common vertex, of which one is intersected by an edge of the other.
+  int pairs = 0;
   int face_a = -1, face_b = -1;  ///< the first such pair, face_a < face_b
-  dvec3 place{0};                ///< a point that both share [m]
+  dvec3 place{0};                ///< a point on both faces [m]
 };
 
-/// Touching, coplanar overlaps and cuts shallower than rounding do not count. O(n log n) where boxes hardly overlap.
+/// Finds intersecting pairs. Contact, coplanar overlap and cuts shallower than rounding are ignored. O(n log n) if few
+/// boxes overlap.
 SelfIntersections find_self_intersections(const TriMesh& mesh);
 
 }  // namespace taxel

@@ -23,7 +23,8 @@ using QuadricBase = OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>;
 class QuadricError : public QuadricBase {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<QuadricError>;
-  explicit QuadricError(HalfEdgeMesh& mesh) : QuadricBase(mesh) { unset_max_err(); }  // the number of faces ends it
+  /// Without a largest error: the number of faces ends the decimation.
+  explicit QuadricError(HalfEdgeMesh& mesh) : QuadricBase(mesh) { unset_max_err(); }
   float collapse_priority(const CollapseInfo& info) override {
     const float error = QuadricBase::collapse_priority(info);
     return error > static_cast<float>(ILLEGAL_COLLAPSE) ? std::max(error, 0.0F) : error;
@@ -38,13 +39,13 @@ void normalize_size(HalfEdgeMesh& mesh, const Aabb& bounds) {
     mesh.set_point(vertex, (mesh.point(vertex) - OpenMesh::Vec3d(c.x, c.y, c.z)) * scale);
 }
 
-/// A rim has no faces on its other side whose quadrics would hold it.
+/// Locks rims, because no faces across them have quadrics that would keep them in place.
 void lock_rims(HalfEdgeMesh& mesh) {
   for (const auto vertex : mesh.vertices())
     if (mesh.is_boundary(vertex)) mesh.status(vertex).set_locked(true);
 }
 
-/// The faces that are left, between vertices of `mesh` itself, which are those that it had.
+/// Returns the remaining faces between the original vertices of `mesh`.
 TriMesh with_own_vertices(const HalfEdgeMesh& half_edges, const TriMesh& mesh) {
   std::vector<int> number(mesh.vertices().size(), -1);
   std::vector<dvec3> vertices;

@@ -1,5 +1,5 @@
-// Which shells of a mesh lie inside another one. Each shell is tested against the shells whose boxes contain its own
-// box; a tree over the boxes finds those, so that many separate shells cost O(n log n).
+// Each shell is tested against the shells whose boxes contain its own box. A tree over the boxes finds those, so that
+// many separate shells cost O(n log n).
 #include "core/mesh/topology/enclosed_shells.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class ShellTree {
     return mean > 0.5;
   }
 
-  /// How often `shell` winds around p: 1 or -1 inside of a closed shell, 0 outside.
+  /// Returns the winding number of `shell` around p: 1 or -1 inside a closed shell, 0 outside.
   [[nodiscard]] double winding_number(int shell, const dvec3& p) const {
     double sum = 0;
     for (const int f : faces_[at(shell)])
@@ -55,7 +55,7 @@ class ShellTree {
     return sum / (4.0 * kPi);
   }
 
-  /// Centres of some faces of a shell, spread over its face list.
+  /// Returns the centres of some faces of a shell, spread over its list of faces.
   [[nodiscard]] std::vector<dvec3> probe_points(int shell) const {
     constexpr std::size_t kProbes = 8;
     const std::vector<int>& faces = faces_[at(shell)];

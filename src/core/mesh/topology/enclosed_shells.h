@@ -1,4 +1,4 @@
-// Which shells of a mesh lie inside another one, for all shells at once.
+// Finds the shells of a mesh that are inside another shell.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace taxel {
 
-/// Per shell: 1 if it lies inside another shell (shell_is_enclosed()), 0 otherwise.
+/// Returns 1 for each shell inside another shell (shell_is_enclosed()), and 0 for the others.
 std::vector<char> enclosed_shells(const TriMesh& mesh);
 
 }  // namespace taxel

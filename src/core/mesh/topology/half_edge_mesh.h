@@ -13,11 +13,11 @@ struct HalfEdgeTraits : OpenMesh::DefaultTraits {
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
 
-/// Vertices and faces in their order. Throws Error that names the first edge or vertex that no half-edge structure can
-/// have: more than two faces at an edge, two faces of different winding, several fans at a vertex.
+/// Converts a mesh, in the order of its vertices and faces. Throws Error that names the first place if the mesh is not
+/// a manifold: an edge of more than two faces or of faces that wind differently, or a vertex with several fans.
 HalfEdgeMesh to_half_edges(const TriMesh& mesh);
 
-/// Vertices and faces in their order; those marked as deleted must have been collected.
+/// Converts back, in the order of vertices and faces. Deleted items must have been removed by garbage_collection().
 TriMesh from_half_edges(const HalfEdgeMesh& mesh);
 
 }  // namespace taxel

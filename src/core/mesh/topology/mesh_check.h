@@ -1,4 +1,4 @@
-// What is wrong with a mesh, in words; and the repairs that need no decision.
+// Problems of a mesh in words, and the repairs that need no decision.
 #pragma once
 
 #include <string>
@@ -9,42 +9,42 @@
 
 namespace taxel {
 
-/// Everything about a mesh that a user should know, in this order:
+/// Returns the problems of a mesh in this order:
 ///   warning mesh_open          edges with one face: no inside, no pressure field
 ///   error   mesh_nonmanifold   edges with more than two faces
 ///   error   mesh_winding       neighbours that wind differently
 ///   warning mesh_inverted      a closed mesh whose volume is negative: normals point inward
 ///   note    mesh_cavity        a closed shell inside another one: sensing leaves it out
 ///   note    mesh_shells        several outer shells
-///   warning mesh_self_intersection  faces that cut through others: the pressure field overlaps there; a note where
-///   they
-///                              are less than a thousandth
-///   warning mesh_units         a size that is hardly metres
+///   warning mesh_self_intersection  faces that cut through others: the pressure field overlaps there; a note if these
+///                              are less than a thousandth of the faces
+///   warning mesh_units         a size that is probably not in metres
 /// Each names `file`, the number of places and the first of them. O(n log n).
 Problems check_mesh(const TriMesh& mesh, const std::string& file);
 
 /// Returns the first three of check_mesh(): the faults of a mesh's edges.
 Problems check_edges(const TriMesh& mesh, const std::string& file);
 
-/// The last two of check_mesh(), for a mesh of which the intersections `cuts` are known.
+/// Returns the last two of check_mesh(), for a mesh whose intersections `cuts` are known.
 Problems check_cuts_and_size(const TriMesh& mesh, const SelfIntersections& cuts, const std::string& file);
 
-/// Where a mesh that is not closed lets the inside out: each kind of bad edge with its number and first place.
+/// Returns the messages of check_edges(), joined by semicolons.
 std::string openings(const TriMesh& mesh);
 
-/// The unit that the numbers of a mesh are probably in.
+/// The probable unit of the coordinates of a mesh.
 struct UnitGuess {
   std::string unit;  ///< "m" or "mm"
-  double scale = 1;  ///< to metres
+  double scale = 1;  ///< factor to metres
 };
-/// By the largest extent: up to 1 it is metres, above it millimetres. A guess: to be shown, never applied silently.
+/// Guesses metres if the largest extent is up to 1, and millimetres above. To be displayed, never applied silently.
 UnitGuess guess_unit(const TriMesh& mesh);
 
-/// The same faces with the opposite winding.
+/// Returns the mesh with the opposite winding.
 TriMesh flipped(const TriMesh& mesh);
 
-/// Neighbours wind alike, closed shells outward (enclosed ones inward). Face and vertex order are kept; what cannot be
-/// oriented (a Moebius strip) keeps a seam, which check_mesh still reports.
+/// Returns the mesh with faces turned so that neighbours wind alike and closed shells wind outward, or inward if
+/// another shell encloses them. The order of faces and vertices is kept. A surface that cannot be oriented (a Moebius
+/// strip) keeps a seam, which check_mesh still reports.
 TriMesh oriented(const TriMesh& mesh);
 
 }  // namespace taxel

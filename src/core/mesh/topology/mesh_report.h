@@ -1,4 +1,4 @@
-// What reading a mesh did and what is wrong with it, with what that means for a sensor: for people, not for programs.
+// Findings about a mesh in words, with their meaning for a sensor.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@ namespace taxel {
 
 struct MeshFinding {
   Severity severity = Severity::note;
-  std::string code;     ///< of check_mesh, or "mesh_repaired"
-  std::string what;     ///< with the number of places and the first of them
-  std::string meaning;  ///< for sensing
+  std::string code;     ///< code of check_mesh, or "mesh_repaired"
+  std::string what;     ///< sentence with the number of places and the first of them
+  std::string meaning;  ///< consequence for sensing
 };
 using MeshFindings = std::vector<MeshFinding>;
 
-/// What check_mesh lists, the gravest first, and then what was done on reading (LoadedMesh::notes). Empty: nothing to
-/// say. Costs what check_mesh costs.
+/// Returns the problems of check_mesh, the most severe first, followed by `notes`, the changes made while reading
+/// (LoadedMesh::notes). The cost is that of check_mesh.
 MeshFindings mesh_report(const TriMesh& mesh, const std::vector<std::string>& notes);
 
-/// For a line of text: "3 warnings, 1 note"; empty where there is nothing.
+/// Returns the numbers of findings, as in "3 warnings, 1 note". Empty if there are none.
 std::string count_findings(const MeshFindings& findings);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// More triangles: each becomes four.
+// Subdivision: splits each triangle into four.
 #pragma once
 
 #include <string_view>
@@ -8,15 +8,15 @@
 namespace taxel {
 
 enum class SubdivisionScheme {
-  midpoint,  ///< new vertices at the middles of the edges: the surface stays as it is
-  loop       ///< Loop 1987: smooths the surface towards a spline, and shrinks it
+  midpoint,  ///< new vertices at the middles of edges; the surface does not change
+  loop       ///< scheme of Loop 1987, which smooths and shrinks the surface
 };
 
 /// The largest number of faces that subdivide() makes.
 inline constexpr long kMaxSubdividedFaces = 4'000'000;
 
-/// Splits every face into four, `times` times. Closed shells stay closed. Throws Error: `times` not positive, more than
-/// kMaxSubdividedFaces, not a manifold.
+/// Splits every face into four, `times` times. Closed shells stay closed. Throws Error if `times` is not
+/// positive, if the result would have more than kMaxSubdividedFaces, or if the mesh is not a manifold.
 TriMesh subdivide(const TriMesh& mesh, int times, SubdivisionScheme scheme);
 
 }  // namespace taxel

@@ -9,8 +9,8 @@
 namespace taxel {
 namespace {
 
-/// Points spread evenly by area: the k-th at (k + 1/2) / count of the area in the order of the faces, within its face
-/// by the R2 sequence (Roberts 2018).
+/// Returns points spread evenly by area: the k-th at (k + 1/2) / count of the area in the order of the faces, within
+/// its face by the R2 sequence (Roberts 2018).
 std::vector<dvec3> spread_points(const TriMesh& mesh, int count) {
   constexpr double kA = 0.7548776662466927, kB = 0.5698402909980532;
   std::vector<double> sums(mesh.face_areas().size());

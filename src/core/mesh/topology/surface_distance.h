@@ -1,11 +1,11 @@
-// How far two surfaces are apart.
+// The distance between two surfaces.
 #pragma once
 
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
 
-/// From points of each surface to the closest point of the other one [m].
+/// Distances from points of each surface to the closest point of the other surface [m].
 struct SurfaceDistance {
   double largest = 0;  ///< a lower bound of the Hausdorff distance; exact for vertices
   double rms = 0;      ///< root mean square over points spread over both surfaces

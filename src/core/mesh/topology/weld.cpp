@@ -27,7 +27,7 @@ void check_soup(const PolygonSoup& soup, const dvec3& scale) {
   }
 }
 
-/// For each point the number of the first one at the same place.
+/// Returns for each point the number of the first point at the same place.
 std::vector<int> first_at_same_place(const std::vector<dvec3>& points) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -39,21 +39,21 @@ std::vector<int> first_at_same_place(const std::vector<dvec3>& points) {
   return first;
 }
 
-/// Whether rounding of the edges alone can have made the area that the triangle has.
+/// Whether the area of a triangle is so small that rounding of its edges alone can have made it.
 bool has_no_area(const dvec3& a, const dvec3& b, const dvec3& c) {
   const dvec3 ab = b - a, ac = c - a, bc = c - b;
   const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
   return !(glm::length(glm::cross(ab, ac)) > 8 * std::numeric_limits<double>::epsilon() * longest);
 }
 
-/// The same triangle beginning with its lowest corner: equal for every rotation, different for the other direction.
+/// Returns the triangle rotated so that its lowest corner is first: equal for equal winding only.
 std::tuple<int, int, int> rotated(const ivec3& f) {
   if (f.x < f.y && f.x < f.z) return {f.x, f.y, f.z};
   if (f.y < f.z) return {f.y, f.z, f.x};
   return {f.z, f.x, f.y};
 }
 
-/// What was left out, and the first place of it.
+/// Number of dropped triangles, and the first of them.
 struct Dropped {
   int count = 0, first = -1;
   void add(int face) {
@@ -128,7 +128,7 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   }
   if (unused > 0) notes.push_back(fmt::format("dropped {} vertices that no triangle uses", unused));
   for (ivec3& f : faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};
-  // A flat face with a vertex of its own joins nothing.
+  // A flat face with a vertex that no other face uses joins no faces.
   std::erase_if(flat_faces,
                 [&](const ivec3& f) { return used[at(f.x)] < 0 || used[at(f.y)] < 0 || used[at(f.z)] < 0; });
   for (ivec3& f : flat_faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};

@@ -1,4 +1,4 @@
-// From what a file says to a mesh that TriMesh takes.
+// Converts the polygons of a file to a valid TriMesh.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace taxel {
 
 /// Scales, welds vertices at exactly the same place, drops triangles without area (two corners at one place, or an area
 /// lost in the rounding of its edges) and repeated ones (same corners, same direction), drops unused vertices. Keeps
-/// the order of what stays. Says in `notes` what it did. A negative product of the scale flips the winding.
-/// `face_of` (optional) gets, for each face, the number of its triangle in `soup`.
-/// Throws Error without a file name: scale not finite or zero, index out of range, no triangles.
+/// the order of the rest. Describes the changes in `notes`. A negative product of the scale flips the winding.
+/// `face_of` (optional) gets the number in `soup` of each face's triangle. Throws Error without a file name if the
+/// scale is not finite or zero, an index is out of range, or there are no triangles.
 TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::string>& notes,
              std::vector<int>* face_of = nullptr);
 

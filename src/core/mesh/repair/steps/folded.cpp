@@ -7,7 +7,7 @@
 namespace taxel {
 namespace {
 
-/// A face by its corners in ascending order, and whether it winds like them.
+/// A face by its corners in ascending order, with its winding relative to that order.
 struct SortedFace {
   std::array<int, 3> corners;
   int face;
@@ -33,7 +33,7 @@ std::vector<SortedFace> sorted_faces(const Draft& draft) {
   return sorted;
 }
 
-/// Calls body(faces between the same three points) where there are several.
+/// Calls body(faces between the same three points) for every group of several faces.
 template <class Body>
 void for_each_stack(const std::vector<SortedFace>& sorted, const Body& body) {
   for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {

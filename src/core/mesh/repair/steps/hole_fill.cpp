@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-/// How bad a part of a triangulation is: first by its sharpest edge, then by its area. Angles are measured as 1 - cos.
+/// Cost of a part of a triangulation: first its sharpest edge, then its area. Angles are measured as 1 - cos.
 struct Badness {
   double angle = 0, area = 0;
   bool operator<(const Badness& other) const { return std::tie(angle, area) < std::tie(other.angle, other.area); }
@@ -38,7 +38,8 @@ class LeastAngle {
     const double length = glm::length(n);
     return length > 0 ? n / length : dvec3(0);
   }
-  /// Normal of what lies beyond the edge i k of a triangle: a face outside of the hole, or a triangle of the stretch.
+  /// Returns the normal across the edge i k of a triangle: of a face outside of the hole, or of a triangle of the
+  /// stretch.
   [[nodiscard]] dvec3 normal_across(int i, int k) const {
     return k == i + 1 ? rim_.normals[at(i)] : unit_normal(i, middle_[index(i, k)], k);
   }
@@ -125,7 +126,7 @@ class Ears {
   [[nodiscard]] int before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
   [[nodiscard]] int after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 
-  /// A convex corner whose triangle holds no other one; else any convex corner; else any corner.
+  /// Returns a convex corner whose triangle contains no other corner, or any convex corner, or any corner.
   [[nodiscard]] std::size_t find(std::size_t from) const {
     for (const int strictness : {2, 1, 0}) {
       for (std::size_t i = 0; i < left_.size(); ++i) {

@@ -6,8 +6,8 @@
 namespace taxel {
 namespace {
 
-/// How often all other shells wind around a shell, at the middle of its largest faces. Just outside of a face the own
-/// shell winds 0 times around, or, if it is a cavity or inside out, -1 times.
+/// Returns the winding number of all other shells around a shell, at the middle of its largest faces. Just outside of a
+/// face the winding number of the shell itself is 0, or -1 if it is a cavity or inside out.
 double winding_of_others(const Draft& draft, const WindingNumber& winding, const std::vector<int>& shell, double volume,
                          double step_out) {
   constexpr std::size_t kProbes = 3;
@@ -50,7 +50,7 @@ RepairStep orient_shells(Draft& draft) {
   for (const std::vector<int>& shell : shells.faces) {
     const double volume = volume_of(draft, shell);
     const double others = winding_of_others(draft, winding, shell, volume, step_out);
-    // A cavity lies in solid. A shell in a body that is inside out is inside out as well.
+    // A cavity is inside a solid. A shell in a body that is inside out is inside out as well.
     if ((volume < 0 && others < 0.5) || (volume > 0 && others < -0.5)) turn_shell(draft, shell, step);
   }
   return step;

@@ -6,7 +6,7 @@
 
 namespace taxel {
 
-/// Faces that hang together by shared points, numbered by their first face.
+/// Shells: faces connected by shared points, numbered by their first face.
 struct Shells {
   std::vector<std::vector<int>> faces;  ///< faces of each shell, ascending
   std::vector<int> of_face;
@@ -19,7 +19,7 @@ double volume_of(const Draft& draft, const std::vector<int>& faces);
 /// Whether a surface cuts through itself in more than a thousandth of its faces, and in more than a few. Fewer places
 /// are folds that a pressure field survives.
 bool cuts_through_itself(const Draft& draft);
-/// The same for a surface of `faces` faces of which the intersections are known.
+/// Whether `faces` faces with these intersections cut through themselves in as many places.
 bool cuts_through_itself(const SelfIntersections& found, int faces);
 
 }  // namespace taxel

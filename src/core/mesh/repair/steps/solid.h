@@ -17,10 +17,10 @@ enum class SolidFaces {
 /// The solid within some faces of a draft, which are closed.
 manifold::Manifold make_solid(const Draft& draft, const std::vector<int>& faces, SolidFaces kind);
 
-/// Appends the faces of a solid with points of their own. Each comes from the loaded face of that numbered face which
-/// it carries the number of.
+/// Appends the faces of a solid with points of their own. The loaded face of each is that of the
+/// numbered face whose number it has.
 void append_solid(Draft& draft, const manifold::Manifold& solid, const std::vector<int>& source_loaded);
-/// The same for a solid without numbers: its faces are wrapped ones.
+/// Appends the faces of a solid without numbers, marked kWrappedFace.
 void append_wrapped(Draft& draft, const manifold::Manifold& solid);
 
 }  // namespace taxel

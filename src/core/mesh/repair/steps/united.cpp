@@ -1,4 +1,4 @@
-// The union of shells that overlap, touch along faces or lie inside each other: walls inside a body go.
+// The union of shells that overlap, touch along faces or are inside each other: walls inside a body are removed.
 #include <map>
 
 #include "core/mesh/query/bvh.h"

@@ -35,10 +35,10 @@ std::vector<PointOnFace> even_points(const TriMesh& mesh, int count) {
   return points;
 }
 
-/// From points to a mesh.
+/// Distances from points to a mesh.
 struct Distances {
-  std::vector<double> value;  ///< [m]; -1: left out
-  std::vector<int> face;      ///< of the mesh, where it is nearest
+  std::vector<double> value;  ///< distance of each point [m], or -1 if left out
+  std::vector<int> face;      ///< nearest face of the mesh
 };
 
 Distances distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& points) {

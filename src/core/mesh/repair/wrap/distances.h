@@ -1,4 +1,4 @@
-// How far a repaired surface is from the loaded one.
+// The distance between a repaired surface and the loaded one.
 #pragma once
 
 #include "core/mesh/repair/repaired_mesh.h"

@@ -1,4 +1,4 @@
-// How often a surface winds around a point.
+// The generalised winding number of a surface around a point.
 #pragma once
 
 #include "core/mesh/query/bvh.h"
@@ -7,7 +7,7 @@ namespace taxel {
 
 /// Generalised winding number (Jacobson, Kavan, Sorkine-Hornung 2013, "Robust inside-outside segmentation using
 /// generalized winding numbers"): the signed solid angle of all faces over 4 pi. 1 inside a closed surface that winds
-/// outward, 0 outside, a harmonic function in between where the surface has holes. Faces far away are summed by
+/// outward, 0 outside, a harmonic function in between if the surface has holes. Faces far away are summed by
 /// clusters, each as one dipole (Barill et al. 2018, "Fast winding numbers for soups and clouds").
 class WindingNumber {
  public:

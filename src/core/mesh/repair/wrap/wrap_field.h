@@ -13,7 +13,7 @@ namespace taxel {
 enum class WrapKind {
   solid,            ///< the space that the faces wind around
   sheet,            ///< a body of the pad's thickness behind the faces
-  two_sided_sheet,  ///< a body of the pad's thickness around the faces, which have no back (a Moebius strip)
+  two_sided_sheet,  ///< a body of the pad's thickness around faces without a back side
 };
 
 /// Signed distance to the surface of the body that some faces are made into, negative inside. Exact within two edges of
@@ -44,7 +44,7 @@ class WrapField {
   double edge_, thickness_;
   std::unique_ptr<MeshIndex> index_;
   std::unique_ptr<WindingNumber> winding_;
-  std::vector<char> is_rim_;                  ///< at 3 face + corner: no other face lies across the edge
+  std::vector<char> is_rim_;                  ///< 1 for each half-edge without another face
   std::vector<std::pair<dvec3, dvec3>> rim_;  ///< ends of edges with one face [m]
   Bvh rim_tree_;
   Aabb bounds_;
