@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Limits of folders, types and functions, and circles of includes.
+"""Limits of folders, types and functions, circles of includes, and the rules of purity.py.
 
 A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists what breaks a
 limit today, with its figure: the figure may not grow, and a line that is no longer needed must go.
@@ -10,6 +10,7 @@ import sys
 
 from check_house import includes
 from cpp_text import data_members, has_methods, scopes
+from purity import impure_states, mutable_statics, waits
 
 MAX_FOLDER_FILES = 25
 MAX_FUNCTION_LINES = 60
@@ -81,7 +82,8 @@ def circles(root):
 
 
 def offenders(root):
-    return dict([*full_folders(root), *long_scopes(root), *circles(root)])
+    rules = (full_folders, long_scopes, circles, impure_states, waits, mutable_statics)
+    return dict(offender for rule in rules for offender in rule(root))
 
 
 def listed(root):

@@ -15,6 +15,10 @@ BROKEN = {
     "src/core/base/one.h": '#include "core/base/two.h"\n',
     "src/core/base/two.h": "",
     "src/core/base/two.cpp": '#include "core/base/one.h"\n',
+    "src/ui/probe_state.h": "struct ProbeState {\n  std::function<void()> done;\n  std::mutex mutex;\n  const Mesh* mesh = nullptr;\n"
+                            "  std::shared_ptr<Mesh> owned;\n  ImVec2 corner;\n  std::chrono::seconds since{0};\n};\n",
+    "src/app/run.cpp": "void f() {\n  if (by_clock_) settle(done);\n  std::this_thread::sleep_for(1ms);\n}\n",
+    "src/core/base/counter.cpp": "std::atomic<int> calls{0};\nint next() {\n  static int last = 0;\n  return ++last;\n}\n",
 }
 FINE = {
     **{f"src/core/few/f{i}.h": "" for i in range(25)},
@@ -25,6 +29,12 @@ FINE = {
     "src/core/base/three.h": "",
     "src/core/base/three_impl.h": '#include "core/base/three.h"\n',
     "src/core/base/three.cpp": '#include "core/base/three_impl.h"\n',
+    "src/ui/probe_state.h": "struct ProbeState {\n  std::optional<dvec3> at;\n  std::shared_ptr<const Mesh> mesh;\n  double depth = 2 * kStep;\n"
+                            "  bool operator==(const ProbeState*) const;\n};\n",
+    "src/app/probe_tool.h": "struct ProbeView {\n  const Mesh* mesh = nullptr;\n};\n",
+    "src/app/run.cpp": "// by_clock\nvoid f() {\n  resettle(done);\n}\n",
+    "src/core/base/counter.cpp": "static const int kFirst = 1;\nconstexpr double kStep = 2;\nstatic int next();\nusing Number = int;\n",
+    "src/core/hydro/body_cache.cpp": "Cache& cache() {\n  static Cache only;\n  return only;\n}\n",
 }
 
 
@@ -42,10 +52,14 @@ def expect(found, wanted):
 
 
 expect(complaints(BROKEN), ["folder src/core/full: 26, a new offender", "function src/core/mesh/long.cpp f: 61, a new offender",
-                            "members src/core/mesh/wide.h Wide: 25, a new offender", "circle core/base/one: 2, a new offender"])
+                            "members src/core/mesh/wide.h Wide: 25, a new offender", "circle core/base/one: 2, a new offender", "impure src/ui/probe_state.h: 6, a new offender",
+                            "wait src/app/run.cpp by_clock: 1, a new offender", "wait src/app/run.cpp sleep_for: 1, a new offender",
+                            "wait src/app/run.cpp settle: 1, a new offender",
+                            "mutable src/core/base/counter.cpp: 2, a new offender"])
 expect(complaints(FINE), [])
 known = ("folder src/core/full 27\nfunction src/core/mesh/long.cpp f 61\nmembers src/core/mesh/wide.h Wide 24\n"
-         "circle core/base/one 2\nfolder src/gone 30\n")
+         "circle core/base/one 2\nimpure src/ui/probe_state.h 6\nwait src/app/run.cpp by_clock 1\nwait src/app/run.cpp sleep_for 1\n"
+         "wait src/app/run.cpp settle 1\nmutable src/core/base/counter.cpp 2\nfolder src/gone 30\n")
 expect(complaints(BROKEN, known), ["members src/core/mesh/wide.h Wide: 25, was 24",
                                    "folder src/core/full: 26, offenders.txt says 27: lower it there",
                                    "folder src/gone: none, offenders.txt says 30: lower it there"])
