@@ -161,7 +161,7 @@ def check_throws(words, source_text):
     for number, line in enumerate(words.lines, 1):
         access = (re.match(r"\s*(public|private|protected):", line) or [0, "public" if line.startswith("}") else access])[1]
         match = re.match(r"\s*(?!return\b|throw\b|//)[\w:<>,&*\s\[\]]*?[\s&*](\w+)\(", line)
-        if not match or match.group(1) not in throwing or access == "private" or "noreturn" in line:
+        if not match or match.group(1) not in throwing or access == "private" or re.search(r"noreturn|= delete", line):
             continue
         about = [c.text for c in words.comments if c.last_line == number - 1 or c.line == number]
         above = number - 1
@@ -192,17 +192,21 @@ def document_offences(text):
             yield number, f"'{word}' in a document"
 
 
-def offences(root):
-    """Path below the root -> offences as pairs of line and message, of files that have any."""
+def offences(root, below=""):
+    """Path below the root -> offences as pairs of line and message, of files that have any and begin with `below`."""
     root, found = pathlib.Path(root), {}
+
+    def chosen(paths):
+        return [p for p in sorted(paths) if p.relative_to(root).as_posix().startswith(below)]
+
     code = [p for folder in CODE_FOLDERS for p in (root / folder).rglob("*") if p.suffix in (".h", ".cpp")]
     shaders = [p for p in (root / SHADERS).glob("*") if p.is_file()]
     documents = [p for pattern in DOCUMENTS for p in root.glob(pattern)]
-    for path in sorted(code):
+    for path in chosen(code):
         found[path.relative_to(root).as_posix()] = sorted(code_offences(path, path.read_text()))
-    for path in sorted(shaders):
+    for path in chosen(shaders):
         found[path.relative_to(root).as_posix()] = list(check_banned(Words(path.read_text())))
-    for path in sorted(documents):
+    for path in chosen(documents):
         found[path.relative_to(root).as_posix()] = list(document_offences(path.read_text()))
     return {name: list_ for name, list_ in found.items() if list_}
 
@@ -268,11 +272,10 @@ def write(root):
 
 def print_list(root, below=""):
     kinds = collections.Counter()
-    for name, found in offences(root).items():
-        if name.startswith(below):
-            for line, message in found:
-                print(f"{name}:{line}: {message}")
-                kinds[re.sub(r"'[^']*'|\d+|[\w.]+\(\)|[A-Z]\w*\.\w+", "..", message)] += 1
+    for name, found in offences(root, below).items():
+        for line, message in found:
+            print(f"{name}:{line}: {message}")
+            kinds[re.sub(r"'[^']*'|\d+|[\w.]+\(\)|[A-Z]\w*\.\w+", "..", message)] += 1
     for message, count in kinds.most_common():
         print(f"{count:6} {message}")
 

@@ -41,7 +41,8 @@ FINE = {
     "src/a/fine.cpp": 'int f() {\n  // in a function\n  throw "one long text that "\n        "goes on";\n  return e.what() + 1\'000;\n}\n'.replace(
         "// in", "// In"),
     "src/a/names.h": HEAD + "/// taxel_ids of the layout.\nint f();\n\n/// radius(taxel) is positive.\ndouble radius(int taxel);\n",
-    "src/a/says.h": HEAD + "/// Reads a file. Throws Error if it is missing.\nint read_it(int a);\n",
+    "src/a/says.h": HEAD + "/// Reads a file. Throws Error if it is missing.\nint read_it(int a);\n\n"
+                           "// The next one is no function.\nread_it(const A&) = delete;\n",
     "tests/a/fine_test.cpp": "// Tests.\nTEST(A, ReadsWhatHappensAfterWhatever) {}\nTEST(A, UpdatesAspect) {}\n",
     "docs/page.md": "# What is a taxel?\n\nThe letter E stands for the modulus; `stands` is a key. The hand of five fingers closes.\n",
 }

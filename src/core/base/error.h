@@ -1,4 +1,4 @@
-// What is thrown for bad input, and what is listed for rule violations.
+// The exception for bad input, and the entry of a list of rule violations.
 #pragma once
 
 #include <stdexcept>
@@ -32,14 +32,14 @@ class Error : public std::runtime_error {
 
 enum class Severity { note, warning, error };
 
-/// One rule violation in a document: not thrown, listed.
+/// One rule violation in a document. It is listed, not thrown.
 struct Problem {
   std::string file;
   std::string pointer;  ///< JSON pointer such as /taxels/3/radius, or empty for the whole file
   Severity severity = Severity::error;
   std::string code;     ///< stable word such as "radius_not_positive"
   std::string message;  ///< one sentence with the offending value
-  std::string fix;      ///< what to do about it; may be empty
+  std::string fix;      ///< the remedy; may be empty
 };
 using Problems = std::vector<Problem>;
 

@@ -28,7 +28,8 @@ class Descriptor {
     if (open()) ::close(number_);
   }
   [[nodiscard]] bool open() const { return number_ >= 0; }
-  /// Appends the next bytes of the file. False at the end of the file, or after an error; then errno is not 0.
+  /// Appends the next bytes of the file. Returns false at the end of the file or after an error; after an error errno
+  /// is not 0.
   [[nodiscard]] bool read(std::string& bytes) const {
     std::array<char, 1U << 16> block;
     errno = 0;
@@ -44,12 +45,12 @@ class Descriptor {
   int number_;
 };
 
-/// Writes down to the disk. Returns 0 or the error number.
+/// Waits until all written bytes are on the disk. Returns 0 or the error number.
 int sync(int descriptor) {
-  return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;  // EINVAL: has no disk
+  return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;  // EINVAL: the descriptor has no disk behind it
 }
 
-/// Writes all bytes, down to the disk. Returns 0 or the error number.
+/// Writes all bytes and waits until they are on the disk. Returns 0 or the error number.
 int write_bytes(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());

@@ -1,6 +1,6 @@
-// Whole files in and out. Writing is atomic: the bytes go beside the target and are renamed over it, so a reader sees
-// the old file or the new one, never half of one; and they are on the disk before that (fsync of the file, then of its
-// folder), so that a machine that loses power has one of the two as well.
+// Reads and writes whole files. Writing is atomic: the bytes go into a temporary file in the same folder, which is
+// renamed to the target, so a reader sees the old file or the new one, never a part of it. The bytes are on the disk
+// before the rename (fsync of the file, then of its folder), so that the same holds after a power failure.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,11 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1} << 30;
 /// `max_bytes`, or not a regular file: reading a pipe or a device may never end. Never waits for a writer.
 std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes = kMaxFileBytes);
 
-/// Writes beside and renames. Throws Error that names the file; then the target is untouched and nothing is left over.
+/// Writes a temporary file and renames it to `path`. Throws Error that names the file if this fails; the target is then
+/// unchanged and no temporary file is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// Makes a folder and its parents. Throws Error that names it when that fails or a file is in the way.
+/// Creates a folder and its parents. Throws Error that names the folder if this fails or if a file has its name.
 void make_folder(const std::filesystem::path& path);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Limits of what one run or recording may take: one place, so that every reader and writer refuses the same.
+// Limits of the size of a run and of a recording, in one place, so that every reader and writer refuses the same.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,25 +11,27 @@
 
 namespace taxel {
 
-/// Steps of one simulation. A step of the smallest scene takes about 20 microseconds: this number takes half an hour.
+/// Largest number of steps of one simulation. A step of the smallest scene takes about 20 microseconds, so this number
+/// takes half an hour.
 inline constexpr double kMaxSteps = 1e8;
 
-/// Memory for the rows of a recording. Writing a recording takes about twice as much in addition.
+/// Largest memory for the rows of a recording [bytes]. Writing a recording takes about twice as much in addition.
 inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30U;
 
-/// Coordinate of a vertex or a taxel [m]. Far above it squares and cubes of lengths overflow, and no place on a mesh is
-/// the nearest.
+/// Largest coordinate of a vertex or a taxel [m]. Squares and cubes of much larger lengths overflow, and then no place
+/// on a mesh is the nearest.
 inline constexpr double kFarthest = 1e6;
 
-/// Elastic modulus of a material [Pa]. Diamond has 1.2e12.
+/// Largest elastic modulus of a material [Pa]. Diamond has 1.2e12.
 inline constexpr double kMaxModulus = 1e15;
 
-/// Triangles of the tessellation of a round shape. A soft body gets tets for each: with 8e5 tets it takes 13 s and 700
-/// MB to make.
+/// Largest number of triangles in the tessellation of a round shape. A soft body gets several tets for each: building
+/// 8e5 tets takes 13 s and 700 MB.
 inline constexpr double kMaxSoftTriangles = 2e5, kMaxRigidTriangles = 2e6;
 
-/// Memory that one sample takes while samples are spread out and a sensor model is built, about [bytes]: 13.2 GB were
-/// measured for 8.5 million, 1.08 GB for 0.68 million. As many as kManySamples are announced before they are made.
+/// Approximate memory per sample while samples are distributed and a sensor model is built [bytes]: 13.2 GB were
+/// measured for 8.5 million samples, 1.08 GB for 0.68 million. The memory is announced before kManySamples or more are
+/// made.
 inline constexpr double kBytesPerSample = 1600, kManySamples = 5e5;
 
 /// Throws Error if a simulation would take more than kMaxSteps steps, or a number of steps that is not finite.

@@ -7,22 +7,22 @@
 
 namespace taxel {
 
-/// Holds the newest immutable T. The lock covers a pointer swap only.
+/// Holds the newest immutable T. The lock is held for a swap of pointers only.
 template <class T>
 class Mailbox {
  public:
   void post(std::shared_ptr<const T> value) {
     const std::scoped_lock lock(mutex_);
-    value_.swap(value);  // the old value dies outside of the lock
+    value_.swap(value);  // the old value is destroyed outside of the lock
   }
-  /// The newest value posted since the last take, or null. Taking empties the slot.
+  /// Returns the newest value posted since the last take, or null. Taking empties the slot.
   std::shared_ptr<const T> take() {
     std::shared_ptr<const T> taken;
     const std::scoped_lock lock(mutex_);
     taken.swap(value_);
     return taken;
   }
-  /// Whether nobody took the last one yet.
+  /// Whether a value waits to be taken.
   [[nodiscard]] bool full() const {
     const std::scoped_lock lock(mutex_);
     return value_ != nullptr;

@@ -1,9 +1,9 @@
-// What a body is made of, as the hydroelastic model needs it.
+// Material of a body in the hydroelastic model.
 #pragma once
 
 namespace taxel {
 
-/// How the pressure field inside a compliant body is made.
+/// Construction of the pressure field inside a compliant body.
 enum class FieldKind {
   pad,          ///< p = E min(depth, H)/H over a rigid core (default of meshes)
   medial_axis,  ///< p = E depth/H, H the depth of the medial axis (default of primitives)
@@ -11,11 +11,11 @@ enum class FieldKind {
   tets          ///< a tetrahedral mesh from a file
 };
 
-/// Plain values, SI units. modulus 0 means rigid.
+/// Material parameters in SI units. A body with modulus 0 is rigid.
 struct Material {
   FieldKind field = FieldKind::pad;
   double modulus = 0.0;      ///< E, hydroelastic modulus [Pa]
-  double thickness = 0.0;    ///< H of a pad or of a half-space [m]; 0: chosen from the size
+  double thickness = 0.0;    ///< H of a pad or of a half-space [m]; 0 if chosen from the size
   double dissipation = 0.0;  ///< Hunt-Crossley d [s/m]
   double friction = 0.5;     ///< Coulomb coefficient [-]
 

@@ -1,7 +1,7 @@
 // Vectors, rigid poses and boxes: the vocabulary of every other folder.
 //
-// Frames stand in names: p_W is a point in the world frame W, X_WG the pose of the geom frame G in W, so that
-// p_W = X_WG * p_G. Lengths in metres, angles in radians.
+// Names contain frames: p_W is a point in the world frame W, X_WG the pose of the geom frame G in W, so that p_W = X_WG
+// * p_G. Lengths are in metres, angles in radians.
 #pragma once
 
 #include <algorithm>
@@ -79,7 +79,7 @@ struct Aabb {
   }
 };
 
-/// Some unit vector at right angles to the unit vector n.
+/// Returns a unit vector at right angles to the unit vector n.
 inline dvec3 any_perpendicular(const dvec3& n) {
   const dvec3 axis = std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
   return glm::normalize(glm::cross(n, axis));

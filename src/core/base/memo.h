@@ -1,4 +1,4 @@
-// The last few results of an expensive function.
+// Cache for the last few results of an expensive function.
 #pragma once
 
 #include <list>
@@ -8,14 +8,16 @@
 
 namespace taxel {
 
-/// Keeps values by key, the one used last in front. For a handful of keys that compare with ==. From any thread.
+/// Keeps values by key, the most recently used one first. It is meant for a handful of keys that compare with ==, and
+/// may be used from any thread.
 template <class Key, class Value>
 class Memo {
  public:
-  /// Keeps at most `capacity` of what `cost(value)` counts, and always the newest value.
+  /// The sum of cost(value) of the kept values is at most `capacity`; the newest value is always kept.
   explicit Memo(double capacity) : capacity_(capacity) {}
 
-  /// The value of an equal key, or make(), which runs without a lock: where two threads ask at once both may make it.
+  /// Returns the value of an equal key, or the result of make(). make() runs without a lock: if two threads request the
+  /// same key at the same time, both may call it.
   template <class Make, class Cost>
   Value get(const Key& key, const Make& make, const Cost& cost) {
     if (std::optional<Value> known = find(key)) return *std::move(known);

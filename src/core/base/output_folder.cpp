@@ -17,7 +17,7 @@ namespace taxel {
 namespace fs = std::filesystem;
 namespace {
 
-/// The highest folder above (or at) `path` that does not exist yet; empty where all do.
+/// Returns the highest folder above (or at) `path` that does not exist yet, or an empty path if all exist.
 fs::path first_missing(const fs::path& path) {
   std::error_code ec;
   fs::path missing;

@@ -1,4 +1,4 @@
-// A folder that is filled as a whole: files are collected beside it and moved in when all are there.
+// Output folder that is filled as a whole: files are collected in a temporary folder and moved when all are complete.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,10 @@ namespace taxel {
 
 class OutputFolder {
  public:
-  /// Makes the folder now, so that a place that cannot be written is found before the work begins. Throws Error.
+  /// Creates the folder now, so that a folder that cannot be written is found before the work begins. Throws Error if
+  /// it cannot be written.
   explicit OutputFolder(const std::filesystem::path& folder);
-  /// Without commit() nothing stays: neither files nor a folder that was made here.
+  /// Without commit() neither files nor a folder created by this object remain.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -27,7 +28,7 @@ class OutputFolder {
   /// Calls fill(folder) with the folder in which files are collected until commit(). An Error of fill() names the final
   /// file in its place.
   void fill(const std::function<void(const std::filesystem::path&)>& fill);
-  /// An older file of this name is removed by commit(): it would be taken for a file of this run.
+  /// Lets commit() remove an older file of this name, which would otherwise be taken for a file of this run.
   void leave_out(const std::string& name) { left_out_.push_back(name); }
   /// Moves every collected file into the folder, over older ones of the same name, and returns their names, sorted.
   /// More files can be collected and committed afterwards. Throws Error before any file is moved if a folder is in the

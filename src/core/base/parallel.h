@@ -1,8 +1,8 @@
 // A parallel loop whose result cannot depend on the number of threads: chunks are fixed by the caller, each chunk
 // writes its own output, and any reduction is done afterwards in chunk order.
 //
-// By oneTBB; in a build with ThreadSanitizer by plain threads, because the library's own synchronisation is not
-// instrumented: every loop would look like a race, and what hides that would hide races of ours.
+// The loop uses oneTBB. A build with ThreadSanitizer uses plain threads, because the synchronisation of oneTBB is not
+// instrumented: every loop would look like a race, and suppressing these reports would hide our own races.
 #pragma once
 
 #include <algorithm>
@@ -35,9 +35,9 @@ void parallel_chunks(int count, int chunk, const Body& body) {
 #endif
 }
 
-/// Runs all bodies side by side, each to its end, and then throws what the first of them in this order threw. An
-/// exception that left one of oneTBB's own tasks would cancel the loops inside of the others, which then return half
-/// done without a word.
+/// Runs all bodies in parallel, each to its end, and then throws the exception of the first body (in this order) that
+/// threw. An exception that left a task of oneTBB would cancel the loops inside of the other tasks, which would then
+/// return half done without an error.
 template <class... Body>
 void parallel_all(const Body&... bodies) {
   std::array<std::exception_ptr, sizeof...(Body)> failures;

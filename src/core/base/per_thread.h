@@ -1,6 +1,6 @@
-// What each thread of a loop keeps for itself: made when a thread first asks for it, and used again in its next chunk.
-// As with parallel.h, by oneTBB, and in a build with ThreadSanitizer by plain means: oneTBB's memory goes from one
-// thread to another unseen.
+// Values of which each thread of a loop has its own: created when a thread first requests one, and used again in its
+// next chunk. Like parallel.h this uses oneTBB, and plain means in a build with ThreadSanitizer, because oneTBB passes
+// memory between threads unseen by it.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// A loop over threads of its own, for parallel.h in a build with ThreadSanitizer.
+// Parallel loop on newly created threads, for parallel.h in a build with ThreadSanitizer.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace taxel {
 
-/// Calls body(i) for i in [0, count) in some order, on a few threads. Throws what a body threw first; the rest is not
-/// begun then.
+/// Calls body(i) for i in [0, count) in some order, on a few threads. Throws the first exception of a body; the
+/// remaining calls are then not made.
 template <class Body>
 void plain_threads(int count, const Body& body) {
   constexpr int kThreads = 3;

@@ -1,18 +1,18 @@
-// How far a long computation is, and a way to stop it. Shared by one worker and one watcher.
+// Progress of a long computation, and a way to stop it. One worker and one watcher share the object.
 #pragma once
 
 #include <atomic>
 
 namespace taxel {
 
-/// Thrown out of a computation whose Progress was cancelled.
+/// Exception that leaves a computation whose Progress was cancelled.
 struct Cancelled {};
 
 class Progress {
  public:
   void set(double fraction) { fraction_.store(begin_ + fraction * (end_ - begin_), std::memory_order_relaxed); }
-  /// For workers: what is set from now on counts from `begin` to `end` of the whole, so that the parts of a computation
-  /// make one bar.
+  /// For workers: fractions recorded from now on are mapped to the range `begin` to `end` of the whole, so that the
+  /// stages of a computation share one progress bar.
   void stage(double begin, double end) {
     begin_ = begin;
     end_ = end;
@@ -20,18 +20,18 @@ class Progress {
   [[nodiscard]] double fraction() const { return fraction_.load(std::memory_order_relaxed); }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
-  /// For workers: note the fraction, throw Cancelled if the watcher asked to stop.
+  /// For workers: records the fraction, and throws Cancelled if the watcher requested to stop.
   void check(double fraction) {
     set(fraction);
     stop_if_cancelled();
   }
-  /// The same without a fraction: from any thread of a worker.
+  /// Throws Cancelled if the watcher requested to stop. May be called from any thread of a worker.
   void stop_if_cancelled() const {
     if (cancelled()) throw Cancelled{};
   }
 
  private:
-  double begin_ = 0, end_ = 1;  // the worker's own
+  double begin_ = 0, end_ = 1;  // only used by the worker
   std::atomic<double> fraction_{0.0};
   std::atomic<bool> cancelled_{false};
 };

@@ -1,4 +1,4 @@
-// Poses by number: the same on every machine and in every order.
+// Random poses by number: the same on every machine and in every order.
 #pragma once
 
 #include "core/base/math.h"
@@ -6,7 +6,8 @@
 
 namespace taxel {
 
-/// Rotation uniform over all orientations (Shoemake 1992), position uniform in a cube of half width `spread` [m].
+/// Returns a pose whose rotation is uniform over all orientations (Shoemake 1992) and whose position is uniform in a
+/// cube of half width `spread` [m].
 inline Pose random_pose(std::uint64_t seed, int number, double spread) {
   const CounterRng rng(seed, static_cast<std::uint64_t>(number));
   const double u = rng.uniform(0), a = 2 * kPi * rng.uniform(1), b = 2 * kPi * rng.uniform(2);

@@ -18,7 +18,7 @@ class SharedValue {
   }
   const T* operator->() const { return &**this; }
   bool operator==(const SharedValue& other) const { return value_ == other.value_ || **this == *other; }
-  /// Equal for copies of one another; null where nothing was allocated.
+  /// Returns an address that copies of one value have in common, or null if nothing was allocated.
   [[nodiscard]] const void* identity() const { return value_.get(); }
 
  private:

@@ -76,7 +76,8 @@ TemporaryPath::TemporaryPath(const fs::path& folder, const std::string& prefix,
   remove_stale(folder, prefix);
   descriptor_ = create(path_);
   if (descriptor_ < 0) return;
-  ::flock(descriptor_, LOCK_EX | LOCK_NB);  // a file system without locks keeps stale paths, nothing worse
+  ::flock(descriptor_,
+          LOCK_EX | LOCK_NB);  // without locks, only stale paths remain
   registry().paths.push_back(path_);
 }
 

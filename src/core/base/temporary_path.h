@@ -50,8 +50,8 @@ class UnfinishedFolder {
 /// Blocks remove_temporary_paths() while output is moved to its final names.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> lock_temporary_paths();
 
-/// Removes all temporary paths of this process and blocks all threads that would create another one. For a thread that
-/// ends the process with _exit() directly afterwards.
+/// Removes all temporary paths of this process and blocks all threads that would create another one. It is meant for a
+/// thread that ends the process with _exit() directly afterwards.
 void remove_temporary_paths();
 
 }  // namespace taxel

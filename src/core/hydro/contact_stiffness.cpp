@@ -37,7 +37,7 @@ dvec3 gradient_beyond(const HydroBody& body, const dvec3& other, const dvec3& n)
 std::array<dvec3, 2> gradients_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b,
                                   const dmat3& R_AB) {
   if (!is_depth_piece(polygon)) {
-    // One of tets and half-space is in the half-space.
+    // A polygon of tets and a half-space is in the half-space.
     return {gradient_in(a, polygon.tet), R_AB * gradient_in(b, polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet)};
   }
   if (a.half_space()) return {gradient_in(a, -1), polygon.gradient};

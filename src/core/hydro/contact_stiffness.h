@@ -1,4 +1,4 @@
-// How fast the elastic wrench of a contact grows when the bodies move against each other.
+// Stiffness of a contact: the growth of its elastic wrench when the bodies move against each other.
 #pragma once
 
 #include "core/hydro/contact_surface.h"
@@ -15,10 +15,10 @@ namespace taxel {
 Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
                           const RigidTransform& X_AB);
 
-/// What can be said of K without looking at the bodies.
+/// Bounds of K that are known from the surface alone.
 struct StiffnessBound {
-  double linear = 0;  ///< no less than the integral of |l| |r| dA where the gradients are opposed [N/m]
-  double reach = 0;   ///< no centroid is farther from A's origin [m]
+  double linear = 0;  ///< upper bound of the integral of |l| |r| dA where the gradients are opposed [N/m]
+  double reach = 0;   ///< largest distance of a centroid from A's origin [m]
 };
 StiffnessBound stiffness_bound(const ContactSurface& surface);
 

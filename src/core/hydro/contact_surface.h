@@ -1,4 +1,4 @@
-// The surface two bodies share: planar polygons with a linear pressure on each.
+// Contact surface of two bodies: planar polygons with a linear pressure on each.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@ struct ContactPolygon {
   int first = 0, count = 0;
   dvec3 normal{0};      ///< unit; the direction in which the surface pushes body A
   double area = 0;      ///< [m^2]
-  dvec3 centroid{0};    ///< of the area
+  dvec3 centroid{0};    ///< centroid of the area
   double pressure = 0;  ///< elastic pressure p0 at the centroid [Pa]
-  dvec3 gradient{0};    ///< of p0 [Pa/m]; p0(x) = pressure + dot(gradient, x - centroid)
-  int tet = -1;         ///< tet of the soft body (of A if both are soft); -1 in a half-space and beyond a pad's tets
-  int tet_b = -1;       ///< of B where both are soft
-  int face = -1;        ///< of the rigid mesh; -1 on a half-space
+  dvec3 gradient{0};    ///< gradient of p0 [Pa/m]; p0(x) = pressure + dot(gradient, x - centroid)
+  int tet = -1;         ///< tet of the soft body, of A if both are soft; -1 outside of all tets
+  int tet_b = -1;       ///< tet of B if both bodies are soft, otherwise -1
+  int face = -1;        ///< face of the rigid mesh, or -1 on a half-space
 };
 
-/// Of plain numbers, whose new elements hold anything: growing costs nothing.
+/// Vector of plain numbers that does not initialise new elements, so that growing costs nothing.
 template <class T>
 struct UninitializedAllocator : std::allocator<T> {
   template <class U>
@@ -43,35 +43,37 @@ struct UninitializedAllocator : std::allocator<T> {
 template <class T>
 using NumberBuffer = std::vector<T, UninitializedAllocator<T>>;
 
-/// Why something of the overlap is not part of the surface.
+/// Reason why a part of the overlap is not part of the surface.
 enum class Rejection {
-  sliver,      ///< too thin to have a normal
-  touching,    ///< in the skin: no pressure
-  beyond_core  ///< the hole behind a field that ends with its tets: steps saved before depth pieces were there
+  sliver,    ///< too thin to have a normal
+  touching,  ///< in the skin, where the pressure is 0
+  /// The hole behind a field that ends with its tets. Only steps that were saved before depth pieces existed have it.
+  beyond_core
 };
 inline constexpr std::size_t kRejections = 3;
-/// A stable word: "sliver", "touching", "beyond_core".
+/// Returns a stable word: "sliver", "touching", "beyond_core".
 const char* to_string(Rejection reason);
 
-/// What was not taken into the surface for one reason.
+/// Polygons that were left out of the surface for one reason.
 struct RejectedPolygons {
-  int count = 0;     ///< polygons; for beyond_core those that end on the core
-  double area = 0;   ///< [m^2]
-  double force = 0;  ///< integral of the pressure over that area [N]; behind a core, with the mean pressure of its rim
+  int count = 0;    ///< number of polygons; for beyond_core the polygons that end on the core
+  double area = 0;  ///< [m^2]
+  /// Integral of the pressure over the area [N]. For beyond_core it is taken with the mean pressure of the core's rim.
+  double force = 0;
 };
 
-/// A polygon that was kept out, for display: vertices [first, first + count) of filtered_vertices.
+/// A polygon that was left out, for display: vertices [first, first + count) of filtered_vertices.
 struct FilteredPolygon {
   Rejection reason = Rejection::sliver;
   int first = 0, count = 0;
 };
 
-/// Everything in the frame of body A. Reused from step to step: clear() keeps the memory.
+/// All values are in the frame of body A. The object is reused from step to step: clear() keeps the memory.
 struct ContactSurface {
   NumberBuffer<dvec3> vertices;
   NumberBuffer<double> pressure;  ///< p0 at each vertex, never negative [Pa]
   std::vector<ContactPolygon> polygons;
-  std::array<RejectedPolygons, kRejections> rejected;  ///< by reason
+  std::array<RejectedPolygons, kRejections> rejected;  ///< indexed by Rejection
   std::vector<dvec3> filtered_vertices;
   std::vector<FilteredPolygon> filtered;
 
@@ -79,7 +81,8 @@ struct ContactSurface {
   [[nodiscard]] const RejectedPolygons& left_out(Rejection reason) const {
     return rejected[static_cast<std::size_t>(reason)];
   }
-  /// Polygons that end where the field does although the overlap is deeper; 0 for fields that go on (depth_field.h).
+  /// Number of polygons that end where the field ends although the overlap is deeper; 0 for fields that continue
+  /// (depth_field.h).
   [[nodiscard]] int at_core() const { return left_out(Rejection::beyond_core).count; }
   [[nodiscard]] bool empty() const { return polygons.empty(); }
   [[nodiscard]] double area() const;
@@ -87,8 +90,8 @@ struct ContactSurface {
   [[nodiscard]] int triangle_count() const;  ///< sum of (count - 2)
 };
 
-/// The surface as body B sees it: in the frame of B, with the normals that push B, polygons turned round, and the tets
-/// of two soft bodies exchanged. Keeps the memory of `out`.
+/// Writes the surface as seen by body B to `out`: in the frame of B, with normals that push B, reversed polygons, and
+/// the tets of two soft bodies exchanged. Keeps the memory of `out`.
 void mirror(const ContactSurface& surface, const RigidTransform& X_BA, ContactSurface& out);
 
 }  // namespace taxel

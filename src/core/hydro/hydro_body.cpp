@@ -139,7 +139,7 @@ double pad_thickness(const TriMesh& mesh, const Material& material) {
   return 0.125 * std::min({e.x, e.y, e.z});
 }
 
-/// A mesh with what the user calls its faces.
+/// A mesh and the user's numbers of its faces.
 struct Skin {
   TriMeshPtr mesh;
   std::vector<int> face_numbers;

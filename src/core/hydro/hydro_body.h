@@ -23,10 +23,11 @@ struct SoftBody {
   DepthFieldPtr depth;  ///< the field of a pad beyond its tets; null if the field ends with its tets
   FieldIndexPtr index;  ///< the field as the kernel reads it
 };
+/// The half-space z <= 0 with the pressure p = stiffness * depth.
 struct SoftHalfSpace {
-  double stiffness = 0;
-  double thickness = 0;
-};  ///< z <= 0; p = stiffness * depth [Pa/m], E/H
+  double stiffness = 0;  ///< E/H [Pa/m]
+  double thickness = 0;  ///< H [m]
+};
 struct RigidMesh {
   explicit RigidMesh(std::shared_ptr<const MeshIndex> i)
       : index(std::move(i)), tree(std::make_shared<const TriangleTree>(index->mesh())) {}
@@ -53,16 +54,16 @@ struct Shape {
   TriMeshPtr mesh = nullptr;  ///< for type mesh
   double resolution = 0;      ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
   TetMeshPtr tets = nullptr;  ///< for type tets
-  const char* rigid_only = nullptr;    ///< what the mesh stands for that can only be rigid: "a height field"
-  std::vector<int> face_numbers = {};  ///< what the user calls the faces of the mesh; empty: their own numbers
+  const char* rigid_only = nullptr;    ///< name of a shape that can only be rigid, such as "a height field", or null
+  std::vector<int> face_numbers = {};  ///< the user's numbers of the faces; empty if the mesh has its own
   double refine = kDefaultRefine;      ///< longest edge of a soft mesh's skin, in thicknesses of its pad
 };
 
-/// Makes the body of a shape: soft when material.modulus > 0. Rigid plane and box are exact, round shapes tessellated
-/// and scaled to their true volume. Soft meshes get a pad on their outer shells (thickness 0: an eighth of the smallest
-/// extent) or a star; soft primitives their medial-axis field, but a pad where the material says pad and a thickness;
-/// tets their own field, rigid tets are their boundary.
-/// Throws Error that names what is not supported or out of range (size <= 0, pad on an open mesh, ...).
+/// Makes the body of a shape, soft if material.modulus > 0. Rigid planes and boxes are exact; round shapes are
+/// tessellated and scaled to their true volume. A soft mesh gets a pad on its outer shells (thickness 0: an eighth of
+/// the smallest extent) or a star. A soft primitive gets its medial-axis field, or a pad if the material names pad and
+/// a thickness. Soft tets get their own field, rigid tets become their boundary. Throws Error that names the
+/// unsupported combination or the value out of range (size <= 0, pad on an open mesh, ...).
 HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name);
 
 }  // namespace taxel

@@ -30,9 +30,9 @@ struct EmbeddedPoint {
   double u = 0, v = 0, weight = 0, coarse = 0;
 };
 
-/// Exact for polynomials of degree 5, seven points inside the triangle, the centroid first (Radon 1948): orbits
-/// a = (6 -+ sqrt(15))/21, w = (155 -+ sqrt(15))/1200, and 9/40 at the centroid. Coarse: the centroid and the outer
-/// orbit with the weights that make them exact for degree 2, 1/(12 (1 - 3a)^2) each; the difference tells of third
+/// Exact for polynomials of degree 5, seven points inside the triangle, the centroid first (Radon 1948): orbits a = (6
+/// -+ sqrt(15))/21, w = (155 -+ sqrt(15))/1200, and 9/40 at the centroid. Coarse: the centroid and the outer orbit with
+/// the weights that make them exact for degree 2, 1/(12 (1 - 3a)^2) each; the difference is a measure of the third
 /// derivatives.
 inline constexpr std::array<EmbeddedPoint, 7> kTriangleDegree5 = [] {
   constexpr double a = 0.10128650732345634, wa = 0.12593918054482715, ca = 1 / (12 * (1 - 3 * a) * (1 - 3 * a));

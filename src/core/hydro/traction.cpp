@@ -70,7 +70,7 @@ double damping_factor(const dvec3& n, const dvec3& v, const PairProperties& pair
   return 1.0 - pair.dissipation * glm::dot(v, n);
 }
 
-/// beta = mu p0 (1 - d vn) phi(|vt|), where the damping factor is positive: t = -beta vt [Pa s/m].
+/// Returns beta = mu p0 (1 - d vn) phi(|vt|) if the damping factor is positive: t = -beta vt [Pa s/m].
 double friction_per_speed(double p0, double factor, const dvec3& n, const dvec3& v, const PairProperties& pair) {
   return pair.friction * p0 * factor * slip_factor(glm::length(v - glm::dot(v, n) * n));
 }

@@ -8,15 +8,17 @@
 
 namespace taxel {
 
+/// Linear velocity [m/s] and angular velocity [rad/s].
 struct Twist {
   dvec3 linear{0}, angular{0};
-};  ///< [m/s], [rad/s]
+};
+/// Force [N] and torque [N m].
 struct Wrench {
   dvec3 force{0}, torque{0};
-};  ///< [N], [N m]
+};
 using Matrix6 = std::array<std::array<double, 6>, 6>;
 
-/// Regularisation speed of friction: |t| = (2/pi) mu p atan(v/vs). [m/s]
+/// Regularisation speed of friction [m/s]: |t| = (2/pi) mu p atan(v/vs).
 inline constexpr double kSlipSpeed = 1.0e-4;
 
 /// (2/pi) atan(v/vs)/v, with its limit 2/(pi vs) at rest [s/m].
@@ -39,7 +41,7 @@ dvec3 friction_traction(double p0, const dvec3& n, const dvec3& v, const PairPro
 /// S V: damping and friction written as a secant, for implicit steps.
 struct Traction {
   Wrench wrench;
-  Wrench elastic;  ///< part of `wrench` that does not depend on the velocity, given the set of points in contact
+  Wrench elastic;  ///< part of `wrench` that depends on the velocity only through the contact set
   Matrix6 secant{};
 };
 Traction traction(const ContactSurface& surface, const PairProperties& pair, const Twist& V_BA);

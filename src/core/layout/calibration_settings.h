@@ -19,13 +19,13 @@ struct CurvePoint {
 using Curve = std::vector<CurvePoint>;  ///< at least two points; empty: none
 
 struct Hysteresis {
-  double width = 0;     ///< of the loop between loading and unloading [U]
-  double fraction = 1;  ///< of the reading that goes through the loop, 0 to 1
+  double width = 0;     ///< width of the loop between loading and unloading [U]
+  double fraction = 1;  ///< fraction of the reading that has hysteresis, 0 to 1
   bool operator==(const Hysteresis&) const = default;
 };
 
 struct Crosstalk {
-  double fraction = 0;  ///< of a neighbour's reading that is added at distance 0
+  double fraction = 0;  ///< fraction of a neighbour's reading that is added at distance 0
   double reach = 0;     ///< distance of centres from which nothing is added [m]
   bool operator==(const Crosstalk&) const = default;
 };
@@ -50,11 +50,11 @@ struct Quantisation {
 
 struct DeadTaxels {
   double fraction = 0;  ///< chance of each taxel
-  double value = 0;     ///< what a dead taxel reports [V]
+  double value = 0;     ///< value that a dead taxel reports [V]
   bool operator==(const DeadTaxels&) const = default;
 };
 
-/// What one taxel has of its own. Instead of the value for all, without its deviation.
+/// Calibration of a single taxel, used instead of the common value and without its random deviation.
 struct TaxelCalibration {
   int id = 0;
   std::optional<double> tare;  ///< [U]

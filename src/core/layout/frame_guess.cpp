@@ -3,8 +3,8 @@
 //
 //    ______________
 //   |              `-.     most of the area is near the flat end, a thin tail of it reaches to the round one:
-//   |  base      tip  )    the skewness is positive towards the tip. Likewise the pad of a finger is rounder
-//   |______________,-'     than its back.
+//   |  base      tip  )    the skewness is positive towards the tip. In the same way the pad of a finger is
+//   |______________,-'     rounder than its back.
 #include "core/layout/frame_guess.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where a finger points and on which side it touches, guessed from its shape.
+// Guess of the direction in which a finger points and of the side with which it touches, from its shape.
 #pragma once
 
 #include <optional>

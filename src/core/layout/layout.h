@@ -1,5 +1,5 @@
-// A taxel layout: plain values, exactly what a `*.taxels.json` file holds. Lengths in metres in the frame M of the
-// mesh file (after `scale`), angles in degrees where the name says so.
+// A taxel layout: plain values with the content of a `*.taxels.json` file. Lengths are in metres in the frame M of the
+// mesh file (after `scale`), angles in degrees if the name says so.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct Taxel {
   std::string name;
   dvec3 center{0};        ///< [m], frame M
   dvec3 normal{0, 0, 1};  ///< outward; as stored, not normalised
-  double radius = 0.006;  ///< of the receptive field [m]
+  double radius = 0.006;  ///< radius of the receptive field [m]
   std::vector<Subtaxel> subtaxels;
   bool operator==(const Taxel&) const = default;
 };
@@ -42,7 +42,7 @@ struct Taxel {
 struct MeshRef {
   std::string file;  ///< relative to the layout file, or absolute
   dvec3 scale{1.0};
-  std::string sha256;     ///< of the mesh file's bytes; empty: unchecked
+  std::string sha256;     ///< hash of the mesh file's bytes; unchecked if empty
   RepairRecipe repair{};  ///< how the file's triangles become a solid
   bool operator==(const MeshRef&) const = default;
 };

@@ -161,8 +161,7 @@ SensorPreset xela_curved() {
   preset.source = "XELA Robotics, curved tip for the Allegro hand (uSCuALHA): 30 taxels";
   preset.unverified =
       "the coordinates are not public: 6 x 5 at the 4.7 mm pitch of the flat sensors, projected onto a capsule of "
-      "radius "
-      "13 mm; receptive radius (0.75 of the pitch); material";
+      "radius 13 mm; receptive radius (0.75 of the pitch); material";
   return preset;
 }
 
@@ -177,7 +176,7 @@ SensorPreset myrmex() {
 
 SensorPreset dense() {
   SensorPreset preset = flat_array("dense", "Dense grid, 26 x 27 taxels", 26, 27, 1.0 * kMillimetre, 5.0 * kMillimetre);
-  preset.source = "no real sensor: 702 taxels at a pitch of 1 mm, to try what a dense skin reads and costs";
+  preset.source = "no real sensor: 702 taxels at a pitch of 1 mm, to try the readings and the cost of a dense skin";
   preset.unverified = "all of it is ours";
   return preset;
 }

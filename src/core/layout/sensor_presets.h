@@ -5,8 +5,8 @@
 // ftx2 fingertip as IIT publishes them (icub-tech-iit/electronics-boards-public, sensor-boards/ftx2: to some 0.5 mm);
 // the sensor is that of Jamali et al. 2015, "A New Design of a Fingertip for the iCub Hand". XELA: rows and columns of
 // the uSPa 44 and uSPa 46, number of taxels of the curved tip for the Allegro hand (uSCuALHA). Myrmex: Schuermann,
-// Koiva, Haschke, Ritter 2011, "A modular high-speed tactile sensor for human manipulation research". What is not
-// public is made by pitch with the generators, and `unverified` says so.
+// Koiva, Haschke, Ritter 2011, "A modular high-speed tactile sensor for human manipulation research". Positions that
+// are not public are made by pitch with the generators, and `unverified` says so.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ namespace taxel {
 
 struct SensorPreset {
   std::string name;        ///< a word for command lines
-  std::string source;      ///< where the numbers come from
-  std::string unverified;  ///< which are ours; never empty
+  std::string source;      ///< source of the numbers
+  std::string unverified;  ///< numbers that are our own estimates; never empty
   Layout layout;           ///< layout.name is its title; mesh.file is NAME.obj, with its hash
   TriMeshPtr mesh;
 };

@@ -1,5 +1,5 @@
-// What a window shows, kept from picture to picture. Its pixels lie in memory as those of most windows do, blue first
-// and the top row first, so that a software renderer shows it by a mere copy.
+// Content of a window, kept from frame to frame. The pixels are stored as in most windows, blue first and the top row
+// first, so that a software renderer displays them by a plain copy.
 #pragma once
 
 #include "ui/gl/texture.h"
@@ -11,7 +11,8 @@ class BackBuffer {
   /// Throws Error when the driver cannot make it.
   BackBuffer(int width, int height);
 
-  /// For drawing, with its viewport. Row 0 of GL is the top row: what is drawn has to be upside down.
+  /// Binds the buffer for drawing and sets its viewport. Row 0 of GL is the top row, so everything has to be drawn
+  /// upside down.
   void bind() const;
   /// Copies all into a framebuffer of GL (0: the window's) of the same size, the right way up.
   void copy_to(GLuint framebuffer) const;

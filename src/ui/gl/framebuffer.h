@@ -26,7 +26,7 @@ class Framebuffer {
   [[nodiscard]] int height() const { return color_.height(); }
   [[nodiscard]] int samples() const { return samples_; }
   [[nodiscard]] bool stencil() const { return stencil_; }
-  [[nodiscard]] RgbImage read() const;  ///< of the resolved colour
+  [[nodiscard]] RgbImage read() const;  ///< pixels of the resolved colour
   /// The same with alpha, from premultiplied colours.
   [[nodiscard]] RgbaImage read_with_alpha() const;
 
@@ -37,7 +37,7 @@ class Framebuffer {
   Texture depth_;
   std::optional<Texture> multisampled_;
   FramebufferHandle target_;                   ///< drawn into
-  std::optional<FramebufferHandle> resolved_;  ///< of color_, where target_ is multisampled
+  std::optional<FramebufferHandle> resolved_;  ///< resolved copy of color_ if target_ is multisampled
 };
 
 /// Throws Error where GL cannot draw into the framebuffer.

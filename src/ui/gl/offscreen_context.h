@@ -8,13 +8,13 @@ namespace taxel::gl {
 
 class OffscreenContext {
  public:
-  /// Makes the context and makes it current on this thread. Throws Error that says what is missing.
+  /// Makes the context and makes it current on this thread. Throws Error that names the missing part.
   OffscreenContext();
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  void make_current() const;
+  void make_current() const;                   ///< makes the context current on this thread; throws Error if it fails
   [[nodiscard]] std::string renderer() const;  ///< GL_RENDERER, for messages
 
  private:

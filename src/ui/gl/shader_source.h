@@ -10,7 +10,7 @@ namespace taxel::gl {
 /// Returns the text of a shader by its name ("mesh.vert"). Throws Error when there is none.
 using ShaderReader = std::function<std::string(const std::string& name)>;
 
-/// Reads the shaders that are built into the program.
+/// Reads the shaders that are built into the program. Throws Error if there is no shader of this name.
 std::string read_embedded_shader(const std::string& name);
 
 struct ShaderSource {
@@ -23,8 +23,8 @@ inline constexpr int kShaderFileLines = 10000;
 /// Puts included files in place, once each. Throws Error for a missing file.
 ShaderSource assemble_shader(const ShaderReader& read, const std::string& name);
 
-/// What a GLSL compiler says ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12", the latter empty
-/// when there is no number.
+/// A message of a GLSL compiler ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12"; the line is empty
+/// if the message has no number.
 struct ShaderMessage {
   std::string file, where, text;
 };

@@ -1,4 +1,4 @@
-// What the overlays about receptive fields say in numbers; the panel writes them.
+// Numbers of the overlays about receptive fields; the panel writes them.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace taxel::ui {
 
-/// How much of the skin one field covers by each metric, summed over the taxels. [m^2]
+/// Area [m^2] of the skin that one field covers by each metric, summed over the taxels.
 struct FieldComparison {
   double euclidean = 0, geodesic = 0;
   double euclidean_only = 0;  ///< within the radius straight, but not along the surface
@@ -18,23 +18,23 @@ struct FieldComparison {
 /// How many taxels see how much of the skin.
 struct CoverageNumbers {
   std::vector<double> area_of_overlap;  ///< by number of taxels, [0]: none [m^2]
-  double area = 0;                      ///< of the skin [m^2]
-  double overlap = 0;                   ///< mean number of taxels over what is covered
+  double area = 0;                      ///< area of the skin [m^2]
+  double overlap = 0;                   ///< mean number of taxels over the covered area
 };
 
 /// Between the normals of taxels and of the skin below them.
 struct NormalNumbers {
   double largest_deg = 0, mean_deg = 0;
   int largest_taxel = -1;  ///< layout order
-  double limit_deg = 0;    ///< of the layout: the colours end here
+  double limit_deg = 0;    ///< limit of the layout, at which the colours end
 };
 
 /// Of the arrows of tractions.
 struct TractionNumbers {
   int polygons = 0;
   double largest_pressure = 0, largest_friction = 0;  ///< [Pa]
-  double metres_per_pascal = 0;                       ///< of arrows
-  bool friction_known = false;                        ///< else what rubs was not recorded: none is drawn
+  double metres_per_pascal = 0;                       ///< length of arrows per pressure
+  bool friction_known = false;                        ///< false if friction was not recorded; then none is drawn
 };
 
 /// Each where its overlay is on, of the first sensor in the picture.
@@ -43,10 +43,11 @@ struct FieldNumbers {
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
   std::optional<NormalNumbers> normals;
-  std::optional<TractionNumbers> tractions;  ///< of the selected sensor
+  std::optional<TractionNumbers> tractions;  ///< numbers of the selected sensor
 };
 
-/// sRGB of a spot that so many taxels see; none has a colour of its own. From `kMostOverlap` on all the same.
+/// Colour (sRGB) of a spot in the fields of `taxels` taxels, different from the colours of single taxels. From
+/// `kMostOverlap` on the colour is the same.
 inline constexpr int kMostOverlap = 6;
 glm::vec3 overlap_color(int taxels);
 /// Of what only the straight distance reaches.

@@ -1,4 +1,4 @@
-// Which frames and labels of a scene's parts are drawn, in the order in which keys go through them.
+// Selection of the frames and labels of a scene's parts that are drawn, in the order in which keys go through them.
 #pragma once
 
 #include <array>

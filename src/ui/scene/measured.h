@@ -1,4 +1,4 @@
-// A distance on the skin: what is asked for, and what came of it.
+// A distance on the skin: the request and its result.
 #pragma once
 
 #include <limits>

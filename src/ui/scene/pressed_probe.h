@@ -1,5 +1,4 @@
-// A probe pressed on the layout that is edited: what is wished, and what came of it. Drawn and read as a sensor of a
-// simulation is.
+// A probe pressed on the edited layout: the request and its result. It is drawn and read like a sensor of a simulation.
 #pragma once
 
 #include <memory>
@@ -12,7 +11,7 @@ namespace taxel::ui {
 
 struct ProbeWish {
   Probe probe;
-  std::string mesh_file;  ///< of a ProbeMesh, whose mesh is read from there; else empty
+  std::string mesh_file;  ///< file of the mesh of a ProbeMesh, otherwise empty
   bool operator==(const ProbeWish&) const = default;
 };
 
@@ -21,10 +20,10 @@ struct PressedProbe {
   ProbeWish wish;
   std::string problem;  ///< why it cannot be pressed; then nothing below counts
   TriMeshPtr mesh;      ///< the probe as drawn
-  Pose X_MG;            ///< of that mesh
-  SensorStep state;     ///< sensor at rest, with frame M equal to the world frame
-  double force = 0;     ///< of the pressure on the sensor [N]
-  double area = 0;      ///< of the contact surface [m^2]
+  Pose X_MG;            ///< pose of the probe's mesh
+  SensorStep state;     ///< state of the model at rest, with its frame M as the world
+  double force = 0;     ///< force of the pressure on the sensor [N]
+  double area = 0;      ///< area of the contact surface [m^2]
   double largest = 0;   ///< pressure [Pa]
   int polygons = 0;
 };

@@ -1,4 +1,4 @@
-// Colours of what a repair changed. sRGB, 0 to 1.
+// Colours of the changes by a repair. sRGB, 0 to 1.
 #pragma once
 
 #include <algorithm>

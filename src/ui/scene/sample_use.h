@@ -1,4 +1,4 @@
-// What a sample is to the taxels that use it.
+// Use of a sample by its taxels.
 #pragma once
 
 #include <vector>

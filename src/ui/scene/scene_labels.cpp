@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPastTip = 9;   // [pixel]
 constexpr int kManyTaxels = 60;  // more are labelled only where they face the eye
-constexpr std::size_t kMostLabels = 250;
+constexpr std::size_t kMaxLabels = 250;
 constexpr double kLetterWidth = 0.62;  // of a digit, parts of its height
 constexpr std::size_t kLettersOfTaxels = 4;
 constexpr dvec2 kAround(7, 3);       // background and gap around a label, both sides together [pixel]
@@ -70,7 +70,8 @@ class Room {
   Room(dvec2 view, dvec2 cell) : cell_(cell), columns_(static_cast<int>(view.x / cell.x) + 3) {
     cells_.resize(static_cast<std::size_t>(columns_) * (static_cast<std::size_t>(view.y / cell.y) + 3));
   }
-  /// Takes a place for a box around `at`, not wider than a cell and a half. False where another stands in it.
+  /// Reserves a place for a box around `at`, not wider than a cell and a half. Returns false if another box is in the
+  /// place.
   bool take(const dvec2& at, const dvec2& half) {
     const int x = 1 + static_cast<int>(at.x / cell_.x), y = 1 + static_cast<int>(at.y / cell_.y);
     for (int j = y - 1; j <= y + 1; ++j) {
@@ -115,13 +116,13 @@ class Placed {
  public:
   Placed(dvec2 view, dvec2 letter, std::size_t longest)
       : letter_(letter), room_(view, {static_cast<double>(longest) * letter.x + kAround.x, letter.y + kAround.y}) {}
-  /// Takes the place of a label that is then to be added. False where another one stands.
+  /// Reserves the place of a label that is then to be added. Returns false if another label is in the place.
   bool take(const SceneLabel& label) {
     const dvec2 box = dvec2(static_cast<double>(label.text.size()) * letter_.x, letter_.y) + kAround;
-    return labels_.size() < kMostLabels && room_.take(label.pixel, 0.5 * box);
+    return labels_.size() < kMaxLabels && room_.take(label.pixel, 0.5 * box);
   }
   void add(SceneLabel label, double depth) { labels_.emplace_back(depth, std::move(label)); }
-  [[nodiscard]] bool full() const { return labels_.size() >= kMostLabels; }
+  [[nodiscard]] bool full() const { return labels_.size() >= kMaxLabels; }
   [[nodiscard]] std::vector<SceneLabel> farthest_first() {
     std::stable_sort(labels_.begin(), labels_.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<SceneLabel> out;

@@ -19,7 +19,7 @@ struct NamedPlace {
   const std::string* name = nullptr;  ///< lives as long as the input's frame
   dvec3 p_W{0};
 };
-/// Those that overlays.labels asks for, likewise. The world has no label.
+/// Returns the places of the parts that overlays.labels asks for, in the same order. The world has no label.
 [[nodiscard]] std::vector<NamedPlace> labelled_places(const SceneInput& input);
 
 }  // namespace taxel::ui

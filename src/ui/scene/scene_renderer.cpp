@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kHardwareSamples = 4;
 constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;  // of the key light's map
-constexpr int kMostFacesInSoftware = 120'000;               // of a mesh, so that it turns fluently
+constexpr int kMaxFacesInSoftware = 120'000;                // of a mesh, so that it turns fluently
 
 constexpr double kOcclusionRadius = 0.05;  // of the object's size
 
@@ -73,7 +73,7 @@ struct SceneRenderer::Impl {
         segments(shaders),
         points(shaders),
         sensors(shaders),
-        cache(software ? kMostFacesInSoftware : 0) {}
+        cache(software ? kMaxFacesInSoftware : 0) {}
 
   bool software;
   GroundPass ground;

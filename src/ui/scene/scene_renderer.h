@@ -35,7 +35,7 @@ struct PressureRange {
   bool operator==(const PressureRange&) const = default;
 };
 
-/// What is shown; keys in brackets as in the keymap.
+/// Things drawn in the view; keys in brackets as in the keymap.
 struct Overlays {
   bool sensor_transparent = true;  // [T]
   bool wireframe = false;          // [W]
@@ -45,14 +45,14 @@ struct Overlays {
   bool tractions = false;          // [V] pressure and friction of each polygon, as arrows
   bool readings_on_skin = false;   // [S] the taxels' readings, spread by the weights of their fields
   bool ghost = true;               // of the step before's surface, while a reading is explained
-  bool filtered_polygons = false;  // what the overlap has and the surface left out
+  bool filtered_polygons = false;  // polygons of the overlap that the surface left out
   bool samples = true;             // [P]
   bool sample_normals = false;     // [N]
   bool taxels = true;              // centre and normal arrow
   bool taxel_labels = true;
   bool receptive_fields = true;  // ring on the surface
   bool fields_filled = false;    // by the layout's metric
-  bool fields_compared = false;  // what the straight distance reaches and the geodesic one does not
+  bool fields_compared = false;  // areas that only the Euclidean distance reaches
   bool coverage = false;         // how many taxels see each spot
   bool normal_angles = false;    // taxel normals coloured by their angle to the skin's
   bool path = true;              // red line
@@ -60,7 +60,7 @@ struct Overlays {
   bool constraints = true;  // points that welds and connections hold together
   bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
   GroupsShown geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
-  GroupsShown site_groups{true, true, true, false, false, false};  // [Shift+0] to [Shift+5], likewise
+  GroupsShown site_groups{true, true, true, false, false, false};  // [Shift+0] to [Shift+5]
   FramesShown frames = FramesShown::none;                          // [F6]
   LabelsShown labels = LabelsShown::none;                          // [F7]
   bool operator==(const Overlays&) const = default;
@@ -82,29 +82,29 @@ struct Overlays {
 }
 
 struct SceneInput {
-  SimFramePtr frame;              ///< null: only grid and background
+  SimFramePtr frame;              ///< displayed step; if null only grid and background are drawn
   SensorModelPtr document_model;  ///< when there is no simulation: the layout alone at the origin; may be null
   PressedProbePtr probe;          ///< pressed on that; may be null
   Overlays overlays;
   PressureRange range;
-  PressureRange reading_range;  ///< of colours of readings: `range`, unless they are no pressures
+  PressureRange reading_range;  ///< range of the colours of readings: `range`, unless they are no pressures
   int selected_sensor = 0;
-  int selected_body = -1;            ///< as SceneControls::bodies numbers them; -1: none
+  int selected_body = -1;            ///< index in SceneControls::bodies, or -1
   int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
-  std::vector<int> hidden_taxels;    ///< of the document's layout: neither drawn nor picked; indices, ascending
+  std::vector<int> hidden_taxels;    ///< indices in the document's layout, ascending; neither drawn nor picked
   FaceSet region;                    ///< painted faces of the document's mesh, ascending
-  bool repair_changes = false;       ///< shows what the repair of the document's mesh changed
-  ShownFieldsPtr fields;             ///< what of receptive fields is worked out elsewhere; null: not yet, or nothing
+  bool repair_changes = false;       ///< draws the changes by the repair of the document's mesh
+  ShownFieldsPtr fields;             ///< receptive fields computed elsewhere; null if there are none yet
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
-  StepPtr before;                                    ///< whose surfaces are drawn as ghosts; may be null
-  int marked_surface = -1, marked_polygon = -1;      ///< of the selected sensor: outlined; -1: none
+  StepPtr before;                                    ///< previous step, whose surfaces are drawn as ghosts; may be null
+  int marked_surface = -1, marked_polygon = -1;      ///< outlined surface and polygon of the selected sensor, or -1
   std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
   MeasuredPtr measured;                              ///< a line on the document's skin; may be null
-  std::vector<dvec3> measure_points;                 ///< of that line, and one that is pointed at
-  std::optional<ShownPath> path;                     ///< as it is edited, in place of the frame's
+  std::vector<dvec3> measure_points;                 ///< ends of the measured line, and one that is pointed at
+  std::optional<ShownPath> path;                     ///< the edited path, replaces the frame's path
   bool dark = true;
-  double scale = 1;                                    ///< of lines, points and the gizmo, as of the interface
+  double scale = 1;                                    ///< scale of lines, points and the gizmo, as of the interface
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };
 
@@ -122,13 +122,14 @@ class SceneRenderer {
   /// Leaves the framebuffer that was bound, bound; other GL state as it happens to be.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
   /// Bodies and marks alone, at any size, on a transparent background without grid, shadow on the ground and gizmo.
-  /// Throws Error where the driver cannot make a picture of that size. The next render() draws anew.
+  /// Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
   [[nodiscard]] gl::RgbaImage cut_out(const SceneInput& input, const Camera& camera, int width, int height);
   [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
   [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
-  [[nodiscard]] FieldNumbers field_numbers() const;  ///< of the overlays in the last render
+  [[nodiscard]] FieldNumbers field_numbers() const;  ///< numbers of the overlays in the last render
   [[nodiscard]] bool software() const;               ///< llvmpipe or the like
-  /// Creases and corners of solid bodies get less light. As made: on hardware renderers alone, for what it costs.
+  /// Sets whether creases and corners of solid bodies get less light. Initially it is on for hardware renderers only,
+  /// because of its cost.
   void set_ambient_occlusion(bool on);
 
  private:

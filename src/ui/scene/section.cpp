@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kStub = 0.3;       // of the allowed depth: a miss
 constexpr double kSameSide = 1e-9;  // of the sensor's size
-constexpr double kLeastSine = 0.2;  // two directions span a plane when they differ by more than some 12 degrees
+constexpr double kMinSine = 0.2;    // two directions span a plane when they differ by more than some 12 degrees
 
 /// The way the sensor is led; along the finger where nothing is.
 dvec3 travel_direction(const SceneInput& input, const SensorView& view) {
   if (input.frame && input.frame->scene && input.frame->scene->path_W.size() > 1) {
-    // to its farthest point: many end where they began
+    // To its farthest point: many end where they began
     const std::vector<dvec3>& path = input.frame->scene->path_W;
     dvec3 d(0);
     for (const dvec3& p : path)
@@ -33,7 +33,7 @@ SectionPlane plane_through(const dvec3& origin_W, const dvec3& normal_W, const d
   plane.origin_W = origin_W;
   plane.z = glm::normalize(normal_W);
   dvec3 up = dvec3(0, 0, 1) - plane.z.z * plane.z;
-  if (glm::length(up) < kLeastSine) up = glm::cross(plane.z, travel_W);  // a level plane has no upward direction
+  if (glm::length(up) < kMinSine) up = glm::cross(plane.z, travel_W);  // a level plane has no upward direction
   plane.y = glm::normalize(up);
   plane.x = glm::cross(plane.y, plane.z);
   if (glm::dot(plane.x, travel_W) < 0) {
@@ -52,7 +52,7 @@ SectionPlane section_plane(const SceneInput& input, const SensorView& view) {
     const dvec3 normal = view.X_WM.rotate(glm::normalize(taxel.normal));
     for (const dvec3& along : {travel, distal, width}) {
       const dvec3 across = glm::cross(normal, along);
-      if (glm::length(across) > kLeastSine) return plane_through(view.X_WM * taxel.center, across, travel);
+      if (glm::length(across) > kMinSine) return plane_through(view.X_WM * taxel.center, across, travel);
     }
   }
   dvec3 middle = view.model->mesh->bounds().center();

@@ -39,21 +39,21 @@ struct Section {
   };
   struct SamplePoint {
     dvec2 at{0};
-    int color = -1;  ///< of the nearest taxel; -1: unused
+    int color = -1;  ///< colour of the nearest taxel, or -1 if unused
   };
 
   SectionPlane plane;
   std::string title;
   std::vector<Outline> skin, objects;
   std::vector<ContactPiece> contact;
-  std::vector<RayPiece> rays;  ///< of samples near the plane, projected into it
+  std::vector<RayPiece> rays;  ///< rays of samples near the plane, projected into it
   std::vector<SamplePoint> samples;
   std::vector<dvec2> path;     ///< two points or none
-  int color = 0;               ///< of that taxel
+  int color = 0;               ///< colour of the taxel
   int taxel = -1;              ///< the plane goes through its centre; layout order
-  dvec2 center{0}, normal{0};  ///< of that taxel
-  double radius = 0;           ///< of its receptive field [m]
-  dvec2 focus{0};              ///< what to look at: the taxel, else the contact, else the skin's middle
+  dvec2 center{0}, normal{0};  ///< centre and normal of the taxel
+  double radius = 0;           ///< radius of its receptive field [m]
+  dvec2 focus{0};              ///< point to look at: the taxel, otherwise the contact or the skin's middle
   double spacing = 0;          ///< between samples, about [m]
   double size = 0;             ///< around the focus, half width [m]
 };

@@ -9,9 +9,9 @@
 namespace taxel::ui {
 
 struct SensorView {
-  int index = 0;                      ///< of the sensor
+  int index = 0;                      ///< index of the sensor
   SensorModelPtr model;               ///< never null
-  const SensorStep* state = nullptr;  ///< null: a layout alone
+  const SensorStep* state = nullptr;  ///< state in the step; null for a layout without a simulation
   Pose X_WM;
   int selected_taxel = -1;           ///< the active one; -1: none, or in another sensor
   std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
@@ -31,10 +31,10 @@ std::vector<SensorView> sensor_views(const SceneInput& input);
 /// Where the contact pushes: centroid of the pressure over all polygons of a sensor, frame M. False without contact.
 bool pressure_centroid(const SensorStep& state, dvec3& centroid);
 
-/// Box around the sensors. [m], world
+/// Returns the box around the sensors in the world [m].
 Aabb sensor_bounds(const SceneInput& input);
 
-/// Box around all that is drawn, planes left out. [m], world
+/// Returns the box around everything that is drawn except planes, in the world [m].
 Aabb scene_bounds(const SceneInput& input);
 
 /// The ground of a scene: its first plane geom, else z = 0, or lower where the scene begins lower.

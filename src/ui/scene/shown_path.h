@@ -10,7 +10,7 @@ namespace taxel::ui {
 /// Its line, and its way points: where the finger's lowest point is led.
 struct ShownPath {
   std::vector<dvec3> line_W, points_W;
-  int selected = -1;  ///< of points_W; -1: none
+  int selected = -1;  ///< index in points_W, or -1
   bool operator==(const ShownPath&) const = default;
 };
 

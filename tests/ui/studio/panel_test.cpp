@@ -387,8 +387,7 @@ TEST(LayoutSettings, ACalibrationIsMadeEditedAndRemoved) {
   EXPECT_EQ(made["noise"], 0.1);
   EXPECT_EQ(made["range"], Json({0, 255}));
   EXPECT_EQ(made["quantisation"]["bits"], 8);
-  EXPECT_EQ(studio.state("refused.json")["refused"]["words"],
-            "/calibration/quantisation/bits: must stand beside a range");
+  EXPECT_EQ(studio.state("refused.json")["refused"]["words"], "/calibration/quantisation/bits: needs a range");
   EXPECT_EQ(studio.state("removed.json")["document"], studio.state("before.json")["document"]);
 }
 

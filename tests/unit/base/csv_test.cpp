@@ -40,7 +40,7 @@ TEST(Csv, WhatIsQuotedGoesRound) {
 TEST(Csv, NamesTheLine) {
   const auto complaint = [](const std::string& text) { return test::complaint_of([&] { parse_csv(text, "t.csv"); }); };
   EXPECT_EQ(complaint("a\n\"b\nc"), "t.csv: line 2: a quote is not closed");
-  EXPECT_EQ(complaint("a\nb\"c"), "t.csv: line 2: a quote stands within a field");
+  EXPECT_EQ(complaint("a\nb\"c"), "t.csv: line 2: a quote is inside of a field");
   EXPECT_EQ(complaint("\"a\"b"), "t.csv: line 1: a quoted field goes on behind its quote");
 }
 

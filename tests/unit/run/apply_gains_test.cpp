@@ -43,7 +43,7 @@ TEST(ApplyGains, AllElseStays) {
   ASSERT_EQ(after.taxels.size(), 2U);
   EXPECT_EQ(after.taxels[0].gain, 5);
   EXPECT_EQ(after.taxels[0].tare, 0);
-  EXPECT_TRUE(after.taxels[0].curve.empty()) << "it cannot stand beside a gain";
+  EXPECT_TRUE(after.taxels[0].curve.empty()) << "a curve and a gain exclude each other";
   EXPECT_EQ(after.taxels[1], before.taxels[1]);
   EXPECT_EQ(test::complaint_of([&] { with_gains(before, {}, ""); }), "no taxel has a gain");
 }

@@ -7,7 +7,7 @@
 
 namespace taxel {
 
-/// With padding, without line breaks.
+/// Returns the bytes in Base64, with padding and without line breaks.
 inline std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

@@ -7,12 +7,12 @@
 namespace taxel {
 namespace {
 
-/// Takes a text apart, character by character.
+/// Splits a text into rows and fields, character by character.
 class Reader {
  public:
   Reader(const std::string& text, const std::string& file, char separator)
       : text_(text), file_(file), separator_(separator) {
-    const std::string mark = "\xEF\xBB\xBF";  // that some programs put before UTF-8
+    const std::string mark = "\xEF\xBB\xBF";  // some programs write this mark before UTF-8
     if (text.starts_with(mark)) at_ = mark.size();
   }
 
@@ -62,7 +62,7 @@ class Reader {
     if (at_ < text_.size() && text_[at_] == '"') return quoted_field();
     std::string field;
     while (!at_end_of_line() && !separates(text_[at_])) {
-      if (text_[at_] == '"') fail(line_, "a quote stands within a field");
+      if (text_[at_] == '"') fail(line_, "a quote is inside of a field");
       field += text_[at_++];
     }
     while (!field.empty() && blank(field.back())) field.pop_back();
@@ -91,7 +91,7 @@ class Reader {
   const std::string& file_;
   std::size_t at_ = 0;
   int line_ = 1;
-  char separator_;  ///< '\0': not known yet
+  char separator_;  ///< '\0' if not known yet
 };
 
 }  // namespace

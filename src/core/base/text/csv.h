@@ -6,14 +6,14 @@
 
 namespace taxel {
 
-/// A field as CSV wants it: quoted where it holds a comma, a quote, a tab or a line break, or where its ends would be
-/// taken for something else.
+/// Returns a field as CSV requires it: in quotes if it contains a comma, a quote, a tab or a line break, or if a reader
+/// would otherwise remove something from its ends.
 std::string csv_field(const std::string& text);
 
-/// Rows with the line (from 1) where each begins; quotes are taken off, blanks around fields too unless quoted. Empty
-/// lines and those that begin with '#' are left out. The separator is given, or the first of comma, semicolon and tab
-/// in the first row, outside of quotes. Throws Error(file, "line N", ...) for a quote that is not closed or stands
-/// within a field.
+/// One row with the number of its first line (from 1). Quotes are removed from fields, and so are blanks around fields
+/// unless they are quoted. Empty lines and lines that begin with '#' are skipped. The separator is given, or is the
+/// first comma, semicolon or tab in the first row outside of quotes. Throws Error(file, "line N", ...) for a quote that
+/// is not closed or is inside of a field without quotes.
 struct CsvRow {
   int line = 0;
   std::vector<std::string> fields;

@@ -25,7 +25,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Recursive descent; each function reads what its name says and stops behind it.
+/// Recursive-descent parser. Each function reads the construct in its name and stops behind it.
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text) {}
@@ -58,7 +58,7 @@ class Parser {
     at_ += token.size();
     return true;
   }
-  /// The name or the one character that stands here, for messages.
+  /// Returns the name or the single character at the current position, for messages.
   std::string word_here() {
     peek();
     std::size_t end = at_;
@@ -75,7 +75,7 @@ class Parser {
       const Quantity right = term();
       if (left.kind != right.kind)
         fail(at, fmt::format("{} and {} cannot be added", name_of(left.kind), name_of(right.kind)));
-      // In the finer unit of the two: the other one's number is then multiplied, not divided.
+      // The sum is in the finer of the two units: then the other number is multiplied, not divided.
       const Quantity& unit = right.decimal < left.decimal ? right : left;
       const double number = number_in(left, unit) + sign * number_in(right, unit);
       left.factor = unit.factor;
@@ -132,7 +132,7 @@ class Parser {
   }
   static double plain_or_own(const Quantity& q) { return q.kind.plain() ? plain_number(q) : q.number; }
 
-  /// A number, a parenthesis, a function, pi, or a unit; and the units that follow.
+  /// Reads a number, a parenthesis, a function, pi or a unit, and the units that follow.
   Quantity primary() {
     const char c = peek();
     Quantity q;
@@ -174,7 +174,7 @@ class Parser {
     while (at_ < text_.size() && starts_name(text_[at_]) && !superscript()) ++at_;
     return text_.substr(begin, at_ - begin);
   }
-  /// 2 or 3 where ² or ³ stands here.
+  /// Returns 2 or 3 if ² or ³ is at the current position, or 1.
   [[nodiscard]] int superscript() const {
     const std::string_view here = text_.substr(at_, 2);
     return here == "\u00b2" ? 2 : here == "\u00b3" ? 3 : 0;
@@ -192,7 +192,7 @@ class Parser {
     return unit();
   }
 
-  /// One unit with its power.
+  /// Reads one unit with its power.
   Quantity unit() {
     peek();
     const std::size_t at = at_;

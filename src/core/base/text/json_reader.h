@@ -1,6 +1,6 @@
-// Reading JSON without guessing: a value that is missing or of the wrong type is an Error with its JSON pointer
-// (RFC 6901), and a key that nobody asks for is either an error (JsonNode::only) or kept (JsonObject::keep_unknown).
-// Written over the JSON type, so that the library stays in the *_json.cpp files that use it.
+// Strict JSON reader: a value that is missing or of the wrong type is an Error with its JSON pointer (RFC 6901), and a
+// key that no reader consumes is either an error (JsonNode::only) or kept (JsonObject::keep_unknown). It is a template
+// over the JSON type, so that the library stays in the *_json.cpp files that use it.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,8 +27,8 @@ namespace taxel {
 /// Unknown parts of a document: the JSON of each by its pointer.
 using UnknownJson = std::map<std::string, std::string>;
 
-/// One value of a parsed document and the pointer to it. Borrows the document, the file's name and `unknown`, to which
-/// JsonObject::keep_unknown() adds.
+/// One value of a parsed document and the pointer to it. References the document, the file's name and `unknown`, to
+/// which JsonObject::keep_unknown() adds.
 template <class Json>
 class JsonNode {
  public:
@@ -45,7 +45,7 @@ class JsonNode {
     fail(fmt::format("must be {}, is {}", expected, shown()));
   }
 
-  /// Must be an object that holds no key but these.
+  /// Throws Error unless the value is an object without other keys than these.
   void only(std::initializer_list<std::string_view> keys) const {
     must_be_object();
     for (const auto& item : json_->items()) {
@@ -93,14 +93,14 @@ class JsonNode {
     if (!(v == std::floor(v) && std::abs(v) <= limit)) wrong("a whole number of at most 31 bits");
     return static_cast<int>(v);
   }
-  /// A value of an enumeration that has words_of(E).
+  /// Returns the value of an enumeration that has words_of(E). Throws Error for an unknown word.
   template <class E>
   [[nodiscard]] E word() const {
     const std::optional<E> value = from_word<E>(text());
     if (!value) wrong("one of " + word_list<E>());
     return *value;
   }
-  /// The number of values in an array.
+  /// Returns the number of values in an array. Throws Error if the value is no array.
   [[nodiscard]] std::size_t length() const {
     if (!json_->is_array()) wrong("an array");
     return json_->size();
@@ -125,7 +125,7 @@ class JsonNode {
     if (!(value > 0)) fail(fmt::format("must be greater than 0, is {}", value));
   }
 
-  /// A value for messages: a short one as it is, a long one by its kind.
+  /// Returns the value for messages: a short value as text, a long one as its kind.
   [[nodiscard]] std::string shown() const {
     const std::string text = json_line(*json_);
     if (text.size() <= 60) return text;

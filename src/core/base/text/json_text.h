@@ -1,5 +1,5 @@
-// JSON in and out the way all files of the project have it. Written over the JSON type, so that the library stays in
-// the *_json.cpp files that use it; Json is nlohmann::ordered_json there.
+// JSON text as all files of the project have it. The functions are templates over the JSON type, so that the library
+// stays in the *_json.cpp files that use it; Json is nlohmann::ordered_json there.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,10 +18,11 @@
 
 namespace taxel {
 
-/// Deeper documents are refused, for printing and dumping walk recursively: levels of a layout or a case.
+/// Largest depth of nested arrays and objects in a layout or a case. Deeper documents are refused because printing
+/// recurses.
 inline constexpr int kMaxJsonNesting = 64;
 
-/// Objects of more keys are refused: the library that keeps the order of keys searches all of them for each new one.
+/// Largest number of keys of an object. The library searches all keys, which it keeps in order, for each new one.
 inline constexpr std::size_t kMaxJsonKeys = 10'000;
 
 /// True if a text is well-formed UTF-8 (RFC 3629), the only text that a JSON file can hold.
@@ -40,7 +41,7 @@ inline bool is_utf8(std::string_view text) {
       if (next >> 6 != 0x2) return false;
       point = (point << 6) | (next & 0x3FU);
     }
-    constexpr char32_t kFirst[] = {0, 0, 0x80, 0x800, 0x10000};  // of each length: shorter forms are not allowed
+    constexpr char32_t kFirst[] = {0, 0, 0x80, 0x800, 0x10000};  // first code point by length
     if (point < kFirst[length] || point > 0x10FFFF || (point >= 0xD800 && point <= 0xDFFF)) return false;
     i += length;
   }
@@ -74,10 +75,11 @@ inline std::pair<int, int> line_and_column(const std::string& text, std::size_t 
   return {line, column};
 }
 
-/// What a message quotes of a file: its begin and end where it is long, cut between the characters of UTF-8.
+/// Returns a quotation for a message. Of a long text only the beginning and the end are quoted, cut between characters
+/// of UTF-8.
 inline std::string short_quote(const std::string& text) {
-  constexpr std::size_t kMost = 240, kHead = 150, kTail = 70;
-  if (text.size() <= kMost) return text;
+  constexpr std::size_t kMax = 240, kHead = 150, kTail = 70;
+  if (text.size() <= kMax) return text;
   const auto boundary = [&](std::size_t at) {
     while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) --at;
     return at;
@@ -85,8 +87,9 @@ inline std::string short_quote(const std::string& text) {
   return text.substr(0, boundary(kHead)) + " ... " + text.substr(boundary(text.size() - kTail));
 }
 
-/// Parses a whole text. Throws Error if it would be read ambiguously (a key twice), could not be printed again (endless
-/// nesting) or would take quadratic time (objects of many keys), and with line and column where it is not JSON.
+/// Parses a whole text. Throws Error with line and column if the text is not JSON, and Error if it would be read
+/// ambiguously (a repeated key), could not be printed again (deep nesting) or would take quadratic time (objects of
+/// many keys).
 template <class Json>
 Json parse_json(const std::string& text, const std::string& file, int max_nesting = kMaxJsonNesting) {
   std::vector<std::set<std::string>> keys;
@@ -115,8 +118,8 @@ Json parse_json(const std::string& text, const std::string& file, int max_nestin
   }
 }
 
-/// The shortest form that reads back exactly: whole numbers without a point, others by the shortest digits. Throws
-/// Error with the pointer where the number is not finite.
+/// Returns the shortest text that reads back exactly; whole numbers have no decimal point. Throws Error with the
+/// pointer if the number is not finite.
 template <class Json>
 Json json_number(double v, const std::string& pointer) {
   if (!std::isfinite(v)) throw Error("", pointer, fmt::format("must be finite to be written, is {}", v));
@@ -132,7 +135,7 @@ Json json_vector(const dvec3& v, const std::string& pointer) {
           json_number<Json>(v.z, pointer + "/2")};
 }
 
-/// A value on one line.
+/// Returns a value on one line.
 template <class Json>
 std::string json_line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -161,7 +164,8 @@ void print_json(const Json& json, const std::string& indent, std::string& out) {
   out += json.is_object() ? "}" : "]";
 }
 
-/// Two-space indent, one key a line, arrays of plain values on one line, newline at the end.
+/// Returns a document indented by two spaces, with one key per line, arrays of plain values on one line and a newline
+/// at the end.
 template <class Json>
 std::string json_text(const Json& json) {
   std::string text;

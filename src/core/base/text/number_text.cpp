@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-/// Place of the first significant digit: 0 for 1 to 9, -2 for 0.01 to 0.09.
+/// Returns the decimal place of the first significant digit: 0 for 1 to 9, -2 for 0.01 to 0.09.
 int magnitude_of(double number) {
   return static_cast<int>(std::floor(std::log10(std::abs(number))));
 }
@@ -17,8 +17,8 @@ int magnitude_of(double number) {
 
 NumberPair number_pair(double first, double second, int digits) {
   constexpr int kDigitsOfChange = 2;
-  constexpr int kMaxDigits = 15;  // of a double: further digits are noise
-  constexpr int kTiny = -6;       // below that a number is written with an exponent
+  constexpr int kMaxDigits = 15;  // digits of a double; further digits are noise
+  constexpr int kTiny = -6;       // smaller magnitudes are written with an exponent
   const double largest = std::max(std::abs(first), std::abs(second)), change = std::abs(first - second);
   if (!std::isfinite(largest) || !std::isfinite(change)) return {fmt::format("{}", first), fmt::format("{}", second)};
   if (largest == 0) return {"0", "0"};

@@ -16,8 +16,8 @@ struct NumberPair {
 /// the two would look alike otherwise: their difference always shows two digits. Equal numbers give equal texts.
 NumberPair number_pair(double first, double second, int digits);
 
-std::string in_mm(double length);             ///< of a length in metres: "0.03 mm"
-std::string in_mm2(double area);              ///< of an area in square metres: "2.63 mm\u00b2"
-std::string place_in_mm(const dvec3& place);  ///< of a point in metres: "(1.5, 0, -20) mm"
+std::string in_mm(double length);             ///< text of a length given in metres: "0.03 mm"
+std::string in_mm2(double area);              ///< text of an area given in square metres: "2.63 mm\u00b2"
+std::string place_in_mm(const dvec3& place);  ///< text of a point given in metres: "(1.5, 0, -20) mm"
 
 }  // namespace taxel

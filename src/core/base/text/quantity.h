@@ -1,4 +1,4 @@
-// Numbers with units, as people write them.
+// Numbers with units, as users write them.
 #pragma once
 
 #include <array>
@@ -26,16 +26,16 @@ struct Quantity {
 inline constexpr Kind kPlain{}, kLength{{1, 0, 0, 0}}, kAngle{{0, 0, 0, 1}}, kMass{{0, 1, 0, 0}}, kTime{{0, 0, 1, 0}},
     kFrequency{{0, 0, -1, 0}}, kForce{{1, 1, -2, 0}}, kPressure{{-1, 1, -2, 0}};
 
-/// One of a unit (expression.h lists them), or nothing.
+/// Returns the quantity 1 of a unit (expression.h lists the units), or nothing if the name is unknown.
 std::optional<Quantity> unit_named(std::string_view name);
 
-/// For messages: "a length", "a number without a unit"; "in m^3 s" for what has no name.
+/// Returns the name of a kind for messages: "a length", "a number without a unit"; "in m^3 s" if the kind has no name.
 std::string name_of(const Kind& kind);
 
-/// The number of q in the unit of `like`, of the same kind.
+/// Returns the number of q in the unit of `like`, which has the same kind.
 double number_in(const Quantity& q, const Quantity& like);
 
-/// a * b, or a / b where sign is -1.
+/// Returns a * b, or a / b if `sign` is -1.
 Quantity product(const Quantity& a, const Quantity& b, int sign = 1);
 
 }  // namespace taxel

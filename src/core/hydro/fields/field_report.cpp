@@ -11,22 +11,22 @@ const char* plural(int count) {
   return count == 1 ? "" : "s";
 }
 
-/// "13 faces (0.2 mm\u00b2, 0.1 % of the skin) between (..) mm and (..) mm"
+/// Returns for example "13 faces (0.2 mm\u00b2, 0.1 % of the skin) between (..) mm and (..) mm".
 std::string part_text(const SkinPart& part, double skin_area) {
   return fmt::format("{} face{} ({}, {:.3g} % of the skin) between {} and {}", part.faces, plural(part.faces),
                      in_mm2(part.area), 100 * part.area / skin_area, place_in_mm(part.bounds.lo),
                      place_in_mm(part.bounds.hi));
 }
 
-/// "face 12, (1, 2, 3) mm". A face that the repair filled in has no number in the file.
+/// Returns for example "face 12, (1, 2, 3) mm". A face that the repair added has no number in the file.
 std::string worst_face_text(const SkinPart& part) {
   const std::string face =
       part.worst_face < 0 ? "a face that the repair filled in" : fmt::format("face {}", part.worst_face);
   return fmt::format("{}, {}", face, place_in_mm(part.worst_place));
 }
 
-/// "; 0.1 H deep 1 +- 0.003 times E depth/H, 0.25 H deep 0.99 +- 0.02; no tets 0.25 H below 4 %, 1 H below 78 % of the
-/// skin (depth pieces serve contact there)"
+/// Returns for example "; 0.1 H deep 1 +- 0.003 times E depth/H, 0.25 H deep 0.99 +- 0.02; no tets 0.25 H below 4 %, 1
+/// H below 78 % of the skin (depth pieces serve contact there)".
 std::string press_text(const FieldReport& report) {
   std::string felt, missing;
   for (const FieldReport::PressError& press : report.press_errors) {
@@ -42,7 +42,7 @@ std::string press_text(const FieldReport& report) {
   return felt + missing;
 }
 
-/// Of a pad: where it has two layers, and how well it holds the depth.
+/// Returns the sentence about a pad: its two-layer faces and its error of depth.
 std::string pad_text(const FieldReport& report) {
   if (!report.core) return "";
   const std::string layers =

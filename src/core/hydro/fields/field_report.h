@@ -1,4 +1,4 @@
-// What a field is worth, in sentences.
+// Quality of a pressure field, in sentences for the user.
 #pragma once
 
 #include <string>

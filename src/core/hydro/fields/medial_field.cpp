@@ -14,7 +14,7 @@
 namespace taxel {
 namespace {
 
-/// A tet whose volume is a smaller part of its skin edge cubed lies in the medial axis: it is flat.
+/// A tet whose volume is less than this fraction of its skin edge cubed is flat: it is in the medial axis.
 constexpr double kFlat = 1e-9;
 
 void require_modulus(double modulus) {
@@ -29,14 +29,14 @@ bool is_flat(const std::vector<dvec3>& x, const ivec4& t) {
   return std::abs(glm::dot(glm::cross(a, b), c)) <= kFlat * size * size * size;
 }
 
-/// Numbers points of the medial axis; those that differ by rounding alone are one.
+/// Numbers the points of the medial axis. Points that differ by rounding alone have one number.
 class AxisPoints {
  public:
   explicit AxisPoints(double size) : cell_(1e-9 * size) {}
 
-  /// The number of a point, from 0 in order of first sight.
+  /// Returns the number of a point, counted from 0 in the order of first calls.
   int number(const dvec3& p) {
-    // Roundings of one point lie in one cell of the lattice, or where it lies at their border in two.
+    // Roundings of one point are in one cell of the lattice, or in two cells if the point is at their border.
     const dvec3 u = p / cell_;
     constexpr double kBorder = 1e-3;
     for (int i = 0; i < 8; ++i) {

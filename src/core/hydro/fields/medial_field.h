@@ -5,8 +5,8 @@
 
 namespace taxel {
 
-// All throw Error when a size, the modulus or the edge length is not positive. Round ones are tessellated with edges of
-// at most edge_length, and scaled to the true volume.
+// All functions throw Error if a size, the modulus or the edge length is not positive. Round ones are tessellated with
+// edges of at most edge_length, and scaled to the true volume.
 
 /// H = smallest half size. Exact.
 PressureFieldPtr make_box_field(const dvec3& half_size, double modulus);

@@ -15,7 +15,7 @@ namespace {
 /// Corners of the face opposite to corner i of a positively oriented tet, counter-clockwise seen from inside.
 constexpr std::array<std::array<int, 3>, 4> kFaces{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
-/// A tet over which the pressure varies by less than this part of the largest pressure pushes in no direction.
+/// A tet over which the pressure varies by less than this fraction of the largest pressure has no direction of push.
 constexpr double kZeroGradient = 1e-9;
 
 double six_volumes(const std::vector<dvec3>& x, const ivec4& t) {
@@ -23,7 +23,7 @@ double six_volumes(const std::vector<dvec3>& x, const ivec4& t) {
   return glm::dot(glm::cross(x[at(t[1])] - o, x[at(t[2])] - o), x[at(t[3])] - o);
 }
 
-/// Sorts three vertex numbers; the sign of the permutation.
+/// Sorts three vertex numbers and returns the sign of the permutation.
 double sort_face(std::array<int, 3>& face) {
   double sign = 1;
   const auto order = [&](std::size_t i, std::size_t j) {
@@ -37,7 +37,8 @@ double sort_face(std::array<int, 3>& face) {
   return sign;
 }
 
-/// The face opposite to corner i of a tet: sorted vertices, and whether sorting kept its orientation (1) or not (-1).
+/// Returns the face opposite to corner i of a tet: its sorted vertices, and 1 if sorting kept its orientation or -1 if
+/// not.
 std::pair<std::array<int, 3>, double> sorted_face(const Tet& tet, std::size_t i) {
   const auto& corners = kFaces[i];
   std::array<int, 3> face{tet.vertices[corners[0]], tet.vertices[corners[1]], tet.vertices[corners[2]]};
@@ -45,8 +46,8 @@ std::pair<std::array<int, 3>, double> sorted_face(const Tet& tet, std::size_t i)
   return {face, sign};
 }
 
-/// One plane per face, from its sorted vertices alone: both tets of a shared face get the same numbers but for the
-/// sign.
+/// Computes one plane per face, from its sorted vertices alone: both tets of a shared face get the same numbers except
+/// for the sign.
 void set_planes(const std::vector<dvec3>& x, Tet& tet) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto [face, sign] = sorted_face(tet, i);
@@ -58,7 +59,7 @@ void set_planes(const std::vector<dvec3>& x, Tet& tet) {
   }
 }
 
-/// g from the three differences of pressure along the edges at corner 0, by Cramer's rule.
+/// Computes g from the three differences of pressure along the edges at corner 0, by Cramer's rule.
 void set_pressure(const std::vector<dvec3>& x, const std::vector<double>& p, Tet& tet) {
   const dvec3& o = x[at(tet.vertices[0])];
   const dvec3 a = x[at(tet.vertices[1])] - o, b = x[at(tet.vertices[2])] - o, c = x[at(tet.vertices[3])] - o;
@@ -77,7 +78,7 @@ double longest_edge(const std::vector<dvec3>& x, const ivec4& t) {
   return longest;
 }
 
-/// Faces are matched among those of the same lowest vertex: few, so that sorting them is quick.
+/// Matches faces among the faces with the same lowest vertex. They are few, so that sorting them is quick.
 void set_neighbours(int vertex_count, std::vector<Tet>& tets) {
   struct Side {
     int middle, highest, tet, corner;

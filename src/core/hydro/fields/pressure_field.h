@@ -14,7 +14,7 @@
 
 namespace taxel {
 
-/// One tetrahedron as the kernel wants it, frame of the body.
+/// One tetrahedron with all that the kernel needs, in the frame of the body.
 struct Tet {
   ivec4 vertices{0};               ///< positively oriented
   std::array<dvec3, 4> normal;     ///< inward unit normal of the face opposite to vertex i
@@ -34,7 +34,7 @@ struct SkinPart {
   dvec3 worst_place{0};  ///< middle of that face [m]
 };
 
-/// What a field is worth: shown to the user, tested. Stiffness is |g| at the skin, weighted by area [Pa/m].
+/// Quality of a field, displayed and tested. Stiffness is |g| at the skin, weighted by area [Pa/m].
 struct FieldReport {
   int tets = 0;
   int inverted = 0;  ///< tets of negative volume before orientation, or of a fold
@@ -42,16 +42,16 @@ struct FieldReport {
   double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
   double stiffness_cv = 0;                ///< standard deviation over mean
   double stiffness_mean = 0, stiffness_min = 0, stiffness_max = 0;
-  double skin_area = 0;     ///< of the mesh, with and without tets below it [m^2]
+  double skin_area = 0;     ///< area of the mesh, with and without tets below it [m^2]
   double thickness = 0;     ///< H that was asked for (pads) [m]
   double deepest = 0;       ///< half of the body's smallest extent: no point lies deeper (pads) [m]
   double least_part = 1;    ///< the shortest offset over what H asks for, where a pad was made at all
   SkinPart limited;         ///< faces at which H had to shrink; worst: where the least is left
   SkinPart bare;            ///< faces without a pad; worst: the largest
   int two_layer_faces = 0;  ///< faces below which the prism has two layers (pads)
-  double depth_error_mean = 0, depth_error_rms = 0;  ///< of p/E - min(depth, H)/H over the pad (pad_error.h)
+  double depth_error_mean = 0, depth_error_rms = 0;  ///< error p/E - min(depth, H)/H over the pad (pad_error.h)
   int refined_faces = 0;                             ///< faces that refinement of the skin added (pads)
-  int tents = 0;  ///< faces whose tet was split by a vertex above it, or that got a tet of their own (pads)
+  int tents = 0;  ///< faces with a tent: a vertex above them, or a tet of their own (pads)
   /// How a press of part of the thickness is felt over the skin (pads).
   struct PressError {
     double part = 0;          ///< depth of the press over the thickness
@@ -112,14 +112,16 @@ enum class PadLayering {
 };
 
 /// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
-/// prism and layer. H is limited by the local thickness. `face_numbers`: what the user calls the faces, for the report;
-/// empty: their own numbers. `refine`: longest edge, in H, of faces whose pad would be uneven (pad_refine.h); 0: the
-/// skin stays as it is. Throws Error for an open mesh (naming the places), H <= 0, E <= 0 or refine < 0.
+/// prism and layer. H is limited by the local thickness. `face_numbers` are the user's numbers of the faces, for the
+/// report; if empty, the faces have their own numbers. `refine` is the longest edge, in H, of faces whose pad would be
+/// uneven (pad_refine.h); with 0 the skin is not refined. Throws Error for an open mesh (naming the places), H <= 0, E
+/// <= 0 or refine < 0.
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
                                 const std::vector<int>& face_numbers = {},
                                 PadLayering layering = PadLayering::automatic, double refine = kDefaultRefine);
 
-/// Tets from the volume centroid to every face, p = E there: what the paper's code does. Inverted tets are reported.
+/// Tets from the volume centroid to every face, with p = E at the centroid, as in the paper's code. Inverted tets are
+/// reported.
 PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
 
 /// Sphere with its medial-axis field p = E (1 - r/R) (A1 of contact.md), from an icosphere whose edges are at most

@@ -15,7 +15,7 @@ double six_volumes(const std::array<dvec3, 4>& tet);
 bool is_flat(const std::array<dvec3, 4>& tet);
 
 /// A tet of a pad is well shaped when its volume is at least this part of the third of a straight prism's.
-inline constexpr double kLeastVolume = 0.05;
+inline constexpr double kMinVolume = 0.05;
 
 struct PrismTets {
   std::array<ivec4, 3> tets;

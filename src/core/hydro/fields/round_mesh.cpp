@@ -16,8 +16,8 @@ double volume_below(const TriMesh& mesh, const Chosen& chosen) {
   return six / 6.0;
 }
 
-/// Moves vertices away from the segment |z| <= half_length of the axis: by `side` where they lie beside it, by `cap`
-/// where they lie beyond.
+/// Moves vertices away from the segment |z| <= half_length of the axis: by `side` if their z is within the segment, by
+/// `cap` if it is outside.
 TriMesh scaled_about_axis(const TriMesh& mesh, double half_length, double side, double cap) {
   std::vector<dvec3> vertices = mesh.vertices();
   for (dvec3& v : vertices) {

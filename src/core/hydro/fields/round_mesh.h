@@ -1,5 +1,5 @@
-// Tessellated round shapes with the volume of what they stand for: force is proportional to volume wherever the
-// pressure is linear, so the facets cost no first-order error.
+// Tessellated round shapes with the exact volume of their shape: force is proportional to volume wherever the pressure
+// is linear, so the facets cause no first-order error.
 #pragma once
 
 #include "core/mesh/tri_mesh.h"

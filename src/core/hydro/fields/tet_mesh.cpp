@@ -77,7 +77,7 @@ std::vector<double> depths(const TetMesh& mesh, const std::vector<ivec3>& outer,
   return depth;
 }
 
-/// `faces` with their vertices numbered anew, those that none uses left out.
+/// Returns `faces` with new vertex numbers, without the vertices that no face uses.
 TriMesh compact(const std::vector<dvec3>& vertices, std::vector<ivec3> faces) {
   std::vector<int> number(vertices.size(), -1);
   std::vector<dvec3> kept;

@@ -10,7 +10,7 @@ namespace taxel {
 
 struct TetMesh {
   std::vector<dvec3> vertices;   ///< [m]
-  std::vector<ivec4> tets;       ///< of any orientation
+  std::vector<ivec4> tets;       ///< four vertices each, in any orientation
   std::vector<double> pressure;  ///< at the vertices [Pa], where the maker gave one; else empty
 };
 using TetMeshPtr = std::shared_ptr<const TetMesh>;

@@ -12,7 +12,7 @@
 namespace taxel {
 namespace {
 
-constexpr long long kMost = 1LL << 28, kTet = 10;
+constexpr long long kMax = 1LL << 28, kTet = 10;
 
 bool is_word(std::string_view word, std::string_view lower) {
   return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
@@ -68,7 +68,7 @@ class VtkReader {
 
   int count(const char* what) {
     const long long n = cursor_.integer(cursor_.word());
-    if (n < 0 || n > kMost) cursor_.fail(fmt::format("{} {} cannot be", n, what));
+    if (n < 0 || n > kMax) cursor_.fail(fmt::format("{} {} cannot be", n, what));
     return static_cast<int>(n);
   }
 
@@ -94,7 +94,8 @@ class VtkReader {
     }
   }
 
-  /// VTK up to version 4: the number of corners stands before them. Later versions list offsets and corners apart.
+  /// Reads the cells. Files of VTK up to version 4 write the number of corners before the corners; later versions list
+  /// offsets and corners separately.
   void read_cells() {
     const auto n = static_cast<std::size_t>(count("cells"));
     count("numbers of cells");

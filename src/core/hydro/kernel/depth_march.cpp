@@ -42,7 +42,7 @@ class PairMarch {
   }
 
  private:
-  static constexpr int kMaxEdges = 1 << 12;  // along the longest side of what the bodies share
+  static constexpr int kMaxEdges = 1 << 12;  // along the longest side of the shared volume
 
   [[nodiscard]] dvec3 point(const Node& n) const { return edge_ * dvec3(n); }
 
@@ -89,11 +89,11 @@ class PairMarch {
     for (std::size_t next = 0; next < w_.queue.size(); ++next) go_on(at(w_.queue[next]));
   }
   static constexpr double kNear = 0.25;      // edges
-  static constexpr double kBareArea = 1e-4;  // edges squared: what a cube that is not covered adds at least
+  static constexpr double kBareArea = 1e-4;  // least area that an uncovered cube adds, in edges squared
   static constexpr int kSteps = 3;           // cubes in a row that may be covered: the two surfaces differ a little
 
-  /// Reaches a cube with so many steps left. One that was reached with fewer goes on once more, so that the cubes that
-  /// are reached in the end do not depend on the order.
+  /// Reaches a cube with `steps` steps left. A cube that was reached with fewer steps left continues once more, so that
+  /// the set of reached cubes does not depend on the order.
   void visit(const Node& cube, int steps) {
     bool is_new = false;
     std::int32_t& number = w_.visited.at(key_of(cube), is_new);
@@ -242,7 +242,7 @@ class PairMarch {
     }
     w_.rest.clear();
     clip_by_pressure(flat, p);
-    const double least = kLeastPart * std::min(flat.area(), thickness_ * thickness_ / (edge_ * edge_));
+    const double least = kMinPart * std::min(flat.area(), thickness_ * thickness_ / (edge_ * edge_));
     for (std::size_t n = 0; n < w_.lists.size() && !w_.rest.empty(); ++n) {
       FlatPolygon cover;
       if (project(writer_.surface().polygons[at(w_.lists[n])], triangle, cover))
@@ -329,7 +329,7 @@ double PressureAt::value(const dvec3& x_L, double within) const {
 
 /// By a walk from the tet of the point's cell. Outside, the pressure of the last tet goes on: it is negative there.
 double PressureAt::value_in_tets(const dvec3& x) const {
-  constexpr int kMostSteps = 256;
+  constexpr int kMaxSteps = 256;
   const DistanceGrid::Cell& cell = field_->grid().cell_of(x);
   if (cell.tet < 0) return -stiffness_ * static_cast<double>(cell.distance);
   std::int32_t tet = cell.tet;
@@ -342,7 +342,7 @@ double PressureAt::value_in_tets(const dvec3& x) const {
       if (distance[i] < distance[least]) least = i;
     }
     if (!(distance[least] < 0)) return glm::dot(t.pressure().gradient, x) + t.pressure().constant;
-    if (t.neighbour[least] < 0 || step == kMostSteps)
+    if (t.neighbour[least] < 0 || step == kMaxSteps)
       return std::min(glm::dot(t.pressure().gradient, x) + t.pressure().constant, 0.0);
     tet = t.neighbour[least];
   }

@@ -76,7 +76,7 @@ class PlanePieces {
   struct Piece {
     std::array<Corner, 3> corners;
     int levels;               ///< halvings that are left
-    std::size_t first, last;  ///< of the lists: covered polygons near the parent
+    std::size_t first, last;  ///< range in the lists: covered polygons near the parent
   };
 
   [[nodiscard]] dvec2 plane_point(const Corner& c) const { return {c.i * per_unit_, c.j * per_unit_}; }
@@ -112,7 +112,7 @@ class PlanePieces {
 
   /// Whether the tets' polygons fill a piece.
   [[nodiscard]] bool is_covered(const FlatPolygon& flat, std::size_t first, double listed_area) const {
-    constexpr double kWhole = 1 - kLeastPart;
+    constexpr double kWhole = 1 - kMinPart;
     const double whole = kWhole * flat.area();
     if (listed_area < whole) return false;
     double area = 0;
@@ -126,7 +126,7 @@ class PlanePieces {
     FlatPolygon flat;
     std::array<DepthField::Sample, 3> at_corner, at_middle;
     std::array<double, 3> edge;  ///< lengths; edge k runs from corner k to the next one [m]
-    double longest = 0;          ///< of the edges [m]
+    double longest = 0;          ///< longest edge [m]
   };
 
   /// False if the piece is outside of the body or covered by the tets' polygons. Lists the covered polygons near the
@@ -267,14 +267,14 @@ class PlanePieces {
     return p;
   }
 
-  /// Adds what the tets leave of a piece. D is there the linear function through its values at the middles of the
-  /// edges: then the force of a quadratic D is exact (Crouzeix, Raviart 1973).
+  /// Adds the part of a piece that the tets do not cover. D is there the linear function through its values at the
+  /// middles of the edges; then the force of a quadratic D is exact (Crouzeix, Raviart 1973).
   void add_piece(const FlatPolygon& flat, const std::array<DepthField::Sample, 3>& corner,
                  const std::array<DepthField::Sample, 3>& at_middle, double longest, std::size_t first) {
     w_.rest.clear();
     w_.rest.push_back(flat);
     clip_by_depth(flat, {corner[0].depth, corner[1].depth, corner[2].depth});
-    const double least = kLeastPart * std::min(flat.area(), depth_.thickness() * depth_.thickness() / unit_area_);
+    const double least = kMinPart * std::min(flat.area(), depth_.thickness() * depth_.thickness() / unit_area_);
     for (std::size_t n = first; n < w_.lists.size() && !w_.rest.empty(); ++n)
       subtract(w_.covered[static_cast<std::size_t>(w_.lists[n])].polygon, least, w_.rest, w_.scratch);
     if (w_.rest.empty()) return;
@@ -317,7 +317,7 @@ class PlanePieces {
   int face_;
   double per_unit_;
   dvec3 u_, v_;
-  double unit_area_;  ///< of the parallelogram of u and v [m^2]
+  double unit_area_;  ///< area of the parallelogram of u and v [m^2]
   double least_depth_, tolerance_, min_edge_;
   SurfaceWriter& writer_;
   DepthWorkspace& w_;

@@ -80,7 +80,7 @@ struct PressurePair {
 };
 
 /// Area below which a part of a piece is rounding, as a fraction of the piece.
-inline constexpr double kLeastPart = 1e-9;
+inline constexpr double kMinPart = 1e-9;
 
 struct DepthWorkspace {
   /// A rigid triangle that reaches beyond the tets, and its polygons of the tets: [first, last) of the surface.
@@ -107,7 +107,7 @@ struct DepthWorkspace {
   struct Cube {
     ivec3 corner;
     int steps;       ///< number of further cubes to follow from here where the tets cover them
-    unsigned faces;  ///< that the surface goes on across
+    unsigned faces;  ///< faces across which the surface continues
     bool is_done;    ///< its part of the surface is added
   };
   PointCache<std::int32_t> visited;  ///< numbers of `cubes`

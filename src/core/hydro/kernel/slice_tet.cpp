@@ -9,7 +9,7 @@ using Edge = std::array<std::size_t, 2>;
 struct Ring {
   int count;
   std::array<Edge, 4> edges;
-  std::array<int, 4> face{};  ///< that holds an edge and the next one
+  std::array<int, 4> face{};  ///< face that contains an edge and the next one
 };
 
 /// The face that holds two edges of the tet: it lies opposite to the corner that neither has.

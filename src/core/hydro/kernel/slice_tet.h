@@ -11,7 +11,7 @@ namespace taxel {
 struct TetSlice {
   std::array<dvec3, 4> points;
   int count = 0;              ///< 0, 3 or 4
-  std::array<int, 4> face{};  ///< of the edge from point i to the next one: the tet's face that it lies on
+  std::array<int, 4> face{};  ///< face of the tet that contains the edge from point i to the next one
 };
 
 /// From the signed distances of the corners, counter-clockwise about the direction of growing distance. A corner at

@@ -1,5 +1,5 @@
-// Where the kernel writes: polygons found in the coordinates of a triangle become part of a contact surface in the
-// frame of body A.
+// Output of the kernel: polygons found in the coordinates of a triangle become part of a contact surface in the frame
+// of body A.
 #pragma once
 
 #include "core/hydro/contact_surface.h"
@@ -32,8 +32,8 @@ struct PlanePressure {
 /// Where a polygon comes from.
 struct PolygonSource {
   int tet = -1, face = -1;
-  double size = 0;  ///< of the tet, or of the triangle where there is none: the scale of tolerances [m]
-  int tet_b = -1;   ///< of body B, where both are soft
+  double size = 0;  ///< size of the tet, or of the triangle if there is none: scale of tolerances [m]
+  int tet_b = -1;   ///< tet of body B if both bodies are soft
 };
 
 /// Squared length of a step (du, dv): uu du^2 + 2 uv du dv + vv dv^2 [m^2].
@@ -100,7 +100,7 @@ class SurfaceWriter {
               const PlanePressure& pressure, double area);
   /// Notes that a polygon ends on a pad's rigid core along the edge from a to b, in its own sense of turning.
   void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
-  /// Gives back unused room and enters what the cores hide. Call once, at the end.
+  /// Releases unused memory and records the area that the cores hide. Call it once, at the end.
   void finish();
 
   [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
@@ -134,15 +134,15 @@ class SurfaceWriter {
 
  private:
   static constexpr std::size_t kSlots = 8;
-  /// What is no part of the surface.
+  /// Parts that are left out of the surface.
   struct LeftOut {
     std::array<RejectedPolygons, kRejections> rejected;
-    dvec3 hole{0};            ///< half the sum of x cross dx along the edges on cores: their vector area (Stokes) [m^2]
+    dvec3 hole{0};            ///< vector area of the edges on cores: half the sum of x cross dx [m^2] (Stokes)
     double rim_length = 0;    ///< [m]
     double rim_pressure = 0;  ///< integral of p along the rim [Pa m]
   };
   void make_room();
-  /// Adds what was left out since the last mark to the whole.
+  /// Adds the parts left out since the last mark to the total.
   void settle();
 
   ContactSurface& out_;

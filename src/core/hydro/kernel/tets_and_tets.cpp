@@ -73,9 +73,9 @@ class TetsAndTets {
     return glm::dot(p.gradient, x) + p.constant > no_pressure_;
   }
 
-  /// Seeds the surface where a face of B's skin, at x, crosses the skin of A, which is convex. False where only a
-  /// query tells. The skin of A cuts a face that has corners on both sides along one arc or two. Each of them ends on
-  /// an edge with ends on both sides, two arcs on different ones, and there one corner is inside.
+  /// Seeds the surface where a face of B's skin, at x, crosses the skin of A, which is convex. Returns false if only a
+  /// query finds the seeds. The skin of A cuts a face that has corners on both sides along one arc or two. Each of them
+  /// ends on an edge with ends on both sides, two arcs on different ones, and there one corner is inside.
   HWY_INLINE bool seed_from_corners(const FieldIndex::BoundaryFace& face, const std::array<dvec3, 3>& x) {
     std::array<std::int32_t, 3> held;
     unsigned inside = 0, outside = 0;

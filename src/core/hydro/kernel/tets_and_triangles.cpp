@@ -16,10 +16,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// Pairs are found by walking from tet to tet across the faces that a triangle crosses. Every connected part of what
-/// the triangle shares with the tets holds one of its corners or crosses a face of the boundary: from the tets of both
-/// the walk reaches all of it. Large triangles, those that lie in a plane of some tet, and those whose parts do not add
-/// up go through the tree of all tets.
+/// Pairs are found by traversal from tet to tet across the faces that a triangle crosses. Every connected part of the
+/// intersection of the triangle with the tets contains a corner of the triangle or crosses a face of the boundary: from
+/// the tets of both, the traversal reaches all of it. Large triangles, triangles in a plane of some tet, and triangles
+/// whose parts do not add up use the tree of all tets.
 class TetsAndTriangles {
  public:
   TetsAndTriangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,

@@ -14,7 +14,7 @@ namespace taxel {
 /// theirs.
 class MetPairs {
  public:
-  /// Opens a new call, with room for lists of so many tets of B. Calls count from 1.
+  /// Begins a new call and makes room for lists of `tets_of_b` tets of B. Calls are counted from 1.
   void begin(std::uint32_t call, std::size_t tets_of_b);
   void insert(std::int32_t b, std::int32_t a);
   /// A tet of B with pairs that for_each_new has not given yet; -1: there is none.
@@ -68,8 +68,8 @@ void MetPairs::for_each_new(std::int32_t b, F&& f) {
 /// A vertex in the frame of the other body.
 struct PlacedVertex {
   dvec3 x{0};
-  std::int32_t tet = -1;   ///< that holds it; -1: none was found
-  std::uint32_t call = 0;  ///< that wrote this
+  std::int32_t tet = -1;   ///< tet that contains the point, or -1 if none was found
+  std::uint32_t call = 0;  ///< number of the call that wrote this entry
 };
 
 /// No step allocates after warm-up. One per thread; its content means nothing between calls.
@@ -78,16 +78,16 @@ struct IntersectWorkspace {
   bool tree_form = false;
   DepthPieceSize piece_size;
 
-  std::vector<std::int32_t> triangles;  ///< of the rigid mesh, or tets or faces of B, that may meet the other body
-  std::vector<std::int32_t> tets;       ///< that may meet one triangle
+  std::vector<std::int32_t> triangles;  ///< triangles of the rigid mesh, or tets or faces of B, that may touch A
+  std::vector<std::int32_t> tets;       ///< tets that may touch one triangle
   std::vector<std::int32_t> found;      ///< faces of the boundary that may
-  std::vector<PlacedVertex> placed;     ///< of the rigid mesh, or of B
-  std::vector<std::uint32_t> seen_in;   ///< of each tet: the triangle, counted over all calls, that last met it
+  std::vector<PlacedVertex> placed;     ///< vertices of the rigid mesh, or of B
+  std::vector<std::uint32_t> seen_in;   ///< for each tet: last triangle that touched it, counted over all calls
   MetPairs met;
   DepthWorkspace depth;  ///< memory for pairs that reach beyond a pad's tets
   std::uint32_t call = 0, triangle = 0;
 
-  /// Makes room for so many vertices and tets, and opens a new call.
+  /// Makes room for this number of vertices and tets, and begins a new call.
   void begin_call(std::size_t vertices, std::size_t tets_of_field = 0);
 };
 

@@ -1,4 +1,4 @@
-// How far a pad's tets are from the field that they stand for.
+// Error of a pad: the difference between its tets and the field that they approximate.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace taxel {
 
 /// p/E - min(depth, H)/H over the tets' volume, the depth being the distance to the skin.
 struct PadError {
-  double mean = 0;  ///< of its magnitude
+  double mean = 0;  ///< mean of its magnitude
   double rms = 0;
 };
 

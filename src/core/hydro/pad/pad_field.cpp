@@ -113,7 +113,7 @@ PressureFieldPtr finish(const MeshIndex& index, const PadShape& shape, RawPad pa
 
 /// Largest number of faces of a refined skin: the first one or the second one times the faces of the mesh, whichever
 /// is larger. Each face takes 3 to 5 tets.
-constexpr int kMostFaces = 2000, kMostFactor = 3;
+constexpr int kMaxFaces = 2000, kMaxFactor = 3;
 /// A skin whose uneven faces make up less than this part of it stays as it is: refinement would build the pad twice.
 constexpr double kWorthIt = 0.005;
 
@@ -126,7 +126,7 @@ RefinedSkin refined_where_uneven(const MeshIndex& index, const PadShape& shape, 
   double area = 0;
   for (int f = 0; f < mesh.face_count(); ++f) area += uneven[at(f)] != 0 ? mesh.face_areas()[at(f)] : 0.0;
   if (!(area > kWorthIt * mesh.area())) return {};
-  const int most = std::max(kMostFaces, kMostFactor * mesh.face_count());
+  const int most = std::max(kMaxFaces, kMaxFactor * mesh.face_count());
   return refine_skin(mesh, std::move(uneven), refine * thickness, most);
 }
 

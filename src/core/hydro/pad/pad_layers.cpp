@@ -115,7 +115,7 @@ bool PadLayers::add_face(int face) {
   bool good = true;
   const auto add = [&](const PrismTets& layer, double height) {
     for (int i = 0; i < layer.count; ++i) {
-      const double least = kLeastVolume * 2.0 * mesh_.face_areas()[at(face)] * height;
+      const double least = kMinVolume * 2.0 * mesh_.face_areas()[at(face)] * height;
       good = good && six_volumes(corners(layer.tets[at(i)])) > least;
       tets_.push_back(layer.tets[at(i)]);
     }

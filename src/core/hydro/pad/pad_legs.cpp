@@ -21,7 +21,7 @@ const double kFanStep = 30.0 * kPi / 180.0;
 /// Faces are parted at an edge opposite to the end of a crease where that bends at most so much.
 const double kFlat = 20.0 * kPi / 180.0;
 /// No leg comes closer to a face than this cosine to its normal.
-constexpr double kLeastCosine = 0.2;
+constexpr double kMinCosine = 0.2;
 
 int corner_of(const ivec3& face, int v) {
   return face.x == v ? 0 : face.y == v ? 1 : 2;
@@ -72,7 +72,8 @@ class LegMaker {
     return face == around.front() ? ring : Ring{};
   }
 
-  /// The spoke that lies best opposite to a crease that ends here, or -1: where the legs beside it part, not cross.
+  /// Returns the spoke that is best opposite to a crease that ends at v, or -1. Only spokes at which the neighbouring
+  /// offset vectors diverge and do not cross are considered.
   int opposite_spoke(int v, const Ring& ring, int crease) const {
     const auto n = static_cast<int>(ring.faces.size());
     const auto normal = [&](int i) { return mesh_.face_normals()[at(ring.faces[at((i + n) % n)])]; };
@@ -144,11 +145,11 @@ class LegMaker {
   /// Directions strictly between two, kFanStep apart at most. They turn about the edge: so what both have along it, the
   /// depth below a face across it for one, the directions between have too.
   static std::vector<dvec3> fan(const dvec3& from, const dvec3& to, const dvec3& edge) {
-    constexpr double kLeastAcross = 0.1;
+    constexpr double kMinAcross = 0.1;
     const dvec3 along(glm::dot(from, edge), glm::dot(to, edge), 0);
     dvec3 p = from - along.x * edge, q = to - along.y * edge;
     const double p_length = glm::length(p), q_length = glm::length(q);
-    if (p_length < kLeastAcross || q_length < kLeastAcross) return {};
+    if (p_length < kMinAcross || q_length < kMinAcross) return {};
     p /= p_length;
     q /= q_length;
     const double angle = angle_between(p, q), first = along.x / p_length, last = along.y / q_length;
@@ -167,11 +168,11 @@ class LegMaker {
   bool goes_inward(int v, const Parting& parting) const {
     const double common = legs_.inward[at(v)].least_cosine;
     for (const PadDirection& inward : parting.inward) {
-      if (inward.least_cosine < std::max(kLeastCosine, common)) return false;
+      if (inward.least_cosine < std::max(kMinCosine, common)) return false;
     }
     for (const std::vector<dvec3>& fan : parting.fans) {
       for (const dvec3& d : fan) {
-        if (direction_between(d, creases_.around.at(v)).least_cosine < kLeastCosine) return false;
+        if (direction_between(d, creases_.around.at(v)).least_cosine < kMinCosine) return false;
       }
     }
     return true;

@@ -1,4 +1,4 @@
-// Which ways lead from the skin into a pad, and how the gaps between them are filled.
+// Offset vectors ("legs") from the skin into a pad, and the tets that fill the gaps between them.
 #pragma once
 
 #include <map>

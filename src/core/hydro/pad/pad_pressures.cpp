@@ -51,7 +51,7 @@ class InnerFit {
  private:
   struct Target {
     int next, other;     ///< legs at the triangle's other corners
-    double sum, weight;  ///< what the three depths shall add up to [m]
+    double sum, weight;  ///< sum that the three depths must have [m]
   };
   struct Free {
     int leg;

@@ -127,13 +127,13 @@ std::span<const int> PadShape::faces_around(int leg) const {
 }
 
 /// The largest offset up to `most` at which the inner vertex is still owned by its own part of the skin, with its depth
-/// there; 0 where there is none. Shrinking balls (Ma, Bae, Choi 2012): the ball about the inner vertex whose radius is
-/// the least depth asked for, s h, must hold no point of the skin. Where it holds q, the ball is shrunk until q lies on
-/// it: |v + h d - q| = s h. `obstacle`: the last such point, of any leg; it often stands in the way of the next one
-/// too, which spares the first and largest ball.
+/// there; 0 if there is no such offset. Shrinking balls (Ma, Bae, Choi 2012): the ball about the inner vertex whose
+/// radius is the least depth asked for, s h, must hold no point of the skin. Where it holds q, the ball is shrunk until
+/// q lies on it: |v + h d - q| = s h. `obstacle`: the last such point, of any leg; it often limits the next offset too,
+/// so that the first and largest ball is not needed.
 double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle) const {
-  constexpr int kMostBalls = 30;
-  constexpr double kLeastOffset = 1e-3, kTouching = 5e-3;
+  constexpr int kMaxBalls = 30;
+  constexpr double kMinOffset = 1e-3, kTouching = 5e-3;
   const dvec3& direction = legs_.inward[at(leg)].direction;
   const double s = kOwnDepth * legs_.inward[at(leg)].least_cosine;
   // (1 - s^2) h^2 + 2 (w d) h + w^2 = 0 with w = v - q; its smaller root, in the form that loses no digits.
@@ -146,7 +146,7 @@ double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle
   };
   const bool known = glm::distance(moved(leg, most), obstacle) < s * most;
   double h = known ? shrunk(obstacle, most) : most;
-  for (int i = known ? 1 : 0; i < kMostBalls && h > kLeastOffset * most; ++i) {
+  for (int i = known ? 1 : 0; i < kMaxBalls && h > kMinOffset * most; ++i) {
     const SignedPoint q = index_.signed_point(moved(leg, h), h);  // its own vertex is as near as that
     depth = -q.signed_distance;
     if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
@@ -259,7 +259,7 @@ void PadShape::shrink_folded() {
   for (int round = 0; round < kShrinkRounds && !suspects.empty(); ++round) {
     std::vector<int> corners;
     for (const int f : suspects) {
-      if (!can_be_filled(f) || well_shaped(f, kLeastVolume)) continue;
+      if (!can_be_filled(f) || well_shaped(f, kMinVolume)) continue;
       for (int c = 0; c < 3; ++c) {
         const int own = leg(f, c);
         if (!std::exchange(folded[at(own)], 1)) corners.push_back(own);
@@ -322,7 +322,7 @@ bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
   for (const PadWedge& wedge : legs_.wedges) check(gap_tets(wedge, inner_ends), {wedge.u, wedge.v});
   for (const PadCone& cone : legs_.cones) check(gap_tets(cone, inner_ends), {cone.v});
   if (!any) return false;
-  // What they end on would fold next.
+  // Tets that end on the marked vertices would fold next.
   const std::vector<char> marked = whole;
   for (const PadWedge& wedge : legs_.wedges) {
     if (marked[at(wedge.u)] || marked[at(wedge.v)]) whole[at(wedge.u)] = whole[at(wedge.v)] = 1;

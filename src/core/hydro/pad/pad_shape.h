@@ -1,4 +1,4 @@
-// Where the inner vertices of a pad lie, and the tets between them and the skin.
+// Inner vertices of a pad, and the tets between them and the skin.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace taxel {
 
-/// Every leg (pad_legs.h) ends at an inner vertex, offset along it by the pad's thickness or by what the body's own
-/// thickness allows. Vertices of the skin have their numbers in the mesh; inner ones follow: leg + vertex_count().
+/// Every leg (pad_legs.h) ends at an inner vertex, offset along it by the pad's thickness, or by less if the body is
+/// too thin. Vertices of the skin have their numbers in the mesh; inner ones follow: leg + vertex_count().
 class PadShape {
  public:
   /// Cost: some closest-point queries per vertex. `coarse`: a shape of the same surface and thickness whose vertices
@@ -35,7 +35,7 @@ class PadShape {
   [[nodiscard]] double depth(int leg) const { return depth_[at(leg)]; }
   /// Whether the offset is shorter than the thickness asks for.
   [[nodiscard]] bool limited(int leg) const { return offset_[at(leg)] < 0.999 * own_[at(leg)].full; }
-  /// The offset over what the thickness asks for.
+  /// The offset divided by the offset that the thickness asks for, 0 to 1.
   [[nodiscard]] double part_left(int leg) const { return offset_[at(leg)] / own_[at(leg)].full; }
   /// Tets of positive volume below a face, in skin and inner vertex numbers: three; fewer where corners are pinched,
   /// none where the face has no pad.
@@ -46,11 +46,11 @@ class PadShape {
  private:
   /// A face this nearly edge on to the direction of one of its corners folds back however short the offset.
   static constexpr double kEdgeOn = 0.1;
-  /// What a leg may be by itself.
+  /// Largest length of a leg, without regard to other legs.
   struct OwnOffset {
     bool known = false;
     char pinched = 0;
-    double offset = 0, full = 0;  ///< and what it would be without limits [m]
+    double offset = 0, full = 0;  ///< `full`: the offset without limits [m]
     double depth = 0;             ///< there [m]; negative: unknown
   };
   /// An inner vertex counts as beyond the medial axis, thus as owned by another part of the skin, where its distance to

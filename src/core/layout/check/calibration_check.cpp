@@ -35,7 +35,7 @@ void Place::gain_or_curve(const std::optional<double>& gain, const Curve& curve)
   if (gain && finite("gain", *gain) && *gain == 0.0)
     error("gain", "gain_zero", "must not be 0, is 0", "a taxel that reports nothing is \"dead\"");
   if (curve.empty()) return;
-  if (gain) error("curve", "gain_and_curve", "must not stand beside a gain", "keep one of the two");
+  if (gain) error("curve", "gain_and_curve", "is not allowed together with a gain", "keep one of the two");
   if (curve.size() < 2) error("curve", "curve_too_short", "must have 2 points or more, has 1");
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const bool good = finite(fmt::format("curve/{}/0", i), curve[i].reading);
@@ -64,7 +64,7 @@ void check_range(const Calibration& calibration, const Place& place) {
   if (q.bits && (*q.bits < 1 || *q.bits > most))
     place.error("quantisation/bits", "bits_out_of_range", fmt::format("must be from 1 to {}, is {}", most, *q.bits));
   if (q.bits && !calibration.range)
-    place.error("quantisation/bits", "bits_without_range", "must stand beside a range", "bits divide the range");
+    place.error("quantisation/bits", "bits_without_range", "needs a range", "bits divide the range");
 }
 
 void check_taxels(const Layout& layout, Check& check) {

@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kLeastCosine = std::numbers::sqrt2 / 2;  // of the angle between two normals that see the same
+constexpr double kMinCosine = std::numbers::sqrt2 / 2;  // of the angle between two normals that see the same
 
 /// Two discs that share half of the larger one are nearer to each other than the radius of the larger one.
 constexpr double kReach = 1.0;
@@ -74,7 +74,7 @@ std::vector<OverlappingTaxels> overlapping_taxels(const std::vector<Taxel>& taxe
       const double away = glm::distance(taxel.center, other.center);
       const double part = disc_overlap(taxel.radius, other.radius, away);
       if (!(part > least) || away <= kSamePlace * std::max(taxel.radius, other.radius)) return;
-      if (glm::dot(glm::normalize(taxel.normal), glm::normalize(other.normal)) < kLeastCosine) return;
+      if (glm::dot(glm::normalize(taxel.normal), glm::normalize(other.normal)) < kMinCosine) return;
       first.earlier = j;
       first.part = part;
     });

@@ -1,4 +1,4 @@
-// How much of each other two taxels see: the overlap of their discs.
+// Overlap of the receptive fields of two taxels, as the overlap of their discs.
 #pragma once
 
 #include <cstddef>

@@ -130,7 +130,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// The key of a layout file that is at most two letters away; empty if there is none.
 std::string_view similar_key(std::string_view key) {
-  constexpr std::size_t kMostLetters = 2, kLongest = 24;
+  constexpr std::size_t kMaxLetters = 2, kLongest = 24;
   constexpr std::string_view kKeys[] = {"name",        "mesh",          "file",         "scale",
                                         "sha256",      "repair",        "frame",        "distal",
                                         "pad",         "sampling",      "density",      "seed",
@@ -145,7 +145,7 @@ std::string_view similar_key(std::string_view key) {
                                         "curve",       "noise",         "range",        "rate"};
   if (key.size() > kLongest) return {};
   std::string_view best;
-  std::size_t nearest = std::min(kMostLetters, key.size() / 2) + 1;
+  std::size_t nearest = std::min(kMaxLetters, key.size() / 2) + 1;
   for (const std::string_view known : kKeys) {
     const std::size_t distance = edit_distance(key, known);
     if (distance < nearest) best = known, nearest = distance;
@@ -155,16 +155,16 @@ std::string_view similar_key(std::string_view key) {
 
 /// Keys that no reader takes: kept in the file, without effect. A misspelt key leaves a value at its default.
 void check_unknown_keys(const Layout& layout, Check& check) {
-  constexpr std::size_t kMostListed = 50;
+  constexpr std::size_t kMaxListed = 50;
   std::size_t listed = 0;
   for (const auto& [pointer, value] : layout.unknown) {
-    if (listed++ == kMostListed) break;
+    if (listed++ == kMaxListed) break;
     const std::string_view similar = similar_key(std::string_view(pointer).substr(pointer.rfind('/') + 1));
     check.warning(pointer, "unknown_key", "is an unknown key: it is kept and has no effect",
                   similar.empty() ? "" : fmt::format("is \"{}\" meant?", similar));
   }
-  if (layout.unknown.size() > kMostListed)
-    check.warning("", "unknown_key", fmt::format("has {} more unknown keys", layout.unknown.size() - kMostListed));
+  if (layout.unknown.size() > kMaxListed)
+    check.warning("", "unknown_key", fmt::format("has {} more unknown keys", layout.unknown.size() - kMaxListed));
 }
 
 void check_ids(const std::vector<Taxel>& taxels, Check& check) {

@@ -40,7 +40,8 @@ Problems check_layout_mesh(const RepairedMesh& repaired, const std::string& file
 /// Index of the taxel that a JSON pointer such as /taxels/3/radius leads into; nothing where it leads elsewhere.
 std::optional<std::size_t> taxel_of_pointer(std::string_view pointer);
 
-/// Adds the id of its taxel to the message of each problem that points into /taxels: an index is not what a user knows.
+/// Adds the id of its taxel to the message of each problem that points into /taxels: users know taxels by their ids,
+/// not by their indices.
 void name_taxels(const Layout& layout, Problems& problems);
 
 /// Throws Error with the first problem of severity error.

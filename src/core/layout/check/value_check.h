@@ -1,4 +1,4 @@
-// Checking the values of a layout file: what is broken is listed, not thrown.
+// Checks of the values of a layout file. Broken rules are listed, not thrown.
 #pragma once
 
 #include <fmt/format.h>

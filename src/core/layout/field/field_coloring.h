@@ -1,4 +1,4 @@
-// Colour numbers for taxels, so that neighbours can be told apart.
+// Colour numbers for taxels: neighbours get different colours.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What gathers in a receptive field: one disc per taxel, or one per subtaxel.
+// Discs that gather samples in a receptive field: one disc per taxel, or one per subtaxel.
 #pragma once
 
 #include <vector>

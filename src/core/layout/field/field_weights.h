@@ -20,11 +20,11 @@ class FieldWeights {
     int taxel = 0;     ///< in layout order
     double value = 0;  ///< w, never negative [m^2]
   };
-  /// What the fields are at one point; kept between calls, so that none takes memory.
+  /// The fields at one point. The object is reused between calls, so that no call allocates memory.
   struct AtPoint {
     std::vector<Weight> weights;  ///< by ascending id: sums do not depend on the order of the taxels
-    /// How far the point is from the edge of what the fields cover together, on the way across it that is known: the
-    /// largest r - d of what looks at the face; negative outside [m].
+    /// Distance of the point from the edge of the area that the fields cover together, along the known path across the
+    /// edge: the largest r - d of the discs that cover the face, negative outside [m].
     double margin = 0;
   };
 
@@ -45,7 +45,7 @@ class FieldWeights {
   struct Disc {
     FieldDisc disc;
     int taxel = 0;
-    dvec3 origin{0};  ///< where distances begin: the stored centre, or its closest point on the skin
+    dvec3 origin{0};  ///< origin of distances: the stored centre, or its closest point on the skin
   };
   [[nodiscard]] double distance(std::size_t disc, int face, const dvec3& point) const;
 

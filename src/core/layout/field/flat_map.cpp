@@ -9,14 +9,14 @@ namespace taxel {
 namespace {
 
 constexpr double kOneSide = 60.0;  // degrees from the mean normal
-constexpr double kLeast = 0.9;     // of the typical distance of neighbours
+constexpr double kMin = 0.9;       // of the typical distance of neighbours
 constexpr int kRounds = 400;
-constexpr std::size_t kMostAsked = 500;
+constexpr std::size_t kMaxAsked = 500;
 
 /// Median over the taxels, or some of many, of the distance to the nearest other one.
 double typical_distance(const std::vector<dvec3>& points) {
   std::vector<double> nearest;
-  const std::size_t stride = 1 + points.size() / kMostAsked;
+  const std::size_t stride = 1 + points.size() / kMaxAsked;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < points.size(); ++j)
@@ -49,7 +49,7 @@ double least_distance(const std::vector<dvec2>& points, double reach) {
   return least;
 }
 
-/// Pairs that are too close push each other, each by half of what is missing, round by round.
+/// Pairs that are too close push each other apart, each by half of the missing distance, round by round.
 void move_apart(std::vector<dvec2>& points, double least) {
   for (int round = 0; round < kRounds; ++round) {
     std::vector<dvec2> moves(points.size(), dvec2(0));
@@ -97,7 +97,7 @@ FlatMap flat_map(const Layout& layout, const dvec3& inside) {
     const dvec3 p = taxel.center - inside;
     centers.push_back(p);
     if (map.unrolled) {
-      // seen from outside with distal up, right is distal x pad turned by the angle about the axis
+      // Seen from outside with distal up, right is distal x pad turned by the angle about the axis
       const dvec3 pad = unit_across(layout.frame.pad, axis), right = glm::cross(axis, pad);
       const double x = glm::dot(p, right), y = glm::dot(p, pad);
       map.places.emplace_back(std::hypot(x, y) * std::atan2(x, y), glm::dot(p, axis));
@@ -108,7 +108,7 @@ FlatMap flat_map(const Layout& layout, const dvec3& inside) {
   }
   const double typical = typical_distance(centers);
   if (!(typical > 0)) return map;
-  move_apart(map.places, kLeast * typical);
+  move_apart(map.places, kMin * typical);
   map.apart = least_distance(map.places, 2 * typical);
   return map;
 }

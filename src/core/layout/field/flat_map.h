@@ -1,4 +1,4 @@
-// Where taxels stand on a flat picture of the sensor.
+// Places of the taxels on a flat map of the sensor.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace taxel {
 
 struct FlatMap {
-  std::vector<dvec2> places;  ///< of the taxels [m]: right, up
+  std::vector<dvec2> places;  ///< places of the taxels [m]: right, up
   /// The least distance of two of them, at most twice the typical one on the sensor [m]; 0 for one taxel, and where
   /// all are in one place.
   double apart = 0;

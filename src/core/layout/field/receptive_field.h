@@ -1,4 +1,4 @@
-// Which samples a taxel gathers, and with what weight: sparse rows.
+// Receptive fields: the samples that each taxel gathers and their weights, as sparse rows.
 #pragma once
 
 #include <vector>

@@ -51,7 +51,7 @@ MeshRef read_mesh(const Value& value) {
 
 /// Reads runs of faces, [first, last] each.
 std::vector<int> read_region(const Value& value) {
-  constexpr std::int64_t kMostFaces = 100'000'000;  // a mesh with more faces does not fit in memory
+  constexpr std::int64_t kMaxFaces = 100'000'000;  // a mesh with more faces does not fit in memory
   std::vector<int> faces;
   for (std::size_t i = 0; i < value.length(); ++i) {
     const Value run = value.item(i);
@@ -59,8 +59,8 @@ std::vector<int> read_region(const Value& value) {
     const int first = run.item(0).small_integer(), last = run.item(1).small_integer();
     if (first < 0 || last < first) run.wrong("the first and the last of a run of faces, 0 or more and ascending");
     if (!faces.empty() && first <= faces.back()) run.wrong(fmt::format("a run behind face {}", faces.back()));
-    if (static_cast<std::int64_t>(faces.size()) + last - first >= kMostFaces)
-      run.wrong(fmt::format("at most {} faces in all", kMostFaces));
+    if (static_cast<std::int64_t>(faces.size()) + last - first >= kMaxFaces)
+      run.wrong(fmt::format("at most {} faces in all", kMaxFaces));
     for (std::int64_t face = first; face <= last; ++face) faces.push_back(static_cast<int>(face));
   }
   return faces;

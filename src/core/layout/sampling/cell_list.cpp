@@ -37,7 +37,7 @@ CellList::CellList(std::span<const dvec3> points, double cell) {
     for (int dy = -1; dy <= 1; ++dy) find_row(dy, dz);
 }
 
-/// The row of up to three cells beside each cell: both ends move on with the keys, so that one pass finds all.
+/// Finds the row of up to three cells next to each cell. Both ends advance with the keys, so that one pass finds all.
 void CellList::find_row(int dy, int dz) {
   const auto row = static_cast<std::size_t>(4 + dy + 3 * dz);
   std::size_t begin = 0, end = 0;

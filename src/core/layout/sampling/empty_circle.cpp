@@ -44,7 +44,7 @@ class Least {
   VecI number_;
 };
 
-/// One climb. The arrays end with whole lanes; what they hold beyond `size` does not count.
+/// One climb. The arrays end with whole lanes; elements beyond `size` are ignored.
 class Climber {
  public:
   Climber(const float* x, const float* y, int size) : x_(x), y_(y), size_(size) {}

@@ -77,7 +77,7 @@ class CrowdQueue {
   std::vector<int> first_, next_;  // lists of the points in each bucket
   double per_weight_ = 0;          // buckets
   std::size_t bucket_ = 0, gone_ = 0;
-  std::vector<Item> ready_;  // a heap: what the last bucket held
+  std::vector<Item> ready_;  // heap of the items of the last bucket
 };
 
 struct CrowdLink {
@@ -192,7 +192,7 @@ std::vector<int> eliminate_samples(const SurfaceGraph& surface, const SurfacePoo
   const CrowdLinker linker(surface, pool, count);
   const CrowdGraph graph = linker.link();
   std::vector<double> weights(at(pool.size()), 0.0);
-  for (const auto& links : graph.of_point)  // what each causes to others, which is what its going will take from them
+  for (const auto& links : graph.of_point)  // weight that each sample adds to its neighbours
     for (const CrowdLink& link : links) weights[at(link.other)] += double(link.crowding);
 
   CrowdQueue queue(std::move(weights));

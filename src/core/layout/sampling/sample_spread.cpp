@@ -28,7 +28,7 @@ class Spreader {
   Spreader(const SurfaceGraph& surface, double spacing, std::vector<SurfaceSample>& samples)
       : surface_(surface), spacing_(spacing), samples_(samples), scratch_([this] { return Scratch(surface_); }) {}
 
-  /// Each sample in turn to the largest hole beside it.
+  /// Moves each sample in turn to the largest hole next to it.
   void spread(int sweep, const std::function<void(double)>& report) {
     visit_samples(report, [&](std::uint32_t rank, Scratch& mine) { move_to_hole(rank, sweep, mine); });
   }
@@ -37,8 +37,8 @@ class Spreader {
   }
 
  private:
-  /// What is around one sample: all samples near, and those that the surface leads to laid out in a plane, each at its
-  /// distance. One per thread: it keeps its memory.
+  /// Surroundings of one sample: all near samples, and the samples that can be reached along the surface, laid out in a
+  /// plane, each at its distance. Each thread has one object, which keeps its memory.
   struct Scratch {
     explicit Scratch(const SurfaceGraph& surface) : chart(surface) {}
     Surroundings around;

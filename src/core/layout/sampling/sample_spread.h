@@ -9,12 +9,13 @@
 
 namespace taxel {
 
-/// Moves each sample in turn to the largest hole beside it, in `sweeps` sweeps over all of them, as farthest-point
+/// Moves each sample in turn to the largest hole next to it, in `sweeps` sweeps over all samples, as farthest-point
 /// optimisation does (Schloemer, Heck, Deussen 2011), here in the tangent plane, or where the surface bends sharply in
 /// the unfolded surface; along the surface, and only where the distance to the nearest sample truly grows. That keeps
 /// samples apart, but leaves a few gaps: a last sweep moves those with the widest cells to the centroids of these, no
-/// nearer to any other than 0.86 spacings, or than they are. `spacing` is that of the densest packing [m]. Keeps
-/// position, normal and face together; same bytes on any number of threads. Throws Cancelled through `progress`.
+/// nearer to any other than 0.86 spacings, or than they are. `spacing` is that of the densest packing [m]. Position,
+/// normal and face of a sample stay together. The result has the same bytes for any number of threads. Throws Cancelled
+/// through `progress`.
 void spread_samples(const SurfaceGraph& surface, double spacing, int sweeps, std::vector<SurfaceSample>& samples,
                     Progress* progress);
 

@@ -10,7 +10,7 @@ namespace taxel {
 
 struct SurfacePool {
   std::vector<dvec3> positions;
-  std::vector<dvec3> normals;  ///< of the faces
+  std::vector<dvec3> normals;  ///< normals of the faces
   std::vector<int> faces;
   [[nodiscard]] int size() const { return static_cast<int>(positions.size()); }
 };

@@ -83,7 +83,7 @@ void SurfaceChart::unfold(const SurfaceStep& origin, const dvec3& u, const dvec3
   }
 }
 
-/// Lays the face entered beside the one left.
+/// Lays the entered face next to the face that was left.
 void SurfaceChart::pass(const Entry& entry, double limit) {
   const auto& entered = graph_.flat_[static_cast<std::size_t>(entry.side)];
   const Image& from = images_[static_cast<std::size_t>(entry.image)];

@@ -18,7 +18,7 @@ struct NearPoints {
   std::vector<int> rank;
   std::vector<float> x, y, z;  ///< from the place to the point
   std::vector<float> distance;
-  std::vector<float> cosine;  ///< of the angle between the normals; kOffPatch where no straight line tells the distance
+  std::vector<float> cosine;  ///< cosine between the normals; kOffPatch if no straight line gives the distance
   int count = 0;              ///< the vectors are longer
   static constexpr float kOffPatch = -2.0F;
 
@@ -55,7 +55,7 @@ class Surroundings {
   dvec3 origin_{0};
   double spacing_ = 1.0;
   std::uint32_t first_own_ = 0;  // rank of the cell's first point
-  std::size_t own_ = 0;          // and where it stands
+  std::size_t own_ = 0;          // index of the sample itself
   PointRows rows_;
 };
 

@@ -142,8 +142,8 @@ class FaceCutter {
     return {frame_.flat(s.position), height * height, s.sample, 0.0};
   }
 
-  /// All samples within `reach` of a point, and more. Faces that follow each other mostly lie beside each other, so
-  /// that what was gathered serves several.
+  /// Gathers all samples within `reach` of a point, and more. Consecutive faces are mostly neighbours, so that one call
+  /// serves several faces.
   void gather(const dvec3& center, double reach) {
     if (glm::distance(center, gathered_center_) + reach <= gathered_reach_) return;
     gathered_center_ = center;

@@ -1,4 +1,4 @@
-// How much of a surface each sample stands for.
+// Voronoi area of each sample on a surface.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,7 @@
 namespace taxel::ui {
 namespace {
 
-/// A skin in small triangles, those of a face beside each other.
+/// A skin in small triangles. The triangles of one face follow each other.
 struct Pieces {
   std::vector<Coverage::Piece> all;
   std::vector<int> first;  // of each face, and one more

@@ -1,4 +1,4 @@
-// How many taxels see each spot of the skin: a map in pieces, and areas as numbers.
+// Coverage of the skin: the number of taxels at each spot as a map in pieces, and areas as numbers.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace taxel::ui {
 struct Coverage {
   struct Piece {
     SkinPiece at;
-    int taxels = 0;  ///< whose field holds the piece's centroid
+    int taxels = 0;  ///< number of taxels whose field contains the piece's centroid
   };
   std::vector<Piece> pieces;            ///< all of the skin, by face
   std::vector<double> area_of_overlap;  ///< by number of taxels: [0] is seen by none [m^2]
-  double area = 0;                      ///< of the skin [m^2]
+  double area = 0;                      ///< area of the skin [m^2]
 
   [[nodiscard]] double uncovered() const { return area_of_overlap.empty() ? 0 : area_of_overlap[0]; }
   [[nodiscard]] double shared() const;   ///< seen by two or more [m^2]
@@ -26,7 +26,7 @@ struct Coverage {
 /// What make_coverage() worked out of each taxel, for the next model of the same skin.
 struct CoverageMemory {
   PerTaxel<std::vector<int>> seen;               ///< pieces
-  std::shared_ptr<const UnfoldedMesh> unfolded;  ///< of the skin it is for; null: to be made
+  std::shared_ptr<const UnfoldedMesh> unfolded;  ///< the skin of this coverage; null if it is to be made
 };
 
 /// By the metric and the angle limit of the layout; the union of a taxel's subtaxels counts once. Faces are cut evenly

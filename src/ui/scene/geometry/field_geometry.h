@@ -1,4 +1,4 @@
-// Receptive fields of one sensor as geometry, of the newest model: after an edit only what changed is worked out anew.
+// Geometry of the receptive fields of one sensor, of the newest model. After an edit only changed fields are computed.
 #pragma once
 
 #include <array>

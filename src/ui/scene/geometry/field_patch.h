@@ -11,10 +11,10 @@
 
 namespace taxel::ui {
 
-/// What is within the radius: by the distance named, or by the straight one but not by the geodesic one.
+/// Part of the skin within the radius: by the named distance, or by the Euclidean distance but not by the geodesic one.
 enum class FieldPart { euclidean, geodesic, euclidean_only };
 
-/// A triangle on one face of the skin, wound like it. [m], frame of the mesh
+/// A triangle on one face of the skin with the same winding, in the frame of the mesh [m].
 struct SkinPiece {
   dvec3 a{0}, b{0}, c{0};
   int face = -1;
@@ -22,7 +22,7 @@ struct SkinPiece {
 
 struct FieldPatch {
   std::vector<SkinPiece> pieces;
-  std::vector<RingPiece> boundary;  ///< where the distance named is the radius; empty for euclidean_only
+  std::vector<RingPiece> boundary;  ///< line at which the named distance is the radius; empty for euclidean_only
   double area = 0;                  ///< [m^2]
 };
 

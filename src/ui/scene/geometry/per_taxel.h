@@ -1,4 +1,5 @@
-// What is worked out of each taxel alone, kept from one model of a layout to the next: an edit of one taxel costs one.
+// Results computed for each taxel alone, kept from one model of a layout to the next: an edit of one taxel costs one
+// computation.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The receptive fields of the sensors in a picture: what is wished, and what came of it. Worked out of models alone, in
-// any thread, since a map of many geodesic fields takes longer than a picture may.
+// The receptive fields of the sensors in a view: the request and its result. Computed from models alone, in any thread,
+// because a map of many geodesic fields takes longer than a frame may.
 #pragma once
 
 #include <map>
@@ -15,16 +15,18 @@
 
 namespace taxel::ui {
 
-/// What is drawn on the skin, one at a time.
+/// The map drawn on the skin, one at a time.
 enum class FieldMap {
   none,
-  filled,    ///< by the layout's metric, in the colours of the taxels
-  compared,  ///< what both metrics reach in the colours of the taxels, what only the straight distance does in its own
-  coverage   ///< every spot in the colour of the number of taxels that see it
+  filled,  ///< by the layout's metric, in the colours of the taxels
+  /// The area that both metrics reach in the colours of the taxels, and the area of the Euclidean distance alone in a
+  /// colour of its own.
+  compared,
+  coverage  ///< every spot in the colour of the number of taxels that see it
 };
 
 struct FieldsWish {
-  std::vector<SensorModelPtr> models;  ///< of the sensors, in order
+  std::vector<SensorModelPtr> models;  ///< models of the sensors, in order
   FieldMap map = FieldMap::none;
   bool weights = false;  ///< to spread readings over the skin
   /// Whether anything of it takes long: straight rings alone do not.
@@ -37,33 +39,34 @@ using FieldRings = std::vector<std::vector<RingPiece>>;  ///< by taxel, in layou
 /// Of one sensor.
 struct SensorFields {
   std::shared_ptr<const FieldRings> rings;     ///< by the layout's metric; never null
-  std::vector<PaintVertex> triangles;          ///< of the map, frame M
-  std::shared_ptr<const SkinWeights> weights;  ///< null unless wished
+  std::vector<PaintVertex> triangles;          ///< triangles of the map, frame M
+  std::shared_ptr<const SkinWeights> weights;  ///< weights if requested, otherwise null
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
 };
 
 struct ShownFields {
   FieldsWish wish;
-  std::vector<SensorFields> sensors;  ///< parallel to wish.models
+  std::vector<SensorFields> sensors;  ///< parallel to the requested models
   /// Null where it is not one of the models.
   [[nodiscard]] const SensorFields* of(const SensorModelPtr& model) const;
 };
 using ShownFieldsPtr = std::shared_ptr<const ShownFields>;
 
-/// Keeps what it worked out of each taxel for the next wish, which after an edit is much the same. From any thread.
+/// Makes ShownFields, and keeps the results of each taxel for the next request, which after an edit is nearly the same.
+/// May be used from any thread.
 class FieldMaker {
  public:
   ShownFieldsPtr make(const FieldsWish& wish);
 
  private:
-  std::mutex making_;                            // guards the rest: one wish at a time
+  std::mutex making_;                            // guards the other members: one request at a time
   std::map<std::size_t, FieldGeometry> fields_;  // by sensor
   struct Weights {
     SensorModelPtr model;
     std::shared_ptr<const SkinWeights> weights;
   };
-  std::map<std::size_t, Weights> weights_;  // likewise
+  std::map<std::size_t, Weights> weights_;  // indexed by sensor
 };
 
 }  // namespace taxel::ui

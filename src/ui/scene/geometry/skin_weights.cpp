@@ -9,8 +9,8 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kFineness = 6;                          // edges to the smallest radius
-constexpr double kLeastPieces = 4e3, kMostPieces = 6e4;  // of the whole skin
+constexpr double kFineness = 6;                       // edges to the smallest radius
+constexpr double kMinPieces = 4e3, kMaxPieces = 6e4;  // of the whole skin
 constexpr double kInside = 0.02;  // how far within the edge a cut is weighed, of the edge that is cut
 
 double pieces_of(const SensorModel& model) {
@@ -18,7 +18,7 @@ double pieces_of(const SensorModel& model) {
   for (const Taxel& taxel : model.layout.taxels)
     for (const FieldDisc& disc : discs_of(taxel)) radius = std::min(radius, disc.radius);
   const double edge = radius / kFineness;
-  return std::clamp(2 * model.skin->mesh().area() / (edge * edge), kLeastPieces, kMostPieces);
+  return std::clamp(2 * model.skin->mesh().area() / (edge * edge), kMinPieces, kMaxPieces);
 }
 
 class Spreader {

@@ -13,14 +13,14 @@ namespace taxel::ui {
 struct SkinWeights {
   struct Weight {
     int taxel = 0;    ///< in layout order
-    float share = 0;  ///< of those at one point, sum 1
+    float share = 0;  ///< fraction of the weights at one point; they sum to 1
   };
   std::vector<glm::vec3> points;              ///< [m]
   std::vector<int> first{0};                  ///< weights of point i: [first[i], first[i + 1])
   std::vector<Weight> weights;                ///< never none at a point
-  std::vector<std::array<int, 3>> triangles;  ///< of points, wound like the skin
+  std::vector<std::array<int, 3>> triangles;  ///< three points each, with the winding of the skin
 
-  /// What the taxels over each point read: sum of w_k p_k / sum of w_k, w = (r - d)^2.
+  /// Computes the reading at each point: sum of w_k p_k / sum of w_k, w = (r - d)^2.
   void spread(std::span<const double> readings, std::vector<float>& at_points) const;
 };
 

@@ -1,4 +1,4 @@
-// What was left out of contact surfaces: outlines in the colour of the reason.
+// Polygons that were left out of contact surfaces: outlines in the colour of the reason.
 #pragma once
 
 #include <span>

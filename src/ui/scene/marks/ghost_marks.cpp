@@ -12,8 +12,8 @@ namespace {
 constexpr glm::vec4 kInk{1.00f, 0.78f, 0.24f, 1.0f};
 constexpr float kRingWidth = 1.8f, kArrowWidth = 2.6f;
 constexpr double kArrowPart = 0.5, kArrowOfSpacing = 0.6;  // of the radius; of how far taxels are apart, about
-constexpr int kMostPieces = 48, kLeastPieces = 12, kAllPieces = 12'000;
-constexpr int kMostRings = 600;  // more cannot be told apart
+constexpr int kMaxPieces = 48, kMinPieces = 12, kAllPieces = 12'000;
+constexpr int kMaxRings = 600;  // more rings would be indistinguishable
 
 void append_ring(const Taxel& taxel, int pieces, Segments& out) {
   const dvec3 n = glm::normalize(taxel.normal), u = any_perpendicular(n), v = glm::cross(n, u);
@@ -29,7 +29,7 @@ void append_ring(const Taxel& taxel, int pieces, Segments& out) {
 double GhostMarks::take(const std::shared_ptr<const std::vector<Taxel>>& taxels, const Look& look) {
   if (taxels == taxels_ && &look == look_) return arrow_;
   const int count = static_cast<int>(taxels->size());
-  const int pieces = std::clamp(kAllPieces / std::max(1, count), kLeastPieces, kMostPieces);
+  const int pieces = std::clamp(kAllPieces / std::max(1, count), kMinPieces, kMaxPieces);
   Segments rings, arrows;
   std::vector<PointMark> centers;
   Aabb box;
@@ -41,7 +41,7 @@ double GhostMarks::take(const std::shared_ptr<const std::vector<Taxel>>& taxels,
   if (count > 1) arrow_ = std::min(arrow_, kArrowOfSpacing * box.diagonal() / std::sqrt(count));
   for (const Taxel& taxel : *taxels) {
     const dvec3 n = glm::normalize(taxel.normal);
-    if (count <= kMostRings) append_ring(taxel, pieces, rings);
+    if (count <= kMaxRings) append_ring(taxel, pieces, rings);
     arrows.push_back(segment(taxel.center, taxel.center + arrow_ * n, kArrowWidth, pack(kInk), n));
     centers.push_back(point_mark(taxel.center, n, 1.0, pack(kInk)));
   }

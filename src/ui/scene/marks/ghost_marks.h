@@ -1,4 +1,4 @@
-// Taxels that are not in the layout yet: centres, arrows and, unless there are too many to be told apart, fields as
+// Taxels that are not in the layout yet: centres, arrows and, unless there are too many to distinguish, fields as
 // circles in their tangent planes.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace taxel::ui {
 
 class GhostMarks {
  public:
-  /// Made anew where they are others than last time. Returns the length of the arrows [m].
+  /// Builds the marks again if the taxels differ from the last call's. Returns the length of the arrows [m].
   double take(const std::shared_ptr<const std::vector<Taxel>>& taxels, const Look& look);
 
   [[nodiscard]] const gl::Buffer& rings() const { return rings_; }

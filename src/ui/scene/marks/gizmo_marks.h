@@ -8,7 +8,7 @@
 
 namespace taxel::ui {
 
-/// Draws over what is there. The frame must be a pixel_frame(), of a view of this size in pixels of marks.
+/// Draws over the present content. The frame must be a pixel_frame(), of a view of this size in pixels of marks.
 void draw_gizmo(SegmentPass& segments, PointPass& points, const Camera& camera, const Look& look, const dvec2& view);
 
 }  // namespace taxel::ui

@@ -11,7 +11,7 @@ constexpr float kTowardEye = 0.006f, kHiddenDim = 0.5f;
 constexpr double kArcPart = 0.12;  // of the distance to the eye
 constexpr int kArcPieces = 24;
 
-/// The way from a body's orientation to the hand's, seen around the grabbed point.
+/// Arc from the orientation of a grabbed body to the orientation of the pointer, around the grabbed point.
 Segments arc(const PerturbShown& hand, double radius, std::uint32_t color) {
   const dquat q = hand.target_turn_W.w < 0 ? -hand.target_turn_W : hand.target_turn_W;
   const dvec3 sine(q.x, q.y, q.z);

@@ -1,4 +1,4 @@
-// A body in the hand, and what constraints hold together.
+// Marks of a grabbed body, and of the constraints between bodies.
 #pragma once
 
 #include "ui/scene/paint/points.h"
@@ -8,7 +8,8 @@
 
 namespace taxel::ui {
 
-/// An arrow from the grabbed point to the hand, or an arc as wide as the turn; lines between points held together.
+/// Draws an arrow from the grabbed point to the pointer, or an arc as wide as the rotation, and lines between
+/// constraint points.
 void draw_hand_marks(const SceneInput& input, const Camera& camera, const Look& look, SegmentPass& segments,
                      PointPass& points);
 

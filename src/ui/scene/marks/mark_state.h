@@ -1,4 +1,4 @@
-// What lines, arrows, points and contact surfaces have in common when they are drawn.
+// State that lines, arrows, points and contact surfaces share when they are drawn.
 #pragma once
 
 #include <algorithm>
@@ -28,14 +28,14 @@ struct MarkState {
   glm::mat4 world_from_model{1};
   float toward_eye = 0;  ///< drawn nearer by this part of its depth, at the same pixel
   bool depth_test = true;
-  bool hidden = false;  ///< only where something nearer stands in front
+  bool hidden = false;  ///< only if something nearer hides it
   bool depth_write = false;
   float dim = 1;  ///< multiplies alpha
   Facing facing = Facing::all;
   bool clipped = false;  ///< by the frame's plane
 };
 
-/// Whether what is drawn next is cut by the frame's plane.
+/// Whether the frame's plane clips the following draw calls.
 inline void set_clipped(bool clipped) {
   (clipped ? glEnable : glDisable)(GL_CLIP_DISTANCE0);
 }

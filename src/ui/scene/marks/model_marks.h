@@ -1,4 +1,4 @@
-// What is drawn of one sensor model and does not change with the simulation: samples, taxels, receptive fields.
+// Marks of one sensor model that do not change with the simulation: samples, taxels, receptive fields.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,7 @@ class ModelMarks {
   double spacing_ = 0;
 };
 
-/// Length of a taxel's arrow: no longer than taxels are apart. [m]
+/// Returns the length of a taxel's arrow [m], at most the distance between taxels.
 double taxel_arrow_length(const SensorModel& model);
 
 }  // namespace taxel::ui

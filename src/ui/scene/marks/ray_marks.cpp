@@ -4,8 +4,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kMaxHits = 700, kMaxSelectedHits = 350, kMaxMisses = 250;
-constexpr double kLeastSpacing = 1.0;  // [pixel]: closer ones cover each other
-constexpr double kStub = 0.3;          // of the allowed depth
+constexpr double kMinSpacing = 1.0;  // [pixel]: closer ones cover each other
+constexpr double kStub = 0.3;        // of the allowed depth
 constexpr float kHitWidth = 1.1f, kMissWidth = 1.0f;
 
 /// Spreads ray numbers evenly over 32 bits, so that the rays below a power of two are a spread-out subset
@@ -23,7 +23,7 @@ std::uint32_t thinning_mask(int count, int most) {
 
 /// How many of `count` stand far enough apart, `most` at most.
 int most_shown(int count, double spacing, int most) {
-  return std::clamp(static_cast<int>(std::ceil(part_apart(spacing, kLeastSpacing) * count)), 1, most);
+  return std::clamp(static_cast<int>(std::ceil(part_apart(spacing, kMinSpacing) * count)), 1, most);
 }
 
 std::vector<char> wanted_rays(const SensorView& view, bool all) {

@@ -1,5 +1,4 @@
-// What the repair of a mesh changed, drawn over its skin: filled faces, removed faces, parted edges, distances of a
-// wrap.
+// Changes of a mesh by its repair, drawn over its skin: filled faces, removed faces, parted edges, distances of a wrap.
 #pragma once
 
 #include "core/mesh/repair/repair.h"

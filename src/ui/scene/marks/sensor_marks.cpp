@@ -16,8 +16,8 @@ constexpr double kSamplePart = 0.5;                            // of the distanc
 constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
 constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
-constexpr double kLeastSpacing = 2.0;                       // of samples [pixel]
-constexpr int kMostSeenThrough = 300;                       // taxels
+constexpr double kMinSpacing = 2.0;                         // of samples [pixel]
+constexpr int kMaxSeenThrough = 300;                        // taxels
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7,
                 kSelectedWayPoint = 1.5f;
 constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
@@ -25,9 +25,9 @@ constexpr float kTractionOutline = 0.25f;
 constexpr double kForceScale = 0.012;  // [m/N]
 constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
-/// Marks on the far side: nothing of them is seen through a solid skin, nor told apart among many.
+/// Whether marks on the far side are drawn: a solid skin hides them, and among many they are indistinguishable.
 bool far_side_seen(const SceneInput& input, const SensorView& view) {
-  return input.overlays.sensor_transparent && view.model->taxel_count() <= kMostSeenThrough;
+  return input.overlays.sensor_transparent && view.model->taxel_count() <= kMaxSeenThrough;
 }
 
 /// Null: no map is on, or it is not worked out yet.
@@ -155,8 +155,8 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
   if (scene.input.overlays.samples) {
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
     // Where they crowd, the eye cannot tell them apart: fewer and larger ones, spread evenly, look the same.
-    const double diameter = std::clamp(kSamplePart * std::max(spacing, kLeastSpacing), kSmallestSample, kLargestSample);
-    const double part = part_apart(spacing, kLeastSpacing);
+    const double diameter = std::clamp(kSamplePart * std::max(spacing, kMinSpacing), kSmallestSample, kLargestSample);
+    const double part = part_apart(spacing, kMinSpacing);
     state.facing = Facing::eye;
     scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state, scene.camera.eye(),
                       static_cast<int>(std::ceil(part * marks.sample_count())));
@@ -240,7 +240,7 @@ void SensorMarks::draw_tractions(const Scene& scene, const SensorView& view) {
   }
 }
 
-/// Before everything else, for what is left out lies on the skin or is a sliver.
+/// Drawn before everything else, because polygons that were left out are in the skin or are slivers.
 void SensorMarks::draw_filtered(const Scene& scene, const SensorView& view) {
   const FilteredMarks marks = filtered_marks(view.state->surfaces);
   const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin};
@@ -249,8 +249,8 @@ void SensorMarks::draw_filtered(const Scene& scene, const SensorView& view) {
   scene.points.draw(marks.dots, dots, state);
 }
 
-/// Rays of all responding taxels go behind the contact surface, so that nothing tints its colours; those of a selected
-/// taxel are what one wants to see, and go before it. What solid bodies hide is dimmed.
+/// Rays of all responding taxels go behind the contact surface, so that nothing tints its colours. The rays of a
+/// selected taxel go in front of it, because the user wants to see them. Marks that solid bodies hide are dimmed.
 void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
   const double spacing = marks_of(scene, view).sample_spacing() * scene.pixels_per_metre;
   const RayMarks rays = ray_marks(view, scene.input.overlays.all_rays, scene.input.range, scene.look, spacing);
@@ -300,7 +300,7 @@ void SensorMarks::draw_force(const Scene& scene, const SensorView& view) {
   scene.segments.draw_arrows(arrow, state, scene.look.mark_outline);
 }
 
-/// What is planned: the painted region below all marks of taxels, those not in the layout yet above.
+/// Draws plans: the painted region below all marks of taxels, and taxels that are not in the layout yet above them.
 void SensorMarks::draw_plans(const Scene& scene) {
   if (!scene.input.ghosts) return;
   const double arrow = ghosts_.take(scene.input.ghosts, scene.look) * scene.pixels_per_metre;

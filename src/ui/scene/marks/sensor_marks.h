@@ -21,7 +21,7 @@ class SensorMarks {
   /// Exact colours over the lit picture of `height` pixels; the frame's perspective must be bound.
   void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
             PointPass& points);
-  /// What the overlays of the last picture say.
+  /// Numbers of the overlays of the last frame.
   [[nodiscard]] const FieldNumbers& numbers() const { return numbers_; }
 
  private:

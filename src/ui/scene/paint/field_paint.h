@@ -1,4 +1,5 @@
-// A map of the receptive fields on the skin, and taxel normals beside the skin's; kept on the card.
+// Map of the receptive fields on the skin, and taxel normals compared with the skin's normals; kept on the graphics
+// card.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ class FieldPaint {
 
   /// The map of `fields`, which holds this model.
   const PaintBuffer& map(const ShownFieldsPtr& fields);
-  /// Taxel normals in the colour of their angle to the skin's, and the skin's normals beside them.
+  /// Taxel normals in the colour of their angle to the skin's normals, and the skin's normals.
   struct Normals {
     gl::Buffer arrows, skin;
   };

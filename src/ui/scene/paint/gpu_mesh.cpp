@@ -21,7 +21,7 @@ GpuMesh::GpuMesh(TriMeshPtr mesh, int most_faces) : mesh_(std::move(mesh)) {
   }
   vertex_array_.elements(index_buffer_);
   sorted_array_.elements(sorted_buffer_);
-  for (int f = 0; f < mesh_->face_count() && mesh_->face_count() <= kMostSorted; ++f) {
+  for (int f = 0; f < mesh_->face_count() && mesh_->face_count() <= kMaxSorted; ++f) {
     centroids_.emplace_back((mesh_->vertex(f, 0) + mesh_->vertex(f, 1) + mesh_->vertex(f, 2)) / 3.0);
   }
 }
@@ -44,7 +44,7 @@ const std::vector<MeshEdge>& GpuMesh::edges() {
 }
 
 void GpuMesh::draw_blended(const glm::vec3& direction) {
-  if (mesh_->face_count() > kMostSorted) {
+  if (mesh_->face_count() > kMaxSorted) {
     glEnable(GL_CULL_FACE);
     for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
       glCullFace(hidden);

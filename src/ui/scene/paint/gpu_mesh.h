@@ -1,4 +1,4 @@
-// A mesh on the graphics card with what is drawn of it: triangles, edges. Made once per TriMesh.
+// A mesh on the graphics card, with its triangles and edges. Made once per TriMesh.
 #pragma once
 
 #include <map>
@@ -17,11 +17,11 @@ class GpuMesh {
   /// With `most_faces` > 0 a mesh of more is drawn simplified to about that.
   explicit GpuMesh(TriMeshPtr mesh, int most_faces = 0);
 
-  [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }  ///< as drawn
+  [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }  ///< the mesh that is drawn
   [[nodiscard]] const TriMeshPtr& shared_mesh() const { return mesh_; }
   const std::vector<MeshEdge>& edges();  ///< made when first asked for
   /// Whether it is small enough to look at each edge in each picture.
-  [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMostOutlined; }
+  [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMaxOutlined; }
 
   void draw() const;
   /// Without the faces of `hidden` (GL_FRONT, GL_BACK) where others of a closed body always lie before them.
@@ -34,8 +34,8 @@ class GpuMesh {
 
  private:
   TriMeshPtr mesh_;
-  bool outward_;                                                       ///< closed, faces look outwards
-  static constexpr int kMostSorted = 60'000, kMostOutlined = 300'000;  // faces
+  bool outward_;                                                     ///< closed, faces look outwards
+  static constexpr int kMaxSorted = 60'000, kMaxOutlined = 300'000;  // faces
   std::optional<std::vector<MeshEdge>> edges_;
   std::vector<glm::vec3> centroids_;
   std::vector<std::uint32_t> indices_, sorted_;
@@ -45,7 +45,7 @@ class GpuMesh {
   std::uint32_t wire_rgba_ = 0;
 };
 
-/// Keeps what was drawn lately; what a whole picture did not use is dropped.
+/// Keeps the meshes drawn recently; a mesh that a whole frame does not use is dropped.
 class MeshCache {
  public:
   /// `most_faces` as of GpuMesh.

@@ -43,7 +43,7 @@ void AmbientOcclusion::draw(const gl::Framebuffer& target, double radius) {
   target.bind();
   gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
   glBlendFunc(GL_ZERO,
-              GL_SRC_COLOR);  // the picture times what is left; alpha as it was
+              GL_SRC_COLOR);  // the colour times the unoccluded fraction; alpha is unchanged
   smooth_->texture.bind(1);
   apply_.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -1,5 +1,4 @@
-// Creases and corners of what is drawn so far get less of the light that comes
-// from everywhere.
+// Ambient occlusion: creases and corners of the bodies drawn so far get less of the ambient light.
 #pragma once
 
 #include <optional>
@@ -14,9 +13,8 @@ class AmbientOcclusion {
  public:
   explicit AmbientOcclusion(const gl::ShaderReader& read);
 
-  /// Darkens the bodies in `target` (bound), at half the resolution; the
-  /// background stays. The frame's perspective must be bound. `radius`: from
-  /// how far away others take light. [m]
+  /// Darkens the bodies in `target` (bound), at half the resolution. The background does not change. The frame's
+  /// perspective must be bound. `radius` is the distance [m] up to which bodies occlude each other.
   void draw(const gl::Framebuffer& target, double radius);
 
  private:
@@ -32,7 +30,7 @@ class AmbientOcclusion {
 
   gl::Program occlusion_, blur_, apply_;
   gl::VertexArray empty_;
-  std::optional<gl::Framebuffer> depth_;  // a copy: of what is drawn into nothing may be read
+  std::optional<gl::Framebuffer> depth_;  // copy of the depth, because the buffer that is drawn to may not be read
   std::optional<Layer> rough_, smooth_;
 };
 

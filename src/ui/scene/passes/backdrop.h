@@ -29,7 +29,7 @@ class Backdrop {
 
   std::optional<gl::Framebuffer> background_, picture_;
   const Look* background_look_ = nullptr;
-  Key key_, last_;  ///< of picture_, and of the last call
+  Key key_, last_;  ///< keys of picture_ and of the last call
 };
 
 }  // namespace taxel::ui

@@ -11,7 +11,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kRimWidth = 2.0f;          // [pixel]
-constexpr float kRimTowardEye = 0.004f;    // before what it is the rim of
+constexpr float kRimTowardEye = 0.004f;    // draws the rim in front of its cap
 constexpr float kCapTowardEye = 1e-4f;     // before the edge of the skin that it ends at
 constexpr double kHatchOfDistance = 0.03;  // the distance of hatch lines, at most, parts of the camera's
 

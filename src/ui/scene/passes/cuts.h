@@ -8,7 +8,7 @@
 
 namespace taxel::ui {
 
-/// Plain colours of a cut through a body of that albedo (linear). sRGB
+/// Plain colours (sRGB) of a cut through a body of this albedo (linear).
 struct CutColors {
   glm::vec3 fill{0}, line{0};
 };
@@ -22,7 +22,7 @@ class CutPass {
   /// depth nothing that is drawn later: the contact inside stays whole. Outlines that are not closed have a rim alone.
   void draw(const std::vector<MeshItem>& items, float alpha, const ClipPlane& clip, const Camera& camera,
             const Look& look, SegmentPass& segments);
-  void end_frame();  ///< what this frame did not draw is dropped
+  void end_frame();  ///< drops cuts that this frame did not draw
 
  private:
   struct Cut {

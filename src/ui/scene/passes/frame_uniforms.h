@@ -1,4 +1,4 @@
-// What all shaders of one picture share: camera, size, lights.
+// Uniforms that all shaders of one frame share: camera, size, lights.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// Behind and below everything: background, grid, and the soft shadow of what stands on it.
+// Environment of the scene: background, grid, and the soft shadow on the ground.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ class GroundPass {
   gl::VertexArray empty_;
 };
 
-/// Spacing of the finer grid lines: the power of ten below a tenth of the distance. [m]
+/// Returns the spacing [m] of the finer grid lines: the power of ten below a tenth of the distance.
 double grid_cell(double camera_distance);
 
 }  // namespace taxel::ui

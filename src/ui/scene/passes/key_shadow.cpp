@@ -8,7 +8,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kMargin = 0.02;               // around what is shown, parts of its size: so that the edge is soft
+constexpr double kMargin = 0.02;               // margin around the scene as a fraction of its size, for a soft edge
 constexpr float kSlopeBias = 2.5f, kBias = 2;  // of glPolygonOffset
 
 /// Its z axis points towards the light.

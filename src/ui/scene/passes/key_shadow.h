@@ -1,5 +1,4 @@
-// What the key light reaches: a depth map seen from it, made anew only when
-// bodies move.
+// Shadow of the key light: a depth map seen from the light, rebuilt only if bodies move.
 #pragma once
 
 #include <functional>

@@ -7,34 +7,34 @@
 namespace taxel::ui {
 
 struct Look {
-  // background and ground, sRGB
+  // Background and ground, sRGB.
   glm::vec3 background_top, background_bottom;
   glm::vec4 plane_fill, grid_line;
   glm::vec3 axis_x, axis_y, axis_z;
   float shadow, skin_shadow;  // darkest, on the ground and of sensors on other bodies
-  // light, linear
+  // Light, linear.
   glm::vec3 key_direction;
   float key, headlight;
   glm::vec3 sky, ground;
-  // the sensor's skin
+  // The sensor's skin.
   glm::vec3 skin_albedo;
   glm::vec2 skin_front_alpha;  // seen straight, at the rim
   float skin_back_alpha;
   glm::vec4 skin_fill, skin_outline, solid_outline;
-  glm::vec4 cut_inside;  ///< of bodies that the clip plane cuts open and no cap closes
+  glm::vec4 cut_inside;  ///< inside of bodies that the clip plane cuts open and no cap closes
   glm::vec2 cut_light;   ///< on caps and on their hatching
-  float cut_alpha;       ///< of a cap of a transparent skin
+  float cut_alpha;       ///< opacity of a cap of a transparent skin
   glm::vec4 measure;
   glm::vec3 probe_albedo;
   glm::vec4 probe_outline;
-  // marks
+  // Colours of the marks.
   glm::vec4 mark_outline;  // around taxels and arrows
   glm::vec4 unused_sample;
   glm::vec4 ray_hit, ray_miss;
   glm::vec4 path, force, friction, selection;
-  glm::vec4 ghost;             ///< of the step before
-  glm::vec4 hand;              ///< what drags a body
-  glm::vec4 weld, connection;  ///< what holds two of them together
+  glm::vec4 ghost;             ///< contact surfaces of the previous step
+  glm::vec4 hand;              ///< arrow from a grabbed body to the pointer
+  glm::vec4 weld, connection;  ///< constraints between two bodies
   glm::vec4 wire;
 };
 

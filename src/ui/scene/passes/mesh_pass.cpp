@@ -8,13 +8,13 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f, kSelectedWidth = 3.0f;
-constexpr float kSeenThrough = 0.3f;      // of the alpha of lines that shine through
-constexpr std::size_t kMostCasts = 3000;  // edges of an outline, above which none is asked what stands before it
-constexpr double kGrazing = 0.03;         // of the skin's size: how far before its outline a ray may touch it
-constexpr float kTowardEye = 0.004f;      // edges in front of their faces
-constexpr double kShadowHeight = 0.14;    // of the sensors' size, at which their shadow is a third as dark
+constexpr float kSeenThrough = 0.3f;     // of the alpha of lines that shine through
+constexpr std::size_t kMaxCasts = 3000;  // for longer outlines no ray is cast
+constexpr double kGrazing = 0.03;        // of the skin's size: how far before its outline a ray may touch it
+constexpr float kTowardEye = 0.004f;     // edges in front of their faces
+constexpr double kShadowHeight = 0.14;   // of the sensors' size, at which their shadow is a third as dark
 
-/// Whether the skin stands clearly before a point of its own outline.
+/// Whether the skin clearly hides a point of its own outline.
 bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
   const double distance = glm::length(p - eye), nearer = distance - kGrazing * skin.mesh().bounds().diagonal();
   return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
@@ -53,7 +53,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true,
                      input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
   }
-  if (!input.frame && input.probe && input.probe->mesh) {  // seen through: it stands before what it presses
+  if (!input.frame && input.probe && input.probe->mesh) {  // transparent, because it hides the contact
     MeshItem probe{&cache.get(input.probe->mesh), input.probe->X_MG, look.probe_albedo, look.probe_outline};
     probe.casts = false;  // a tool that follows the pointer
     list.skins.push_back(probe);
@@ -189,7 +189,7 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
       const MeshEdge& e = edges[static_cast<std::size_t>(i)];
       lines.push_back(segment(vertex(e.a), vertex(e.b), kCreaseWidth, item.transparent != nullptr ? dim : full));
     }
-    const bool many = visible.outline.size() > kMostCasts;
+    const bool many = visible.outline.size() > kMaxCasts;
     for (const int i : visible.outline) {
       const MeshEdge& e = edges[static_cast<std::size_t>(i)];
       const bool behind = item.transparent != nullptr &&

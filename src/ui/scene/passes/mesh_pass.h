@@ -48,7 +48,7 @@ class MeshPass {
   MeshPass(const gl::ShaderReader& read, int key_texels);
   /// `hidden`: the side of closed bodies that others of their faces hide (GL_FRONT, GL_BACK).
   void draw_casters(const gl::Program& program, const MeshList& list, GLenum hidden) const;
-  /// What the sensors, within `box_W`, take away of the sky above the other bodies.
+  /// Computes how much of the sky the sensors, within `box_W`, hide from the other bodies.
   void make_shadow(const MeshList& sensors, const Aabb& box_W);
   /// What all of them, within `box_W`, take away of the key light, finest around `sensors_W`.
   void make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look);

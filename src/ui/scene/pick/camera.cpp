@@ -11,7 +11,7 @@ constexpr double kZoomPerNotch = 0.88;
 constexpr double kNearest = 1e-4, kFarthest = 1e3;  // of `distance` [m]: a tenth of a millimetre to a kilometre
 constexpr double kNearPart = 0.02, kFarPart = 50;   // of `distance`: near and far plane
 constexpr double kFrameMargin = 1.1;
-constexpr double kStraightDown = 1e-13;  // a shorter level part of a unit vector tells no direction
+constexpr double kStraightDown = 1e-13;  // a shorter horizontal part of a unit vector has no direction
 
 /// Right, up and backward of the view: an orthonormal right-handed basis.
 struct Basis {

@@ -14,7 +14,7 @@ struct Camera {
   double elevation_deg = 25;  ///< above the horizon, (-90, 90)
   double distance = 0.15;     ///< eye to target [m]
   double fov_deg = 40;        ///< vertical
-  double roll_deg = 0;        ///< of the picture's upright, to the left
+  double roll_deg = 0;        ///< rotation of the image about the line of sight, to the left
 
   [[nodiscard]] dvec3 eye() const;
   [[nodiscard]] glm::dmat4 view() const;
@@ -30,7 +30,7 @@ struct Camera {
   void pan(double dx_pixels, double dy_pixels, int height, bool horizontal = false);
   void zoom(double wheel_notches);
   void frame(const Aabb& box_W);
-  /// Looks from a pose along its -z, y up, at what is `depth` away.
+  /// Looks from a pose along its -z, with y up, at a target at distance `depth`.
   void look_from(const Pose& X_WC, double depth);
 
   bool operator==(const Camera&) const = default;

@@ -18,7 +18,7 @@ struct ClipPlane {
   [[nodiscard]] ClipPlane flipped() const { return {-normal, -offset}; }
 };
 
-/// The part of a ray that runs through what is shown, and how far its origin moved; none: no part.
+/// The part of a ray that is not clipped, and how far its origin moved; empty if all of the ray is clipped.
 struct ShownRay {
   Ray ray;
   double moved = 0;

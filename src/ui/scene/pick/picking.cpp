@@ -17,7 +17,7 @@ struct Pointer {
   int width, height;
   double reach;
   Ray ray_W;
-  double solid;  ///< where solid bodies end the ray [m]
+  double solid;  ///< distance at which solid bodies end the ray [m]
 };
 
 /// The nearest taxel centre that faces the eye and is not behind a solid body.

@@ -1,4 +1,4 @@
-// What lies under a pixel of the 3-D view, found on the processor: for hovering, clicking, centring.
+// Picking: the object under a pixel of the 3-D view, found on the processor, for hovering, clicking and centring.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,15 @@
 
 namespace taxel::ui {
 
-/// What the pointer is on, nearest to the eye. A taxel within reach of the pointer wins over a contact polygon, that
-/// over a sample, that over the skin and other bodies: as they are drawn.
+/// The object under the pointer, nearest to the eye. A taxel within reach of the pointer has priority over a contact
+/// polygon, a polygon over a sample, a sample over the skin and other bodies, in the order in which they are drawn.
 struct Pick {
   int sensor = -1;                 ///< -1: not on a sensor
   int taxel = -1;                  ///< its centre is under the pointer; layout order
-  int surface = -1, polygon = -1;  ///< of the sensor's contact surfaces
+  int surface = -1, polygon = -1;  ///< indices among the sensor's contact surfaces
   double pressure = 0;             ///< there [Pa], when polygon >= 0
   int sample = -1;                 ///< nearest sample on the side that faces the eye, within reach
-  int geom = -1;                   ///< of the scene: what the ray meets first, when no sensor's skin is nearer
+  int geom = -1;                   ///< first geom of the scene on the ray if no sensor's skin is nearer
   std::string geom_name;
   dvec3 position_W{0};  ///< the point under the pointer [m]
   double distance = 0;  ///< from the eye [m]

@@ -1,4 +1,4 @@
-// How far is it at least to the nearest tetrahedron, and which one is near? Answers by one look-up.
+// Lower bound of the distance to the nearest tetrahedron, and a tetrahedron near a point, by one look-up in a grid.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ class DistanceGrid {
     /// Lower bound of the distance from every point of the cell to the tets [m]. It is 0 in cells with tets, and in
     /// cells inside of the skin without tets, which depth pieces serve (mark_core).
     float distance = 0;
-    std::int32_t tet = -1;  ///< one that meets the cell, that of its middle where there is one; -1 or kCoreCell if none
-    std::int32_t face = -1;  ///< of faces(): the one whose plane has the cell farthest outside; -1 where there are none
+    std::int32_t tet = -1;   ///< a tet that touches the cell (of its middle if any); -1 or kCoreCell if none
+    std::int32_t face = -1;  ///< index in faces(): the plane from which the cell is farthest outside, or -1
   };
   /// The plane of a face of the boundary: the whole field lies at n . x + offset >= 0, but for rounding.
   struct Face {
@@ -67,7 +67,7 @@ class DistanceGrid {
 
   dvec3 low_{0};
   ivec3 dims_{0};
-  double edge_ = 1, per_metre_ = 1;  ///< of a cell, and its inverse
+  double edge_ = 1, per_metre_ = 1;  ///< edge of a cell [m], and its inverse
   std::vector<Cell> cells_;
   std::vector<Face> faces_;
   std::vector<std::uint8_t> gaps_;  ///< per cell: bits kSkin, kNearCore; empty if the field ends with its tets

@@ -50,8 +50,8 @@ class WideBvh {
 class TriangleTree {
  public:
   struct Triangle {
-    std::array<std::int32_t, 3> vertex;  ///< of vertices()
-    std::int32_t face = -1;              ///< of the mesh
+    std::array<std::int32_t, 3> vertex;  ///< indices in vertices()
+    std::int32_t face = -1;              ///< face of the mesh
     dvec3 normal{0};                     ///< unit, outward
   };
   TriangleTree() = default;

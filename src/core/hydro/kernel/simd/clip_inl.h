@@ -14,15 +14,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// Marks of edges: 0 to 3 the planes of the tet that cuts, from here on those of what is cut.
+/// Marks of edges: 0 to 3 are the planes of the clipping tet, larger numbers the edges of the clipped polygon.
 inline constexpr std::uint64_t kOwnEdge = 4;
 
 /// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. Lanes from `count` on hold
 /// finite numbers that mean nothing.
 struct PlanePolygon {
-  static constexpr unsigned kMost = 8;
+  static constexpr unsigned kMax = 8;
   Eight u, v;
-  std::uint64_t edges;  ///< byte i: what the edge from vertex i to the next one lies on; 0 from `count` on
+  std::uint64_t edges;  ///< byte i: mark of the edge from vertex i to the next one; 0 from `count` on
   unsigned count;
 };
 
@@ -33,11 +33,12 @@ HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
   const std::uint64_t unused = used >= 64 ? 0 : ~std::uint64_t{0} << used;
   const std::uint64_t edges = polygon.edges | (unused & kNone * 0x0101010101010101u);
   unsigned bits = 0;
-  for (unsigned i = 0; i < PlanePolygon::kMost; ++i) bits |= 1u << (edges >> (8 * i) & 0xff);
+  for (unsigned i = 0; i < PlanePolygon::kMax; ++i) bits |= 1u << (edges >> (8 * i) & 0xff);
   return bits & ~(1u << kNone);
 }
 
-/// Signed distances of a triangle's corners to the planes of a tet, lanes over planes, and what they say.
+/// Signed distances of a triangle's corners to the planes of a tet, with one plane per lane, and the conclusions from
+/// them.
 struct alignas(32) TriangleInTet {
   double corner[3][4];
   unsigned cut;   ///< bit i: plane i has a corner outside
@@ -87,7 +88,7 @@ inline HWY_NOINLINE void keep_inside_slowly(const Eight& distances, std::uint64_
   unsigned count = 0;
   std::uint64_t edges = 0;
   const auto push = [&](double at_u, double at_v, std::uint64_t edge) {
-    if (count == PlanePolygon::kMost) return;
+    if (count == PlanePolygon::kMax) return;
     u[count] = at_u;
     v[count] = at_v;
     edges |= edge << (8 * count++);
@@ -105,7 +106,7 @@ inline HWY_NOINLINE void keep_inside_slowly(const Eight& distances, std::uint64_
   polygon = {load_eight(u), load_eight(v), edges, count};
 }
 
-/// What a cut made of a polygon.
+/// Result of clipping a polygon.
 enum class Cut { nothing_outside, nothing_inside, done };
 
 /// Signed distances of a polygon's vertices: the linear function with values d0, d1, d2 at the triangle's corners.
@@ -114,7 +115,7 @@ HWY_INLINE Eight distances_of(const PlanePolygon& p, double d0, double d1, doubl
   return w * set_eight(d0) + p.u * set_eight(d1) + p.v * set_eight(d2);
 }
 
-/// Keeps what has distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line,
+/// Keeps the part with distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line,
 /// however small the angle. The new edge gets `mark`. The polygon is untouched unless `done`.
 HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, PlanePolygon& p) {
   const Eight distance = distances_of(p, d0, d1, d2);
@@ -124,7 +125,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
   if (outside == all) return Cut::nothing_inside;
   const unsigned inside = all & ~outside;
   const unsigned starts = inside & ~((inside << 1) | (inside >> (n - 1)));  // inside, and the one before is not
-  if ((starts & (starts - 1)) != 0 || n == PlanePolygon::kMost) {
+  if ((starts & (starts - 1)) != 0 || n == PlanePolygon::kMax) {
     keep_inside_slowly(distance, mark, p);
     return p.count < 3 ? Cut::nothing_inside : Cut::done;
   }

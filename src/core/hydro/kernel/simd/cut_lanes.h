@@ -1,4 +1,4 @@
-// Where the vertices of a cut polygon come from, when it lies in the lanes of a vector.
+// Permutations that move the vertices of a clipped polygon between the lanes of a vector.
 #pragma once
 
 #include <cstdint>
@@ -35,11 +35,11 @@ constexpr void set_lane(LaneHalves& halves, unsigned i, std::int64_t from) {
 template <class Lanes>
 class CutLanes {
  public:
-  static constexpr unsigned kMost = 8;
+  static constexpr unsigned kMax = 8;
 
   constexpr CutLanes() : next_{}, backward_{}, kept_{} {
-    for (unsigned n = 3; n <= kMost; ++n) {
-      for (unsigned i = 0; i < kMost; ++i) {
+    for (unsigned n = 3; n <= kMax; ++n) {
+      for (unsigned i = 0; i < kMax; ++i) {
         set_lane(next_[n], i, i + 1 < n ? i + 1 : 0);
         set_lane(backward_[n], i, i < n ? n - 1 - i : 0);
       }
@@ -60,13 +60,13 @@ class CutLanes {
  private:
   constexpr void set(unsigned n, unsigned before, unsigned run) {
     Lanes& kept = kept_[(n * 8 + before) * 8 + run];
-    for (unsigned i = 0; i < kMost; ++i) set_lane(kept, i, i <= run ? (before + i) % n : 0);
+    for (unsigned i = 0; i < kMax; ++i) set_lane(kept, i, i <= run ? (before + i) % n : 0);
     set_lane(kept, 0, LaneNumbers::kOther + before);
-    if (run + 1 < kMost) set_lane(kept, run + 1, LaneNumbers::kOther + (before + run) % n);
+    if (run + 1 < kMax) set_lane(kept, run + 1, LaneNumbers::kOther + (before + run) % n);
   }
 
-  Lanes next_[kMost + 1], backward_[kMost + 1];
-  Lanes kept_[(kMost + 1) * 8 * 8];
+  Lanes next_[kMax + 1], backward_[kMax + 1];
+  Lanes kept_[(kMax + 1) * 8 * 8];
 };
 template <class Lanes>
 inline constexpr CutLanes<Lanes> kCutLanesAs;

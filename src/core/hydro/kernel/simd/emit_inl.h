@@ -15,7 +15,7 @@ namespace taxel::HWY_NAMESPACE {
 /// Sums over the triangles of a polygon's fan about its first vertex, in (u, v).
 struct FanSums {
   double twice_area, u,
-      v;         ///< (u, v): three times the first moment over half the unit: centroid = first + sum/(3 area)
+      v;         ///< (u, v): 3 first moments per half unit; centroid = first + sum/(3 area)
   bool crowded;  ///< two neighbouring vertices are nearer than the merging distance
 };
 
@@ -42,7 +42,7 @@ HWY_INLINE PlanePressure pressure_on(const SurfaceTriangle& triangle, const Line
           glm::dot(g, triangle.x_S[2]) + pressure.constant - p0};
 }
 
-/// Whether a mean pressure stands out of what rounding leaves in the skin.
+/// Whether a mean pressure is larger than the rounding errors of the pressure in the skin.
 HWY_INLINE bool pushes(double mean, const dvec3& gradient, double size) {
   const double least = kTouchingPressure * size;
   return mean > 0 && mean * mean > least * least * glm::dot(gradient, gradient);

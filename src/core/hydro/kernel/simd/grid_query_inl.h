@@ -1,5 +1,5 @@
-// Which boxes of a tree may meet a field in another frame? Each box stands for the sphere around it, whose distance
-// comes from the field's grid. Included once per target.
+// Finds the boxes of a tree that may touch a field in another frame. The sphere around a box replaces the box; its
+// distance comes from the field's grid. Included once per target.
 #if defined(TAXEL_GRID_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_GRID_QUERY_INL_H
 #undef TAXEL_GRID_QUERY_INL_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// Boxes whose spheres reach what the grid covers.
+/// Finds the boxes whose spheres reach the part of the grid that the field covers.
 struct GridQuery {
   const DistanceGrid* grid;
   float R[3][3], t[3], top[3], slack, edge;

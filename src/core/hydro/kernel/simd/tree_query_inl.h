@@ -1,5 +1,5 @@
-// Which tets may a triangle or a plane meet? A walk over a WideBvh, eight boxes at a time, conservative. Included once
-// per target.
+// Finds the tets that a triangle or a plane may touch, by a conservative traversal of a WideBvh, eight boxes at a time.
+// Included once per target.
 #if defined(TAXEL_TREE_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_TREE_QUERY_INL_H
 #undef TAXEL_TREE_QUERY_INL_H
@@ -22,7 +22,7 @@ inline constexpr double kBoxSlack = 2e-6;
 /// A half-space n . x + offset <= 0 relative to the tree's origin, in single precision; n of any length.
 struct QueryPlane {
   float n[3], size[3], offset;  ///< size: absolute components of n
-  float slack;                  ///< of n . x + offset
+  float slack;                  ///< bound of the rounding error of n . x + offset
 
   HWY_INLINE void set(const dvec3& normal, double at_origin, const WideBvh& tree) {
     double length = 0;  // no less than |n|
