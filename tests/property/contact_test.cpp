@@ -65,7 +65,7 @@ TEST(TwoSoftBodies, EqualTheBruteForceOracle) {
 }
 
 /// Every polygon: flat, convex, turning about its normal, its stored numbers those of its vertices.
-TEST_P(EveryShape, PolygonsAreWhatTheySay) {
+TEST_P(EveryShape, PolygonsMatchTheirStoredValues) {
   const HydroBodyPtr soft = soft_body(), rigid = rigid_body(GetParam());
   for (int i = 0; i < kPoses; i += 4) {
     const Pose X_WS = soft_pose(i), X_WR = rigid_pose(X_WS, i);

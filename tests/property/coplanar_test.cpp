@@ -65,7 +65,7 @@ TEST(Coplanar, ASurfaceInPlanesOfBothGridsIsCountedOnce) {
 
 // Beside the planes tets are cut into strips as narrow as that. Up to 1e-12 of a tet's size they may count with both
 // neighbours.
-TEST(Coplanar, ASurfaceBesideThePlanesOfTheGridsIsCountedOnce) {
+TEST(Coplanar, ASurfaceNearThePlanesOfTheGridsIsCountedOnce) {
   const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
   int number = 0;
   for (const Placing& placing : kPlacings) {

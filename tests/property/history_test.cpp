@@ -88,7 +88,7 @@ TEST(Edits, LeaveAProjectThatCanBeWrittenAndRead) {
   }));
 }
 
-TEST(Edits, OfAGestureAreOneStep) {
+TEST(Edits, MergeIntoOneStepDuringAGesture) {
   EXPECT_TRUE(rc::check("one step, and Esc restores",
                         [](const std::vector<EditSeed>& before, const std::vector<EditSeed>& gesture) {
                           History history(start());

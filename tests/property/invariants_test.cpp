@@ -133,7 +133,7 @@ TEST_P(EveryPair, ACommonMotionChangesNothing) {
   }
 }
 
-TEST_P(EveryPair, NothingIsAdhesive) {
+TEST_P(EveryPair, IsNeverAdhesive) {
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
     const Contact c = a_touches_b(X_WA, X_WB);

@@ -27,7 +27,7 @@ TEST(Csv, FindsTheSeparator) {
   EXPECT_EQ(parse_csv("\xEF\xBB\xBFx,y\n")[0].fields, (Fields{"x", "y"}));
 }
 
-TEST(Csv, WhatIsQuotedGoesRound) {
+TEST(Csv, KeepsQuotedFieldsInARoundTrip) {
   for (const std::string field : {"", "a", " a", "a\t", "#1", "a,b", "a;b", "\"", "\"\"", "a\nb", "a\r\nb,\"c\""}) {
     for (const std::string& text : {"x," + csv_field(field) + "\n", csv_field(field) + ",x\n"}) {
       const std::vector<CsvRow> rows = parse_csv("a,b\n" + text);

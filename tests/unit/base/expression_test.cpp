@@ -82,7 +82,7 @@ TEST(Expression, DecimalUnitsCostNoDigits) {
   EXPECT_EQ(evaluate("0.1 mm + 0.2 mm", "mm"), 0.1 + 0.2);
 }
 
-TEST(Expression, SaysWhatIsWrongAndWhere) {
+TEST(Expression, NamesTheMistakeAndItsPlace) {
   EXPECT_EQ(complaint(""), "character 1: a number is expected");
   EXPECT_EQ(complaint("  "), "character 3: a number is expected");
   EXPECT_EQ(complaint("2 *"), "character 4: a number is expected, the text ends");
@@ -122,7 +122,7 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
 }
 
 /// Digits, signs and anything else typed into a field: a value or an Error, always.
-TEST(Expression, NothingTypedBreaksIt) {
+TEST(Expression, SurvivesAnyTypedText) {
   const std::string keys = "0123456789.+-*/^() emndgkPasqrtipu\xC2\xB0\xB2,;\"\n";
   const CounterRng rng(9);
   int accepted = 0;

@@ -79,13 +79,13 @@ TEST(Files, ReadersSeeTheOldFileOrTheNewOne) {
   EXPECT_EQ(read_file(folder / "a"), "newer");
 }
 
-TEST(Files, WhatCannotBeReadIsNamed) {
+TEST(Files, ErrorNamesTheUnreadableFile) {
   const TempFolder folder;
   EXPECT_NE(message_of([&] { read_file(folder / "none"); }).find("none: no such file"), std::string::npos);
   EXPECT_NE(message_of([&] { read_file(folder.path()); }).find("is a folder"), std::string::npos);
 }
 
-TEST(Files, WhatCannotBeWrittenIsNamedAndLeavesNothing) {
+TEST(Files, ErrorNamesTheUnwritableFileAndLeavesNothing) {
   const TempFolder folder;
   EXPECT_NE(message_of([&] { write_file_atomically(folder / "none/a", "x"); }).find("none/a"), std::string::npos);
   fs::create_directory(folder / "taken");

@@ -19,7 +19,7 @@ TEST(Mailbox, GivesTheNewestValueOnce) {
   EXPECT_EQ(box.take(), nullptr);
 }
 
-TEST(Mailbox, TellsWhetherTheLastValueWasTaken) {
+TEST(Mailbox, ShowsWhetherTheLastValueWasTaken) {
   Mailbox<int> box;
   EXPECT_FALSE(box.full());
   box.post(std::make_shared<const int>(1));

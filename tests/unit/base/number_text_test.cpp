@@ -35,7 +35,7 @@ TEST(NumberPair, DifferenceOfTheTextsIsThatOfTheNumbers) {
   }
 }
 
-TEST(NumberPair, ShowsWhatIsNoNumber) {
+TEST(NumberPair, ShowsInfinityAndNan) {
   EXPECT_EQ(number_pair(NAN, 1, 3).first, "nan");
   EXPECT_EQ(number_pair(INFINITY, 1, 3).second, "1");
 }

@@ -25,7 +25,7 @@ TEST(BodyCache, EqualPrimitivesShareTheirGeometryUnderTheirOwnNames) {
   EXPECT_EQ(b->name, "b");
 }
 
-TEST(BodyCache, WhatDiffersIsNotShared) {
+TEST(BodyCache, DoesNotShareDifferentBodies) {
   const HydroBodyPtr a = share_body(sphere(0.01), {}, "a");
   Shape finer = sphere(0.01);
   finer.resolution = 0.001;

@@ -104,7 +104,7 @@ TEST(ClosedForms, A3SunkenPolyhedraFeelTheirVolume) {
   }
 }
 
-TEST(ClosedForms, A3HalfSunkenBoxFeelsWhatIsBelow) {
+TEST(ClosedForms, A3HalfSunkenBoxFeelsItsLowerHalf) {
   constexpr double kappa = 1e7, x = 0.004;
   const dvec3 half(0.01, 0.02, 0.03);
   const auto box = make_simple_body(ShapeType::box, half);

@@ -45,7 +45,7 @@ TEST(ContactStiffness, IsTheSlopeOfTheForce) {
 }
 
 // A1: dF/dx = 2 pi E x (1 - x/R).
-TEST(ContactStiffness, OfASoftSphereOnAPlaneIsTheClosedForm) {
+TEST(ContactStiffness, EqualsTheClosedFormOfASoftSphereOnAPlane) {
   const double R = 0.05, x = 0.004;
   const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
   const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(R), soft_material(kE), 0.003);
@@ -57,7 +57,7 @@ TEST(ContactStiffness, OfASoftSphereOnAPlaneIsTheClosedForm) {
 }
 
 // A8: a slab of area L^2 turned about x through its middle answers with k L^4/12 per radian, springs in series.
-TEST(ContactStiffness, OfStackedSlabsCountsBothAndTheirLevers) {
+TEST(ContactStiffness, AddsBothSlabsOfAStackAndTheirLevers) {
   const double L = 0.06, H = 0.015;
   const HydroBodyPtr slab = make_mesh_body(make_box({L / 2, L / 2, H}), soft_material(kE, 0.004));
   const HydroBodyPtr rigid = make_simple_body(ShapeType::plane, dvec3(0));

@@ -17,7 +17,7 @@ const Problem* find(const Problems& problems, const std::string& code) {
 }
 
 /// A box with a thin fin: the pad has room in the box alone.
-TEST(FieldReport, TellsWhereTheBodyIsTooThin) {
+TEST(FieldReport, NamesThePlacesWhereTheBodyIsTooThin) {
   TriMesh block = make_l_block(0.005, 8);  // 40 mm, half of it 20 mm thick
   std::vector<dvec3> vertices = block.vertices();
   for (dvec3& v : vertices) {
@@ -44,7 +44,7 @@ TEST(FieldReport, TellsWhereTheBodyIsTooThin) {
   EXPECT_EQ(problems.front().pointer, "/p");
 }
 
-TEST(FieldReport, TellsLayersAndErrorOfPads) {
+TEST(FieldReport, GivesLayersAndErrorOfPads) {
   const auto text = [](const PressureField& field) {
     const Problems problems = field_problems(field.report(), "", "");
     return find(problems, "field_report")->message;
@@ -60,7 +60,7 @@ TEST(FieldReport, TellsLayersAndErrorOfPads) {
   EXPECT_EQ(text(*make_star_field(share(make_box(dvec3(0.02))), 1e5)).find("layer"), std::string::npos);
 }
 
-TEST(FieldReport, OfARoomyBodyLimitsNothing) {
+TEST(FieldReport, LimitsNothingInARoomyBody) {
   const PressureFieldPtr field = make_pad_field(share(make_icosphere(0.02, 3)), 1e5, 0.004);
   EXPECT_EQ(field->report().limited.faces, 0);
   EXPECT_EQ(field->report().least_part, 1);

@@ -71,7 +71,7 @@ TEST(MakeBody, ResolutionIsTheLongestEdge) {
   EXPECT_GT(faces(0.001), 10 * faces(0.004));
 }
 
-TEST(MakeBody, MaterialDecidesWhatIsSoft) {
+TEST(MakeBody, MakesSoftBodiesOfSoftMaterials) {
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0), soft_material(1e5, 0.01));
   EXPECT_NEAR(std::get<SoftHalfSpace>(plane->geometry).stiffness, 1e7, 1e-6);
   EXPECT_TRUE(plane->soft());

@@ -163,7 +163,7 @@ TEST(Intersect, HoleAtTheEndOfAFieldIsCounted) {
   EXPECT_EQ(touch(*whole, *plane, at_height(0.016), Pose{}).surface.at_core(), 0);
 }
 
-TEST(Intersect, NothingIsAllocatedAfterWarmUp) {
+TEST(Intersect, AllocatesNothingAfterWarmUp) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));
   const auto mat = make_simple_body(ShapeType::plane, dvec3(0), soft_material(1e5, 0.002));
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.01));

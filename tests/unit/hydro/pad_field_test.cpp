@@ -104,13 +104,13 @@ void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_
   EXPECT_NEAR(mean / area, kModulus / thickness, 0.03 * kModulus / thickness);
 }
 
-TEST(PadField, OfSmoothShapesHasTheStiffnessOfAnElastomer) {
+TEST(PadField, HasTheStiffnessOfAnElastomerOnSmoothShapes) {
   expect_good_pad(share(make_fingertip()), 0.002, 0.01);
   expect_good_pad(share(make_icosphere(0.02, 3)), 0.004, 0.01);
   expect_good_pad(share(make_capsule(0.01, 0.02, 0.002)), 0.003, 0.01);
 }
 
-TEST(PadField, OfSharpEdgesIsMitred) {
+TEST(PadField, IsMitredAtSharpEdges) {
   expect_good_pad(share(make_box(dvec3(0.02, 0.03, 0.01))), 0.003, 1e-6);
   expect_good_pad(share(make_cylinder(0.01, 0.02, 0.002)), 0.002, 0.01);
   // The core of a box is the box less H on every side: the pad's volume is exact.
@@ -122,11 +122,11 @@ TEST(PadField, OfSharpEdgesIsMitred) {
   EXPECT_NEAR(core.hi.z, 0.015, 1e-12);
 }
 
-TEST(PadField, OfAConcaveShapeStaysWhole) {
+TEST(PadField, StaysWholeOnAConcaveShape) {
   expect_good_pad(share(make_spool()), 0.003, 0.06);
 }
 
-TEST(PadField, OfRingsNotchesCupsAndRims) {
+TEST(PadField, IsGoodOnRingsNotchesCupsAndRims) {
   expect_good_pad(share(make_torus(0.02, 0.006, 80, 32)), 0.002, 0.01);
   expect_good_pad(share(make_torus(0.02, 0.006, 80, 32)), 0.006, 0.01);
   expect_good_pad(share(make_l_block(0.005, 8)), 0.003, 1e-6);
@@ -220,16 +220,16 @@ void expect_good_pad_on_file(const char* name, double scale, double thickness, d
     expect_good_pad(mesh, thickness, stiffness_cv, bare, layering);
 }
 
-TEST(PadField, OfTheShadowFingertip) {
+TEST(PadField, IsGoodOnTheShadowFingertip) {
   expect_good_pad_on_file("shadow_f_distal_pst.stl", 0.001, 0.002, 0.02, 1e-4);
 }
-TEST(PadField, OfTheBiotacFingertip) {
+TEST(PadField, IsGoodOnTheBiotacFingertip) {
   expect_good_pad_on_file("shadow_f_distal_bt_sp.stl", 0.001, 0.002, 0.01);
 }
-TEST(PadField, OfAPlate) {
+TEST(PadField, IsGoodOnAPlate) {
   expect_good_pad_on_file("plate_8in_col.stl", 1, 0.002, 0.01);
 }
-TEST(PadField, OfSpot) {
+TEST(PadField, IsGoodOnSpot) {
   expect_good_pad_on_file("spot/spot_triangulated.obj", 0.1, 0.005, 0.02);
 }
 

@@ -74,7 +74,7 @@ TEST(PadLayers, ShareTheirFacesWhereverAPrismIsCut) {
   }
 }
 
-TEST(PadLayers, OfFlatFacesAreExact) {
+TEST(PadLayers, AreExactOnFlatFaces) {
   const TriMeshPtr block = share(make_of_cubes(0.005, 6, [](const ivec3&) { return true; }));
   const PressureFieldPtr one = make_pad_field(block, kModulus, 0.004, {}, PadLayering::one);
   for (const double probability : {0.1, 1.0}) {

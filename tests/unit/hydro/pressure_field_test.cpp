@@ -64,7 +64,7 @@ TEST(PressureField, BadInputIsNamed) {
   EXPECT_NE(message_of({{0, 1, 2, 3}}, {0, 0}).find("2 pressures"), std::string::npos);
 }
 
-TEST(StarField, OfASphereIsItsMedialAxisField) {
+TEST(StarField, EqualsTheMedialAxisFieldOfASphere) {
   const PressureFieldPtr sphere = make_sphere_field(0.02, 1e5, 0.004);
   expect_sound(*sphere);
   EXPECT_NEAR(field_volume(*sphere), 4.0 / 3 * kPi * 8e-6, 1e-12);  // scaled to the true volume

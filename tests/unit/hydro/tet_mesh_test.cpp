@@ -29,7 +29,7 @@ std::string refusal(const std::string& text) {
 const std::string kHead = "# vtk DataFile Version 3.0\nsome title\nASCII\nDATASET UNSTRUCTURED_GRID\n";
 const std::string kPoints = "POINTS 4 double\n0 0 0 1 0 0\n0 1 0\n0 0 1\n";
 
-TEST(TetField, OfABoxIsItsMedialAxisField) {
+TEST(TetField, EqualsTheMedialAxisFieldOfABox) {
   const PressureFieldPtr box = make_box_field({0.01, 0.02, 0.03}, 1e5);
   const PressureFieldPtr same = make_tet_field(tets_of(*box), 1e5, 0);
   EXPECT_EQ(same->report().inverted, 0);

@@ -78,7 +78,7 @@ TEST(DiscOverlap, FindsTheFirstEarlierTaxelOfEach) {
   EXPECT_LT(found.size(), 290U);
 }
 
-TEST(DiscOverlap, LeavesOutWhatIsNoDisc) {
+TEST(DiscOverlap, LeavesOutTaxelsThatAreNoDiscs) {
   const double nan = std::nan("");
   EXPECT_TRUE(overlapping_taxels({taxel_at(dvec3(0), 1), taxel_at(dvec3(nan), 1), taxel_at(dvec3(0.01), -1),
                                   taxel_at(dvec3(0.02), nan), taxel_at(dvec3(0.03), 1, dvec3(0))})

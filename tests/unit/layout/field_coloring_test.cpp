@@ -34,7 +34,7 @@ int conflicts(const Layout& layout, const std::vector<int>& color_of) {
   return count;
 }
 
-TEST(FieldColoring, UpToAsManyTaxelsAsColoursEachHasItsOwn) {
+TEST(FieldColoring, GivesDistinctColoursUpToPaletteSize) {
   const std::vector<int> color_of = color_fields(grid_layout(4, 0.001, 0.1), kColors);
   for (int i = 0; i < 16; ++i) EXPECT_EQ(color_of[static_cast<std::size_t>(i)], i);
 }
@@ -62,7 +62,7 @@ TEST(FieldColoring, ATaxelAddedAtTheEndChangesNoOther) {
   EXPECT_EQ(before, after);
 }
 
-TEST(FieldColoring, WhereAllFieldsMeetTheSameColourIsFarAway) {
+TEST(FieldColoring, RepeatsAColourFarAwayIfAllFieldsMeet) {
   const Layout layout = grid_layout(12, 0.001, 0.1);  // 144 taxels, each a neighbour of all
   const std::vector<int> color_of = color_fields(layout, kColors);
   double nearest = std::numeric_limits<double>::infinity();

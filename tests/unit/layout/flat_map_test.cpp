@@ -60,7 +60,7 @@ TEST(FlatMap, ACylinderIsUnrolled) {
 }
 
 // A finger with a round tip, all round: at the pole the picture crowds, and is eased.
-TEST(FlatMap, NothingLiesOverAnotherAllRoundATip) {
+TEST(FlatMap, PlacesNoTaxelOverAnotherAroundATip) {
   std::vector<std::pair<dvec3, dvec3>> all;
   const double R = 0.009;
   for (int row = 0; row < 16; ++row) {
@@ -85,7 +85,7 @@ TEST(FlatMap, NothingLiesOverAnotherAllRoundATip) {
   EXPECT_EQ(again.places, map.places);
 }
 
-TEST(FlatMap, TaxelsInOnePlaceAreToldApart) {
+TEST(FlatMap, SeparatesTaxelsInOnePlace) {
   std::vector<std::pair<dvec3, dvec3>> pile(3, {dvec3(0, -1, 0), dvec3(0, -1, 0)});
   pile.emplace_back(dvec3(0.01, -1, 0), dvec3(0, -1, 0));
   pile.emplace_back(dvec3(0.02, -1, 0), dvec3(0, -1, 0));

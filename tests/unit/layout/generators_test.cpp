@@ -291,7 +291,7 @@ std::vector<Taxel> half_layout() {
   return taxels;
 }
 
-TEST(Mirror, OfTheMirrorIsTheOriginal) {
+TEST(Mirror, RestoresTheOriginalWhenAppliedTwice) {
   const std::vector<Taxel> taxels = half_layout();
   EXPECT_EQ(mirror_images(mirror_images(taxels, {}), {}), taxels) << "bit by bit in a plane of coordinates";
   const MirrorPlane tilted{{0.001, 0.002, -0.003}, {3, -1, 2}};
@@ -305,7 +305,7 @@ TEST(Mirror, OfTheMirrorIsTheOriginal) {
   }
 }
 
-TEST(Mirror, AddsWhatIsMissing) {
+TEST(Mirror, AddsMissingTaxels) {
   const std::vector<Taxel> taxels = half_layout(), all = with_mirror_images(taxels, {});
   ASSERT_EQ(all.size(), 7U) << "the third lies on the plane";
   EXPECT_TRUE(std::equal(taxels.begin(), taxels.end(), all.begin()));

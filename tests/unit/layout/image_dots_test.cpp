@@ -72,7 +72,7 @@ TEST(ImageDots, LieOnTheSkinAsThePictureLies) {
   EXPECT_LT(glm::distance(below[0].center, dvec3(0.001 + 0.003, 0.003, -0.001)), 1e-17);
 }
 
-TEST(ImageDots, NameWhatIsWrong) {
+TEST(ImageDots, NameTheMistake) {
   const auto complaint = [](const GreyImage& image, const auto& change) {
     ImageDots dots;
     dots.center.z = 0.01;
@@ -111,14 +111,14 @@ TEST(GreyImages, AreRead) {
   EXPECT_EQ(image.grey, pixels);
 }
 
-TEST(GreyImages, WhatIsTransparentIsWhite) {
+TEST(GreyImages, TakeTransparentPixelsAsWhite) {
   const test::TempFolder folder;
   const std::vector<std::uint8_t> pixels = {0, 0, 0, 0, 100, 100, 100, 255, 0, 0, 0, 51};
   EXPECT_EQ(read_grey_image(folder.write("a.png", png_of(3, 1, 4, pixels))).grey,
             (std::vector<std::uint8_t>{255, 100, 204}));
 }
 
-TEST(GreyImages, NameWhatIsNoPicture) {
+TEST(GreyImages, NameFilesThatAreNoImages) {
   const test::TempFolder folder;
   const auto complaint = [](const std::filesystem::path& path) {
     return test::complaint_of([&] { read_grey_image(path); });
@@ -152,7 +152,7 @@ TEST(OntoSkin, KeepsAllButPlaceAndNormal) {
   EXPECT_GT(placed[1].subtaxels[0].normal.y, 0.9999);
 }
 
-TEST(OntoSkin, NamesWhatIsFarAway) {
+TEST(OntoSkin, NamesPointsFarFromTheSkin) {
   const MeshIndex skin(std::make_shared<TriMesh>(make_box(dvec3(0.01))));
   std::vector<Taxel> taxels = {{7, "a", {0.012, 0, 0}, {0, 1, 0}, 0.002, {}},
                                {9, "", {12, 0, 0}, {0, 1, 0}, 0.002, {}}};

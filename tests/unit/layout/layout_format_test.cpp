@@ -43,7 +43,7 @@ TEST(LayoutFormats, TaxelsGoRoundThroughEachThatWrites) {
   }
 }
 
-TEST(LayoutFormats, ATableSaysWhatItHasNot) {
+TEST(LayoutFormats, ATableNamesTheValuesItCannotHold) {
   const test::TempFolder folder;
   EXPECT_EQ(import_layout(folder.write("a.csv", "x,y,z\n1,2,3\n")).notes.size(), 3U);
   const auto bad = folder.write("b.csv", "x,y,z\n1,2,?\n");

@@ -173,7 +173,7 @@ TEST(LayoutJson, ShellsAreWrittenOnlyWhereAllAreSampled) {
   EXPECT_EQ(parse_layout(layout_to_json(layout)), layout);
 }
 
-TEST(LayoutJson, WritesOnlyWhatIsSetOfARepair) {
+TEST(LayoutJson, WritesOnlyTheSetValuesOfARepair) {
   Layout layout = parse_layout(kMinimal);
   EXPECT_EQ(layout.mesh.repair, RepairRecipe{});
   EXPECT_EQ(layout_to_json(layout).find("repair"), std::string::npos);
@@ -220,7 +220,7 @@ TEST(LayoutJson, ARegionIsWrittenInRunsAndOnlyWhereThereIsOne) {
   EXPECT_EQ(packed, "\"region\":[[0,2],[9,9],[20,21]]");
 }
 
-TEST(LayoutJson, NamesWhatIsWrongWithARegion) {
+TEST(LayoutJson, NamesTheMistakeInARegion) {
   const auto complaint = [](const std::string& region) {
     std::string text = kMinimal;
     text.insert(text.find('{') + 1, "\"sampling\": {\"region\": " + region + "},");

@@ -100,7 +100,7 @@ TEST(LayoutSchema, HasEveryPartOfACalibration) {
   expect_described(written["taxels"][0], described["properties"]["taxels"]["items"], "/calibration/taxels/0");
 }
 
-TEST(LayoutSchema, RequiresWhatTheReaderRequires) {
+TEST(LayoutSchema, RequiresTheSameKeysAsTheReader) {
   const Json s = schema();
   EXPECT_EQ(s["required"], Json::parse(R"(["format", "version", "mesh", "taxels"])"));
   EXPECT_EQ(s["properties"]["mesh"]["required"], Json::parse(R"(["file"])"));

@@ -59,7 +59,7 @@ TEST(Pattern, AGridLiesAroundTheFrameAndTurnsWithIt) {
   }
 }
 
-TEST(Pattern, WhatMissesIsLeftOutOrRefused) {
+TEST(Pattern, LeavesOutOrRefusesPointsThatMissTheSkin) {
   Pattern pattern;
   pattern.rows = 1;
   pattern.columns = 21;  // 100 mm, over a box of 60
@@ -78,7 +78,7 @@ TEST(Pattern, WhatMissesIsLeftOutOrRefused) {
   EXPECT_EQ(complaint(beside, away), "curved grid: no point of the pattern lies over the skin");
 }
 
-TEST(Pattern, WhatStandsBeforeTheSkinIsNotMet) {
+TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
   // A fork of two plates: the frame lies on the lower one, below the upper one.
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;

@@ -19,7 +19,7 @@ namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets";
 
-TEST(Presets, FingertipFileIsWhatTheMakerMakes) {
+TEST(Presets, FingertipFileEqualsTheMakersResult) {
   const LoadedMesh loaded = load_mesh(kAssets / "meshes/fingertip.obj");
   const std::string made = layout_to_json(fingertip_layout(MeshIndex(loaded.mesh), loaded.sha256));
   const std::filesystem::path copy = std::filesystem::path(TAXEL_BINARY_DIR) / "fingertip.taxels.json";

@@ -73,7 +73,7 @@ TEST(TaxelClipboard, SaysLittleOfMuchNonsense) {
   }
 }
 
-TEST(TaxelClipboard, NothingPastedBreaksIt) {
+TEST(TaxelClipboard, SurvivesAnyPastedText) {
   const std::string text = taxels_to_json(two());
   const CounterRng rng(4);
   int refused = 0;
@@ -86,7 +86,7 @@ TEST(TaxelClipboard, NothingPastedBreaksIt) {
   EXPECT_GT(refused, 1000);
 }
 
-TEST(TaxelClipboard, WhatCannotBeWrittenIsNamed) {
+TEST(TaxelClipboard, ErrorNamesTheValueThatCannotBeWritten) {
   std::vector<Taxel> taxels = two();
   taxels[1].radius = std::numeric_limits<double>::infinity();
   EXPECT_EQ(test::complaint_of([&] { taxels_to_json(taxels); }),

@@ -63,7 +63,7 @@ TEST(TaxelsCsv, NamesLineAndColumn) {
   EXPECT_EQ(complaint("id,x,y,z,parent\n1,1,2,3,4"), "t.csv: line 2, column Parent: no row before has the Index 4");
 }
 
-TEST(TaxelsCsv, WhatCannotBeWrittenIsNamed) {
+TEST(TaxelsCsv, ErrorNamesTheValueThatCannotBeWritten) {
   std::vector<Taxel> taxels = some();
   taxels[1].subtaxels[0].radius = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(test::complaint_of([&] { taxels_to_csv(taxels); }), "taxel 2: must be finite to be written");

@@ -81,7 +81,7 @@ TEST(Align, ATaxelThatOnlyHasNoiseDoesNotCount) {
   EXPECT_NEAR(found->shift, 0.25, 0.1 * 0.001);
 }
 
-TEST(Align, WhatCannotBeAlignedIsNone) {
+TEST(Align, FindsNothingForCurvesThatDoNotAlign) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   EXPECT_FALSE(align(run, sampled(0, 2.4, 0.01, 0, 0, 5, 0))) << "constant";
   EXPECT_FALSE(align(run, TaxelSeries{"", {0, 1}, {77}, {{1, 2}}})) << "no taxel in common";
@@ -145,7 +145,7 @@ TEST(GainFit, TaxelsWithoutAGainSayWhy) {
   EXPECT_EQ(late[1].refused, "has no values in the recording while the run lasts");
 }
 
-TEST(GainFit, TheAlignedTableStandsOnTheRunsTimes) {
+TEST(GainFit, TheAlignedTableHasTheRunsTimes) {
   const TaxelSeries run{"Pa", {0, 1, 2}, {5}, {{0, 10, 20}}};
   const TaxelSeries real{"V", {10.5, 11.5, 12.5}, {5}, {{1, 2, 3}}};
   const std::vector<TaxelFit> fits = fit_gains(run, real, -10, {});

@@ -268,7 +268,7 @@ TEST(PaperDemo, RecordsEveryStepOfTheDemoAndItsTravelThereAndBack) {
   EXPECT_EQ(rows, 1001);
 }
 
-TEST(Motion, WhatWouldNeverEndIsRefused) {
+TEST(Motion, RefusesMotionsThatNeverEnd) {
   Scenario scenario = of_kind(ScenarioKind::press);
   scenario.hold = 1e300;
   EXPECT_THROW(make_motion(finger(), kFrame, scenario, kObject), Error);

@@ -73,7 +73,7 @@ std::string complaint_of(const fs::path& file) {
   return "";
 }
 
-TEST(ReadRecording, NamesWhatIsBroken) {
+TEST(ReadRecording, NamesTheBrokenPart) {
   const fs::path file = scratch("broken.npz");
   const std::string name = file.string() + ": ";
   fs::remove(file);
@@ -230,7 +230,7 @@ std::string zip_of_zeros(const std::string& name, std::size_t size) {
   return bytes;
 }
 
-TEST(ZipArchive, BoundsWhatIsUnpacked) {
+TEST(ZipArchive, BoundsTheUnpackedSize) {
   const fs::path file = scratch("bomb.npz");
   const std::size_t size = (ZipArchive::kFreeBytes + (std::size_t{1} << 25));
   write_file_atomically(file, zip_of_zeros("time.npy", size));

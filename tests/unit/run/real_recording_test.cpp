@@ -53,7 +53,7 @@ TEST(RealRecording, SemicolonsDecimalCommasAndBlanksSeparate) {
   EXPECT_EQ(read.series.values[0], (std::vector<double>{1, 5}));
 }
 
-TEST(RealRecording, MissingValuesAndGapsAreTold) {
+TEST(RealRecording, ReportsMissingValuesAndGaps) {
   const RealRecording read =
       parse_real_recording("t,a,b\n0,1,2\n1,NaN,2\n1,9,9\n2,,2\n3,4,-\n90,4,2\n91,4,2\n", two_taxels(), "real.csv");
   EXPECT_EQ(read.series.time.size(), 6U);
@@ -69,7 +69,7 @@ TEST(RealRecording, MissingValuesAndGapsAreTold) {
   EXPECT_TRUE(std::isnan(taxel.at(-1e-9)) && std::isnan(taxel.at(0.0911)));
 }
 
-TEST(RealRecording, WhatIsWrongIsNamedByLineAndColumn) {
+TEST(RealRecording, NamesMistakesByLineAndColumn) {
   EXPECT_EQ(refusal(""), "real.csv: has 0 lines, of which 1 are header: no row");
   EXPECT_EQ(refusal("t,a,b\n"), "real.csv: has 1 lines, of which 1 are header: no row");
   EXPECT_EQ(refusal("t,a,b\n0,1,2\n"), "real.csv: has 1 rows of numbers, at least 2 are needed");
@@ -95,7 +95,7 @@ TEST(ColumnMapping, ComesBackAsItWas) {
   EXPECT_EQ(least.header_lines, 1);
 }
 
-TEST(ColumnMapping, WhatCannotBeIsNamed) {
+TEST(ColumnMapping, NamesImpossibleMappings) {
   const auto complaint = [](const std::string& rest) {
     return test::complaint_of(
         [&] { mapping_from_json(R"({"format": "column-mapping", "version": 1, )" + rest + "}", "m.json"); });

@@ -145,7 +145,7 @@ TEST(RecordingCsv, CalibratedValuesStandInATableOfTheirOwn) {
   EXPECT_EQ(recording_to_csv(recording), recording_to_csv(make_recording(2)));
 }
 
-TEST(RecordingNpz, CalibratedValuesStandBesideTheReadings) {
+TEST(RecordingNpz, HasCalibratedValuesNextToTheReadings) {
   auto arrays = test::parse_npz(recording_to_npz(calibrated_recording()));
   EXPECT_EQ(arrays["thumb, left/calibrated"].shape, (std::vector<std::size_t>{2, 2}));
   EXPECT_EQ(arrays["thumb, left/calibrated"].doubles(), (std::vector<double>{0, -1.0 / 3.0, 1e-4, -1.0 / 3.0}));
@@ -163,7 +163,7 @@ TEST(RecordingNpz, TextIsUcs4) {
   EXPECT_EQ(names.data, std::string(reinterpret_cast<const char*>(expected.data()), 4 * expected.size()));
 }
 
-TEST(RecordingNpz, SeveralSensorsAreToldApartByTheirGeom) {
+TEST(RecordingNpz, DistinguishesSeveralSensorsByTheirGeom) {
   auto arrays = test::parse_npz(recording_to_npz(make_recording(2)));
   EXPECT_TRUE(arrays.contains("finger/readings"));
   EXPECT_EQ(arrays["thumb, left/polygons"].integers(), (std::vector<std::int64_t>{18, 18}));
@@ -174,7 +174,7 @@ TEST(RecordingNpz, SameValuesSameBytes) {
   EXPECT_EQ(recording_to_npz(make_recording(1)), recording_to_npz(make_recording(1)));
 }
 
-TEST(RecordingSummary, TellsPeaksStepsAndWhoResponds) {
+TEST(RecordingSummary, GivesPeaksStepsAndRespondingTaxels) {
   Recording recording;
   recording.sensors.push_back({"finger", {0, 1, 2}, {"a", "b", "c"}, "", "Pa", 0});
   const double values[4][3] = {{0, 0, 0}, {40, 4.9, 0}, {100, 0, 0}, {70, 5.1, 0}};

@@ -36,7 +36,7 @@ TEST(TactileState, OneMessageARowWithTheFieldsOfTheMessage) {
   EXPECT_EQ(tactile_states({}), "");
 }
 
-TEST(TactileState, WhatTheMessageCannotHoldIsRefused) {
+TEST(TactileState, RefusesValuesThatTheMessageCannotHold) {
   Recording recording = two_sensors();
   recording.rows[1].time = -0.5;
   EXPECT_EQ(test::complaint_of([&] { tactile_states(recording); }),

@@ -125,7 +125,7 @@ TEST(BundledBodies, AreOfEveryKind) {
 }
 
 /// A number that is out of range names its array.
-TEST(BundledBodies, OfScenesThatAreNotThereAreRefused) {
+TEST(BundledBodies, RefusesBodiesOfMissingScenes) {
   SimFrame frame = touching_all();
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched[0][0].geom = 1000;

@@ -206,7 +206,7 @@ TEST_F(Comparison, TheStarIsAStarLayout) {
   EXPECT_GT(*std::max_element(found.begin(), found.end()), 0);
 }
 
-TEST_F(Comparison, NothingOfItReachesTheSimulation) {
+TEST_F(Comparison, DoesNotInfluenceTheSimulation) {
   const auto compared = Simulator::make_scenario(model_, test::box_sweep());
   const auto alone = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*compared, 1100);

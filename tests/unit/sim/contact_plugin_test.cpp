@@ -96,7 +96,7 @@ TEST(ContactPlugin, CopiesGoOnTheSameWay) {
   for (int i = 0; i < s.model->nq; ++i) EXPECT_EQ(s.data->qpos[i], copy->qpos[i]) << i;
 }
 
-TEST(ContactPlugin, StateHoldsWhatTheNextStepNeeds) {
+TEST(ContactPlugin, StateHoldsAllThatTheNextStepNeeds) {
   SensorScene s;
   s.compile(stack());
   ASSERT_NE(s.model, nullptr) << s.error;

@@ -86,7 +86,7 @@ TEST_F(FrameBundleTest, OtherFilesTravelAlong) {
   EXPECT_EQ(read_frame_bundle(write(bytes))->step, frame_->step);
 }
 
-TEST_F(FrameBundleTest, WhatIsNoneIsRefusedByName) {
+TEST_F(FrameBundleTest, RefusesOtherFilesByName) {
   const auto said_of = [&](const std::string& bytes) {
     return test::complaint_of([&] { (void)read_frame_bundle(write(bytes)); });
   };

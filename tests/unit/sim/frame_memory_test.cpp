@@ -37,7 +37,7 @@ class FrameMemoryTest : public testing::Test {
 };
 SensorModelPtr FrameMemoryTest::model_;
 
-TEST_F(FrameMemoryTest, FramesAreAsMadeAnewWhateverTheMemoryHeld) {
+TEST_F(FrameMemoryTest, FramesEqualNewOnesWhateverTheMemoryHeld) {
   const auto simulator = sweep(kTouchingFrom);
   StepHistory history;
   SimState state;

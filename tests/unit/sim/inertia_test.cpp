@@ -7,7 +7,7 @@
 namespace taxel {
 namespace {
 
-TEST(Inertia, OfABoxAwayFromTheOrigin) {
+TEST(Inertia, IsCorrectForABoxAwayFromTheOrigin) {
   std::vector<dvec3> vertices = make_box({0.1, 0.2, 0.3}).vertices();
   for (dvec3& v : vertices) v += dvec3(1, 2, 3);
   const Inertia inertia = solid_inertia(TriMesh(vertices, make_box({0.1, 0.2, 0.3}).faces()), 6.0);
@@ -18,7 +18,7 @@ TEST(Inertia, OfABoxAwayFromTheOrigin) {
   EXPECT_NEAR(inertia.moment[0][1], 0, 1e-13);
 }
 
-TEST(Inertia, OfATetrahedronHasItsProducts) {
+TEST(Inertia, HasTheProductsOfATetrahedron) {
   // Right-angled corner at the origin, legs 1: products of inertia about the centroid are +m/80 off the diagonal.
   const TriMesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   const Inertia inertia = solid_inertia(tet, 1.0);
@@ -26,7 +26,7 @@ TEST(Inertia, OfATetrahedronHasItsProducts) {
   EXPECT_NEAR(inertia.moment[0][1], 1.0 / 80, 1e-14);
 }
 
-TEST(Inertia, OfAnOpenMeshIsItsBox) {
+TEST(Inertia, IsTheBoxsForAnOpenMesh) {
   const TriMesh sheet({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
   const Inertia inertia = solid_inertia(sheet, 12.0);
   EXPECT_NEAR(inertia.moment[2][2], 12.0 * (4 + 1) / 12, 1e-12);

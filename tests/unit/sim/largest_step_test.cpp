@@ -85,7 +85,7 @@ TEST(LargestStep, IsWhereTheStepItselfBeginsToGrow) {
   }
 }
 
-TEST(LargestStep, OfOneMassOnASpringIsTheClosedForm) {
+TEST(LargestStep, IsTheClosedFormForOneMassOnASpring) {
   ContactMode mode;
   mode.inverse_inertia[2][2] = 1 / 0.001;
   mode.stiffness[2][2] = 4e4;
@@ -205,7 +205,7 @@ TEST(LargestStep, AWarningNamesItOnceAndIsRight) {
   }
 }
 
-TEST(LargestStep, OfAFreeFingerCountsItsRockingToo) {
+TEST(LargestStep, IncludesTheRockingOfAFreeFinger) {
   LightFinger first("Euler", 0.002, "<freejoint/>", 0);
   ASSERT_NE(first.s.model, nullptr) << first.s.error;
   first.press(0.0001);

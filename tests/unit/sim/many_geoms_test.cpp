@@ -78,7 +78,7 @@ TEST_F(ManyGeoms, TogetherTheyPushAsTheSumOfEach) {
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(together[i], sum[i], 1e-12 * (1 + std::abs(sum[i]))) << i;
 }
 
-TEST_F(ManyGeoms, NothingThatTouchesIsMissedWhileAllMove) {
+TEST_F(ManyGeoms, MissesNoTouchingGeomWhileAllMove) {
   const CounterRng rng(12);
   std::string geoms = "<geom name='floor' type='plane' size='1 1 1' pos='0 0 -0.021'/>";
   std::vector<std::string> names{"floor"};

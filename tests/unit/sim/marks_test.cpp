@@ -65,7 +65,7 @@ TEST_F(MarksOfAScene, LieWhereMujocoHasThem) {
               1e-14);
 }
 
-TEST_F(MarksOfAScene, SayWhatTheFileSays) {
+TEST_F(MarksOfAScene, EqualTheFile) {
   const SceneMarks marks = scene_marks(*s_.model);
   EXPECT_EQ(marks.sites[0].mesh, marks.sites[1].mesh) << "spheres of one size";
   EXPECT_NE(marks.sites[0].mesh, marks.sites[2].mesh);

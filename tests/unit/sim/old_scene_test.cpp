@@ -137,7 +137,7 @@ TEST_F(OldScene, AGeomTakesOneLayout) {
             scene + ": geom \"ball\" has a sensor already, \"ball\": a geom takes one layout");
 }
 
-TEST_F(OldScene, ALayoutForAnotherMeshIsToldWithItsHashAndHowFarTheSurfacesAre) {
+TEST_F(OldScene, ReportsHashAndSurfaceDistanceOfALayoutForAnotherMesh) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   s.add_sensor("other", make_sphere(0.021, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   Layout layout = read_layout(s.folder / "other.taxels.json");

@@ -50,7 +50,7 @@ TEST_F(PluginConfig, DefaultsTouchWhatCollides) {
   EXPECT_DOUBLE_EQ(s.sensor().touched()[0].properties.dissipation, 5);
 }
 
-TEST_F(PluginConfig, WhatCannotBeTouchedIsNamedInAWarning) {
+TEST_F(PluginConfig, WarningNamesGeomsThatCannotBeTouched) {
   compile(sensor_extension("ball", key("materials", "{\"hills\": {\"modulus\": 1e5}}")));
   ASSERT_NE(s.model, nullptr) << s.error;
   EXPECT_EQ(s.sensor().touched().size(), 2u);
@@ -95,7 +95,7 @@ TEST_F(PluginConfig, AWrongLayoutIsACompileErrorThatNamesFileAndPlace) {
   expect_error(with(key("layout", "mesh.taxels.json") + key("geom", "ball")), {"gone.obj"});
 }
 
-TEST_F(PluginConfig, LayoutIsFoundByAbsolutePathBesideTheMeshAndInTheWorkingFolder) {
+TEST_F(PluginConfig, FindsLayoutsByAbsolutePathNearTheMeshAndInTheFolder) {
   compile(with(key("layout", layout_path()) + key("geom", "ball")));
   EXPECT_NE(s.model, nullptr) << s.error;
   compile(with(key("layout", "ball.taxels.json") + key("geom", "ball")));

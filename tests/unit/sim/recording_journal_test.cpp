@@ -119,7 +119,7 @@ TEST_F(Journal, HoldsEveryCompleteRowOfAFileThatWasCutAnywhere) {
   }
 }
 
-TEST_F(Journal, ClearsWhatHoldsNoRowAndIgnoresWhatIsNoJournal) {
+TEST_F(Journal, ClearsJournalsWithoutRowsAndIgnoresOtherFiles) {
   { RecordingJournal journal(base(), "x"); }
   test::write_text(folder_.path() / "2-1.rows", "no journal");
   test::write_text(folder_.path() / "2-1.npz", "no archive");
@@ -166,7 +166,7 @@ TEST_F(Journal, ReplacesOrClearsATargetThatWasBegun) {
   }
 }
 
-TEST_F(Journal, OfTheThreadLivesAsLongAsTheRecording) {
+TEST_F(Journal, LivesAsLongAsTheThreadsRecording) {
   const fs::path journals = folder_.path() / "journals";
   thread_.set_journal_folder(journals.string());
   ask(LoadScenarioCommand{model_, touching()});
@@ -184,7 +184,7 @@ TEST_F(Journal, OfTheThreadLivesAsLongAsTheRecording) {
   EXPECT_EQ(recording_to_npz(read_recording_journal(copy)->recording), read_file(folder_.path() / "out/readings.npz"));
 }
 
-TEST_F(Journal, ThatCannotBeWrittenWarnsAndTheRecordingGoesOn) {
+TEST_F(Journal, WarnsIfItCannotBeWrittenAndTheRecordingContinues) {
   test::write_text(folder_.path() / "journals", "a file");
   thread_.set_journal_folder((folder_.path() / "journals").string());
   ask(LoadScenarioCommand{model_, touching()});

@@ -155,7 +155,7 @@ TEST_F(SceneEdits, AHandPullsAFreeBodyByASpringWhileItRuns) {
   EXPECT_NEAR(place("ball").z, z, 1e-3);
 }
 
-TEST_F(SceneEdits, NothingOfAHandStaysOnceItHasLetGo) {
+TEST_F(SceneEdits, ForgetTheDragAfterItsRelease) {
   simulator->edit(pull("ball", {0, 0, 0.1}, true));
   for (int n = 0; n < 20; ++n) simulator->step();
   simulator->edit(Perturb{});
@@ -168,7 +168,7 @@ TEST_F(SceneEdits, NothingOfAHandStaysOnceItHasLetGo) {
   EXPECT_NEAR(place("ball").z - z1, z1 - z0, 1e-9);  // it flies on as it was
 }
 
-TEST_F(SceneEdits, WhileNothingRunsAFreeBodyGoesWithTheHandAndAFixedOneStays) {
+TEST_F(SceneEdits, DragMovesAPausedFreeBodyAndNoFixedOne) {
   simulator->edit(pull("ball", {0.2, 0, 0.1}, false));
   EXPECT_LT(glm::length(place("ball") - dvec3(0.2, 0, 1.1)), 1e-12);
   simulator->edit(Perturb{});

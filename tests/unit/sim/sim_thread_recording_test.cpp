@@ -95,7 +95,7 @@ TEST_F(ThreadRecording, EveryStepIsKeptHoweverShortTheHistoryIs) {
   EXPECT_TRUE(fs::exists(file("live/shear.csv")) && fs::exists(file("live/calibrated.csv")));
 }
 
-TEST_F(ThreadRecording, GoingBackTakesBackWhatWasRecordedSince) {
+TEST_F(ThreadRecording, GoingBackRemovesLaterRecordedSteps) {
   ask(StepCommand{100});
   ask(RecordCommand{file("back.npz")});
   ask(StepCommand{100});
@@ -127,7 +127,7 @@ TEST_F(ThreadRecording, AnotherRunEndsItAndIsNoPartOfIt) {
   EXPECT_FALSE(fs::exists(file("none.npz")));
 }
 
-TEST_F(ThreadRecording, WhatCannotBeWrittenIsKeptAndWrittenElsewhere) {
+TEST_F(ThreadRecording, KeepsUnwritableRecordingsAndWritesThemElsewhere) {
   ask(RecordCommand{"/proc/no/live"});
   ask(StepCommand{30});
   const SimFramePtr failed = ask(EndRecordingCommand{});
@@ -143,7 +143,7 @@ TEST_F(ThreadRecording, WhatCannotBeWrittenIsKeptAndWrittenElsewhere) {
   EXPECT_EQ(ask(WriteRecordingCommand{file("once more.csv")})->written.number, number) << "there is nothing left";
 }
 
-TEST_F(ThreadRecording, OnlyWhatOneLayoutReadIsOneRecording) {
+TEST_F(ThreadRecording, RecordsTheReadingsOfOneLayoutOnly) {
   ask(StepCommand{20});
   Layout layout = model_->layout;
   layout.calibration.reset();

@@ -40,7 +40,7 @@ class Thread : public testing::Test {
 };
 SensorModelPtr Thread::model_;
 
-TEST_F(Thread, StepsExactlyWhenTold) {
+TEST_F(Thread, StepsExactlyOnRequest) {
   thread_.set_clock_driven(false);
   load();
   thread_.send(PlayCommand{});
@@ -126,7 +126,7 @@ TEST_F(Thread, ResetGoesBackAndForgetsTheTrace) {
   EXPECT_EQ(frame->time, 0);
 }
 
-TEST_F(Thread, ASceneThatDoesNotLoadIsToldAndTheOldOneStays) {
+TEST_F(Thread, ReportsASceneThatDoesNotLoadAndKeepsTheOldOne) {
   thread_.set_clock_driven(false);
   load();
   thread_.send(StepCommand{3});
@@ -172,7 +172,7 @@ TEST(StepTime, IsTheMeanOfTheLatestSteps) {
   EXPECT_DOUBLE_EQ(time.mean_seconds(), 5.001e-3);
 }
 
-TEST(Pacing, AsksForAStepWhenItIsDueAndForgivesWhatCannotBeCaughtUp) {
+TEST(Pacing, RequestsDueStepsAndSkipsStepsThatAreTooLate) {
   Pacing pacing;
   pacing.restart(100.0, 2.0);  // twice as fast as the clock
   EXPECT_DOUBLE_EQ(pacing.wait(100.0), 0.0);

@@ -177,7 +177,7 @@ TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
   }
 }
 
-TEST_F(Sweep, FrameTellsTheWholeStep) {
+TEST_F(Sweep, FrameHoldsTheWholeStep) {
   simulator_->reset();
   SimFrame before;
   simulator_->fill_frame(before);

@@ -60,7 +60,7 @@ TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
   expect_same_step(run.recorded(run.history.last()), run.now());
 }
 
-TEST_F(History, TheNewestStepIsReadAnewByAnotherLayoutAndSaysSo) {
+TEST_F(History, RereadsTheNewestStepByAnotherLayoutAndReportsIt) {
   RecordedSimulation run = sweep(1500);
   for (int i = 0; i < 10; ++i) run.step();
   const SimFrame before = run.now();

@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-TEST(XmlAttributes, ChangesOnlyWhatItIsTold) {
+TEST(XmlAttributes, ChangesOnlyTheGivenAttributes) {
   const std::string xml = "<a>\n  <mesh name=\"m\" file=\"old.obj\"/>\n  <texture file=\"old.obj\"/><b/></a>\n";
   const std::string changed = change_attributes(xml, [](const XmlAttribute& a) -> std::optional<std::string> {
     if (a.tag == "mesh" && a.name == "file" && a.value == "old.obj") return "new & \"better\".obj";
