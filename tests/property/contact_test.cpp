@@ -1,4 +1,4 @@
-// What holds for every contact: it equals the brute-force oracle, and its polygons are sound.
+// Properties of every contact: it equals the brute-force oracle, and its polygons are sound.
 #include <gtest/gtest.h>
 
 #include "fixtures/brute_force_contact.h"

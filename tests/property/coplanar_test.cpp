@@ -63,7 +63,7 @@ TEST(Coplanar, ASurfaceInPlanesOfBothGridsIsCountedOnce) {
   }
 }
 
-// Beside the planes tets are cut into strips as narrow as that. Up to 1e-12 of a tet's size they may count with both
+// Near the planes tets are cut into strips as narrow as that. Up to 1e-12 of a tet's size they may count with both
 // neighbours.
 TEST(Coplanar, ASurfaceNearThePlanesOfTheGridsIsCountedOnce) {
   const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
@@ -71,7 +71,7 @@ TEST(Coplanar, ASurfaceNearThePlanesOfTheGridsIsCountedOnce) {
   for (const Placing& placing : kPlacings) {
     for (double beside = 1e-15; beside < 2e-6; beside *= std::sqrt(10.0)) {
       for (const double depth : {0.005 + beside, 0.005 - beside}) {
-        SCOPED_TRACE(testing::Message() << placing.name << ", beside " << depth - 0.005);
+        SCOPED_TRACE(testing::Message() << placing.name << ", near " << depth - 0.005);
         const Pose motion = random_pose(33, ++number, 0.5);
         expect_one_layer(*upper, *lower, upper_pose(depth, placing.place, placing.yaw), Pose{}, depth, 1e-11);
         expect_one_layer(*upper, *lower, motion * upper_pose(depth, placing.place, placing.yaw), motion, depth, 1e-11);

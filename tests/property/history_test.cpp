@@ -110,7 +110,7 @@ TEST(Edits, MergeIntoOneStepDuringAGesture) {
                         }));
 }
 
-/// A twin is the exact mirror image of what was moved, however long the chain of links.
+/// A twin is the exact mirror image of the moved taxel, however long the chain of links.
 TEST(Edits, TwinsAreMirrorImages) {
   int linked = 0;
   EXPECT_TRUE(rc::check("images", [&](const std::vector<EditSeed>& seeds, std::uint64_t number) {

@@ -1,5 +1,4 @@
-// What holds for every pair of bodies: forces come in pairs, the order of the bodies does not count, no frame is
-// special.
+// Properties of every pair of bodies: forces come in pairs, the order of the bodies has no effect, no frame is special.
 #include <gtest/gtest.h>
 
 #include "property_bodies.h"
@@ -43,7 +42,7 @@ class EveryPair : public testing::TestWithParam<BodyPair> {
 };
 
 // Rounding in the poses, up to 20 sizes from the origin, moves edges by up to 1e-16 m. Contacts narrower than a five
-// hundredth of the bodies are held to what that means for one of this width.
+// hundredth of the bodies have the tolerance of a contact of this width.
 constexpr double kNarrow = 2e-3 * kSize;
 
 double area_scale(const ContactSurface& surface) {

@@ -75,14 +75,14 @@ class Press {
     }
   }
 
-  int falls = 0;              ///< presses that push no more than the shallower one before, by size or along the press
+  int falls = 0;              ///< presses that push no more than the shallower one before (size or direction)
   int unexplained_falls = 0;  ///< those of which dense quadrature of (E/H) D says otherwise
   int unfelt = 0;             ///< presses of 0.1 thicknesses without force
   double largest_area_error = 0, largest_force_error = 0;  ///< relative, beyond one thickness
 
  private:
   struct Push {
-    double size, along;  ///< of the force [N]
+    double size, along;  ///< force in total and along the press [N]
   };
 
   [[nodiscard]] Pose pose(const Place& place, double depth, double reach) const {

@@ -6,7 +6,7 @@
 
 namespace taxel {
 
-inline constexpr double kSize = 0.01;  ///< of all bodies here, about [m]
+inline constexpr double kSize = 0.01;  ///< approximate size of all bodies here [m]
 inline constexpr int kPoses = 200;
 
 /// A pad on a lopsided ellipsoid.

@@ -8,7 +8,7 @@
 
 namespace taxel {
 
-/// What an edit is made from; RapidCheck draws and shrinks it.
+/// Seed of an edit; RapidCheck draws and shrinks it.
 struct EditSeed {
   unsigned kind = 0;
   std::uint64_t seed = 0;

@@ -53,7 +53,7 @@ Pose tilted(double degrees_x, double degrees_z, const dvec3& p) {
   return {glm::angleAxis(degrees_z * degree, dvec3(0, 0, 1)) * glm::angleAxis(degrees_x * degree, dvec3(1, 0, 0)), p};
 }
 
-/// Moves the body so that its lowest point stands over p, `depth` below z = top.
+/// Moves the body so that its lowest point is above p, `depth` below z = top.
 Pose pressed(const HydroBody& body, Pose X_WA, double depth, double top) {
   const auto* soft = std::get_if<SoftBody>(&body.geometry);
   const auto& vertices =
@@ -70,7 +70,7 @@ Pose pressed(const HydroBody& body, Pose X_WA, double depth, double top) {
 /// Largest changes from step to step, and the peaks.
 struct Changes {
   double force = 0, area = 0, force_jump = 0, area_jump = 0;
-  std::set<int> tets, faces;  ///< of all polygons
+  std::set<int> tets, faces;  ///< tets and faces of all polygons
 };
 
 Changes changes_of(const Slide& slide) {
@@ -121,26 +121,26 @@ TEST_P(Slides, ChangeWithoutJumps) {
 }
 
 const Slide kSlides[] = {
-    // over the edge x = 0.03 of the crate's top, from its middle out
+    // Over the edge x = 0.03 of the crate's top, from its middle out.
     {"BallOverAnEdge", soft_ball, crate, tilted(20, 30, {0.03, 0.004, 0}), {1, 0.1, 0}},
     {"FingerOverAnEdge", pad_finger, crate, tilted(135, 90, {0.03, 0.002, 0}), {1, 0, 0}},
     {"BlockOverAnEdge", soft_block, crate, tilted(0, 17, {0.03, 0.002, 0}), {1, 0.2, 0}},
-    // over the diagonal of the top, which is no edge of the body
+    // Over the diagonal of the top, which is no edge of the body.
     {"BallOverAFaceBoundary", soft_ball, crate, tilted(20, 30, {0.001, 0.001, 0}), {1, -1, 0}, true},
     {"BlockAlongAFaceBoundary", soft_block, crate, tilted(0, 45, {0.0021, -0.0191, 0}), {1, 1, 0}, true},
     {"BlockOverAFaceBoundary", soft_block, crate, tilted(0, 0, {-0.012, -0.015, 0}), {1, 0, 0}, true},
     {"FingerOverAFaceBoundary", pad_finger, crate, tilted(135, 90, {0.001, 0.002, 0}), {1, -1, 0}, true},
-    // over the corner of the top
+    // Over the corner of the top.
     {"BallOverAVertex", soft_ball, crate, tilted(20, 30, {0.03, 0.03, 0}), {1, 1.1, 0}},
     {"FingerOverAVertex", pad_finger, crate, tilted(135, 90, {0.03, 0.03, 0}), {1, 0.7, 0}},
-    // over edge, corner and middle of a soft body
+    // Over edge, corner and middle of a soft body.
     {"RigidBallOverASoftEdge", rigid_ball, soft_crate, tilted(20, 30, {0.03, 0.004, 0}), {1, 0.1, 0}},
     {"RigidBallOverASoftVertex", rigid_ball, soft_crate, tilted(20, 30, {0.03, 0.03, 0}), {1, 1.1, 0}},
     {"RigidBallOverASoftFace", rigid_ball, soft_crate, tilted(20, 30, {0, 0, 0}), {1, 1.1, 0}, true},
-    // facets against facets: edges, face boundaries and vertices of both, in turn
+    // Facets against facets: edges, face boundaries and vertices of both, in turn.
     {"BallOverABall", soft_ball, rigid_ball, tilted(20, 30, {0, 0.001, 0}), {1, 0.2, 0}, false, 0.02},
     {"FingerOverABall", pad_finger, rigid_ball, tilted(135, 90, {0, 0.001, 0}), {1, 0.2, 0}, false, 0.02, 0.0015},
-    // both soft
+    // Both bodies are soft.
     {"BallOverASoftEdge", soft_ball, soft_crate, tilted(20, 30, {0.03, 0.004, 0}), {1, 0.1, 0}},
     {"BallOverASoftVertex", soft_ball, soft_crate, tilted(20, 30, {0.03, 0.03, 0}), {1, 1.1, 0}},
     {"BlockOverASoftFace", soft_block, soft_crate, tilted(0, 0, {-0.012, -0.015, 0}), {1, 0, 0}, true},

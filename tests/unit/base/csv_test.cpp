@@ -1,4 +1,4 @@
-// Tables: what RFC 4180 says, what spreadsheets do, and what is neither.
+// Tables of RFC 4180, tables of spreadsheets, and tables that are neither.
 #include "core/base/text/csv.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Texts of errors: file, place and message.
 #include "core/base/error.h"
 
 #include <gtest/gtest.h>

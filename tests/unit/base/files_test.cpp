@@ -1,3 +1,4 @@
+// Whole files: round trips, atomic writing, and the error of each kind of failure.
 #include "core/base/files.h"
 
 #include <fcntl.h>
@@ -62,7 +63,7 @@ TEST(Files, BytesGoRoundUnchanged) {
   EXPECT_TRUE(read_file(folder / "a") == bytes);
   write_file_atomically(folder / "a", "");
   EXPECT_EQ(read_file(folder / "a"), "");
-  EXPECT_EQ(file_count(folder.path()), 1U) << "nothing is left beside the file";
+  EXPECT_EQ(file_count(folder.path()), 1U) << "nothing is left next to the file";
 }
 
 TEST(Files, ReadersSeeTheOldFileOrTheNewOne) {
@@ -171,7 +172,7 @@ TEST(OutputFolders, CommitsSeveralTimes) {
 TEST(Files, FullDisksAreNamed) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const TempFolder folder;
-  // The file beside the target is a link to a device that is always full.
+  // The temporary file next to the target is a link to a device that is always full.
   const fs::path beside = (folder / "a").string() + "." + std::to_string(::getpid()) + ".part";
   fs::create_symlink("/dev/full", beside);
   EXPECT_NE(message_of([&] { write_file_atomically(folder / "a", std::string(100000, 'x')); }).find("writing failed"),

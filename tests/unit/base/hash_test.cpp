@@ -1,3 +1,4 @@
+// SHA-256 against the example vectors of the standard.
 #include "core/base/hash.h"
 
 #include <gtest/gtest.h>

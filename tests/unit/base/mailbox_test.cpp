@@ -1,3 +1,4 @@
+// The mailbox hands over the newest value between threads.
 #include "core/base/mailbox.h"
 
 #include <gtest/gtest.h>

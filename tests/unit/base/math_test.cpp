@@ -1,3 +1,4 @@
+// Poses and boxes: inverses, products and bounds on random values.
 #include "core/base/math.h"
 
 #include <gtest/gtest.h>

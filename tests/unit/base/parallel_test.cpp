@@ -1,3 +1,4 @@
+// Parallel loops: every index once, exceptions, progress and cancellation.
 #include "core/base/parallel.h"
 
 #include <gtest/gtest.h>

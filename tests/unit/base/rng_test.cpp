@@ -1,3 +1,4 @@
+// Counter-based random numbers: published values and statistics.
 #include "core/base/rng.h"
 
 #include <gtest/gtest.h>

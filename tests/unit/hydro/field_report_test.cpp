@@ -1,3 +1,4 @@
+// Reports about pressure fields: sentences, places and numbers.
 #include "core/hydro/fields/field_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Bodies of shapes: rigid and soft kinds, sizes, and errors for unsupported combinations.
 #include "core/hydro/hydro_body.h"
 
 #include <gtest/gtest.h>

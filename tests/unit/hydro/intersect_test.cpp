@@ -1,3 +1,4 @@
+// Contact surfaces of pairs of bodies: special positions, symmetry and memory.
 #include "core/hydro/intersect.h"
 
 #include <gtest/gtest.h>
@@ -121,7 +122,7 @@ TEST(Intersect, OrderIsFixed) {
 }
 
 TEST(Intersect, NeighbouringVerticesAreMergedWithoutMovingArea) {
-  // The rigid edge passes 3e-9 m beside a line of tet vertices: strips of 1e-7 of a tet's size.
+  // The rigid edge passes 3e-9 m past a line of tet vertices: strips of 1e-7 of a tet's size.
   const auto box = make_simple_body(ShapeType::box, dvec3(0.01, 0.013, 0.0015));
   const Pose pose{dquat(1, 0, 0, 0), dvec3(3e-9, 0, -0.0081)};
   const ContactSurface s = touch(*slab(), *box, Pose{}, pose).surface;

@@ -1,3 +1,4 @@
+// Pressure fields of primitives: depth over its largest value, without gaps.
 #include "core/hydro/fields/medial_field.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Pads on meshes: stiffness, volume and folds on smooth, sharp and concave shapes.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -75,7 +76,7 @@ void expect_open_at_skin_and_core_only(const PressureField& field, int skin_face
   EXPECT_EQ(skin, skin_faces);
 }
 
-/// stiffness: E/H where nothing limits the pad.
+/// The stiffness is E/H where nothing limits the pad.
 void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_cv, double bare = 0,
                      PadLayering layering = PadLayering::automatic) {
   // Other layerings than the automatic one may be uneven; their skin stays as it is.

@@ -1,4 +1,4 @@
-// Pads of one and two layers of prisms: the same volume, shared faces, and what the second layer is worth.
+// Pads of one and two layers of prisms: the same volume, shared faces, and the gain by the second layer.
 #include "core/hydro/pad/pad_layers.h"
 #include "core/base/index.h"
 

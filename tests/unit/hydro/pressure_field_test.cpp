@@ -1,3 +1,4 @@
+// Pressure fields on tets: planes, gradients, neighbours and quality.
 #include "core/hydro/fields/pressure_field.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Slices of a tet by planes in all positions.
 #include "core/hydro/kernel/slice_tet.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Pressure fields on given tet meshes, and errors for broken meshes.
 #include "core/hydro/fields/tet_mesh.h"
 
 #include <gtest/gtest.h>

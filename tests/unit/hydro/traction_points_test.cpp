@@ -20,7 +20,7 @@ double size(const Wrench& w, double length) {
 ContactSurface ball_on_floor(double edge) {
   const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(5e4), edge);
   const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
-  // away from the origin, so that moments count
+  // Away from the origin, so that moments count
   return touch(*ball, *floor, Pose{glm::normalize(dquat(0.9, 0.1, 0.3, -0.2)), {0.1, 0.05, 0.017}}, Pose{}).surface;
 }
 
@@ -51,7 +51,7 @@ TEST(PressureMoments, AreTheIntegralsOfEachPolygon) {
 }
 
 TEST(TriangleRules, AreExactForTheirDegree) {
-  // integral of u^i v^j over the unit triangle, of area 1/2: i! j! / (i + j + 2)!
+  // Integral of u^i v^j over the unit triangle, of area 1/2: i! j! / (i + j + 2)!
   const auto factorial = [](int n) { return std::tgamma(n + 1.0); };
   const auto check = [&](const auto& rule, int degree) {
     for (int i = 0; i <= degree; ++i) {

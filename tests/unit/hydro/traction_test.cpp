@@ -1,3 +1,4 @@
+// Wrenches of contact surfaces against closed forms of damping and friction.
 #include "core/hydro/traction.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Half-planes cut off from a polygon: areas and centroids that can be told by hand.
+// Half-planes cut off from a polygon: areas and centroids that are known by hand.
 #include "core/layout/sampling/convex_polygon.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// How much two discs share, against closed forms and against points thrown at them.
+// The overlap of two discs, against closed forms and against random points.
 #include "core/layout/check/disc_overlap.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Colours of receptive fields: neighbours differ, and a colour is repeated far away.
 #include "core/layout/field/field_coloring.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ TEST(FieldColoring, GivesDistinctColoursUpToPaletteSize) {
 
 TEST(FieldColoring, NeighboursDiffer) {
   for (const double radius : {0.0021, 0.003, 0.0042}) {  // 4, 8 and 12 neighbours or more at a pitch of 4 mm
-    // 24 in a row: the palette as it stands would repeat right above
+    // 24 in a row: the palette in its order would repeat right above
     for (const int side : {6, 12, 24, 25, 40}) {
       const Layout layout = grid_layout(side, 0.004, radius);
       const std::vector<int> color_of = color_fields(layout, kColors);
@@ -72,7 +73,7 @@ TEST(FieldColoring, RepeatsAColourFarAwayIfAllFieldsMeet) {
       nearest = std::min(nearest, glm::distance(layout.taxels[a].center, layout.taxels[b].center));
     }
   }
-  EXPECT_GT(nearest, 0.0019) << "never beside each other, nor across a corner";
+  EXPECT_GT(nearest, 0.0019) << "never next to each other, nor across a corner";
 }
 
 TEST(FieldColoring, SubtaxelsReachFurtherThanTheirTaxel) {

@@ -130,7 +130,7 @@ TEST(Ring, IsEquidistantWhereTheSectionIsRound) {
   }
   expect_error("ring: taxel 0: the ray", [&] { ring(around, 0.011, sphere); });
   expect_error("ring: height: must be finite", [&] { ring(around, kInfinity, sphere); });
-  around.origin = {0.03, 0, 0};  // beside the sphere: some rays miss, some meet it beyond the axis
+  around.origin = {0.03, 0, 0};  // Next to the sphere: some rays miss, some meet it beyond the axis
   expect_error("ring: taxel ", [&] { ring(around, 0.0, sphere); });
   around.first = around.axis;
   expect_error("ring: first: must not be parallel", [&] { ring(around, 0.0, sphere); });

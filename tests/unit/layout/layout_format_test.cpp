@@ -1,4 +1,5 @@
-// One door for all formats of layouts: the name decides, and what a format cannot hold is said.
+// One entry for all formats of layouts: the name of the file decides, and values that a format cannot hold are
+// reported.
 #include "core/layout/file/layout_format.h"
 
 #include <fmt/format.h>

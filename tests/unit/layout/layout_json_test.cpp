@@ -1,4 +1,4 @@
-// Layout files: what is read is what was written, and every error names its place.
+// Layout files: reading returns the written values, and every error names its place.
 #include "core/layout/file/layout_json.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The JSON schema says what the reader does: same keys, same words, same defaults.
+// The JSON schema agrees with the reader: same keys, same words, same defaults.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -61,7 +61,7 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   Json& sampling = described["properties"]["sampling"]["properties"];
   EXPECT_EQ(sampling["shells"]["default"], std::string(to_word(layout.sampling.shells)));
   sampling.erase("shells");  // written only where it is not the default
-  sampling.erase("region");  // likewise
+  sampling.erase("region");  // for the same reason
   Json& mesh = described["properties"]["mesh"]["properties"];
   const Json repair = mesh["repair"];
   mesh.erase("repair");  // Written only if it is not the default.

@@ -1,4 +1,4 @@
-// Patterns as a person asks for them: where they lie, and what is said of values that make no sense.
+// Patterns as a user asks for them: their places, and the messages for values that make no sense.
 #include "core/layout/generators/pattern.h"
 
 #include <gtest/gtest.h>

@@ -97,8 +97,8 @@ TEST(PoissonDisk, SamplesAreEvenOnRealFingers) {
   const TriMesh biotac = *load_mesh(folder / "shadow_f_distal_bt_sp.stl", dvec3(0.001)).mesh;
   for (const int count : {1000, 6000}) expect_even({"BioTac", biotac, count, 0.78, 0.13, 2.0});
 
-  // Its sockets have walls thinner than the spacing: what is near in space is far along the surface there, and what
-  // faces away from all samples is far from each. The 5 % and the mean say what holds on the rest.
+  // Its sockets have walls thinner than the spacing: points that are near in space are far along the surface there, and
+  // parts that face away from all samples are far from each. The 5 % and the mean bound the rest.
   const TriMesh whole = *load_mesh(folder / "shadow_f_distal_pst.stl", dvec3(0.001)).mesh;
   const TriMesh shadow = extract_shells(whole, outer_shells(whole));
   const SampleScore score = score_samples(shadow, sample_surface(shadow, 6000, 42));
@@ -140,7 +140,7 @@ TEST(PoissonDisk, TheSeedDecides) {
   EXPECT_NE(bytes_of(sample_surface(mesh, 500, 2)), first);
 }
 
-// The same bytes on every machine: the hash stands here for good, and a change of it is a change of every reading.
+// The same bytes on every machine: the hash stays here for good, and a change of it is a change of every reading.
 TEST(PoissonDisk, GoldenHashOnOurFingertip) {
   EXPECT_EQ(sha256_hex(bytes_of(sample_surface(fingertip(), 2000, 42))),
             "53e1c6935d7164a125cff2ebbed729a235647614f0f8c087eaab07efb9294936");

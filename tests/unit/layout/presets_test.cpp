@@ -1,4 +1,4 @@
-// The layouts that the project brings along: the files are what the makers make.
+// The layouts of the project: the files equal the results of their makers.
 #include "core/layout/presets.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Taxels through the clipboard: what is pasted is what was copied, and nonsense is named.
+// Taxels through the clipboard: pasting returns the copied taxels, and nonsense is named.
 #include "core/layout/file/taxel_clipboard.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Taxels as tables: round trip, tables of other programs, and the line and column of what is wrong.
+// Taxels as tables: round trip, tables of other programs, and the line and column of each mistake.
 #include "core/layout/file/taxels_csv.h"
 
 #include <gtest/gtest.h>

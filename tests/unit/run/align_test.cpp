@@ -1,4 +1,5 @@
-// Shift and gains between a run and a real recording: known ones come back, and what cannot be known is said.
+// Shift and gains between a run and a real recording: known values are found, and values that cannot be known are
+// reported.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +38,7 @@ TaxelSeries sampled(double begin, double end, double interval, double shift, dou
 TEST(Align, AKnownShiftIsFoundToAFractionOfASample) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   for (const double shift : {0.0, 0.25, -3.0, 0.123456, 117.00037}) {
-    // its first value lies between two of the run's
+    // Its first value lies between two of the run's
     const auto found = align(run, sampled(0.00037, 2.4, 0.01, shift, 3, 40, 0));
     ASSERT_TRUE(found) << shift;
     EXPECT_NEAR(found->shift, shift, 0.05 * 0.001) << "a twentieth of the finer interval";

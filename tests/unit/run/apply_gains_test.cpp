@@ -1,4 +1,4 @@
-// Fitted gains as a calibration: what a device reports is then what was recorded.
+// Fitted gains as a calibration: the device then reports the recorded values.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"

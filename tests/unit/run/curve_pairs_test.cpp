@@ -1,4 +1,4 @@
-// Which curves are drawn as pairs.
+// Pairs of curves that are drawn together.
 #include "core/run/recording/curve_pairs.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// How scenarios lead the finger: closed forms of each kind's poses.
+// Motions of the finger by scenarios: closed forms of each kind's poses.
 #include "core/run/motion/motion.h"
 
 #include <gtest/gtest.h>
@@ -80,11 +80,11 @@ TEST(Motion, RollTravelsRadiusTimesAngleWithoutSlipping) {
     const double down = (scenario.clearance + scenario.depth) / scenario.speed;
     const Pose before = motion.pose(step_at(motion, down));
     const Pose after = motion.pose(step_at(motion, down + std::abs(angle) / scenario.rate_deg));
-    // the axis travels R times the angle, as an inscribed circle of 360 sides does
+    // The axis travels R times the angle, as an inscribed circle of 360 sides does
     const double travelled = after.p.x - before.p.x;
     EXPECT_NEAR(travelled, kRadius * angle * kPi / 180, 2e-4 * std::abs(travelled));
     EXPECT_NEAR(after.p.y, before.p.y, 1e-15);
-    // what touches stands still
+    // The point of contact is at rest.
     for (std::uint64_t step = step_at(motion, down); step < step_at(motion, down + 1); ++step) {
       const Pose a = motion.pose(step), b = motion.pose(step + 1);
       EXPECT_NEAR(lowest(skin, a), 0.05 - scenario.depth, 1e-12);
@@ -100,7 +100,7 @@ TEST(Motion, RollingOutlineOfASquareTipsOverItsCorners) {
   const TriMesh box = make_box({0.5, 2, 0.5});
   const RollingOutline outline(box, {1, 0, 0, 0});
   const auto x = [&](double degrees) { return outline.at(degrees * kPi / 180).travelled; };
-  const double start = x(1e-6);  // which of the lower corners is first is not told
+  const double start = x(1e-6);  // Either of the lower corners may be first.
   EXPECT_NEAR(x(89) - start, 0, 1e-15);
   EXPECT_NEAR(x(91) - start, 1, 1e-15);
   EXPECT_NEAR(x(361) - start, 4, 1e-15);
@@ -244,7 +244,7 @@ TEST(PaperDemo, LeadsAFingerInThePapersFrameAsReleased) {
     const Pose X = motion.pose(step), released = released_pose(static_cast<double>(step) * 1e-3);
     EXPECT_LT(glm::distance(X.p - motion.X_start.p, released.p - released_pose(0).p), 1e-15);
     EXPECT_LT(glm::length(X.q - released.q), 1e-15);
-    // its lowest point goes 23.4 mm below the released origin
+    // Its lowest point goes 23.4 mm below the released origin
     EXPECT_NEAR(lowest(skin, X), released.p.z - 0.0234081, 1e-7);
   }
 }

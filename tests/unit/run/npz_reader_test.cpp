@@ -1,4 +1,4 @@
-// What a recording's archive holds comes back bit for bit; an archive that is broken is refused by name.
+// The archive of a recording comes back bit for bit; a broken archive is refused by name.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zip.h>

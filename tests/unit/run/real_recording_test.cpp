@@ -150,7 +150,7 @@ TEST(GuessMapping, ReadsTheSameTimesFromEachUnit) {
   };
   for (const Unit& unit :
        {Unit{"s", TimeUnit::s, 1}, {"ms", TimeUnit::ms, 1e3}, {"us", TimeUnit::us, 1e6}, {"ns", TimeUnit::ns, 1e9}}) {
-    // 100 rows per second: the unit is in the column's name, or the numbers alone tell the unit
+    // 100 rows per second: the unit is in the column's name, or follows from the numbers alone.
     for (const std::string& name : {std::string("time"), fmt::format("t [{}]", unit.word)}) {
       const std::string text = table_with_times(name, 0.01 * unit.per_second);
       const ColumnMapping mapping = guess_mapping(text, {1, 2});

@@ -22,7 +22,7 @@ TEST(Replay, PlaysToTheEndAndStops) {
   EXPECT_EQ(replay.advance(4, {3, 20}, false), 6u);
   EXPECT_EQ(replay.advance(40, {3, 20}, false), 3u);
   EXPECT_EQ(replay.direction(), 0);
-  EXPECT_EQ(replay.advance(40, {3, 20}, false), 3u) << "it stands";
+  EXPECT_EQ(replay.advance(40, {3, 20}, false), 3u) << "it waits";
 }
 
 TEST(Replay, LoopsShowEachStepEquallyLong) {

@@ -1,4 +1,4 @@
-// Pieces that come at one end and go at either, beside a deque of vectors.
+// Pieces that are added at one end and removed at either, compared with a deque of vectors.
 #include "core/run/history/ring_memory.h"
 
 #include <gtest/gtest.h>

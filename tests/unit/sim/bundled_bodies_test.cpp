@@ -1,4 +1,4 @@
-// A saved step holds what its sensors touch: every model reads it as it reads the step itself.
+// A saved step contains the bodies that touch its sensors: every model reads it like the step itself.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"

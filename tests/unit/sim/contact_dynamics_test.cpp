@@ -186,7 +186,7 @@ TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
   EXPECT_GT(glm::length(dvec3(d.qvel[0], d.qvel[1], d.qvel[2])), 0.005);       // the box was pushed
 }
 
-/// What the floor's contacts give to the box: force, and torque about `origin`, in the world.
+/// Returns the wrench of the floor's contacts on the box: force, and torque about `origin`, in the world.
 Wrench from_floor(const mjModel& m, const mjData& d, const dvec3& origin) {
   Wrench sum;
   for (int c = 0; c < d.ncon; ++c) {
@@ -205,7 +205,7 @@ Wrench from_floor(const mjModel& m, const mjData& d, const dvec3& origin) {
 }
 
 TEST(ContactDynamics, FreeBoxOnAPlaneHandsTheSensorsWrenchToTheGround) {
-  // A held soft ball presses off-centre on a free box that stands on MuJoCo's own plane.
+  // A held soft ball presses off-centre on a free box that is on MuJoCo's own plane.
   const double mass = 0.05, away = 0.008;
   SensorScene s;
   s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});

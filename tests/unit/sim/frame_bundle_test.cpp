@@ -1,4 +1,4 @@
-// A step as a file: another program has the same bits of it, and a damaged file is told by its array.
+// A step as a file: another program reads the same bits, and a damaged file is refused by its array.
 #include "core/run/bundle/frame_bundle.h"
 
 #include <gtest/gtest.h>

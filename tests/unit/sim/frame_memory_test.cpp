@@ -1,4 +1,4 @@
-// Frames made of the memory of earlier ones are as frames made anew, and take no more memory.
+// Frames that reuse the memory of earlier ones equal new frames, and take no more memory.
 #include "core/sim/host/frame_memory.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST_F(FrameMemoryTest, InSteadyStateFramesTakeNoNewMemory) {
     lanes = std::exchange(lanes_waiting, memory.lanes_of(history));
     last = allocation_count() - before;
   }
-  EXPECT_LT(last, 40) << "the frame itself, and what stands beside the arrays";
+  EXPECT_LT(last, 40) << "the frame itself, and its parts outside of the arrays";
   EXPECT_EQ(lanes_waiting->rows(), 50U);
 }
 

@@ -1,4 +1,4 @@
-// What is read from a compiled model: frames of meshes, shapes, who would collide.
+// Geometry read from a compiled model: frames of meshes, shapes, and pairs that would collide.
 #include "core/sim/model/geometry.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Geometry, MeshFilePoseBringsFileVerticesToTheCompiledOnes) {
   }
   const mjtNum* p = s.data->geom_xpos;
   EXPECT_LT(glm::distance(X_WG.p, dvec3(p[0], p[1], p[2])), 1e-15);
-  // glm keeps columns, MuJoCo rows
+  // Order differs: glm keeps columns, MuJoCo rows
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(X_WG.R[j][i], s.data->geom_xmat[3 * i + j], 1e-14);
 }
@@ -85,7 +85,7 @@ TEST(Geometry, HeightFieldIsTheOneThatMujocoCollidesWith) {
   int checked = 0;
   for (int f = 0; f < shape.mesh->face_count(); ++f) {
     const dvec3 n = shape.mesh->face_normals()[static_cast<std::size_t>(f)];
-    if (n.z < 0.1) continue;  // of the top; MuJoCo has no sides of its own for balls beside the grid
+    if (n.z < 0.1) continue;  // of the top; MuJoCo has no sides of its own for balls next to the grid
     for (const dvec3& weight : {dvec3(0.6, 0.2, 0.2), dvec3(0.2, 0.6, 0.2), dvec3(0.2, 0.2, 0.6)}) {
       const dvec3 x = weight.x * shape.mesh->vertex(f, 0) + weight.y * shape.mesh->vertex(f, 1) +
                       weight.z * shape.mesh->vertex(f, 2);

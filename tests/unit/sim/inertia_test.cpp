@@ -1,3 +1,4 @@
+// Mass and inertia of meshes against closed forms.
 #include "core/sim/scene/inertia.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The shear of a step, kept: worked out anew by the history, written by a saved step, the same bits from both.
+// The kept shear of a step: computed again by the history, or written by a saved step, with the same bits from both.
 #include <gtest/gtest.h>
 
 #include "core/run/bundle/frame_bundle.h"
@@ -64,7 +64,7 @@ TEST_P(KeptShear, ASavedStepHasTheSameBits) {
   const SimFramePtr opened = read_frame_bundle(file);
   test::expect_same_step(*opened, frame);
   EXPECT_EQ(frame_to_bundle(*opened), bytes);
-  // from the history as well
+  // From the history as well
   write_file_atomically(file, frame_to_bundle(run.recorded(frame.step)));
   test::expect_same_step(*read_frame_bundle(file), frame);
   EXPECT_EQ(NpzReader(file).shape("sensor0/shear"), (NpzReader::Shape{12, 2}));

@@ -135,7 +135,7 @@ struct LightFinger {
               "<inertial mass='0.001' pos='0 0 0' diaginertia='2e-8 2e-8 4e-8'/>"
               "<geom name='pad' type='mesh' mesh='pad' contype='0' conaffinity='0'/></body></worldbody></mujoco>");
   }
-  /// Puts the pad where 10 N hold it, and a micrometre beside.
+  /// Moves the pad to where 10 N hold it, and a micrometre away.
   void press(double depth) {
     s.data->qpos[2 * (s.model->nq > 1)] = (s.model->nq > 1 ? 0.005 : -0.001) - depth;
     mj_forward(s.model.get(), s.data.get());

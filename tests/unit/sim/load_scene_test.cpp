@@ -51,7 +51,7 @@ TEST_F(LoadScene, AnAttachedLayoutCarriesTheBallInPlaceOfMujocosContact) {
   const auto simulator = Simulator::load(scene, {{"ball", layout()}});
   for (int n = 0; n < 1000; ++n) simulator->step();
   const RecordedRow row = row_of(simulator->view());
-  // the mesh of this icosphere at MuJoCo's default density
+  // The mesh of this icosphere at MuJoCo's default density
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
   EXPECT_NEAR(row.sensors[0].force_W.z, weight, 0.01 * weight);
   EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];

@@ -1,4 +1,4 @@
-// One sensor among many geoms: nothing that touches is missed, what is felt is the sum, and no step allocates.
+// One sensor among many geoms: no touching geom is missed, the force is the sum, and no step allocates.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ TEST_F(ManyGeoms, MissesNoTouchingGeomWhileAllMove) {
   std::size_t touching = 0;
   for (int n = 0; n < 12; ++n) {
     s.step(10);
-    if (n == 6) s.model->geom_pos[2] += 0.003;  // the program may move what is static: the floor
+    if (n == 6) s.model->geom_pos[2] += 0.003;  // the program may move a static geom: the floor
     const mjModel& m = *s.model;
     mj_forward(s.model.get(), s.data.get());
     const HydroInstance& sensor = s.sensor();

@@ -1,4 +1,4 @@
-// Sites, cameras, joints and bodies lie where MuJoCo has them, and its numbers of a step are told.
+// Sites, cameras, joints and bodies lie where MuJoCo has them, and its numbers of a step are reported.
 #include "core/sim/model/marks.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST_F(MarksOfAScene, LieWhereMujocoHasThem) {
       for (int j = 0; j < 3; ++j) EXPECT_NEAR(R[j][i], d.cam_xmat[9 * c + static_cast<std::size_t>(3 * i + j)], 1e-12);
   }
   ASSERT_EQ(poses_.bodies.size(), static_cast<std::size_t>(m.nbody));
-  ASSERT_EQ(marks.sites.size(), 3U) << "what is transparent altogether is no site to see";
+  ASSERT_EQ(marks.sites.size(), 3U) << "a fully transparent site is invisible";
   for (std::size_t i = 0; i < marks.sites.size(); ++i) {
     const SceneSite& site = marks.sites[i];
     const dvec3 p_W = (poses_.bodies[static_cast<std::size_t>(site.body)] * site.X_BS).p;

@@ -1,4 +1,4 @@
-// Scenes of the predecessor's code, whose custom fields say what is soft; and layouts on geoms of any scene.
+// Scenes of the predecessor's code, whose custom fields name the soft bodies; and layouts on geoms of any scene.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -108,11 +108,11 @@ TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(row_of(simulator->view()).sensors[i].force_W.z, weight, 0.02 * weight) << i;
-  // the sphere is no mesh: that is told, with how far its surface is from the layout's
+  // The warning gives the distance between the surface of the sphere and the layout's
   ASSERT_EQ(simulator->warnings().size(), 1U);
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"round\" has no mesh")) << simulator->warnings()[0];
   EXPECT_TRUE(has(simulator->warnings()[0], "mm apart")) << simulator->warnings()[0];
-  // saved beside itself, it declares all three, and runs the same way
+  // Saved next to the original, it declares all three, and runs the same way
   simulator->save_scene(s.folder / "out" / "with taxels.xml");
   EXPECT_TRUE(std::filesystem::exists(s.folder / "out/with taxels_files"));
   const auto again = Simulator::load(s.folder / "out" / "with taxels.xml");

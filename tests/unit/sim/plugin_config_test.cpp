@@ -1,5 +1,4 @@
-// What a scene may say to the plugin, and what it hears when it is wrong: every mistake is a compile error that names
-// it.
+// Configuration of the plugin in a scene: every mistake is a compile error that names it.
 #include <gtest/gtest.h>
 
 #include "fixtures/sensor_scene.h"

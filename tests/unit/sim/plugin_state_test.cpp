@@ -111,7 +111,7 @@ TEST_F(PluginState, SensorIsRightWherePassiveForcesAreOff) {
   EXPECT_EQ(other->sensordata[0], with[0]);                             // reading
   EXPECT_EQ(other->sensordata[s.model->nsensordata - 1], with.back());  // area
   for (int i = 0; i < s.model->nv; ++i) EXPECT_EQ(other->qfrc_passive[i], 0);
-  // and it follows the state
+  // It follows the state
   other->qpos[2] += 0.0005;
   mj_forward(s.model.get(), other.get());
   EXPECT_LT(other->sensordata[0], with[0]);
@@ -242,7 +242,7 @@ TEST(SeveralSensors, EachReadsItsOwnAndTheFirstMovesAll) {
       <plugin name='a taxels' plugin='taxel.sensor' instance='a'/></sensor></mujoco>)");
   ASSERT_NE(s.model, nullptr) << s.error;
   s.step();
-  EXPECT_GT(s.data->sensordata[1], s.data->sensordata[0]);  // a lies deeper; b's sensor stands first
+  EXPECT_GT(s.data->sensordata[1], s.data->sensordata[0]);  // Body a is deeper; b's sensor is listed first
   EXPECT_EQ(s.data->sensordata[1], s.sensor(0).reading().values[0]);
   EXPECT_EQ(s.data->sensordata[0], s.sensor(1).reading().values[0]);
   EXPECT_GT(s.data->qfrc_passive[2], s.data->qfrc_passive[8]);

@@ -80,7 +80,7 @@ TEST_F(ScenarioSceneTest, FingerHangsStillInTheAir) {
 
 TEST_F(ScenarioSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
   Held held(model_);
-  // over the top of the box, down by 1.5 mm of press, then rest
+  // Over the top of the box, down by 1.5 mm of press, then rest
   for (int i = 0; i < 3; ++i) held.data->qpos[i] = (held.start.p + dvec3(0.024, 0, 0.002))[i];
   for (int n = 0; n < 600; ++n) {
     held.move(dvec3(0.024, 0, 0.002 - std::min(0.002, 1e-5 * n)));
@@ -91,7 +91,7 @@ TEST_F(ScenarioSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
   const dvec3 weld(held.data->qfrc_constraint[0], held.data->qfrc_constraint[1], held.data->qfrc_constraint[2]);
   EXPECT_GT(contact.z, 0.3);
   EXPECT_LE(glm::length(weld + contact), 0.02 * glm::length(contact));
-  // a soft weld, yet it follows: MuJoCo's default one gives way by 0.9 mm of the 1.5 and tilts by 37 degrees
+  // A soft weld, yet it follows: MuJoCo's default one gives way by 0.9 mm of the 1.5 and tilts by 37 degrees
   const double yielded = held.data->qpos[2] - held.data->mocap_pos[2];
   EXPECT_GT(yielded, 0);
   EXPECT_LT(yielded, 0.05e-3);

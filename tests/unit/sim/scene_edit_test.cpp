@@ -1,5 +1,4 @@
-// What a hand sets between two steps: controls, joints, mocap bodies, equalities, keyframes, and a body that is
-// dragged.
+// Values that a user sets between two steps: controls, joints, mocap bodies, equalities, keyframes, and a dragged body.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -91,7 +90,7 @@ TEST_F(SceneEdits, SetValuesAndLeaveNonsenseAlone) {
   EXPECT_EQ(now.mocaps[0].p, dvec3(0, 2, 0));
   EXPECT_EQ(now.mocaps[0].q.w, 1);
   EXPECT_EQ(now.equalities, (std::vector<bool>{true, true}));
-  // seen at once, before any step
+  // Visible at once, before any step
   EXPECT_NEAR(place("rod").x, 1 + 0.3 * std::sin(0.5), 1e-12);
   EXPECT_EQ(place("lead"), dvec3(0, 2, 0));
   SimState state;
@@ -120,7 +119,7 @@ TEST_F(SceneEdits, HeldPointsOfAWeldComeTogether) {
   const std::vector<ConstraintPoints> held = frame().constraint_points;
   ASSERT_EQ(held.size(), 1U);  // the connection is off
   EXPECT_TRUE(held[0].weld);
-  // the anchor is a point of the second body, which is turned by 30 degrees and lies where the first one does
+  // The anchor is a point of the second body, which is turned by 30 degrees and lies where the first one does
   const double c = std::cos(kPi / 6), s = std::sin(kPi / 6);
   const dvec3 expected = dvec3(0, 1, 0) + dvec3(c * 0.1 - s * 0.02, s * 0.1 + c * 0.02, 0.03);
   EXPECT_LT(glm::length(held[0].a_W - expected), 1e-9);
@@ -142,7 +141,7 @@ TEST_F(SceneEdits, AHandPullsAFreeBodyByASpringWhileItRuns) {
   EXPECT_EQ(frame().perturbed->target_W, dvec3(0, 0, 1.1));
   simulator->step();
   simulator->step();
-  // a free body at rest: a = k x, k = vis.map.stiffness = 100 by default
+  // A free body at rest: a = k x, k = vis.map.stiffness = 100 by default
   EXPECT_NEAR(place("ball").z - 1, 100 * 0.1 * 1e-6, 1e-9);
   for (int n = 0; n < 2000; ++n) simulator->step();
   EXPECT_NEAR(place("ball").z, 1.1, 1e-3);
@@ -188,7 +187,7 @@ TEST_F(SceneEdits, DragMovesAPausedFreeBodyAndNoFixedOne) {
   EXPECT_EQ(place("floor"), dvec3(0));
 }
 
-/// What one pulls on moves; the rest is as if nobody had.
+/// The dragged body moves; all others move as without the drag.
 TEST_F(SceneEdits, StepsAreTheSameWithAndWithoutAHandThatLetGo) {
   const auto other = Simulator::load(s_.folder / "scene.xml");
   simulator->edit(pull("ball", {0, 0, 0.1}, true));

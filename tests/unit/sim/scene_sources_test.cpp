@@ -1,4 +1,4 @@
-// Which files a scene was made of: as MuJoCo finds them.
+// Source files of a scene, as MuJoCo finds them.
 #include "core/sim/scene/scene_sources.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(SceneSources, AreWhatMujocoReads) {
       <body><attach model="m" body="b" prefix="m_"/></body></worldbody></mujoco>)");
   write_text(folder / "parts/a.xml", R"(<mujoco><include file="here.xml"/><include file="both.xml"/></mujoco>)");
   write_text(folder / "parts/here.xml", kNothing);
-  write_text(folder / "parts/both.xml", "not read: the one beside the scene is");
+  write_text(folder / "parts/both.xml", "not read: the one next to the scene is");
   write_text(folder / "both.xml", kNothing);
   write_text(folder / "not_this.xml", kNothing);
   write_text(folder / "models/m.xml",

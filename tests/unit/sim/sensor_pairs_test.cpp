@@ -25,9 +25,9 @@ std::string instance(const Declared& sensor) {
          key("output", "readings wrench area") + sensor.keys + "</instance>";
 }
 
-/// What the balls are made of.
+/// Material of the balls.
 struct Balls {
-  double edge = 0.006;  ///< of their triangles
+  double edge = 0.006;  ///< edge of their triangles [m]
   Material upper{FieldKind::star, kSoft, 0, 2.0, 0.8}, lower{FieldKind::star, kStiff, 0, 0.5, 0.4};
 };
 
@@ -92,7 +92,7 @@ class TwoBalls {
     std::copy_n(of_upper, 6, upper);
     std::copy_n(of_lower, 6, lower);
   }
-  /// What the pair does to this sensor, in the world about the origin.
+  /// Returns the wrench of the pair on this sensor, in the world about the origin.
   [[nodiscard]] Wrench felt(const std::string& name) const {
     const Evaluation& e = sensor(name).sensed();
     Wrench sum;

@@ -168,7 +168,7 @@ class PeaksSoFar {
 TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree) {
   Breakpoints limits;
   limits.disagreement = 0.15;
-  // by the definition, over a plain loop
+  // By the definition, over a plain loop
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   PeaksSoFar peaks(*model_, limits.disagreement);
   std::uint64_t expected = 0;
@@ -199,7 +199,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree
 TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   Breakpoints limits;
   limits.jump = 0.03;
-  // by the definition, over a plain loop
+  // By the definition, over a plain loop
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   simulator->step();  // the look before the first step reads the same
   std::vector<double> before = row_of(simulator->view()).sensors[0].readings;

@@ -1,4 +1,4 @@
-// What the simulation's thread records: every step, the same numbers as a plain loop, and nothing that has not been.
+// Recordings by the simulation thread: every step, the same numbers as a plain loop, and no discarded step.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -135,7 +135,7 @@ TEST_F(ThreadRecording, KeepsUnwritableRecordingsAndWritesThemElsewhere) {
   EXPECT_TRUE(failed->written.kept);
   const SimFramePtr again = ask(WriteRecordingCommand{"/proc/no/again.csv"});
   EXPECT_TRUE(again->written.kept);
-  EXPECT_EQ(again->written.number, failed->written.number + 1) << "told once each";
+  EXPECT_EQ(again->written.number, failed->written.number + 1) << "reported once each";
   const SimFramePtr written = ask(WriteRecordingCommand{file("live.csv")});
   EXPECT_EQ(written->written.error, "");
   EXPECT_EQ(read_file(file("live.csv")), recording_to_csv(plain(1, 30)));
@@ -156,7 +156,7 @@ TEST_F(ThreadRecording, RecordsTheReadingsOfOneLayoutOnly) {
   expect_recorded(file("first.npz"), plain(21, 30));
   ask(StepCommand{10});
   const SimFramePtr second = ask(ExportHistoryCommand{file("second.npz")});
-  EXPECT_EQ(second->written.rows, 11U) << "the newest step is read anew";
+  EXPECT_EQ(second->written.rows, 11U) << "the newest step is read again";
   EXPECT_EQ(second->written.note, "29 earlier steps were read by another layout and are left out");
   EXPECT_FALSE(read_recording(file("second.npz")).sensors[0].shear);
 }

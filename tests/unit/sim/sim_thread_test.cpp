@@ -52,7 +52,7 @@ TEST_F(Thread, StepsExactlyOnRequest) {
   EXPECT_LT(frame->step_seconds, 1.0);
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock goes on, the simulation does not
-  // the same as the plain loop
+  // The result is the same as of the plain loop
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   std::vector<TraceRow> rows;
   for (int n = 0; n < 1300; ++n) {

@@ -1,4 +1,4 @@
-// The sweep as a user runs it, and what it leaves behind.
+// The sweep as a user runs it, and its files.
 #include "core/sim/simulator.h"
 
 #include <gtest/gtest.h>
@@ -161,7 +161,7 @@ TEST_F(Sweep, ExportedFolderRepeatsBitForBitInPlainMujoco) {
 }
 
 TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
-  // What `taxel read` does: the contact at the recorded pose, computed anew.
+  // What `taxel read` does: the contact at the recorded pose, computed again.
   const SensorModelPtr& model = simulator_->scene()->sensors[0];
   const HydroBodyPtr box = make_body({ShapeType::box, dvec3(0.025), nullptr, 0}, {}, "box");
   ContactSurface surface;

@@ -161,8 +161,7 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
     EXPECT_EQ(frame.sensors[0].readings[3], lanes->readings_of(row)[3]);
     EXPECT_EQ(glm::length(frame.sensors[0].force_W), lanes->sensor(row, 0).force);
   }
-  // bytes, as the sum of what a frame has and nothing else tells: of polygons area, centroid, pressure, tet, face,
-  // count
+  // The bytes are the sum of the parts of a frame: of polygons area, centroid, pressure, tet, face, count
   constexpr std::size_t kPolygon = 5 * sizeof(double) + 3 * sizeof(int);
   std::size_t arrays = 0;
   for (std::uint64_t step = run.history.first(); step <= run.history.last(); ++step) {
@@ -172,13 +171,13 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
   }
   EXPECT_GT(run.history.bytes(), arrays);
   EXPECT_LT(run.history.bytes(), 2 * arrays + 6000000);
-  // and a limit of bytes
+  // And a limit of bytes
   const std::size_t half = run.history.bytes() / 2;
   run.history.set_limits({300, half});
   EXPECT_LT(run.history.size(), 200u);
   EXPECT_GT(run.history.size(), 50u);
   for (int i = 0; i < 50; ++i) run.step();
-  EXPECT_LE(run.history.bytes(), half + 100000) << "the rows of the timeline are little beside";
+  EXPECT_LE(run.history.bytes(), half + 100000) << "the rows of the timeline are few in comparison";
   EXPECT_EQ(run.history.last(), 1700u);
   run.history.set_limits({0, 0});
   EXPECT_EQ(run.history.size(), 1u) << "never none";
@@ -195,7 +194,8 @@ TEST_F(History, AFullOneTakesNoNewMemoryInSteadyState) {
     run.state.step = ++next.step;
     run.history.record(next, run.state);
   }
-  // a deque's block, rows that grow, a step larger than the one whose memory it takes: now and then, not each time
+  // Memory for a deque's block, rows that grow, a step larger than the one whose memory it takes: now and then, not
+  // each time
   EXPECT_LT(allocation_count() - before, 40);
 }
 

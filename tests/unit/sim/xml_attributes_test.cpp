@@ -1,3 +1,4 @@
+// Edits of attributes in XML leave the rest of the text as it is.
 #include "core/sim/scene/xml_attributes.h"
 
 #include <gtest/gtest.h>
