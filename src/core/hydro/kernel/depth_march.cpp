@@ -329,7 +329,7 @@ double PressureAt::value(const dvec3& x_L, double within) const {
 
 /// By a walk from the tet of the point's cell. Outside, the pressure of the last tet goes on: it is negative there.
 double PressureAt::value_in_tets(const dvec3& x) const {
-  constexpr int kMaxSteps = 256;
+  constexpr int kMaxTraversalSteps = 256;
   const DistanceGrid::Cell& cell = field_->grid().cell_of(x);
   if (cell.tet < 0) return -stiffness_ * static_cast<double>(cell.distance);
   std::int32_t tet = cell.tet;
@@ -342,7 +342,7 @@ double PressureAt::value_in_tets(const dvec3& x) const {
       if (distance[i] < distance[least]) least = i;
     }
     if (!(distance[least] < 0)) return glm::dot(t.pressure().gradient, x) + t.pressure().constant;
-    if (t.neighbour[least] < 0 || step == kMaxSteps)
+    if (t.neighbour[least] < 0 || step == kMaxTraversalSteps)
       return std::min(glm::dot(t.pressure().gradient, x) + t.pressure().constant, 0.0);
     tet = t.neighbour[least];
   }

@@ -25,7 +25,7 @@ HWY_INLINE std::int32_t left_by(std::int32_t tet, std::size_t face) {
 /// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of
 /// it and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
 HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
-  constexpr int kMaxSteps = 64;
+  constexpr int kMaxTraversalSteps = 64;
   const DistanceGrid::Cell& cell = field.grid().cell_of(x);
   if (cell.face >= 0) {
     const DistanceGrid::Face& face = field.grid().faces()[static_cast<std::size_t>(cell.face)];
@@ -36,7 +36,7 @@ HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
   if (tet == DistanceGrid::kCoreCell) return kInCore;
   const TagD d;
   const VecD px = hn::Set(d, x.x), py = hn::Set(d, x.y), pz = hn::Set(d, x.z);
-  for (int step = 0; step < kMaxSteps && tet >= 0; ++step) {
+  for (int step = 0; step < kMaxTraversalSteps && tet >= 0; ++step) {
     const PackedTet& t = field.tets()[static_cast<std::size_t>(tet)];
     alignas(32) double distance[4];
     for (std::size_t i = 0; i < 4; i += kLanesD) {
@@ -57,11 +57,11 @@ HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
 /// The tet by which the segment from a to b leaves a convex field; `tet` holds a, and b is outside. -1 where rounding
 /// hides it.
 HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const dvec3& a, const dvec3& b) {
-  constexpr int kMaxSteps = 64;
+  constexpr int kMaxTraversalSteps = 64;
   const TagD d;
   const VecD ax = hn::Set(d, a.x), ay = hn::Set(d, a.y), az = hn::Set(d, a.z);
   const VecD bx = hn::Set(d, b.x), by = hn::Set(d, b.y), bz = hn::Set(d, b.z);
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 0; step < kMaxTraversalSteps; ++step) {
     const PackedTet& t = field.tets()[static_cast<std::size_t>(tet)];
     alignas(32) double at[4];  // of the segment, where it goes out of a plane
     for (std::size_t i = 0; i < 4; i += kLanesD) {
