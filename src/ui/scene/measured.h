@@ -10,14 +10,14 @@
 namespace taxel::ui {
 
 /// Frame M.
-struct MeasureWish {
+struct MeasureRequest {
   std::shared_ptr<const MeshIndex> skin;
   dvec3 a{0}, b{0};  ///< the path begins and ends at the points of the skin nearest to them
-  bool operator==(const MeasureWish&) const = default;
+  bool operator==(const MeasureRequest&) const = default;
 };
 
 struct Measured {
-  MeasureWish wish;
+  MeasureRequest request;
   double straight = 0;                                     ///< from a to b [m]
   double along = std::numeric_limits<double>::infinity();  ///< the surface; infinite where no path leads [m]
   std::vector<dvec3> path;                                 ///< on the surface; empty where none leads

@@ -9,15 +9,15 @@
 
 namespace taxel::ui {
 
-struct ProbeWish {
+struct ProbeRequest {
   Probe probe;
   std::string mesh_file;  ///< file of the mesh of a ProbeMesh, otherwise empty
-  bool operator==(const ProbeWish&) const = default;
+  bool operator==(const ProbeRequest&) const = default;
 };
 
 struct PressedProbe {
   SensorModelPtr model;  ///< pressed on; never null
-  ProbeWish wish;
+  ProbeRequest request;
   std::string problem;  ///< why it cannot be pressed; then nothing below counts
   TriMeshPtr mesh;      ///< the probe as drawn
   Pose X_MG;            ///< pose of the probe's mesh

@@ -20,23 +20,23 @@ class ProbeWorkerTest : public testing::Test {
     SensorBuild how;
     how.cache = &cache;
     document = built_in_fingertip(how);
-    wish.probe.point = document.model->layout.taxels.front().center;
+    request.probe.point = document.model->layout.taxels.front().center;
   }
   SensorCache cache;
   Document document;
-  ui::ProbeWish wish;
+  ui::ProbeRequest request;
   std::atomic<int> woken = 0;
   ProbeWorker worker{[this] { ++woken; }};
 };
 
 TEST_F(ProbeWorkerTest, TellsWhatAPressReads) {
-  worker.press(document.model, wish);
+  worker.press(document.model, request);
   worker.wait();
   const ui::PressedProbePtr pressed = worker.newest();
   ASSERT_NE(pressed, nullptr);
   EXPECT_EQ(pressed->problem, "");
   ProbePress expected;
-  taxel::press(*document.model, wish.probe, expected);
+  taxel::press(*document.model, request.probe, expected);
   EXPECT_EQ(pressed->state.readings, expected.reading.values);
   EXPECT_EQ(pressed->force, glm::length(expected.wrench.force));
   EXPECT_EQ(pressed->area, expected.surface.area());
@@ -48,14 +48,14 @@ TEST_F(ProbeWorkerTest, TellsWhatAPressReads) {
 
 TEST_F(ProbeWorkerTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
   for (int i = 1; i <= 100; ++i) {
-    wish.probe.depth = 1e-5 * i;
-    worker.press(document.model, wish);
+    request.probe.depth = 1e-5 * i;
+    worker.press(document.model, request);
   }
   worker.wait();
-  EXPECT_EQ(worker.newest()->wish, wish);
+  EXPECT_EQ(worker.newest()->request, request);
   EXPECT_LT(woken, 100) << "those in between were dropped";
   const int before = woken;
-  worker.press(document.model, wish);
+  worker.press(document.model, request);
   worker.wait();
   EXPECT_EQ(woken, before);
 }
@@ -64,7 +64,7 @@ TEST_F(ProbeWorkerTest, AModelThatIsBuiltComesWithItsReading) {
   EditSession edits(
       cache, [] {}, [this](const SensorModelPtr& model) { worker.press_now(model); });
   edits.open(document.project, document.mesh, "");
-  worker.press(document.model, wish);
+  worker.press(document.model, request);
   worker.wait();
   TaxelChange change;
   change.id = document.model->layout.taxels.front().id;
@@ -78,7 +78,7 @@ TEST_F(ProbeWorkerTest, AModelThatIsBuiltComesWithItsReading) {
   const ui::PressedProbePtr pressed = worker.newest();
   EXPECT_EQ(pressed->model, model) << "read before it was told";
   const int before = woken;
-  worker.press(model, wish);
+  worker.press(model, request);
   EXPECT_FALSE(worker.busy());
   EXPECT_EQ(woken, before);
 }
@@ -88,9 +88,9 @@ TEST_F(ProbeWorkerTest, SaysWhyItCannotPress) {
   const std::string file = (folder.path() / "flat.off").string();
   std::ofstream(file) << "OFF\n3 2 0\n0 0 0\n0.01 0 0\n0 0.01 0\n3 0 1 2\n3 0 2 1\n";
   const auto problem = [&](const ProbeShape& shape, const std::string& mesh_file) {
-    wish.probe.shape = shape;
-    wish.mesh_file = mesh_file;
-    worker.press(document.model, wish);
+    request.probe.shape = shape;
+    request.mesh_file = mesh_file;
+    worker.press(document.model, request);
     worker.wait();
     return worker.newest()->problem;
   };
@@ -119,10 +119,10 @@ TEST_F(ProbeWorkerTest, PressesAnOpenMeshAsItsRepairClosesIt) {
                                [&](const ivec3& a, const ivec3& b) { return height(a) < height(b); }));
   save_mesh(open, TriMesh(whole.vertices(), faces));
   ASSERT_FALSE(load_mesh(open).mesh->closed());
-  wish.probe.shape = ProbeMesh{};
+  request.probe.shape = ProbeMesh{};
   const auto pressed = [&](const std::filesystem::path& file) {
-    wish.mesh_file = file.string();
-    worker.press(document.model, wish);
+    request.mesh_file = file.string();
+    worker.press(document.model, request);
     worker.wait();
     return worker.newest();
   };
@@ -137,7 +137,7 @@ TEST_F(ProbeWorkerTest, PressesAnOpenMeshAsItsRepairClosesIt) {
 }
 
 TEST_F(ProbeWorkerTest, WithoutAWishThereIsNoReading) {
-  worker.press(document.model, wish);
+  worker.press(document.model, request);
   worker.press(document.model, std::nullopt);
   worker.wait();
   EXPECT_EQ(worker.newest(), nullptr);

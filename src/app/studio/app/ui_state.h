@@ -244,7 +244,7 @@ struct UiInput {
   SimFramePtr frame;                ///< newest of the simulation; null: none runs
   SensorModelPtr model;             ///< compiled layout of the document; null: nothing open
   MeasuredPtr measured;             ///< between the measure's points; null: not yet
-  ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are wished
+  ShownFieldsPtr fields;            ///< receptive fields of what is shown; null: not yet, or none are requested
   PressedProbePtr probe;            ///< pressed on `model`; null: no probe, or not yet
   RealShownPtr real;                ///< a real sensor's recording over the run; null: none
   VideoProgress video;              ///< of the one that is being made

@@ -47,7 +47,8 @@ Json probe_json(const ui::UiState& ui, const ui::UiInput& input) {
         {"area", input.probe->area},
         {"polygons", input.probe->polygons},
         {"max_pressure", input.probe->largest},
-        {"point", {input.probe->wish.probe.point.x, input.probe->wish.probe.point.y, input.probe->wish.probe.point.z}},
+        {"point",
+         {input.probe->request.probe.point.x, input.probe->request.probe.point.y, input.probe->request.probe.point.z}},
         {"values", state->readings}};
   }
   return json;

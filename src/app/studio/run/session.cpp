@@ -105,7 +105,7 @@ void Session::drop_scene() {
   least_load_ = loads_ + 1;
   frame_.reset();
   settled_.reset();
-  explain_wish_.reset();
+  explain_request_.reset();
   playing_ = runs_scenario_ = simulates_document_ = still_ = held_ = false;
   attached_.clear();
   replay_.stop();

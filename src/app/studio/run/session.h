@@ -64,19 +64,19 @@ class Session {
   /// As soon as the newest model is built, the simulation reads by it.
   void hand_over() { hand_over_wanted_ = true; }
   /// Presses the probe on what is edited, after every edit anew; none: there is no probe.
-  void press(std::optional<ui::ProbeWish> wish);
+  void press(std::optional<ui::ProbeRequest> request);
   /// Measures between two points; none: nothing.
-  void measure(std::optional<ui::MeasureWish> wish) { measure_.ask(std::move(wish)); }
+  void measure(std::optional<ui::MeasureRequest> request) { measure_.ask(std::move(request)); }
   /// Works out the receptive fields of what this mode shows, for the pictures to come.
   void show_fields(ui::Mode mode, ui::FieldMap map, bool weights) {
     field_mode_ = mode, field_map_ = map, field_weights_ = weights;
   }
   /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
-  void explain(std::optional<ui::ExplainWish> wish);
+  void explain(std::optional<ui::ExplainRequest> request);
   /// Reads the recorded steps of the simulation by other models, while it stands; none: not any more.
-  void compare_models(std::optional<ui::ModelsWish> wish) { models_.compare(wish); }
+  void compare_models(std::optional<ui::ModelsRequest> request) { models_.compare(request); }
   /// Runs a parameter study of what is simulated; none: it is cancelled, and nothing is shown.
-  void study(const std::optional<ui::StudyWish>& wish);
+  void study(const std::optional<ui::StudyRequest>& request);
   /// From the last edit to the probe's reading [s]; none: not read yet.
   [[nodiscard]] std::optional<double> edit_latency() const { return edit_latency_; }
   void saved_as(const std::string& file);  ///< a project
@@ -227,10 +227,10 @@ class Session {
   ui::ComparedPtr compared_;
   ExplainWorker explain_;
   StudyWorker study_;
-  std::optional<ui::ExplainWish> explain_wish_;
+  std::optional<ui::ExplainRequest> explain_request_;
   ui::ExplainedPtr explained_;
   ProbeWorker probe_;
-  std::optional<ui::ProbeWish> probe_wish_;
+  std::optional<ui::ProbeRequest> probe_request_;
   ui::PressedProbePtr pressed_;                                     ///< of the model that is shown
   std::optional<std::chrono::steady_clock::time_point> edited_at_;  ///< and its reading is not shown yet
   std::optional<double> edit_latency_;

@@ -65,26 +65,26 @@ void Session::show_document(Document document) {
 }
 
 void Session::after_edit(bool simulated) {
-  if (probe_wish_) edited_at_ = std::chrono::steady_clock::now();
+  if (probe_request_) edited_at_ = std::chrono::steady_clock::now();
   // The samples of what was loaded are not wanted any more; those of the edited layout are polished where it is built.
   if (loader_.polishing() && !pending_) loader_.close();
   hand_over_wanted_ = hand_over_wanted_ || simulated || holds_run();
 }
 
-void Session::press(std::optional<ui::ProbeWish> wish) {
-  probe_wish_ = std::move(wish);
-  if (!probe_wish_) {
+void Session::press(std::optional<ui::ProbeRequest> request) {
+  probe_request_ = std::move(request);
+  if (!probe_request_) {
     pressed_.reset();
     edited_at_.reset();
     edit_latency_.reset();
   }
-  probe_.press(document_ ? document_->model : nullptr, probe_wish_);
+  probe_.press(document_ ? document_->model : nullptr, probe_request_);
 }
 
 /// The reading that was shown stays until there is one of the model shown now.
 void Session::take_reading(SessionNews& news) {
   const SensorModelPtr model = document_ ? document_->model : nullptr;
-  probe_.press(model, probe_wish_);
+  probe_.press(model, probe_request_);
   if (!by_clock_) {
     probe_.wait();
     measure_.wait();
@@ -103,25 +103,25 @@ void Session::take_reading(SessionNews& news) {
   edited_at_.reset();
 }
 
-void Session::study(const std::optional<ui::StudyWish>& wish) {
-  if (!wish) return study_.ask(std::nullopt);
+void Session::study(const std::optional<ui::StudyRequest>& request) {
+  if (!request) return study_.ask(std::nullopt);
   if (!document_ || !document_->model) return;
-  study_.ask(StudyJob{*wish, document_->model});
+  study_.ask(StudyJob{*request, document_->model});
   if (!by_clock_) study_.wait();
 }
 
 /// Those that were shown stay until there are some of what is shown now.
 void Session::take_fields(SessionNews& news) {
-  ui::FieldsWish wish{{}, field_map_, field_weights_};
+  ui::FieldsRequest request{{}, field_map_, field_weights_};
   if (field_mode_ == ui::Mode::simulate && frame_ && frame_->scene) {
-    wish.models = frame_->scene->sensors;
+    request.models = frame_->scene->sensors;
   } else if (document_ && document_->model) {
-    wish.models = {document_->model};
+    request.models = {document_->model};
   }
-  fields_.ask(wish);
+  fields_.ask(request);
   if (!by_clock_) fields_.wait();
   ui::ShownFieldsPtr newest = fields_.newest();
-  if (newest == shown_fields_ || (newest && newest->wish != wish)) return;
+  if (newest == shown_fields_ || (newest && newest->request != request)) return;
   shown_fields_ = std::move(newest);
   news.new_reading = true;
 }

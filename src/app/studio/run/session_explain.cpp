@@ -3,15 +3,15 @@
 
 namespace taxel::studio {
 
-void Session::explain(std::optional<ui::ExplainWish> wish) {
-  if (wish.has_value() != explain_wish_.has_value()) tell(FollowStepBeforeCommand{wish.has_value()});
-  explain_wish_ = wish;
+void Session::explain(std::optional<ui::ExplainRequest> request) {
+  if (request.has_value() != explain_request_.has_value()) tell(FollowStepBeforeCommand{request.has_value()});
+  explain_request_ = request;
 }
 
 /// Of the step that is shown; while the simulation runs by its clock the last one stays. Not by clock it waits.
 void Session::take_explanation(SessionNews& news) {
   const bool runs = by_clock_ && frame_ && frame_->playing;
-  if (!runs || !explain_wish_) explain_.explain(frame_, explain_wish_);
+  if (!runs || !explain_request_) explain_.explain(frame_, explain_request_);
   if (!by_clock_) explain_.wait();
   ui::ExplainedPtr newest = explain_.newest();
   if (newest == explained_) return;

@@ -289,9 +289,9 @@ void Studio::draw_picture(double seconds) {
   input_.performance.simulation_speed = input_.frame ? input_.frame->measured_speed : 0.0;
   input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
   draw_contents();
-  session_.explain(ui::explain_wish(ui_, input_));
-  session_.compare_models(ui::models_wish(ui_, input_));
-  session_.study(ui_.study.wish);
+  session_.explain(ui::explain_request(ui_, input_));
+  session_.compare_models(ui::models_request(ui_, input_));
+  session_.study(ui_.study.request);
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;
@@ -313,8 +313,8 @@ void Studio::draw_contents() {
   ImGui::NewFrame();
   ui::draw_interface(ui_, input_, *renderer_);
   // Before the picture is filled, which takes a software renderer longer than a worker needs to answer.
-  session_.press(ui::probe_wish(ui_));
-  session_.measure(ui::measure_wish(ui_, input_));
+  session_.press(ui::probe_request(ui_));
+  session_.measure(ui::measure_request(ui_, input_));
   session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays), ui_.saved.overlays.readings_on_skin);
   carry_out_requests();
   window_->set_cursor(ImGui::GetMouseCursor());

@@ -47,30 +47,30 @@ void cover(const SensorModel& model, FieldGeometry& fields, SensorFields& out) {
 
 }  // namespace
 
-bool FieldsWish::empty() const {
+bool FieldsRequest::empty() const {
   return models.empty() ||
          (map == FieldMap::none && !weights && std::none_of(models.begin(), models.end(), is_geodesic));
 }
 
 const SensorFields* ShownFields::of(const SensorModelPtr& model) const {
-  const auto found = std::find(wish.models.begin(), wish.models.end(), model);
-  return found == wish.models.end() ? nullptr : &sensors[static_cast<std::size_t>(found - wish.models.begin())];
+  const auto found = std::find(request.models.begin(), request.models.end(), model);
+  return found == request.models.end() ? nullptr : &sensors[static_cast<std::size_t>(found - request.models.begin())];
 }
 
-ShownFieldsPtr FieldMaker::make(const FieldsWish& wish) {
+ShownFieldsPtr FieldMaker::make(const FieldsRequest& request) {
   const std::lock_guard one_at_a_time(making_);
   auto out = std::make_shared<ShownFields>();
-  out->wish = wish;
-  for (const SensorModelPtr& model : wish.models) {
+  out->request = request;
+  for (const SensorModelPtr& model : request.models) {
     FieldGeometry& fields = fields_[out->sensors.size()];
     SensorFields& made = out->sensors.emplace_back();
-    if (wish.weights) {
+    if (request.weights) {
       Weights& known = weights_[out->sensors.size() - 1];
       if (known.model != model) known = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
       made.weights = known.weights;
     }
     made.rings = std::make_shared<const FieldRings>(fields.rings(*model));
-    switch (wish.map) {
+    switch (request.map) {
       case FieldMap::none:
         break;
       case FieldMap::filled:

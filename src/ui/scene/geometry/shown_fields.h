@@ -25,13 +25,13 @@ enum class FieldMap {
   coverage  ///< every spot in the colour of the number of taxels that see it
 };
 
-struct FieldsWish {
+struct FieldsRequest {
   std::vector<SensorModelPtr> models;  ///< models of the sensors, in order
   FieldMap map = FieldMap::none;
   bool weights = false;  ///< to spread readings over the skin
   /// Whether anything of it takes long: straight rings alone do not.
   [[nodiscard]] bool empty() const;
-  bool operator==(const FieldsWish&) const = default;
+  bool operator==(const FieldsRequest&) const = default;
 };
 
 using FieldRings = std::vector<std::vector<RingPiece>>;  ///< by taxel, in layout order
@@ -46,7 +46,7 @@ struct SensorFields {
 };
 
 struct ShownFields {
-  FieldsWish wish;
+  FieldsRequest request;
   std::vector<SensorFields> sensors;  ///< parallel to the requested models
   /// Null where it is not one of the models.
   [[nodiscard]] const SensorFields* of(const SensorModelPtr& model) const;
@@ -57,7 +57,7 @@ using ShownFieldsPtr = std::shared_ptr<const ShownFields>;
 /// May be used from any thread.
 class FieldMaker {
  public:
-  ShownFieldsPtr make(const FieldsWish& wish);
+  ShownFieldsPtr make(const FieldsRequest& request);
 
  private:
   std::mutex making_;                            // guards the other members: one request at a time

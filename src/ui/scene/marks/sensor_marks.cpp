@@ -33,7 +33,7 @@ bool far_side_seen(const SceneInput& input, const SensorView& view) {
 /// Null: no map is on, or it is not worked out yet.
 const SensorFields* shown_map(const SceneInput& input, const SensorView& view) {
   const FieldMap map = field_map(input.overlays);
-  if (map == FieldMap::none || !input.fields || input.fields->wish.map != map) return nullptr;
+  if (map == FieldMap::none || !input.fields || input.fields->request.map != map) return nullptr;
   return input.fields->of(view.model);
 }
 
@@ -108,7 +108,7 @@ void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
   if (scene.input.repair_changes && view.state == nullptr && view.model->mesh != view.model->loaded)
     repair_.draw(view.model->repaired, view.model->loaded, paint_, scene.segments, state);
   if (shown_map(scene.input, view) == nullptr) return;
-  state.depth_write = scene.input.fields->wish.map == FieldMap::coverage;
+  state.depth_write = scene.input.fields->request.map == FieldMap::coverage;
   paint_.draw(paint_of(view).map(scene.input.fields), state);
 }
 
@@ -352,7 +352,7 @@ void SensorMarks::draw_measure(const Scene& scene) {
   if (const MeasuredPtr& measured = scene.input.measured) {
     const std::vector<dvec3>& path = measured->path;
     for (std::size_t i = 1; i < path.size(); ++i) lines.push_back(segment(path[i - 1], path[i], kPathWidth, color));
-    lines.push_back(segment(measured->wish.a, measured->wish.b, kStraightWidth, color));
+    lines.push_back(segment(measured->request.a, measured->request.b, kStraightWidth, color));
   }
   std::vector<PointMark> ends;
   for (const dvec3& p : scene.input.measure_points) ends.push_back(point_mark(p, dvec3(0), 1.0, color));

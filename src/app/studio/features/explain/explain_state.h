@@ -10,15 +10,15 @@
 namespace taxel::ui {
 
 /// A taxel of the simulation, in the step that is shown.
-struct ExplainWish {
+struct ExplainRequest {
   int sensor = 0;
   int taxel = 0;  ///< id
-  bool operator==(const ExplainWish&) const = default;
+  bool operator==(const ExplainRequest&) const = default;
 };
 
 /// What was found for a step.
 struct ExplainedStep {
-  ExplainWish wish;
+  ExplainRequest request;
   std::uint64_t step = 0;
   Explanation explanation;
   std::string problem;  ///< why there is none; empty: there is

@@ -28,17 +28,17 @@ void explain_reading(UiState& ui, const UiInput& input) {
   if (taxel < model->layout.taxels.size()) ui.selection.set(model->layout.taxels[taxel].id);
 }
 
-std::optional<ExplainWish> explain_wish(const UiState& ui, const UiInput& input) {
+std::optional<ExplainRequest> explain_request(const UiState& ui, const UiInput& input) {
   const std::optional<int> active = ui.selection.active();
   if (!ui.saved.panels.explain || ui.mode != Mode::simulate || !active || input.sensor(ui) == nullptr)
     return std::nullopt;
-  return ExplainWish{ui.selection.sensor, *active};
+  return ExplainRequest{ui.selection.sensor, *active};
 }
 
 const Explanation* shown_explanation(const UiState& ui, const UiInput& input) {
-  const std::optional<ExplainWish> wish = explain_wish(ui, input);
+  const std::optional<ExplainRequest> request = explain_request(ui, input);
   const ExplainedPtr& found = input.explained;
-  if (!wish || !found || !found->problem.empty() || found->wish != *wish || found->step != input.frame->step)
+  if (!request || !found || !found->problem.empty() || found->request != *request || found->step != input.frame->step)
     return nullptr;
   return &found->explanation;
 }

@@ -36,7 +36,7 @@ double largest_known(const SimFrame& frame, int sensor, int taxel, const SensorM
 
 bool ExplainWorker::Job::operator==(const Job& other) const {
   const SimFrame &a = *frame, &b = *other.frame;
-  return wish == other.wish && a.step == b.step && a.runs == b.runs && a.scene == b.scene &&
+  return request == other.request && a.step == b.step && a.runs == b.runs && a.scene == b.scene &&
          (a.before == nullptr) == (b.before == nullptr) && a.breakpoints == b.breakpoints;
 }
 
@@ -44,26 +44,26 @@ ExplainWorker::ExplainWorker(std::function<void()> wake)
     : worker_([this](const Job& job, Progress& progress) { return attempt(job, progress); }, std::move(wake),
               Overtaken::cancel) {}
 
-void ExplainWorker::explain(const SimFramePtr& frame, const std::optional<ui::ExplainWish>& wish) {
-  const bool there = frame && wish && at(wish->sensor) < frame->sensors.size();
-  worker_.ask(there ? std::optional(Job{frame, *wish}) : std::nullopt);
+void ExplainWorker::explain(const SimFramePtr& frame, const std::optional<ui::ExplainRequest>& request) {
+  const bool there = frame && request && at(request->sensor) < frame->sensors.size();
+  worker_.ask(there ? std::optional(Job{frame, *request}) : std::nullopt);
 }
 
 ui::ExplainedPtr ExplainWorker::attempt(const Job& job, Progress& progress) {
   auto out = std::make_shared<ui::ExplainedStep>();
-  out->wish = job.wish;
+  out->request = job.request;
   out->step = job.frame->step;
   try {
     const SimFrame& frame = *job.frame;
-    const SensorModelPtr& model = frame.scene->sensors[at(job.wish.sensor)];
+    const SensorModelPtr& model = frame.scene->sensors[at(job.request.sensor)];
     const std::vector<Taxel>& taxels = model->layout.taxels;
     const auto taxel =
-        std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == job.wish.taxel; });
-    const SensorStep& now = frame.sensors[at(job.wish.sensor)];
+        std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == job.request.taxel; });
+    const SensorStep& now = frame.sensors[at(job.request.sensor)];
     const int number = taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
     const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
-                               largest_known(frame, job.wish.sensor, number, *model), frame.breakpoints.of_sensor};
-    out->explanation = explainer_.explain(number, now, sensor_before(frame, job.wish.sensor), limits, &progress);
+                               largest_known(frame, job.request.sensor, number, *model), frame.breakpoints.of_sensor};
+    out->explanation = explainer_.explain(number, now, sensor_before(frame, job.request.sensor), limits, &progress);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {

@@ -16,9 +16,9 @@ class ExplainWorker {
   /// `wake` is called from the worker when there is another answer.
   explicit ExplainWorker(std::function<void()> wake);
 
-  /// The taxel in the step of `frame`, compared with the one before that the frame carries. Without a wish or a frame:
-  /// nothing any more.
-  void explain(const SimFramePtr& frame, const std::optional<ui::ExplainWish>& wish);
+  /// The taxel in the step of `frame`, compared with the one before that the frame carries. Without a request or a
+  /// frame: nothing any more.
+  void explain(const SimFramePtr& frame, const std::optional<ui::ExplainRequest>& request);
   [[nodiscard]] ui::ExplainedPtr newest() const { return worker_.newest(); }
   void wait() { worker_.wait(); }
   [[nodiscard]] bool busy() const { return worker_.busy(); }
@@ -26,7 +26,7 @@ class ExplainWorker {
  private:
   struct Job {
     SimFramePtr frame;
-    ui::ExplainWish wish;
+    ui::ExplainRequest request;
     /// Frames are made anew when anything changes; what counts is what is explained.
     bool operator==(const Job& other) const;
   };

@@ -15,16 +15,16 @@ constexpr double kLongest = 16;                      // of the mesh's diagonal: 
 }  // namespace
 
 /// Propagates no farther than it must: from the straight distance on, until the target is reached.
-ui::MeasuredPtr MeasureWorker::measure(const ui::MeasureWish& wish) {
-  if (skin_ != wish.skin) {
-    skin_ = wish.skin;
+ui::MeasuredPtr MeasureWorker::measure(const ui::MeasureRequest& request) {
+  if (skin_ != request.skin) {
+    skin_ = request.skin;
     unfolded_ = std::make_shared<const UnfoldedMesh>(skin_->mesh_ptr());
     distance_ = std::make_unique<GeodesicDistance>(unfolded_);
   }
   auto out = std::make_shared<ui::Measured>();
-  out->wish = wish;
-  out->straight = glm::distance(wish.a, wish.b);
-  const SurfacePoint a = skin_->closest_point(wish.a), b = skin_->closest_point(wish.b);
+  out->request = request;
+  out->straight = glm::distance(request.a, request.b);
+  const SurfacePoint a = skin_->closest_point(request.a), b = skin_->closest_point(request.b);
   const double longest = kLongest * skin_->mesh().bounds().diagonal();
   double radius = kFirstRadius * glm::distance(a.position, b.position);
   if (!(radius > 0)) {

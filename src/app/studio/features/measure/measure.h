@@ -12,19 +12,19 @@ namespace taxel::studio {
 class MeasureWorker {
  public:
   explicit MeasureWorker(std::function<void()> wake)
-      : worker_([this](const ui::MeasureWish& wish, Progress&) { return measure(wish); }, std::move(wake)) {}
-  void ask(std::optional<ui::MeasureWish> wish) { worker_.ask(std::move(wish)); }
+      : worker_([this](const ui::MeasureRequest& request, Progress&) { return measure(request); }, std::move(wake)) {}
+  void ask(std::optional<ui::MeasureRequest> request) { worker_.ask(std::move(request)); }
   [[nodiscard]] ui::MeasuredPtr newest() const { return worker_.newest(); }
   void wait() { worker_.wait(); }
   [[nodiscard]] bool busy() const { return worker_.busy(); }
 
  private:
-  ui::MeasuredPtr measure(const ui::MeasureWish& wish);
+  ui::MeasuredPtr measure(const ui::MeasureRequest& request);
 
   std::shared_ptr<const MeshIndex> skin_;  // of what follows
   std::shared_ptr<const UnfoldedMesh> unfolded_;
   std::unique_ptr<GeodesicDistance> distance_;
-  NewestWins<ui::MeasureWish, ui::Measured> worker_;  // last: it ends first
+  NewestWins<ui::MeasureRequest, ui::Measured> worker_;  // last: it ends first
 };
 
 }  // namespace taxel::studio

@@ -43,9 +43,9 @@ void toggle_measure(UiState& ui, const UiInput& input) {
   ui.measure.on = true;
 }
 
-std::optional<MeasureWish> measure_wish(const UiState& ui, const UiInput& input) {
+std::optional<MeasureRequest> measure_request(const UiState& ui, const UiInput& input) {
   if (!ui.measure.on || ui.measure.points.size() != 2 || ui.mode != Mode::layout || !input.model) return std::nullopt;
-  return MeasureWish{input.model->skin, ui.measure.points[0].at, ui.measure.points[1].at};
+  return MeasureRequest{input.model->skin, ui.measure.points[0].at, ui.measure.points[1].at};
 }
 
 bool handle_measure_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {

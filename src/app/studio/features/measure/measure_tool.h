@@ -8,8 +8,8 @@ namespace taxel::ui {
 void toggle_measure(UiState& ui, const UiInput& input);
 void leave_measure(UiState& ui);
 
-/// What is to be measured; none: less than two points.
-[[nodiscard]] std::optional<MeasureWish> measure_wish(const UiState& ui, const UiInput& input);
+/// The distance to measure, or empty with fewer than two points.
+[[nodiscard]] std::optional<MeasureRequest> measure_request(const UiState& ui, const UiInput& input);
 
 /// The view's mouse, before other tools and the camera get it. True: it is the measure's.
 bool handle_measure_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);

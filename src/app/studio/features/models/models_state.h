@@ -11,9 +11,9 @@
 namespace taxel::ui {
 
 /// A sensor of the simulation, in the step that is shown; all recorded steps where the simulation does not run.
-struct ModelsWish {
+struct ModelsRequest {
   int sensor = 0;
-  bool operator==(const ModelsWish&) const = default;
+  bool operator==(const ModelsRequest&) const = default;
 };
 
 /// One step as all models read it.

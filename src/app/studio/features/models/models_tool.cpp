@@ -5,15 +5,15 @@
 
 namespace taxel::ui {
 
-std::optional<ModelsWish> models_wish(const UiState& ui, const UiInput& input) {
+std::optional<ModelsRequest> models_request(const UiState& ui, const UiInput& input) {
   if (!ui.saved.panels.models || ui.mode != Mode::simulate || input.sensor(ui) == nullptr) return std::nullopt;
-  return ModelsWish{ui.selection.sensor};
+  return ModelsRequest{ui.selection.sensor};
 }
 
 const ComparedSteps* shown_comparison(const UiState& ui, const UiInput& input) {
-  const std::optional<ModelsWish> wish = models_wish(ui, input);
+  const std::optional<ModelsRequest> request = models_request(ui, input);
   const ComparedPtr& found = input.compared;
-  if (!wish || !found || found->sensor != wish->sensor || found->model != input.shown_model(ui)) return nullptr;
+  if (!request || !found || found->sensor != request->sensor || found->model != input.shown_model(ui)) return nullptr;
   return found.get();
 }
 

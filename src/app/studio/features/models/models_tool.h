@@ -5,8 +5,8 @@
 
 namespace taxel::ui {
 
-/// What the panel asks for; none: it is closed, or no sensor is simulated.
-[[nodiscard]] std::optional<ModelsWish> models_wish(const UiState& ui, const UiInput& input);
+/// The sensor to compare; empty if the panel is closed or no sensor is simulated.
+[[nodiscard]] std::optional<ModelsRequest> models_request(const UiState& ui, const UiInput& input);
 
 /// What was found for the sensor that is selected; null: nothing, or not yet.
 [[nodiscard]] const ComparedSteps* shown_comparison(const UiState& ui, const UiInput& input);

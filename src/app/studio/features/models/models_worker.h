@@ -21,7 +21,7 @@ class ModelsWorker {
   explicit ModelsWorker(std::function<void()> wake);
 
   /// What is asked for; none: nothing any more.
-  void compare(std::optional<ui::ModelsWish> wish) { wish_ = wish; }
+  void compare(std::optional<ui::ModelsRequest> request) { wish_ = request; }
   /// Reads the step that is shown, and what was recalled since; `runs`: what there is stays until the simulation
   /// stands. Returns what is to be asked of it next.
   std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
@@ -48,7 +48,7 @@ class ModelsWorker {
   void add(const Step& step);
   void forget_what_changed(const SimFrame& frame, int sensor);
 
-  std::optional<ui::ModelsWish> wish_;
+  std::optional<ui::ModelsRequest> wish_;
   std::shared_ptr<const SimScene> scene_;  // of this generation
   std::uint64_t run_ = 0;                  // likewise, as SimFrame::runs
   int sensor_ = -1;

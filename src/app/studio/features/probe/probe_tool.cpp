@@ -97,31 +97,31 @@ void toggle_probe(UiState& ui, const UiInput& input) {
   ui.probe.on = ui.probe.held = true;
 }
 
-std::optional<ProbeWish> probe_wish(const UiState& ui) {
+std::optional<ProbeRequest> probe_request(const UiState& ui) {
   const ProbeState& state = ui.probe;
   if (!state.on || !state.at || ui.mode != Mode::layout) return std::nullopt;
   const ProbeSettings& settings = state.settings;
-  ProbeWish wish;
+  ProbeRequest request;
   switch (settings.kind) {
     case ProbeKind::sphere:
-      wish.probe.shape = settings.sphere;
+      request.probe.shape = settings.sphere;
       break;
     case ProbeKind::edge:
-      wish.probe.shape = settings.edge;
+      request.probe.shape = settings.edge;
       break;
     case ProbeKind::point:
-      wish.probe.shape = settings.point;
+      request.probe.shape = settings.point;
       break;
     case ProbeKind::mesh:
-      wish.probe.shape = ProbeMesh{};
-      wish.mesh_file = settings.mesh_file;
+      request.probe.shape = ProbeMesh{};
+      request.mesh_file = settings.mesh_file;
       break;
   }
-  wish.probe.material = settings.material;
-  wish.probe.point = *state.at;
-  wish.probe.depth = settings.depth;
-  wish.probe.roll_deg = settings.roll_deg;
-  return wish;
+  request.probe.material = settings.material;
+  request.probe.point = *state.at;
+  request.probe.depth = settings.depth;
+  request.probe.roll_deg = settings.roll_deg;
+  return request;
 }
 
 bool handle_probe_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {

@@ -13,8 +13,8 @@ inline constexpr double kDeepestProbe = 0.5;
 void toggle_probe(UiState& ui, const UiInput& input);
 void leave_probe(UiState& ui);
 
-/// What is to be pressed now; none: nothing.
-[[nodiscard]] std::optional<ProbeWish> probe_wish(const UiState& ui);
+/// The probe to press, or empty.
+[[nodiscard]] std::optional<ProbeRequest> probe_request(const UiState& ui);
 
 /// The view's mouse, before other tools and the camera get it. x, y: pointer in pixels of the view. True: it is the
 /// probe's.

@@ -23,21 +23,21 @@ TriMeshPtr load_probe(const std::string& file) {
 ProbeWorker::ProbeWorker(std::function<void()> wake)
     : worker_([this](const Job& job, Progress&) { return attempt(job); }, std::move(wake)) {}
 
-void ProbeWorker::press(const SensorModelPtr& model, const std::optional<ui::ProbeWish>& wish) {
-  worker_.ask(model && wish ? std::optional(Job{model, *wish}) : std::nullopt);
+void ProbeWorker::press(const SensorModelPtr& model, const std::optional<ui::ProbeRequest>& request) {
+  worker_.ask(model && request ? std::optional(Job{model, *request}) : std::nullopt);
 }
 
 void ProbeWorker::press_now(const SensorModelPtr& model) {
   const std::optional<Job> asked = worker_.asked();
   if (!asked || !model) return;
-  const Job job{model, asked->wish};
+  const Job job{model, asked->request};
   worker_.put(job, attempt(job));
 }
 
-ui::ProbeWish ProbeWorker::with_mesh(const ui::ProbeWish& wish) {
-  ui::ProbeWish loaded = wish;
-  if (std::holds_alternative<ProbeMesh>(wish.probe.shape)) {
-    loaded.probe.shape = ProbeMesh{meshes_.get(wish.mesh_file, [&] { return load_probe(wish.mesh_file); })};
+ui::ProbeRequest ProbeWorker::with_mesh(const ui::ProbeRequest& request) {
+  ui::ProbeRequest loaded = request;
+  if (std::holds_alternative<ProbeMesh>(request.probe.shape)) {
+    loaded.probe.shape = ProbeMesh{meshes_.get(request.mesh_file, [&] { return load_probe(request.mesh_file); })};
   }
   return loaded;
 }
@@ -46,9 +46,9 @@ ui::PressedProbePtr ProbeWorker::attempt(const Job& job) {
   const std::lock_guard one_at_a_time(pressing_);
   auto out = std::make_shared<ui::PressedProbe>();
   out->model = job.model;
-  out->wish = job.wish;
+  out->request = job.request;
   try {
-    taxel::press(*job.model, with_mesh(job.wish).probe, press_);
+    taxel::press(*job.model, with_mesh(job.request).probe, press_);
   } catch (const std::exception& error) {
     out->problem = error.what();
     return out;

@@ -18,9 +18,10 @@ class ProbeWorker {
   /// `wake` is called from the worker when there is another reading.
   explicit ProbeWorker(std::function<void()> wake);
 
-  /// To be pressed as soon as what is pressed now is done. Without a wish or a model: nothing any more.
-  void press(const SensorModelPtr& model, const std::optional<ui::ProbeWish>& wish);
-  /// The same wish on a model that was just built, in the thread that built it: model and reading are there together.
+  /// To be pressed as soon as what is pressed now is done. Without a request or a model: nothing any more.
+  void press(const SensorModelPtr& model, const std::optional<ui::ProbeRequest>& request);
+  /// The same request on a model that was just built, in the thread that built it: model and reading are there
+  /// together.
   void press_now(const SensorModelPtr& model);
   /// The last reading; null: there is none.
   [[nodiscard]] ui::PressedProbePtr newest() const { return worker_.newest(); }
@@ -30,11 +31,11 @@ class ProbeWorker {
  private:
   struct Job {
     SensorModelPtr model;
-    ui::ProbeWish wish;
+    ui::ProbeRequest request;
     bool operator==(const Job&) const = default;
   };
   ui::PressedProbePtr attempt(const Job& job);
-  ui::ProbeWish with_mesh(const ui::ProbeWish& wish);
+  ui::ProbeRequest with_mesh(const ui::ProbeRequest& request);
 
   std::mutex pressing_;  // guards what follows: one press at a time
   ProbePress press_;

@@ -94,8 +94,8 @@ void run_study(UiState& ui, const Scenario& scenario) {
     check_study(study);
     s.problem.clear();
     s.cancelled = false;
-    s.before = std::move(s.wish);
-    s.wish = StudyWish{++s.number, study};
+    s.before = std::move(s.request);
+    s.request = StudyRequest{++s.number, study};
   } catch (const Error& e) {
     s.problem = e.what();
   }
@@ -108,12 +108,12 @@ void draw_fields(UiState& ui, const UiInput& input, const Project& project) {
     draw_parameter(ui, project, {"And", s.key2, s.from2, s.to2, s.count2});
     end_properties();
   }
-  if (s.wish && input.study.busy) {
+  if (s.request && input.study.busy) {
     const float width = ImGui::CalcTextSize("Cancel study").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::ProgressBar(static_cast<float>(input.study.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
     ImGui::SameLine();
     if (button(ui, "Cancel study")) {
-      s.wish = std::exchange(s.before, std::nullopt);
+      s.request = std::exchange(s.before, std::nullopt);
       s.cancelled = true;
     }
   } else if (button(ui, "Run study", ImVec2(-1, 0))) {

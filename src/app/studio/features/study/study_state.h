@@ -10,11 +10,11 @@
 
 namespace taxel::ui {
 
-/// A study to be run, told from others by its number.
-struct StudyWish {
+/// A study to be run, with a unique number.
+struct StudyRequest {
   std::uint64_t number = 0;
   Study study;
-  bool operator==(const StudyWish& other) const { return number == other.number; }
+  bool operator==(const StudyRequest& other) const { return number == other.number; }
 };
 
 struct StudyState {
@@ -24,8 +24,8 @@ struct StudyState {
   std::string key2;  ///< empty: one parameter
   double from2 = 0, to2 = 0;
   int count2 = 2;
-  std::optional<StudyWish> wish;    ///< runs, or is shown
-  std::optional<StudyWish> before;  ///< was shown when that began
+  std::optional<StudyRequest> request;  ///< study that runs or is displayed
+  std::optional<StudyRequest> before;   ///< study that was displayed when `request` began
   std::uint64_t number = 0;
   bool cancelled = false;  ///< the last one was
   std::string problem;     ///< why it cannot run

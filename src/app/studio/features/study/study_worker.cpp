@@ -39,9 +39,9 @@ void record_run(Simulator& simulator, StudyCurve& curve, const Progress& progres
 
 StudyCurvesPtr run_study(const StudyJob& job, Progress& progress) {
   auto curves = std::make_shared<StudyCurves>();
-  curves->study = job.wish.study;
+  curves->study = job.request.study;
   for (const Taxel& taxel : job.model->layout.taxels) curves->taxel_ids.push_back(taxel.id);
-  for (const StudyRun& run : runs_of(job.wish.study)) curves->runs.push_back({run, {}, {}, {}});
+  for (const StudyRun& run : runs_of(job.request.study)) curves->runs.push_back({run, {}, {}, {}});
   SensorCache cache;
   try {
     run_side_by_side(

@@ -10,9 +10,9 @@
 namespace taxel::studio {
 
 struct StudyJob {
-  ui::StudyWish wish;
+  ui::StudyRequest request;
   SensorModelPtr model;  ///< of the layout that is studied
-  bool operator==(const StudyJob& other) const { return wish == other.wish; }
+  bool operator==(const StudyJob& other) const { return request == other.request; }
 };
 
 class StudyWorker {

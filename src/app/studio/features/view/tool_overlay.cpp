@@ -67,8 +67,8 @@ void draw_probe_handle(const UiState& ui, const UiInput& input, ImDrawList& list
 void draw_measure_label(const UiState& ui, const UiInput& input, ImDrawList& list) {
   const Measured* measured = input.measured.get();
   if (!ui.measure.on || measured == nullptr) return;
-  const dvec3 middle =
-      measured->path.empty() ? 0.5 * (measured->wish.a + measured->wish.b) : measured->path[measured->path.size() / 2];
+  const dvec3 middle = measured->path.empty() ? 0.5 * (measured->request.a + measured->request.b)
+                                              : measured->path[measured->path.size() / 2];
   const ImVec2 at = on_screen(ui, shown_pose(ui, input) * middle);
   const std::string along =
       std::isfinite(measured->along) ? in_mm(measured->along) + " along the surface" : "no way along the surface";
