@@ -79,7 +79,7 @@ def check_include(relative, header):
     if FREE_OF_FILES.fullmatch(relative):
         if header.startswith(("core/sim/", "nlohmann/", "epoxy/", "ui/gl/")) or header in UI_NEVER:
             return f"a feature's state, panel and tool must not use {header}"
-    if re.fullmatch(r"app/studio/features/.*_(?:worker|job)\.(?:h|cpp)", relative):
+    if re.fullmatch(r"app/studio/features/.*_job\.(?:h|cpp)", relative):
         if header.startswith(("imgui", "implot", "epoxy/", "ui/gl/")):
             return f"a feature's job must not use {header}"
     if relative.startswith("app/cli/") and header.startswith("ui/"):

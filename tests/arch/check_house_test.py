@@ -16,7 +16,7 @@ BROKEN = {
     "ui/widgets/h.cpp": "#include <fstream>\n",
     "ui/scene/l.cpp": '#include "app/studio/app/ui_state.h"\n',
     "app/studio/features/probe/probe_tool.cpp": '#include "core/base/files.h"\n',
-    "app/studio/features/probe/probe_worker.cpp": "#include <imgui.h>\n",
+    "app/studio/features/probe/probe_job.cpp": "#include <imgui.h>\n",
     "app/cli/i.cpp": "#include <imgui.h>\n",
     "app/cli/commands/l.cpp": "#include <CLI/CLI.hpp>\n",
     "core/layout/sampling/j.cpp": "const double x = std::sin(1.0);\n",

@@ -21,7 +21,8 @@ class AutosaveInterval : public testing::TestWithParam<double> {};
 TEST_P(AutosaveInterval, IsNeitherLongerNorShorter) {
   const double every = GetParam();
   const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveInterval");
-  Autosave autosave(every);
+  studio::JobPool pool;
+  Autosave autosave(pool, every);
   autosave.start(folder);
   const auto project = std::make_shared<const Project>();
   double now = 1e5;  // [s]; the clock began at some time
@@ -47,7 +48,7 @@ TEST_P(AutosaveInterval, IsNeitherLongerNorShorter) {
 
 INSTANTIATE_TEST_SUITE_P(Seconds, AutosaveInterval, testing::Values(0.01, 2.0, 30.0));
 
-/// Waits for the thread's answer, ten seconds at most.
+/// Waits for the result of the attempt, at most ten seconds.
 std::string answer(Autosave& autosave, const ProjectPtr& project, std::uint64_t revision, double now) {
   for (int i = 0; i < 1000; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -60,7 +61,8 @@ std::string answer(Autosave& autosave, const ProjectPtr& project, std::uint64_t 
 TEST(AutosaveFailure, IsToldOnceAndTriedAgain) {
   const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveFailure");
   const auto file = folder / (std::to_string(::getpid()) + "-1.taxelproj");
-  Autosave autosave(2);
+  studio::JobPool pool;
+  Autosave autosave(pool, 2);
   autosave.start(folder);
   std::filesystem::create_directories(file / "in the way");
   const auto project = std::make_shared<const Project>();
@@ -86,7 +88,8 @@ TEST(AutosaveFolder, OffersRegularFilesAlone) {
   ASSERT_EQ(::mkfifo((folder / "1-1.taxelproj").c_str(), 0600), 0);
   std::filesystem::create_symlink("/dev/zero", folder / "1-2.taxelproj");
   write_text(folder / "1-3.taxelproj", "{}");
-  Autosave autosave(2);
+  studio::JobPool pool;
+  Autosave autosave(pool, 2);
   autosave.start(folder);
   const auto lost = autosave.lost();
   ASSERT_EQ(lost.size(), 1U);

@@ -38,7 +38,8 @@ class EditSessionTest : public testing::Test {
 
   SensorCache cache;
   std::atomic<int> woken = 0;
-  EditSession edits{cache, [this] { ++woken; }};
+  JobPool pool;
+  EditSession edits{pool, cache, [this] { ++woken; }};
 };
 
 TEST_F(EditSessionTest, TheNewestOfManyEditsIsCompiledAndNobodyWaitsForThem) {

@@ -40,7 +40,8 @@ Lines round(int number, Beat& pause) {
 
 // What is asked for counts at once: a key that toggles may come before the simulation has answered the one before.
 TEST(Live, PlayingIsWhatWasAskedForLast) {
-  studio::Session session(true, [] {});
+  studio::JobPool pool;
+  studio::Session session(pool, true, [] {});
   session.open(kLayoutFile);
   const auto run_until = [&](const auto& done) {
     const auto began = std::chrono::steady_clock::now();

@@ -53,7 +53,8 @@ LoadResult watched(Loader& loader, std::set<double>& seen) {
 TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
   const std::string file = layout_of_density(2e7);
   SensorCache cache;
-  Loader loader(cache);
+  JobPool pool;
+  Loader loader(pool, cache, {});
   EXPECT_FALSE(loader.busy());
   loader.start(file);
   EXPECT_TRUE(loader.busy() && loader.loading());
@@ -84,7 +85,8 @@ TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
 TEST(Loader, AReloadAfterAnEditOfTaxelsKeepsThePolishedSamples) {
   const std::string file = layout_of_density(1e6);
   SensorCache cache;
-  Loader loader(cache);
+  JobPool pool;
+  Loader loader(pool, cache, {});
   loader.start(file);
   next(loader);
   const SensorModelPtr before = std::get<Polished>(next(loader)).model;
@@ -104,7 +106,8 @@ TEST(Loader, CancelEndsALoadThatHasBegun) {
   std::chrono::steady_clock::time_point cancelled;
   {
     SensorCache cache;
-    Loader loader(cache);
+    JobPool pool;
+    Loader loader(pool, cache, {});
     loader.start(layout_of_density(1e8));
     while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
     loader.cancel();
@@ -119,7 +122,8 @@ TEST(Loader, CancelEndsALoadThatHasBegun) {
 
 TEST(Loader, CancelOfPolishingKeepsTheDocument) {
   SensorCache cache;
-  Loader loader(cache);
+  JobPool pool;
+  Loader loader(pool, cache, {});
   loader.start(layout_of_density(1e7));
   const Document document = std::get<Document>(next(loader));
   while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
@@ -133,7 +137,8 @@ TEST(Loader, CancelOfPolishingKeepsTheDocument) {
 
 TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
   SensorCache cache;
-  Loader loader(cache);
+  JobPool pool;
+  Loader loader(pool, cache, {});
   loader.start(layout_of_density(1e5));
   loader.wait();
   loader.cancel();
@@ -147,7 +152,8 @@ TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
 
 TEST(Loader, AFailureOfPolishingIsTold) {
   SensorCache cache;
-  Loader loader(cache);
+  JobPool pool;
+  Loader loader(pool, cache, {});
   loader.start(layout_of_density(1e5));
   Document document = std::get<Document>(next(loader));
   document.compile = [](const SensorBuild&) -> SensorModelPtr { throw std::runtime_error("no memory"); };
@@ -160,7 +166,8 @@ TEST(Loader, AFailureOfPolishingIsTold) {
 
 TEST(Loader, AnotherLoadTakesTheFirstOnesPlace) {
   SensorCache cache;
-  Loader loader(cache);
+  JobPool pool;
+  Loader loader(pool, cache, {});
   loader.start(layout_of_density(1e8));
   loader.start("nothing.obj");
   const LoadResult result = next(loader);

@@ -68,6 +68,11 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+Autosave::Autosave(JobPool& pool, double every_seconds)
+    : every_(every_seconds),
+      slot_(pool, Priority::background,
+            [this](const std::shared_ptr<const Task>& task, Outcome&, Progress&) { carry_out(*task); }, {}) {}
+
 Autosave::~Autosave() {
   stop();
 }
@@ -78,14 +83,11 @@ void Autosave::end() {
   forget({file_, "", "", ""});
 }
 
+/// Drops a task that has not begun and waits for a running one.
 void Autosave::stop() {
   if (!started()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  asked_.notify_all();
-  thread_.join();
+  slot_.post(std::nullopt);
+  slot_.wait();
   ::close(std::exchange(lock_, -1));
 }
 
@@ -100,15 +102,6 @@ void Autosave::start(const fs::path& folder) {
     constexpr int kMostTries = 1000;
     if (lock_ < 0 && number == kMostTries) throw Error(folder.string(), "cannot be written: edits are not kept");
   }
-  thread_ = std::thread([this] { run(); });
-}
-
-void Autosave::send(Job job) {
-  {
-    const std::lock_guard lock(mutex_);
-    next_ = std::move(job);
-  }
-  asked_.notify_all();
 }
 
 std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
@@ -137,11 +130,10 @@ std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, 
 }
 
 std::string Autosave::new_failure() {
-  const std::lock_guard lock(mutex_);
-  if (!outcome_) return {};
-  const std::string failure = *std::exchange(outcome_, std::nullopt);
-  if (!failure.empty()) kept_ = 0;  // it is not, and is written again
-  return std::exchange(told_, failure) == failure ? "" : failure;
+  const auto outcome = slot_.take();
+  if (!outcome) return {};
+  if (!outcome->problem.empty()) kept_ = 0;  // written again
+  return std::exchange(reported_, outcome->problem) == outcome->problem ? "" : outcome->problem;
 }
 
 std::optional<double> Autosave::seconds_until_due(double now) const {
@@ -149,38 +141,34 @@ std::optional<double> Autosave::seconds_until_due(double now) const {
   return std::max(0.0, *unkept_since_ + every_ - now);
 }
 
-void Autosave::leave(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
-                     const std::string& origin) {
+void Autosave::leave(const ProjectPtr& unsaved, const std::string& name, const std::string& origin) {
   if (!started()) return;
-  if (unsaved && (revision != kept_ || taken_over_)) send({unsaved, name, origin, taken_over_});
-  if (!unsaved) send({});
-  stop();
-  if (!unsaved) forget({file_, "", "", ""});
-}
-
-void Autosave::run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    asked_.wait(lock, [this] { return next_ || ending_; });
-    if (!next_) return;  // it ends, and the last job is done
-    const Job job = *std::exchange(next_, std::nullopt);
-    lock.unlock();
-    std::string failure;
-    try {
-      write(job);
-      if (job.forget) forget(*job.forget);
-    } catch (const std::exception& error) {
-      failure = error.what();
-    }
-    lock.lock();
-    outcome_ = failure;
+  if (!unsaved) return end();
+  const Task last = completed({unsaved, name, origin, taken_over_});
+  slot_.post(std::nullopt);
+  slot_.wait();
+  try {
+    carry_out(last);
+  } catch (const std::exception&) {  // the file that was written last remains
   }
+  stop();
 }
 
-void Autosave::write(const Job& job) const {
-  if (!job.project) return remove_kept(file_);
-  write_file_atomically(beside(file_, ".origin"), job.name + "\n" + job.origin + "\n");
-  write_project(file_, with_mesh_on_disk(*job.project, file_));
+/// Adds the document that the task to be replaced would forget.
+Autosave::Task Autosave::completed(Task task) const {
+  const auto replaced = slot_.posted();
+  if (replaced && !task.forget) task.forget = (*replaced)->forget;
+  return task;
+}
+
+void Autosave::carry_out(const Task& task) const {
+  if (task.project) {
+    write_file_atomically(beside(file_, ".origin"), task.name + "\n" + task.origin + "\n");
+    write_project(file_, with_mesh_on_disk(*task.project, file_));
+  } else {
+    remove_kept(file_);
+  }
+  if (task.forget) forget(*task.forget);
 }
 
 std::vector<LostDocument> Autosave::lost() const {

@@ -12,7 +12,7 @@ constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
 }  // namespace
 
 void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem) {
-  worker_.clear();
+  models_.clear();
   history_.emplace(*project);
   meshes_ = std::make_shared<OpenMeshes>();  // a model of the document before may still be built on its own
   meshes_->add(project->layout.mesh, std::move(mesh));
@@ -23,7 +23,7 @@ void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, s
 }
 
 void EditSession::close() {
-  worker_.clear();
+  models_.clear();
   history_.reset();
   meshes_ = std::make_shared<OpenMeshes>();
   problem_.clear();
@@ -31,7 +31,7 @@ void EditSession::close() {
 
 void EditSession::rebuild() {
   built_ = history_->project();
-  worker_.build({++asked_, built_, meshes_, file_});
+  models_.build({++asked_, built_, meshes_, file_});
 }
 
 /// The scenario, and what else is no part of the layout, compiles nothing.
@@ -91,7 +91,7 @@ void EditSession::redo() {
 }
 
 SensorModelPtr EditSession::take_model() {
-  std::optional<BuiltModel> built = worker_.take();
+  std::optional<BuiltModel> built = models_.take();
   if (!built || !history_) return nullptr;
   const bool newest = built->number == asked_;
   if (newest) problem_ = built->problem;
@@ -114,7 +114,7 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_c
   editing.undo_depth = history_->undo_depth();
   editing.redo_depth = history_->redo_depth();
   editing.dirty = history_->dirty();
-  if (worker_.polishing()) polishing = {true, by_clock ? worker_.fraction() : 0};
+  if (models_.polishing()) polishing = {true, by_clock ? models_.fraction() : 0};
 }
 
 }  // namespace taxel::studio

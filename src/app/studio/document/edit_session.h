@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "app/studio/app/ui_state.h"
-#include "app/studio/document/model_worker.h"
+#include "app/studio/document/model_slot.h"
 #include "core/document/history.h"
 
 namespace taxel::studio {
 
 class EditSession {
  public:
-  /// As of ModelWorker.
-  EditSession(SensorCache& cache, std::function<void()> wake, ModelWorker::Built built = {})
-      : worker_(cache, std::move(wake), std::move(built)) {}
+  /// See ModelSlot.
+  EditSession(JobPool& pool, SensorCache& cache, std::function<void()> wake, ModelSlot::Built built = {})
+      : models_(pool, cache, std::move(wake), std::move(built)) {}
 
   /// Another document, on this mesh, whose model is there already: saved, with no step to undo. `problem`: why it
   /// cannot be simulated.
@@ -47,10 +47,10 @@ class EditSession {
 
   /// The newest model of what is edited, once; the one before stays good until then.
   SensorModelPtr take_model();
-  void wait() { worker_.wait(); }
+  void wait() { models_.wait(); }
   /// The model that was taken last is of the present project.
   [[nodiscard]] bool compiled() const { return history_ && compiled_ == asked_; }
-  [[nodiscard]] bool building() const { return worker_.busy(); }
+  [[nodiscard]] bool building() const { return models_.busy(); }
 
   void fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const;
 
@@ -62,11 +62,11 @@ class EditSession {
   std::shared_ptr<OpenMeshes> meshes_ = std::make_shared<OpenMeshes>();
   std::string file_;
   ProjectPtr built_;            ///< what the newest model is, or will be, compiled of: its layout is the project's
-  std::uint64_t asked_ = 0;     ///< counts models that were asked for
+  std::uint64_t asked_ = 0;     ///< number of requested models
   std::uint64_t compiled_ = 0;  ///< number of the one that was taken last
   std::uint64_t together_ = 0;  ///< counts edit_together()
   std::string problem_;
-  ModelWorker worker_;  // last: it ends first
+  ModelSlot models_;
 };
 
 }  // namespace taxel::studio

@@ -1,15 +1,16 @@
-// The worker thread that loads documents while the window stays live: a document with preview samples first, which can
-// be shown and simulated, and then the same on polished ones.
+// Loads documents on a worker while the window stays live: a document with preview samples first, which can be
+// displayed and simulated, and then the same document with polished samples.
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "app/studio/document/documents.h"
+#include "app/studio/jobs/newest_wins.h"
 
 namespace taxel::studio {
 
@@ -17,9 +18,9 @@ struct LoadFailed {
   std::string reason;
 };
 struct LoadCancelled {};
-/// The same layout, its samples polished.
+/// The same layout with polished samples.
 struct Polished {
-  SensorModelPtr preview;  ///< what it replaces
+  SensorModelPtr preview;  ///< model that is replaced
   SensorModelPtr model;
 };
 struct PolishFailed {
@@ -30,45 +31,47 @@ using LoadResult = std::variant<Document, LoadFailed, LoadCancelled, Polished, P
 
 class Loader {
  public:
-  /// `cache`: so that a reload of a layout costs what was changed in it; must live longer.
-  explicit Loader(SensorCache& cache) : cache_(cache) {}
-  ~Loader();  ///< cancels and waits
-  Loader(const Loader&) = delete;
-  Loader& operator=(const Loader&) = delete;
+  /// A reload costs only what changed in a layout, by `cache`, which must live longer.
+  Loader(JobPool& pool, SensorCache& cache, std::function<void()> wake);
 
-  /// Begins to load a file; empty: the built-in fingertip. Gives a Document, and after one with preview samples what
-  /// comes of polishing them. What still runs is cancelled, its results are dropped.
-  /// `skin`: what a layout of another program leaves open.
+  /// Begins to load a file, or the built-in fingertip if `file` is empty. What still runs is cancelled and its results
+  /// are dropped. When a document with preview samples is taken, its samples are polished. `skin` is what a layout of
+  /// another program leaves open.
   void start(const std::string& file, const SkinChoice& skin = {});
-  /// Begins to polish the samples of a document, likewise.
+  /// Begins to polish the samples of a document. What still runs is cancelled and its results are dropped.
   void polish(const Document& document);
-  /// Ends what runs: take() tells so next, whatever the worker has ready by then.
+  /// Ends what runs, which take() reports next, even if the worker has finished by then.
   void cancel();
-  void close();       ///< the same, and nothing more is told of it
-  void wait() const;  ///< until take() has something, or nothing runs
+  /// Ends what runs without a report.
+  void close();
+  /// Waits until take() has something, or nothing runs.
+  void wait() const;
   /// The next result, once.
   std::optional<LoadResult> take();
 
-  [[nodiscard]] bool busy() const { return job_ || cancelled_; }
-  [[nodiscard]] bool cancelled() const { return cancelled_.has_value(); }  ///< take() is to tell so
-  [[nodiscard]] bool loading() const;                                      ///< the document is not there yet
-  [[nodiscard]] bool polishing() const;  ///< the document was taken, and its samples are polished now
-  [[nodiscard]] const std::string& file() const { return file_; }  ///< of the last start()
-  [[nodiscard]] double fraction() const;                           ///< of loading, or of polishing
-  [[nodiscard]] double seconds() const;                            ///< since it began
+  [[nodiscard]] bool busy() const { return slot_.posted() || cancelled_; }
+  [[nodiscard]] bool cancelled() const { return cancelled_.has_value(); }  ///< whether take() will report it
+  [[nodiscard]] bool loading() const;                                      ///< whether the document is not there yet
+  [[nodiscard]] bool polishing() const;                            ///< whether the samples of a document are polished
+  [[nodiscard]] const std::string& file() const { return file_; }  ///< file of the last start()
+  /// Finished fraction of loading, or of polishing.
+  [[nodiscard]] double fraction() const { return slot_.newest() ? 1 : slot_.fraction(); }
+  [[nodiscard]] double seconds() const;  ///< time since it began
 
  private:
-  struct Job;
-  void begin(std::shared_ptr<Job> job);
-  void retire();  ///< what runs
-  void forget_ended();
+  /// A file to load, or a document whose samples are to be polished.
+  struct Task {
+    std::string file;
+    SkinChoice skin;
+    std::optional<Document> document;
+  };
+  static void run(const Task& task, SensorCache& cache, LoadResult& out, Progress& progress);
+  void begin(Task task);
 
   std::string file_;
-  SensorCache& cache_;
-  std::shared_ptr<Job> job_;
-  std::vector<std::shared_ptr<Job>> retired_;  ///< cancelled, yet to notice
-  std::optional<LoadResult> cancelled_;        ///< what take() tells of them
+  std::optional<LoadResult> cancelled_;  ///< report for take()
   std::chrono::steady_clock::time_point began_;
+  NewestWins<std::shared_ptr<const Task>, LoadResult> slot_;
 };
 
 }  // namespace taxel::studio

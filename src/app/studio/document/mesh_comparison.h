@@ -1,45 +1,43 @@
-// A mesh that is open and was replaced on disk: read again in a thread of its own, and compared with what is edited.
+// Reads an open mesh again that was replaced on disk, and compares it with the edited layout, on a worker.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "app/studio/document/open_meshes.h"
+#include "app/studio/jobs/newest_wins.h"
 #include "core/document/moved_surface.h"
 
 namespace taxel::studio {
 
 struct ComparedMesh {
-  MeshRef ref;                            ///< with the hash of what was read
-  OpenMeshPtr mesh;                       ///< null: see `failure`
-  std::shared_ptr<const MeshIndex> skin;  ///< that would be sampled
-  SurfaceDistances distances;             ///< of the taxels as they were when this began
-  std::string failure;                    ///< why it could not be read
+  MeshRef ref;                            ///< reference with the hash of the file that was read
+  OpenMeshPtr mesh;                       ///< the mesh, or null if `problem` is set
+  std::shared_ptr<const MeshIndex> skin;  ///< surface that would be sampled
+  SurfaceDistances distances;             ///< distances of the taxels when the comparison began
+  std::string problem;                    ///< reason why the file cannot be read, or empty
 };
 
-/// The same for a mesh that is there already.
+/// Compares a mesh that is already read.
 ComparedMesh compare_mesh(const MeshRef& ref, const OpenMeshPtr& mesh, const Layout& layout);
 
 class MeshComparison {
  public:
-  MeshComparison() = default;
-  ~MeshComparison();  ///< cancels and waits
-  MeshComparison(const MeshComparison&) = delete;
-  MeshComparison& operator=(const MeshComparison&) = delete;
+  MeshComparison(JobPool& pool, std::function<void()> wake);
 
   /// Drops what still runs.
   void start(const Layout& layout);
-  void cancel();
-  [[nodiscard]] bool busy() const { return job_ != nullptr; }
-  void wait() const;  ///< until take() has something, or nothing runs
+  /// Whether a comparison runs or was not taken yet.
+  [[nodiscard]] bool busy() const { return slot_.posted().has_value(); }
+  /// Waits until no comparison runs.
+  void wait() const { slot_.wait(); }
+  /// The result, once.
   std::optional<ComparedMesh> take();
 
  private:
-  struct Job;
-  std::shared_ptr<Job> job_;
+  NewestWins<std::shared_ptr<const Layout>, ComparedMesh> slot_;
 };
 
 }  // namespace taxel::studio

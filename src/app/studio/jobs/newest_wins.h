@@ -1,129 +1,153 @@
-// A worker thread of which only the newest job counts: what is asked for while it works replaces what was not begun.
+// A slot of the job pool in which only the newest job counts: it replaces a job that has not begun.
 #pragma once
 
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include "app/studio/jobs/job_pool.h"
 #include "core/base/progress.h"
 
 namespace taxel::studio {
 
-/// What becomes of a job that is being done when another is asked for.
-enum class Overtaken {
-  finish,  ///< its result is shown meanwhile
-  cancel   ///< through its Progress
+/// The fate of a running job when another job is posted.
+enum class Superseded {
+  finish,  ///< runs to its end; its result is used until the newer one is there
+  cancel   ///< is cancelled through its Progress; its result is dropped
 };
 
-/// Jobs compare with ==. From any thread.
+/// Runs one job at a time. Jobs compare with ==. All functions may be called from any thread. The owner destroys the
+/// slot before the pool, and nobody else uses the slot then.
 template <class Job, class Result>
 class NewestWins {
  public:
   using ResultPtr = std::shared_ptr<const Result>;
-  using Work = std::function<ResultPtr(const Job&, Progress&)>;
-  /// `work` runs in the worker and throws nothing but Cancelled; `wake` is called from there when there is another
-  /// result.
-  NewestWins(Work work, std::function<void()> wake, Overtaken overtaken = Overtaken::finish)
-      : work_(std::move(work)), wake_(std::move(wake)), overtaken_(overtaken), thread_([this] { run(); }) {}
-  ~NewestWins() {  ///< waits for what runs
-    {
-      const std::lock_guard lock(mutex_);
-      ending_ = true;
-      overtake();
-    }
-    asked_.notify_all();
-    thread_.join();
+  /// Fills the result of a job. Runs on a thread of the pool, never twice at the same time, so that the function may
+  /// own what it needs for the next job. If it throws Cancelled, there is no result; the text of any other exception is
+  /// stored in `Result::problem`, which a Work that throws must have.
+  using Work = std::function<void(const Job&, Result&, Progress&)>;
+
+  /// `wake` may be empty. It is called on the thread of the pool when a job has ended.
+  NewestWins(JobPool& pool, Priority priority, Work work, std::function<void()> wake)
+      : pool_(pool), priority_(priority), work_(std::move(work)), wake_(std::move(wake)) {}
+  /// Cancels the running job and waits for it. A job that has not begun is dropped.
+  ~NewestWins() {
+    post(std::nullopt, Superseded::cancel);
+    pool_.remove(this);
   }
   NewestWins(const NewestWins&) = delete;
   NewestWins& operator=(const NewestWins&) = delete;
 
-  /// To be done unless it is done, or asked for already; none: nothing any more.
-  void ask(std::optional<Job> job) {
+  /// Requests the result of a job, unless it is the job that was posted last. Without a job nothing is requested any
+  /// more, and the newest result is forgotten.
+  void post(std::optional<Job> job, Superseded running = Superseded::finish) {
     {
       const std::lock_guard lock(mutex_);
       if (job && job_ && *job == *job_) return;
       job_ = std::move(job);
-      due_ = job_ && !answered();
+      is_pending_ = job_ && !has_reply();
       if (!job_) newest_.reset();
-      overtake();
-      if (!due_) return;
+      if (progress_ && running == Superseded::cancel) progress_->cancel();
+      ended_.notify_all();
+      if (!is_pending_) return;
     }
-    asked_.notify_all();
+    pool_.post(this, priority_, [this] { run(); });
   }
-  /// A result that was found elsewhere. Dropped where nothing is asked for.
-  void put(const Job& job, ResultPtr result) {
+  /// Stores a result that was found elsewhere. Dropped while no job is posted.
+  void publish(const Job& job, ResultPtr result) {
     const std::lock_guard lock(mutex_);
-    if (job_) newest_ = {job, std::move(result)};
+    if (job_ && result) store(job, std::move(result));
   }
-  [[nodiscard]] std::optional<Job> asked() const {
+  /// Runs a job on the calling thread and publishes its result.
+  void run_here(const Job& job) {
+    Progress progress;
+    publish(job, attempt(job, progress));
+  }
+  /// The job that was posted last and whose result was not taken.
+  [[nodiscard]] std::optional<Job> posted() const {
     const std::lock_guard lock(mutex_);
     return job_;
   }
-  /// The last result, of what is asked for or of what was asked for before; null: there is none.
+  /// The newest result, of the posted job or of an earlier one, or null.
   [[nodiscard]] ResultPtr newest() const {
     const std::lock_guard lock(mutex_);
     return newest_ ? newest_->second : nullptr;
   }
-  void wait() {  ///< until what is asked for is done
-    std::unique_lock lock(mutex_);
-    told_.wait(lock, [this] { return !due_ && !progress_; });
+  /// Returns and forgets the newest result, and its job if that is the posted one. Null if there is no result.
+  ResultPtr take() {
+    const std::lock_guard lock(mutex_);
+    if (!newest_) return nullptr;
+    if (has_reply()) job_.reset();
+    return std::exchange(newest_, std::nullopt)->second;
   }
-  /// How far what is being done is; 0: nothing is.
+  /// Waits until no job runs or is about to run.
+  void wait() const {
+    std::unique_lock lock(mutex_);
+    ended_.wait(lock, [this] { return !is_pending_ && !progress_; });
+  }
+  [[nodiscard]] bool busy() const {
+    const std::lock_guard lock(mutex_);
+    return is_pending_ || progress_;
+  }
+  /// Finished fraction of the running job, or 0 if none runs.
   [[nodiscard]] double fraction() const {
     const std::lock_guard lock(mutex_);
     return progress_ ? progress_->fraction() : 0;
   }
-  [[nodiscard]] bool busy() const {
-    const std::lock_guard lock(mutex_);
-    return due_ || progress_;
-  }
 
  private:
-  [[nodiscard]] bool answered() const { return newest_ && newest_->first == *job_; }
-  void overtake() {
-    if (progress_ && overtaken_ == Overtaken::cancel) progress_->cancel();
+  [[nodiscard]] bool has_reply() const { return newest_ && newest_->first == *job_; }
+  void store(const Job& job, ResultPtr result) {
+    newest_ = {job, std::move(result)};
+    if (has_reply()) is_pending_ = false;
+    ended_.notify_all();
   }
-  /// Null: it was cancelled.
-  [[nodiscard]] ResultPtr attempt(const Job& job, Progress& progress) const {
+  /// Null if the job was cancelled.
+  [[nodiscard]] ResultPtr attempt(const Job& job, Progress& progress) {
+    const std::lock_guard one_at_a_time(working_);
+    auto result = std::make_shared<Result>();
     try {
-      return work_(job, progress);
+      work_(job, *result, progress);
     } catch (const Cancelled&) {
       return nullptr;
+    } catch (const std::exception& error) {
+      if constexpr (requires { result->problem = error.what(); }) {
+        result->problem = error.what();
+      } else {
+        throw;
+      }
     }
+    return result;
   }
   void run() {
     std::unique_lock lock(mutex_);
-    while (true) {
-      asked_.wait(lock, [this] { return due_ || ending_; });
-      if (ending_) return;
-      const Job job = *job_;
-      due_ = false;
-      const auto progress = progress_ = std::make_shared<Progress>();
-      lock.unlock();
-      ResultPtr result = attempt(job, *progress);
-      lock.lock();
-      progress_.reset();
-      if (result && job_ && !answered()) newest_ = {job, std::move(result)};
-      told_.notify_all();
-      if (wake_) wake_();
-    }
+    if (!std::exchange(is_pending_, false)) return;
+    const Job job = *job_;
+    const auto progress = progress_ = std::make_shared<Progress>();
+    lock.unlock();
+    ResultPtr result = attempt(job, *progress);
+    lock.lock();
+    progress_.reset();
+    if (result && job_ && !has_reply() && !progress->cancelled()) store(job, std::move(result));
+    ended_.notify_all();
+    if (wake_) wake_();
   }
 
+  JobPool& pool_;
+  Priority priority_;
   Work work_;
   std::function<void()> wake_;
-  Overtaken overtaken_;
-  mutable std::mutex mutex_;  // guards the rest
-  std::condition_variable asked_, told_;
-  std::optional<Job> job_;  ///< what is to be shown
-  bool due_ = false;        ///< it is not begun
-  bool ending_ = false;
-  std::shared_ptr<Progress> progress_;  ///< of what is being done; null: nothing is
+  std::mutex working_;        // guards work_
+  mutable std::mutex mutex_;  // guards the members below
+  mutable std::condition_variable ended_;
+  std::optional<Job> job_;
+  bool is_pending_ = false;             ///< whether job_ has not begun
+  std::shared_ptr<Progress> progress_;  ///< of the running job, or null
   std::optional<std::pair<Job, ResultPtr>> newest_;
-  std::thread thread_;  // last: it begins when all is there
 };
 
 }  // namespace taxel::studio

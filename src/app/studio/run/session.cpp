@@ -40,18 +40,11 @@ void raise(std::vector<double>& peaks, const std::vector<double>& readings) {
 
 }  // namespace
 
-Session::Session(bool by_clock, std::function<void()> wake)
+Session::Session(JobPool& pool, bool by_clock, std::function<void()> wake)
     : by_clock_(by_clock),
-      measure_(wake),
-      fields_(wake),
-      models_(wake),
-      explain_(wake),
-      study_(wake),
-      probe_(wake),
-      edits_(cache_, wake, [this](const SensorModelPtr& model) {
-        probe_.press_now(model);
-        fields_.make_now(model);
-      }) {
+      loader_(pool, cache_, wake),
+      jobs_(pool, wake),
+      edits_(pool, cache_, wake, [this](const SensorModelPtr& model) { jobs_.model_built(model); }) {
   simulation_.set_clock_driven(by_clock);
 }
 
@@ -334,7 +327,7 @@ void Session::fill(ui::UiInput& input, int selected_sensor) const {
   input.fields = shown_fields_;
   input.explained = explained_;
   input.compared = compared_;
-  input.study = {study_.newest(), study_.busy(), study_.fraction()};
+  input.study = {jobs_.study.newest(), jobs_.study.busy(), jobs_.study.fraction()};
   input.name = document_ ? document_->name : "";
   input.file = document_ ? document_->file : "";
   input.simulates_document = simulates_document_;

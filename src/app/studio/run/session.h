@@ -12,12 +12,7 @@
 #include "app/studio/document/autosave.h"
 #include "app/studio/document/edit_session.h"
 #include "app/studio/document/loader.h"
-#include "app/studio/features/explain/explain_worker.h"
-#include "app/studio/features/fields/field_worker.h"
-#include "app/studio/features/measure/measure.h"
-#include "app/studio/features/models/models_worker.h"
-#include "app/studio/features/probe/probe_worker.h"
-#include "app/studio/features/study/study_worker.h"
+#include "app/studio/jobs/feature_jobs.h"
 #include "core/run/history/replay.h"
 #include "core/sim/host/sim_thread.h"
 
@@ -45,8 +40,8 @@ class Session {
  public:
   /// by_clock: the simulation follows the clock in its own thread. Else it moves only by advance(), and every request
   /// is answered before the next picture, so that the same requests give the same pictures.
-  /// `wake` is called from a worker when update() has something to tell.
-  Session(bool by_clock, std::function<void()> wake);
+  /// `wake` is called from a worker when update() has something to report.
+  Session(JobPool& pool, bool by_clock, std::function<void()> wake);
 
   /// Empty: the built-in fingertip. `skin`: for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin = {});
@@ -56,6 +51,8 @@ class Session {
   void cancel_loading() { loader_.cancel(); }  ///< or polishing, whichever runs
   void polish();                               ///< the samples shown, where they are a preview's
 
+  [[nodiscard]] PatternJob& patterns() { return jobs_.patterns; }
+  [[nodiscard]] const PatternJob& patterns() const { return jobs_.patterns; }
   /// What is edited. In LAYOUT edits leave the simulation alone.
   [[nodiscard]] EditSession& edits() { return edits_; }
   [[nodiscard]] const EditSession& edits() const { return edits_; }
@@ -66,7 +63,7 @@ class Session {
   /// Presses the probe on what is edited, after every edit anew; none: there is no probe.
   void press(std::optional<ui::ProbeRequest> request);
   /// Measures between two points; none: nothing.
-  void measure(std::optional<ui::MeasureRequest> request) { measure_.ask(std::move(request)); }
+  void measure(std::optional<ui::MeasureRequest> request) { jobs_.measure.post(std::move(request)); }
   /// Works out the receptive fields of what this mode shows, for the pictures to come.
   void show_fields(ui::Mode mode, ui::FieldMap map, bool weights) {
     field_mode_ = mode, field_map_ = map, field_weights_ = weights;
@@ -74,7 +71,7 @@ class Session {
   /// Explains a taxel of the simulation in every step that is shown; none: nothing any more.
   void explain(std::optional<ui::ExplainRequest> request);
   /// Reads the recorded steps of the simulation by other models, while it stands; none: not any more.
-  void compare_models(std::optional<ui::ModelsRequest> request) { models_.compare(request); }
+  void compare_models(std::optional<ui::ModelsRequest> request) { jobs_.models.compare(request); }
   /// Runs a parameter study of what is simulated; none: it is cancelled, and nothing is shown.
   void study(const std::optional<ui::StudyRequest>& request);
   /// From the last edit to the probe's reading [s]; none: not read yet.
@@ -122,8 +119,7 @@ class Session {
   void fill(ui::UiInput& input, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
-    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !probe_.busy() && !measure_.busy() &&
-           !fields_.busy() && !explain_.busy() && !models_.busy() && !study_.busy();
+    return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !jobs_.busy();
   }
   /// Whether the simulation runs; while it has not answered yet, whether it is to.
   [[nodiscard]] bool playing() const {
@@ -215,21 +211,16 @@ class Session {
 
   bool by_clock_;
   SensorCache cache_;
-  Loader loader_{cache_};
-  MeasureWorker measure_;
+  Loader loader_;
+  FeatureJobs jobs_;
   ui::MeasuredPtr measured_;
-  FieldWorker fields_;
   ui::ShownFieldsPtr shown_fields_;
   ui::Mode field_mode_ = ui::Mode::simulate;
   ui::FieldMap field_map_ = ui::FieldMap::none;
   bool field_weights_ = false;
-  ModelsWorker models_;
   ui::ComparedPtr compared_;
-  ExplainWorker explain_;
-  StudyWorker study_;
   std::optional<ui::ExplainRequest> explain_request_;
   ui::ExplainedPtr explained_;
-  ProbeWorker probe_;
   std::optional<ui::ProbeRequest> probe_request_;
   ui::PressedProbePtr pressed_;                                     ///< of the model that is shown
   std::optional<std::chrono::steady_clock::time_point> edited_at_;  ///< and its reading is not shown yet

@@ -78,23 +78,23 @@ void Session::press(std::optional<ui::ProbeRequest> request) {
     edited_at_.reset();
     edit_latency_.reset();
   }
-  probe_.press(document_ ? document_->model : nullptr, probe_request_);
+  jobs_.probe.press(document_ ? document_->model : nullptr, probe_request_);
 }
 
 /// The reading that was shown stays until there is one of the model shown now.
 void Session::take_reading(SessionNews& news) {
   const SensorModelPtr model = document_ ? document_->model : nullptr;
-  probe_.press(model, probe_request_);
+  jobs_.probe.press(model, probe_request_);
   if (!by_clock_) {
-    probe_.wait();
-    measure_.wait();
+    jobs_.probe.wait();
+    jobs_.measure.wait();
   }
-  if (ui::MeasuredPtr measured = measure_.newest(); measured != measured_) {
+  if (ui::MeasuredPtr measured = jobs_.measure.newest(); measured != measured_) {
     measured_ = std::move(measured);
     news.new_reading = true;
   }
   if (pressed_ && pressed_->model != model) pressed_.reset();
-  ui::PressedProbePtr newest = probe_.newest();
+  ui::PressedProbePtr newest = jobs_.probe.newest();
   if (!newest || newest == pressed_ || newest->model != model) return;
   pressed_ = std::move(newest);
   news.new_reading = true;
@@ -104,10 +104,10 @@ void Session::take_reading(SessionNews& news) {
 }
 
 void Session::study(const std::optional<ui::StudyRequest>& request) {
-  if (!request) return study_.ask(std::nullopt);
+  if (!request) return jobs_.study.post(std::nullopt, Superseded::cancel);
   if (!document_ || !document_->model) return;
-  study_.ask(StudyJob{*request, document_->model});
-  if (!by_clock_) study_.wait();
+  jobs_.study.post(StudyInput{*request, document_->model}, Superseded::cancel);
+  if (!by_clock_) jobs_.study.wait();
 }
 
 /// Those that were shown stay until there are some of what is shown now.
@@ -118,9 +118,9 @@ void Session::take_fields(SessionNews& news) {
   } else if (document_ && document_->model) {
     request.models = {document_->model};
   }
-  fields_.ask(request);
-  if (!by_clock_) fields_.wait();
-  ui::ShownFieldsPtr newest = fields_.newest();
+  jobs_.fields.show(request);
+  if (!by_clock_) jobs_.fields.wait();
+  ui::ShownFieldsPtr newest = jobs_.fields.newest();
   if (newest == shown_fields_ || (newest && newest->request != request)) return;
   shown_fields_ = std::move(newest);
   news.new_reading = true;

@@ -11,9 +11,9 @@ void Session::explain(std::optional<ui::ExplainRequest> request) {
 /// Of the step that is shown; while the simulation runs by its clock the last one stays. Not by clock it waits.
 void Session::take_explanation(SessionNews& news) {
   const bool runs = by_clock_ && frame_ && frame_->playing;
-  if (!runs || !explain_request_) explain_.explain(frame_, explain_request_);
-  if (!by_clock_) explain_.wait();
-  ui::ExplainedPtr newest = explain_.newest();
+  if (!runs || !explain_request_) jobs_.explain.explain(frame_, explain_request_);
+  if (!by_clock_) jobs_.explain.wait();
+  ui::ExplainedPtr newest = jobs_.explain.newest();
   if (newest == explained_) return;
   explained_ = std::move(newest);
   news.new_reading = true;

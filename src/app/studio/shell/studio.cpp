@@ -73,9 +73,9 @@ ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
 
 Studio::Studio(const Options& options)
     : options_(options),
-      session_(options.by_clock(), [this] { window_->wake(); }),
-      autosave_(options.autosave_every),
-      patterns_([this] { window_->wake(); }) {
+      session_(pool_, options.by_clock(), [this] { window_->wake(); }),
+      autosave_(pool_, options.autosave_every),
+      comparison_(pool_, [this] { window_->wake(); }) {
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");

@@ -14,7 +14,6 @@
 #include "app/studio/document/file_watch.h"
 #include "app/studio/document/mesh_comparison.h"
 #include "app/studio/dump/state_json.h"
-#include "app/studio/features/generate/pattern_worker.h"
 #include "app/studio/features/real/real_overlay.h"
 #include "app/studio/features/video/video_maker.h"
 #include "app/studio/run/session.h"
@@ -75,7 +74,7 @@ class Studio {
   bool carry_out_save(const ui::Request& request);
   bool carry_out_generate(const ui::Request& request);
   void preview_pattern();
-  [[nodiscard]] PatternAnswerPtr fresh_preview() const;
+  [[nodiscard]] PatternResultPtr fresh_preview() const;
   bool take_preview();
   void read_points(const std::string& path);
   void open_file(const ui::OpenFile& file);
@@ -137,6 +136,7 @@ class Studio {
   std::optional<WindowPainter> painter_;
   ui::UiState ui_;
   ui::UiInput input_;
+  JobPool pool_;
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;
   InputQueue input_queue_;
@@ -166,7 +166,6 @@ class Studio {
   int draws_at_dump_ = 0;
   std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;
   int pace_window_pictures_ = 0;
-  PatternWorker patterns_;  // last: it ends first
 };
 
 }  // namespace taxel::studio

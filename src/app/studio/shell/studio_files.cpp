@@ -179,8 +179,7 @@ void Studio::start_autosave() {
 
 void Studio::keep_unsaved_at_end() {
   const bool dirty = session_.edits().dirty();
-  autosave_.leave(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0, input_.name,
-                  session_.file());
+  autosave_.leave(dirty ? session_.edits().project() : nullptr, input_.name, session_.file());
 }
 
 void Studio::keep_unsaved() {

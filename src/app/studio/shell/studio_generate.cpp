@@ -24,7 +24,7 @@ bool Studio::carry_out_generate(const ui::Request& request) {
   if (std::holds_alternative<ui::PreviewPattern>(request)) {
     preview_pattern();
   } else if (std::holds_alternative<ui::DropPreview>(request)) {
-    patterns_.drop();
+    session_.patterns().post(std::nullopt, Superseded::cancel);
   } else if (const auto* points = std::get_if<ui::ReadPoints>(&request)) {
     read_points(points->path);
   } else {
@@ -47,27 +47,27 @@ void Studio::preview_pattern() {
   if (job.table) source.table = *job.table;
   source.table_file = job.table_file;
   source.image = job.image;
-  patterns_.make(std::move(request));
+  session_.patterns().post(std::move(request), Superseded::cancel);
 }
 
 /// Null: there is none that is not shown yet.
-PatternAnswerPtr Studio::fresh_preview() const {
+PatternResultPtr Studio::fresh_preview() const {
   const ui::GenerateState& g = ui_.generate;
-  PatternAnswerPtr answer = patterns_.newest();
-  return answer && g.open && g.waiting() && answer->number == g.number ? answer : nullptr;
+  PatternResultPtr result = session_.patterns().newest();
+  return result && g.open && g.waiting() && result->number == g.number ? result : nullptr;
 }
 
 /// Not by clock it waits, so that the same script gives the same pictures.
 bool Studio::take_preview() {
-  if (!options_.by_clock()) patterns_.wait();
-  const PatternAnswerPtr answer = fresh_preview();
-  if (!answer) return false;
+  if (!options_.by_clock()) session_.patterns().wait();
+  const PatternResultPtr result = fresh_preview();
+  if (!result) return false;
   ui::GenerateState& g = ui_.generate;
-  g.shown = answer->number;
-  g.problem = answer->problem;
-  g.left_out = answer->made.left_out;
-  g.least_distance = answer->made.least_distance;
-  g.ghosts = answer->problem.empty() ? std::make_shared<const std::vector<Taxel>>(answer->made.taxels) : nullptr;
+  g.shown = result->number;
+  g.problem = result->problem;
+  g.left_out = result->made.left_out;
+  g.least_distance = result->made.least_distance;
+  g.ghosts = result->problem.empty() ? std::make_shared<const std::vector<Taxel>>(result->made.taxels) : nullptr;
   return true;
 }
 

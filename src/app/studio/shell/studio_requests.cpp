@@ -189,7 +189,7 @@ ScriptStage Studio::script_stage() {
   ScriptStage stage;
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
-    const bool generated = !patterns_.busy() && !fresh_preview();
+    const bool generated = !session_.patterns().busy() && !fresh_preview();
     return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty() && !video_;
   };
   stage.running_time = [this]() -> std::optional<double> {

@@ -96,7 +96,7 @@ void Studio::tell_mesh(ComparedMesh compared) {
   if (!compared.mesh)
     return add_notice({file,
                        fmt::format("{} was changed and cannot be read now: {}. The mesh that was read stays open.",
-                                   name_of(file), compared.failure),
+                                   name_of(file), compared.problem),
                        {}});
   if (compared.mesh->loaded.sha256 == open->loaded.sha256) return;
   add_notice({file,

@@ -57,15 +57,13 @@ const SensorFields* ShownFields::of(const SensorModelPtr& model) const {
   return found == request.models.end() ? nullptr : &sensors[static_cast<std::size_t>(found - request.models.begin())];
 }
 
-ShownFieldsPtr FieldMaker::make(const FieldsRequest& request) {
-  const std::lock_guard one_at_a_time(making_);
-  auto out = std::make_shared<ShownFields>();
-  out->request = request;
+void FieldMaker::make(const FieldsRequest& request, ShownFields& out) {
+  out.request = request;
   for (const SensorModelPtr& model : request.models) {
-    FieldGeometry& fields = fields_[out->sensors.size()];
-    SensorFields& made = out->sensors.emplace_back();
+    FieldGeometry& fields = fields_[out.sensors.size()];
+    SensorFields& made = out.sensors.emplace_back();
     if (request.weights) {
-      Weights& known = weights_[out->sensors.size() - 1];
+      Weights& known = weights_[out.sensors.size() - 1];
       if (known.model != model) known = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
       made.weights = known.weights;
     }
@@ -85,7 +83,6 @@ ShownFieldsPtr FieldMaker::make(const FieldsRequest& request) {
         break;
     }
   }
-  return out;
 }
 
 }  // namespace taxel::ui

@@ -1,10 +1,9 @@
-// The receptive fields of the sensors in a view: the request and its result. Computed from models alone, in any thread,
-// because a map of many geodesic fields takes longer than a frame may.
+// The receptive fields of the sensors in a frame: the request and its result. They depend on models alone and are
+// computed on a worker, since a map of many geodesic fields takes longer than a frame.
 #pragma once
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -53,20 +52,19 @@ struct ShownFields {
 };
 using ShownFieldsPtr = std::shared_ptr<const ShownFields>;
 
-/// Makes ShownFields, and keeps the results of each taxel for the next request, which after an edit is nearly the same.
-/// May be used from any thread.
+/// Retains the fields of each taxel for the next request, which after an edit is much the same. Belongs to one thread
+/// at a time.
 class FieldMaker {
  public:
-  ShownFieldsPtr make(const FieldsRequest& request);
+  void make(const FieldsRequest& request, ShownFields& out);
 
  private:
-  std::mutex making_;                            // guards the other members: one request at a time
-  std::map<std::size_t, FieldGeometry> fields_;  // by sensor
+  std::map<std::size_t, FieldGeometry> fields_;  ///< by sensor
   struct Weights {
     SensorModelPtr model;
     std::shared_ptr<const SkinWeights> weights;
   };
-  std::map<std::size_t, Weights> weights_;  // indexed by sensor
+  std::map<std::size_t, Weights> weights_;  ///< by sensor
 };
 
 }  // namespace taxel::ui

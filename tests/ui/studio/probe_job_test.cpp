@@ -1,5 +1,5 @@
-// The worker that presses the probe, without a window: the newest pose wins, and a model comes with its reading.
-#include "app/studio/features/probe/probe_worker.h"
+// The job that presses the probe, without a window: the newest pose wins, and a model comes with its reading.
+#include "app/studio/features/probe/probe_job.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 namespace taxel::studio {
 namespace {
 
-class ProbeWorkerTest : public testing::Test {
+class ProbeJobTest : public testing::Test {
  protected:
-  ProbeWorkerTest() {
+  ProbeJobTest() {
     SensorBuild how;
     how.cache = &cache;
     document = built_in_fingertip(how);
@@ -26,13 +26,14 @@ class ProbeWorkerTest : public testing::Test {
   Document document;
   ui::ProbeRequest request;
   std::atomic<int> woken = 0;
-  ProbeWorker worker{[this] { ++woken; }};
+  JobPool pool;
+  ProbeJob job{pool, [this] { ++woken; }};
 };
 
-TEST_F(ProbeWorkerTest, TellsWhatAPressReads) {
-  worker.press(document.model, request);
-  worker.wait();
-  const ui::PressedProbePtr pressed = worker.newest();
+TEST_F(ProbeJobTest, TellsWhatAPressReads) {
+  job.press(document.model, request);
+  job.wait();
+  const ui::PressedProbePtr pressed = job.newest();
   ASSERT_NE(pressed, nullptr);
   EXPECT_EQ(pressed->problem, "");
   ProbePress expected;
@@ -46,26 +47,26 @@ TEST_F(ProbeWorkerTest, TellsWhatAPressReads) {
   EXPECT_EQ(woken, 1);
 }
 
-TEST_F(ProbeWorkerTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
+TEST_F(ProbeJobTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
   for (int i = 1; i <= 100; ++i) {
     request.probe.depth = 1e-5 * i;
-    worker.press(document.model, request);
+    job.press(document.model, request);
   }
-  worker.wait();
-  EXPECT_EQ(worker.newest()->request, request);
+  job.wait();
+  EXPECT_EQ(job.newest()->request, request);
   EXPECT_LT(woken, 100) << "those in between were dropped";
   const int before = woken;
-  worker.press(document.model, request);
-  worker.wait();
+  job.press(document.model, request);
+  job.wait();
   EXPECT_EQ(woken, before);
 }
 
-TEST_F(ProbeWorkerTest, AModelThatIsBuiltComesWithItsReading) {
+TEST_F(ProbeJobTest, AModelThatIsBuiltComesWithItsReading) {
   EditSession edits(
-      cache, [] {}, [this](const SensorModelPtr& model) { worker.press_now(model); });
+      pool, cache, [] {}, [this](const SensorModelPtr& model) { job.model_built(model); });
   edits.open(document.project, document.mesh, "");
-  worker.press(document.model, request);
-  worker.wait();
+  job.press(document.model, request);
+  job.wait();
   TaxelChange change;
   change.id = document.model->layout.taxels.front().id;
   change.radius = 0.5 * document.model->layout.taxels.front().radius;
@@ -75,24 +76,24 @@ TEST_F(ProbeWorkerTest, AModelThatIsBuiltComesWithItsReading) {
     edits.wait();
     model = edits.take_model();
   }
-  const ui::PressedProbePtr pressed = worker.newest();
+  const ui::PressedProbePtr pressed = job.newest();
   EXPECT_EQ(pressed->model, model) << "read before it was told";
   const int before = woken;
-  worker.press(model, request);
-  EXPECT_FALSE(worker.busy());
+  job.press(model, request);
+  EXPECT_FALSE(job.busy());
   EXPECT_EQ(woken, before);
 }
 
-TEST_F(ProbeWorkerTest, SaysWhyItCannotPress) {
+TEST_F(ProbeJobTest, SaysWhyItCannotPress) {
   const test::TempFolder folder;
   const std::string file = (folder.path() / "flat.off").string();
   std::ofstream(file) << "OFF\n3 2 0\n0 0 0\n0.01 0 0\n0 0.01 0\n3 0 1 2\n3 0 2 1\n";
   const auto problem = [&](const ProbeShape& shape, const std::string& mesh_file) {
     request.probe.shape = shape;
     request.mesh_file = mesh_file;
-    worker.press(document.model, request);
-    worker.wait();
-    return worker.newest()->problem;
+    job.press(document.model, request);
+    job.wait();
+    return job.newest()->problem;
   };
   EXPECT_NE(problem(ProbeSphere{-1}, "").find("radius"), std::string::npos);
   EXPECT_NE(problem(ProbeMesh{}, "").find("choose a mesh file"), std::string::npos);
@@ -100,10 +101,10 @@ TEST_F(ProbeWorkerTest, SaysWhyItCannotPress) {
   const std::string flat = problem(ProbeMesh{}, file);
   EXPECT_NE(flat.find("encloses nothing"), std::string::npos) << flat;
   EXPECT_EQ(problem(ProbeMesh{}, TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj"), "");
-  EXPECT_GT(worker.newest()->area, 0);
+  EXPECT_GT(job.newest()->area, 0);
 }
 
-TEST_F(ProbeWorkerTest, PressesAnOpenMeshAsItsRepairClosesIt) {
+TEST_F(ProbeJobTest, PressesAnOpenMeshAsItsRepairClosesIt) {
   const test::TempFolder folder;
   const TriMesh whole = *load_mesh(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj").mesh;
   const std::filesystem::path closed = folder.path() / "closed.obj", open = folder.path() / "open.obj";
@@ -122,9 +123,9 @@ TEST_F(ProbeWorkerTest, PressesAnOpenMeshAsItsRepairClosesIt) {
   request.probe.shape = ProbeMesh{};
   const auto pressed = [&](const std::filesystem::path& file) {
     request.mesh_file = file.string();
-    worker.press(document.model, request);
-    worker.wait();
-    return worker.newest();
+    job.press(document.model, request);
+    job.wait();
+    return job.newest();
   };
   const ui::PressedProbePtr by_closed = pressed(closed), by_open = pressed(open);
   EXPECT_EQ(by_open->problem, "");
@@ -136,11 +137,11 @@ TEST_F(ProbeWorkerTest, PressesAnOpenMeshAsItsRepairClosesIt) {
   EXPECT_EQ(by_open->polygons, by_closed->polygons);
 }
 
-TEST_F(ProbeWorkerTest, WithoutAWishThereIsNoReading) {
-  worker.press(document.model, request);
-  worker.press(document.model, std::nullopt);
-  worker.wait();
-  EXPECT_EQ(worker.newest(), nullptr);
+TEST_F(ProbeJobTest, WithoutAWishThereIsNoReading) {
+  job.press(document.model, request);
+  job.press(document.model, std::nullopt);
+  job.wait();
+  EXPECT_EQ(job.newest(), nullptr);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-#include "app/studio/features/study/study_worker.h"
+#include "app/studio/features/study/study_job.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/sim/study/side_by_side.h"
 
@@ -8,7 +9,7 @@ namespace taxel::studio {
 
 namespace {
 
-/// The sensor with the samples that a run asks for.
+/// Builds the sensor with the samples that a run requests.
 SensorModelPtr model_of(const StudyRun& run, const SensorModelPtr& model, SensorCache& cache, Progress& progress) {
   if (!run.density && !run.seed) return model;
   Layout layout = model->layout;
@@ -37,36 +38,33 @@ void record_run(Simulator& simulator, StudyCurve& curve, const Progress& progres
   }
 }
 
-StudyCurvesPtr run_study(const StudyJob& job, Progress& progress) {
-  auto curves = std::make_shared<StudyCurves>();
-  curves->study = job.request.study;
-  for (const Taxel& taxel : job.model->layout.taxels) curves->taxel_ids.push_back(taxel.id);
-  for (const StudyRun& run : runs_of(job.request.study)) curves->runs.push_back({run, {}, {}, {}});
+void run_study(const StudyInput& input, StudyCurves& curves, Progress& progress) {
+  curves.study = input.request.study;
+  for (const Taxel& taxel : input.model->layout.taxels) curves.taxel_ids.push_back(taxel.id);
+  for (const StudyRun& run : runs_of(curves.study)) curves.runs.push_back({run, {}, {}, {}});
   SensorCache cache;
   try {
     run_side_by_side(
-        static_cast<int>(curves->runs.size()),
+        static_cast<int>(curves.runs.size()),
         [&](int i) {
-          const StudyRun& run = curves->runs[static_cast<std::size_t>(i)].run;
-          return Simulator::make_scenario(model_of(run, job.model, cache, progress), run.scenario);
+          const StudyRun& run = curves.runs[static_cast<std::size_t>(i)].run;
+          return Simulator::make_scenario(model_of(run, input.model, cache, progress), run.scenario);
         },
-        [&](int i, Simulator& simulator) {
-          record_run(simulator, curves->runs[static_cast<std::size_t>(i)], progress);
-        },
+        [&](int i, Simulator& simulator) { record_run(simulator, curves.runs[static_cast<std::size_t>(i)], progress); },
         progress);
   } catch (const Error& e) {
-    curves->problem = e.what();
+    curves.problem = e.what();
   }
-  for (const StudyCurve& curve : curves->runs) {
-    if (!curve.time.empty()) curves->longest = std::max(curves->longest, curve.time.back());
+  for (const StudyCurve& curve : curves.runs) {
+    if (!curve.time.empty()) curves.longest = std::max(curves.longest, curve.time.back());
     for (const std::vector<double>& readings : curve.readings)
-      for (const double reading : readings) curves->largest_reading = std::max(curves->largest_reading, reading);
+      for (const double reading : readings) curves.largest_reading = std::max(curves.largest_reading, reading);
   }
-  return curves;
 }
 
 }  // namespace
 
-StudyWorker::StudyWorker(std::function<void()> wake) : worker_(run_study, std::move(wake), Overtaken::cancel) {}
+StudyJob::StudyJob(JobPool& pool, std::function<void()> wake)
+    : NewestWins(pool, Priority::background, run_study, std::move(wake)) {}
 
 }  // namespace taxel::studio

@@ -1,6 +1,6 @@
-// The worker that works out receptive fields, without a window: the same as the geometry it is made of, and an edited
-// model comes with its fields.
-#include "app/studio/features/fields/field_worker.h"
+// The job that computes receptive fields, without a window: it equals the geometry it is made of, and an edited model
+// arrives with its fields.
+#include "app/studio/features/fields/field_job.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using ui::FieldMap;
 
-class FieldWorkerTest : public testing::Test {
+class FieldJobTest : public testing::Test {
  protected:
   SensorModelPtr model(Metric metric, double radius_factor = 1) {
     SensorBuild how;
@@ -27,14 +27,15 @@ class FieldWorkerTest : public testing::Test {
   }
   SensorCache cache;
   std::atomic<int> woken = 0;
-  FieldWorker worker{[this] { ++woken; }};
+  JobPool pool;
+  FieldJob job{pool, [this] { ++woken; }};
 };
 
-TEST_F(FieldWorkerTest, TellsTheNumbersOfTheFieldsThemselves) {
+TEST_F(FieldJobTest, TellsTheNumbersOfTheFieldsThemselves) {
   const SensorModelPtr straight = model(Metric::euclidean), along = model(Metric::geodesic);
-  worker.ask({{straight, along}, FieldMap::compared});
-  worker.wait();
-  const ui::ShownFieldsPtr fields = worker.newest();
+  job.show({{straight, along}, FieldMap::compared});
+  job.wait();
+  const ui::ShownFieldsPtr fields = job.newest();
   ASSERT_NE(fields, nullptr);
   for (const SensorModelPtr& each : {straight, along}) {
     const ui::SensorFields* of = fields->of(each);
@@ -58,31 +59,32 @@ TEST_F(FieldWorkerTest, TellsTheNumbersOfTheFieldsThemselves) {
   EXPECT_EQ(fields->of(model(Metric::euclidean, 2)), nullptr) << "another model";
 }
 
-TEST_F(FieldWorkerTest, StraightRingsAloneAreNoWork) {
-  worker.ask({{model(Metric::euclidean)}, FieldMap::none});
-  worker.wait();
-  EXPECT_EQ(worker.newest(), nullptr);
-  worker.ask({{model(Metric::geodesic)}, FieldMap::none});
-  worker.wait();
-  ASSERT_NE(worker.newest(), nullptr);
-  EXPECT_TRUE(worker.newest()->sensors[0].triangles.empty());
+TEST_F(FieldJobTest, StraightRingsAloneAreNoWork) {
+  job.show({{model(Metric::euclidean)}, FieldMap::none});
+  job.wait();
+  EXPECT_EQ(job.newest(), nullptr);
+  job.show({{model(Metric::geodesic)}, FieldMap::none});
+  job.wait();
+  ASSERT_NE(job.newest(), nullptr);
+  EXPECT_TRUE(job.newest()->sensors[0].triangles.empty());
 }
 
-TEST_F(FieldWorkerTest, AnEditedModelComesWithItsFields) {
+TEST_F(FieldJobTest, AnEditedModelComesWithItsFields) {
   const SensorModelPtr before = model(Metric::geodesic), after = model(Metric::geodesic, 1.3);
-  worker.ask({{before}, FieldMap::coverage});
-  worker.wait();
+  job.show({{before}, FieldMap::coverage});
+  job.wait();
   const int woken_before = woken;
-  worker.make_now(after);
-  worker.ask({{after}, FieldMap::coverage});
-  EXPECT_FALSE(worker.busy()) << "nothing is left to do";
-  ASSERT_NE(worker.newest()->of(after), nullptr);
+  job.model_built(after);
+  job.show({{after}, FieldMap::coverage});
+  EXPECT_FALSE(job.busy()) << "nothing is left to do";
+  ASSERT_NE(job.newest()->of(after), nullptr);
   EXPECT_EQ(woken, woken_before);
-  ui::FieldMaker anew;  // without what was kept of the model before
-  const ui::ShownFieldsPtr expected = anew.make({{after}, FieldMap::coverage});
-  EXPECT_EQ(worker.newest()->sensors[0].coverage->area_of_overlap, expected->sensors[0].coverage->area_of_overlap);
-  worker.ask({});
-  EXPECT_EQ(worker.newest(), nullptr);
+  ui::FieldMaker fresh;  // without the fields of the earlier model
+  ui::ShownFields expected;
+  fresh.make({{after}, FieldMap::coverage}, expected);
+  EXPECT_EQ(job.newest()->sensors[0].coverage->area_of_overlap, expected.sensors[0].coverage->area_of_overlap);
+  job.show({});
+  EXPECT_EQ(job.newest(), nullptr);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// Explains a reading on a worker.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "app/studio/features/explain/explain_state.h"
+#include "app/studio/jobs/newest_wins.h"
+#include "core/run/frame.h"
+#include "core/sensor/explain/explainer.h"
+
+namespace taxel::studio {
+
+struct ExplainInput {
+  SimFramePtr frame;
+  ui::ExplainRequest request;
+  /// Compares the explained step: frames are created again whenever anything changes.
+  bool operator==(const ExplainInput& other) const;
+};
+
+class ExplainJob : public NewestWins<ExplainInput, ui::ExplainedStep> {
+ public:
+  ExplainJob(JobPool& pool, std::function<void()> wake);
+
+  /// Posts the taxel in the step of `frame`, which is compared with the previous step that the frame carries. Without a
+  /// request or a frame nothing is explained any more.
+  void explain(const SimFramePtr& frame, const std::optional<ui::ExplainRequest>& request);
+};
+
+}  // namespace taxel::studio

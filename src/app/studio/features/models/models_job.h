@@ -1,0 +1,59 @@
+// Reads the recorded steps by other models on a worker, some steps at a time.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "app/studio/features/models/models_state.h"
+#include "app/studio/jobs/newest_wins.h"
+#include "core/run/command.h"
+#include "core/run/frame.h"
+
+namespace taxel::studio {
+
+class ModelsJob {
+ public:
+  /// `wake` is called on the worker when more steps were read.
+  ModelsJob(JobPool& pool, std::function<void()> wake);
+
+  /// Sets the request. Without one nothing is compared any more.
+  void compare(std::optional<ui::ModelsRequest> request) { request_ = request; }
+  /// Reads the displayed step and the recalled ones. While the simulation runs (`runs`), the present result stays.
+  /// Returns the command that recalls the next steps.
+  std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
+  [[nodiscard]] ui::ComparedPtr newest() const { return slot_.newest(); }
+  void wait() const { slot_.wait(); }
+  /// Whether more steps will be read without a new request.
+  [[nodiscard]] bool busy() const { return slot_.busy() || (request_ && !complete_); }
+
+  struct Input {
+    SimFramePtr frame;
+    int sensor = 0;
+    std::uint64_t generation = 0;
+    std::shared_ptr<const RecalledSteps> recalled;
+    std::size_t due = 0;
+    /// Compares the step: frames are created again whenever anything changes.
+    bool operator==(const Input& other) const;
+  };
+  struct Result : ui::ComparedSteps {
+    std::uint64_t generation = 0;
+    std::uint64_t recalled = 0;  ///< number of the command whose steps were read
+  };
+
+ private:
+  void forget_what_changed(const SimFrame& frame, int sensor);
+
+  std::optional<ui::ModelsRequest> request_;
+  std::shared_ptr<const SimScene> scene_;  ///< scene of this generation
+  std::uint64_t run_ = 0;                  ///< run of this generation, as SimFrame::runs
+  int sensor_ = -1;
+  std::uint64_t generation_ = 0, recall_ = 0;  ///< `recall_` is the number of the last command
+  std::set<std::uint64_t> recalled_steps_;     ///< recalled or displayed steps of this generation
+  bool complete_ = true;
+
+  NewestWins<Input, Result> slot_;
+};
+
+}  // namespace taxel::studio

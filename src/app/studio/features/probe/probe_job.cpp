@@ -1,0 +1,71 @@
+#include "app/studio/features/probe/probe_job.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/memo.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// Reads a mesh in the unit that the window assumes for meshes. Throws Error.
+TriMeshPtr load_probe(const std::string& file) {
+  if (file.empty()) throw Error("", "probe", "choose a mesh file");
+  const LoadedMesh loaded = load_mesh(file);
+  const double unit = guess_unit(*loaded.mesh).scale;
+  return unit == 1.0 ? loaded.mesh : load_mesh(file, dvec3(unit)).mesh;
+}
+
+/// Memory that one press leaves to the next.
+class ProbePresser {
+ public:
+  void operator()(const ProbeInput& input, ui::PressedProbe& out) {
+    out.model = input.model;
+    out.request = input.request;
+    Probe probe = input.request.probe;
+    const std::string& file = input.request.mesh_file;
+    if (std::holds_alternative<ProbeMesh>(probe.shape))
+      probe.shape = ProbeMesh{meshes_.get(file, [&] { return load_probe(file); })};
+    taxel::press(*input.model, probe, press_);
+    out.mesh = press_.mesh;
+    out.X_MG = press_.X_MG;
+    out.state.model = input.model;
+    out.state.readings = press_.reading.values;
+    out.state.force_W = press_.wrench.force;
+    out.state.surfaces = {press_.surface};
+    out.state.hits = press_.reading.hits.all();
+    out.force = glm::length(press_.wrench.force);
+    out.area = press_.surface.area();
+    out.largest = press_.surface.max_pressure();
+    out.polygons = static_cast<int>(press_.surface.polygons.size());
+  }
+
+ private:
+  ProbePress press_;
+  Memo<std::string, TriMeshPtr> meshes_{4};  ///< by file
+};
+
+}  // namespace
+
+ProbeJob::ProbeJob(JobPool& pool, std::function<void()> wake)
+    : NewestWins(
+          pool, Priority::normal,
+          [presser = std::make_shared<ProbePresser>()](const ProbeInput& input, ui::PressedProbe& out, Progress&) {
+            (*presser)(input, out);
+          },
+          std::move(wake)) {}
+
+void ProbeJob::press(const SensorModelPtr& model, const std::optional<ui::ProbeRequest>& request) {
+  post(model && request ? std::optional(ProbeInput{model, *request}) : std::nullopt);
+}
+
+void ProbeJob::model_built(const SensorModelPtr& model) {
+  if (const std::optional<ProbeInput> input = posted(); input && model) run_here({model, input->request});
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,23 @@
+// Runs parameter studies on a worker.
+#pragma once
+
+#include <functional>
+
+#include "app/studio/features/study/study_state.h"
+#include "app/studio/jobs/newest_wins.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel::studio {
+
+struct StudyInput {
+  ui::StudyRequest request;
+  SensorModelPtr model;  ///< model of the studied layout
+  bool operator==(const StudyInput& other) const { return request == other.request; }
+};
+
+class StudyJob : public NewestWins<StudyInput, StudyCurves> {
+ public:
+  StudyJob(JobPool& pool, std::function<void()> wake);
+};
+
+}  // namespace taxel::studio
