@@ -214,12 +214,12 @@ TEST_F(Panels, ALoadOfOverHalfASecondShowsABarWithCancel) {
   ImGuiIO& io = ImGui::GetIO();
   io.AddMousePosEvent(cancel->rect.center_x(), cancel->rect.center_y());
   draw();
-  EXPECT_TRUE(ui_.requests.empty());
+  EXPECT_TRUE(ui_.commands.empty());
   io.AddMouseButtonEvent(0, true);
   io.AddMouseButtonEvent(0, false);
   draw();
-  ASSERT_EQ(ui_.requests.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ui::CancelLoading>(ui_.requests[0]));
+  ASSERT_EQ(ui_.commands.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<ui::CancelLoading>(ui_.commands[0]));
   input_.loading.can_cancel = false;  // a scene: MuJoCo's compiler cannot be stopped
   draw();
   EXPECT_NE(ui_.widgets.find("Progress"), nullptr);

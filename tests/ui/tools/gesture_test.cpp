@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/studio/features/scenario/path_tool.h"
+#include "app/studio/features/taxel/tool_mouse.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 

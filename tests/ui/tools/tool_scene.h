@@ -48,11 +48,11 @@ struct ToolScene {
   [[nodiscard]] dvec2 pixel(const dvec3& p) const {
     return dvec2(ui.camera().project(p, ui.view.width, ui.view.height));
   }
-  /// The newest request of a kind; null: there is none.
+  /// Returns the newest command of a kind that was posted, or null.
   template <class Kind>
   [[nodiscard]] const Kind* asked() const {
-    for (auto request = ui.requests.rbegin(); request != ui.requests.rend(); ++request)
-      if (const Kind* kind = std::get_if<Kind>(&*request)) return kind;
+    for (auto command = ui.commands.rbegin(); command != ui.commands.rend(); ++command)
+      if (const Kind* kind = std::get_if<Kind>(&*command)) return kind;
     return nullptr;
   }
 };

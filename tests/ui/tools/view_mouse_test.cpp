@@ -1,7 +1,7 @@
 // The mouse over the 3-D view: what each button, wheel and modifier does.
 #include <gtest/gtest.h>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/view_mouse.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"

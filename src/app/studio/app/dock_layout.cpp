@@ -3,13 +3,14 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <array>
 #include <utility>
 
 namespace taxel::ui {
 
 namespace {
 
-/// Parts of the width and height at 1280 x 800 and at larger sizes alike.
+/// Fractions of the width and height, at every size.
 constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.213f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f,
                 kPlot = 0.56f;
 
@@ -17,59 +18,49 @@ constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.213f, kRight = 0.2
 constexpr float kCompactWidth = 60, kCompactHeight = 42;
 constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.24f, kCompactRight = 0.34f;
 
-void arrange_compactly(ImGuiID space) {
-  ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0;
-  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kCompactBottom, &bottom, &rest);
-  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kCompactLeft, &left, &center);
-  ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, &center);
-  ImGui::DockBuilderDockWindow(kViewTitle, center);
-  for (const char* title : {kTaxelsTitle, kOutlinerTitle}) ImGui::DockBuilderDockWindow(title, left);
-  for (const char* title : {kInspectorTitle, kControlsTitle, kGenerateTitle, kExplainTitle, kRealTitle})
-    ImGui::DockBuilderDockWindow(title, right);
-  for (const char* title :
-       {kBarsTitle, kMapTitle, kPlotTitle, kModelsTitle, kProfilerTitle, kSectionTitle, kTimelineTitle, kMessagesTitle})
-    ImGui::DockBuilderDockWindow(title, bottom);
-  ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+using Docks = std::array<ImGuiID, 8>;  ///< ImGui's dock node of each Dock; 0 for floating
+
+ImGuiID& node(Docks& docks, Dock dock) {
+  return docks.at(static_cast<std::size_t>(dock));
 }
 
-void arrange_side_by_side(ImGuiID space) {
-  ImGuiID rest = 0, bottom = 0, left = 0, right = 0, center = 0, outliner = 0, taxels = 0, bars = 0, plot = 0,
-          section = 0, timeline = 0;
-  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kTimeline, &timeline, &rest);
-  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Down, kBottom, &bottom, &rest);
-  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kLeft, &left, &center);
-  ImGui::DockBuilderSplitNode(center, ImGuiDir_Right, kRight / (1 - kLeft), &right, &center);
-  ImGui::DockBuilderSplitNode(left, ImGuiDir_Up, kOutliner, &outliner, &taxels);
-  ImGui::DockBuilderSplitNode(bottom, ImGuiDir_Left, kBars, &bars, &plot);
-  ImGui::DockBuilderSplitNode(plot, ImGuiDir_Left, kPlot, &plot, &section);
-  ImGui::DockBuilderDockWindow(kViewTitle, center);
-  ImGui::DockBuilderDockWindow(kOutlinerTitle, outliner);
-  ImGui::DockBuilderDockWindow(kTaxelsTitle, taxels);
-  ImGui::DockBuilderDockWindow(kInspectorTitle, right);
-  ImGui::DockBuilderDockWindow(kControlsTitle, right);
-  ImGui::DockBuilderDockWindow(kGenerateTitle, right);
-  ImGui::DockBuilderDockWindow(kExplainTitle, right);
-  ImGui::DockBuilderDockWindow(kRealTitle, right);
-  ImGui::DockBuilderDockWindow(kBarsTitle, bars);
-  ImGui::DockBuilderDockWindow(kMapTitle, bars);
-  ImGui::DockBuilderDockWindow(kMessagesTitle, bars);
-  ImGui::DockBuilderDockWindow(kPlotTitle, plot);
-  ImGui::DockBuilderDockWindow(kSectionTitle, section);
-  ImGui::DockBuilderDockWindow(kTimelineTitle, timeline);
-  ImGui::DockBuilderDockWindow(kModelsTitle, timeline);
-  ImGui::DockBuilderDockWindow(kProfilerTitle, timeline);
-  ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+/// Returns the nodes. The one that is left over, in the centre, is for the view.
+Docks split_compactly(ImGuiID space, ImGuiID* center) {
+  ImGuiID rest = 0, bottom = 0, left = 0, right = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kCompactBottom, &bottom, &rest);
+  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kCompactLeft, &left, center);
+  ImGui::DockBuilderSplitNode(*center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, center);
+  return {0, left, left, right, bottom, bottom, bottom, bottom};
+}
+
+Docks split_side_by_side(ImGuiID space, ImGuiID* center) {
+  Docks docks{};
+  ImGuiID rest = 0, below = 0, left = 0, plots = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kTimeline, &node(docks, Dock::lowest), &rest);
+  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Down, kBottom, &below, &rest);
+  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kLeft, &left, center);
+  ImGui::DockBuilderSplitNode(*center, ImGuiDir_Right, kRight / (1 - kLeft), &node(docks, Dock::right), center);
+  ImGui::DockBuilderSplitNode(left, ImGuiDir_Up, kOutliner, &node(docks, Dock::upper_left), &node(docks, Dock::left));
+  ImGui::DockBuilderSplitNode(below, ImGuiDir_Left, kBars, &node(docks, Dock::bottom_left), &plots);
+  ImGui::DockBuilderSplitNode(plots, ImGuiDir_Left, kPlot, &node(docks, Dock::bottom),
+                              &node(docks, Dock::bottom_right));
+  return docks;
 }
 
 bool is_compact(ImVec2 size, float line) {
   return size.x < kCompactWidth * line || size.y < kCompactHeight * line;
 }
 
-void arrange(ImGuiID space, ImVec2 size, bool compactly) {
+void arrange(ImGuiID space, ImVec2 size, bool compactly, std::span<const PanelSpec> panels) {
   ImGui::DockBuilderRemoveNode(space);
   ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
   ImGui::DockBuilderSetNodeSize(space, size);
-  compactly ? arrange_compactly(space) : arrange_side_by_side(space);
+  ImGuiID center = 0;
+  Docks docks = compactly ? split_compactly(space, &center) : split_side_by_side(space, &center);
+  ImGui::DockBuilderDockWindow(kViewTitle, center);
+  for (const PanelSpec& panel : panels)
+    if (panel.dock != Dock::floating) ImGui::DockBuilderDockWindow(panel.title, node(docks, panel.dock));
+  ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
   ImGui::DockBuilderFinish(space);
 }
 
@@ -83,12 +74,12 @@ bool scale_wants_another(UiState& ui, ImVec2 size) {
 
 }  // namespace
 
-void draw_dock_space(UiState& ui) {
+void draw_dock_space(UiState& ui, std::span<const PanelSpec> panels) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImGuiID space = ImGui::GetID("Taxel Studio");
   const bool another = scale_wants_another(ui, viewport->Size);  // whatever rows the bars need
   if (another || ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr)
-    arrange(space, viewport->WorkSize, is_compact(viewport->Size, ImGui::GetFontSize()));
+    arrange(space, viewport->WorkSize, is_compact(viewport->Size, ImGui::GetFontSize()), panels);
   ui.reset_arrangement = false;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);

@@ -1,169 +1,55 @@
-// One table of what can be done: it drives menus, key handlers, F1 help and --list-bindings.
+// The rows of what can be done: they drive menus, keys, the command palette, F1 help and --list-bindings.
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <span>
 #include <string>
 
+#include "app/studio/app/command.h"
+
 namespace taxel::ui {
 
-/// Where a key counts. /// A gesture that runs comes first, then the focused widget, then the mode.
+struct UiState;
+struct UiInput;
+
+/// Context in which a key is valid. Priority: running gesture, focused widget, mode, everywhere.
 enum class Context { everywhere, layout, simulate, gesture, widget };
+inline constexpr auto kEverywhere = Context::everywhere, kLayout = Context::layout, kSimulate = Context::simulate,
+                      kGesture = Context::gesture, kWidget = Context::widget;
 
-enum class Action {
-  open_file,
-  open_sweep,
-  reload_file,
-  close_document,
-  screenshot,
-  quit,
-  play_pause,
-  step_forward,
-  step_back,
-  next_event,
-  previous_event,
-  newest_step,
-  play_backwards,
-  loop_range,
-  break_on_jump,
-  explain,
-  record,
-  record_path,
-  toggle_ghost,
-  reset_simulation,
-  slower,
-  faster,
-  save,
-  save_as,
-  export_layout,
-  export_taxels,
-  export_samples,
-  export_sheet,
-  export_picture,
-  export_frame,
-  export_recording,
-  export_video,
-  import_recording,
-  undo,
-  redo,
-  copy,
-  paste,
-  duplicate,
-  delete_taxels,
-  place,
-  move,
-  turn,
-  resize,
-  move_way_point,
-  project_back,
-  rename_taxel,
-  move_up,
-  move_down,
-  mirror,
-  probe,
-  measure,
-  box_select,
-  lasso_select,
-  brush,
-  generate,
-  hide,
-  show_all,
-  isolate,
-  gesture_x,
-  gesture_y,
-  gesture_z,
-  gesture_accept,
-  gesture_cancel,
-  select_all,
-  select_none,
-  invert_selection,
-  mode_layout,
-  mode_simulate,
-  frame_all,
-  frame_selection,
-  align_camera,
-  next_camera,
-  previous_camera,
-  select_parent,
-  escape,
-  walk_panels,
-  walk_panels_back,
-  toggle_transparent,
-  toggle_wireframe,
-  toggle_rays,
-  toggle_all_rays,
-  toggle_contact,
-  toggle_contact_edges,
-  toggle_tractions,
-  toggle_skin,
-  toggle_filtered,
-  toggle_samples,
-  toggle_normals,
-  toggle_taxels,
-  toggle_labels,
-  toggle_fields,
-  toggle_fields_filled,
-  toggle_fields_compared,
-  toggle_coverage,
-  toggle_normal_angles,
-  toggle_path,
-  toggle_grid,
-  toggle_constraints,
-  toggle_group_0,
-  toggle_group_1,
-  toggle_group_2,
-  toggle_group_3,
-  toggle_group_4,
-  toggle_group_5,
-  toggle_site_group_0,
-  toggle_site_group_1,
-  toggle_site_group_2,
-  toggle_site_group_3,
-  toggle_site_group_4,
-  toggle_site_group_5,
-  cycle_frames,
-  cycle_labels,
-  toggle_info,
-  toggle_clip,
-  flip_clip,
-  lock_range,
-  toggle_outliner,
-  toggle_taxel_table,
-  toggle_inspector,
-  toggle_controls,
-  toggle_bars,
-  toggle_plots,
-  toggle_timeline,
-  toggle_explain,
-  toggle_map,
-  toggle_models,
-  toggle_study,
-  toggle_section,
-  toggle_messages,
-  toggle_mesh_report,
-  toggle_profiler,
-  full_screen,
-  reset_arrangement,
-  toggle_theme,
-  scale_up,
-  scale_down,
-  scale_reset,
-  help,
-  palette,
-  tour,
-};
-
+/// One command that a key, a menu or the palette offers.
 struct Binding {
-  Action action;
-  Context context;
-  int chord;     ///< ImGuiKeyChord; 0: menu only
-  bool repeats;  ///< while the key is held
-  const char* label;
-  const char* menu;  ///< the menu it stands in, or "Menu/Submenu"; null: none
-  bool separated;    ///< a line stands above it in the menu
-  int also = 0;      ///< a second chord
+  using Test = bool (*)(const UiState& ui, const UiInput& input);
+  Command command;
+  Context context = kEverywhere;
+  int chord = 0;  ///< an ImGuiKeyChord, or 0 if only a menu offers the command
+  const char* label = "";
+  Test enabled = nullptr;  ///< whether the command can be carried out now; null if always
+  /// Whether the menu entry is ticked. If null, is_checked() decides by the command.
+  Test checked = nullptr;
+  bool repeats = false;        ///< while the key is down
+  int also = 0;                ///< a second chord
+  const char* menu = nullptr;  ///< "Menu" or "Menu/Submenu", or null if no menu lists it
+  bool separated = false;      ///< by a line above it in the menu
 };
+/// All rows; a menu lists its entries in this order.
 std::span<const Binding> bindings();
-const Binding& binding_of(Action action);
+
+/// Returns whether `any` holds a command: the same kind, with the same values if they can be compared.
+template <class C>
+bool is_command(const Command& any, const C& command) {
+  const C* other = std::get_if<C>(&any);
+  if constexpr (std::equality_comparable<C>) return other != nullptr && *other == command;
+  return other != nullptr;
+}
+
+/// Returns the row of a command that has one.
+template <class C>
+const Binding& binding_of(const C& command) {
+  return *std::find_if(bindings().begin(), bindings().end(),
+                       [&](const Binding& row) { return is_command(row.command, command); });
+}
 
 /// What the mouse does in the 3-D view, for the help.
 struct Gesture {
@@ -173,12 +59,13 @@ struct Gesture {
 };
 std::span<const Gesture> gestures();
 
-/// "Ctrl+Shift+S"; empty for 0. Needs no ImGui context.
+/// Returns "Ctrl+Shift+S"; empty for 0. Needs no ImGui context.
 std::string chord_name(int chord);
-std::string chord_names(const Binding& binding);  ///< both of them: "Ctrl+Y, Ctrl+Shift+Z"
+/// Returns both chords of a row: "Ctrl+Y, Ctrl+Shift+Z".
+std::string chord_names(const Binding& binding);
 const char* to_string(Context context);
 
-/// The whole table as aligned text: what --list-bindings prints.
+/// Returns all keys and gestures as aligned text, as --list-bindings prints it.
 std::string bindings_as_text();
 
 }  // namespace taxel::ui

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/keymap.h"
-#include "app/studio/app/requests.h"
+#include "app/studio/app/command.h"
 #include "app/studio/app/selection.h"
 #include "app/studio/features/camera/follow_state.h"
 #include "app/studio/features/explain/explain_state.h"
@@ -220,7 +219,7 @@ struct UiState : Ui {
   std::vector<BarShown> bars;
   ViewShown view;
   Clicks clicks;
-  std::vector<Request> requests;
+  std::vector<Command> commands;  ///< posted in this frame, in order
   bool reset_arrangement = false;
   int toolbar_rows = 1, status_rows = 1;  ///< that they needed in the picture before
 
@@ -228,7 +227,7 @@ struct UiState : Ui {
 
   [[nodiscard]] Camera& camera() { return cameras[mode == Mode::layout ? 0 : 1]; }
   [[nodiscard]] const Camera& camera() const { return cameras[mode == Mode::layout ? 0 : 1]; }
-  void ask(Request request);
+  void ask(Command command);
 };
 
 /// How fast things go; shown in the status line.
@@ -271,6 +270,8 @@ struct UiInput {
 
   /// What runs is best shown over travel, not over time.
   [[nodiscard]] bool by_travel() const { return runs_scenario && scenario.kind == ScenarioKind::sweep; }
+  /// Whether there are recorded steps.
+  [[nodiscard]] bool has_history() const { return frame && frame->history.steps > 0; }
   /// State of the selected sensor in the newest frame, or null.
   [[nodiscard]] const SensorStep* sensor(const UiState& ui) const {
     if (!frame || ui.selection.sensor < 0 || ui.selection.sensor >= static_cast<int>(frame->sensors.size()))
@@ -298,7 +299,21 @@ struct UiInput {
   }
 };
 
+/// Returns whether a layout can be edited, and is displayed.
+[[nodiscard]] bool can_edit(const UiState& ui, const UiInput& input);
+
 /// Requests the edit of the field drawn last. If the edit is refused, the field says why.
 void ask_edit(UiState& ui, Edit edit);
+
+/// Selects a taxel that was clicked: alone, or with Shift in addition, or no longer if it was selected.
+void click_taxel(UiState& ui, int id, bool shift);
+
+/// Opens the file dialog with empty fields.
+void begin_dialog(UiState& ui, FileTask task);
+/// Opens the dialog for the file to open, and lists its folder.
+void open_dialog(UiState& ui);
+
+/// Adds a message for the user; `now` is the interface time [s].
+void add_message(UiState& ui, Severity severity, std::string text, double now);
 
 }  // namespace taxel::ui

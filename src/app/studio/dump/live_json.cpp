@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/models/models_tool.h"
 #include "app/vector_json.h"

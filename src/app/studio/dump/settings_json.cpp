@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/overlays.h"
+#include "app/studio/app/panels.h"
 #include "app/studio/dump/settings.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -51,47 +53,13 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("scale", s.scale);
   visit("plot_relative", s.plot.relative);
   visit("plot_responding_only", s.plot.responding_only);
-  visit("sensor_transparent", s.overlays.sensor_transparent);
-  visit("wireframe", s.overlays.wireframe);
-  visit("rays", s.overlays.rays);
-  visit("all_rays", s.overlays.all_rays);
-  visit("contact_surface", s.overlays.contact_surface);
-  visit("contact_edges", s.overlays.contact_edges);
-  visit("tractions", s.overlays.tractions);
-  visit("readings_on_skin", s.overlays.readings_on_skin);
-  visit("filtered_polygons", s.overlays.filtered_polygons);
-  visit("samples", s.overlays.samples);
-  visit("sample_normals", s.overlays.sample_normals);
-  visit("taxels", s.overlays.taxels);
-  visit("taxel_labels", s.overlays.taxel_labels);
-  visit("receptive_fields", s.overlays.receptive_fields);
-  visit("fields_filled", s.overlays.fields_filled);
-  visit("fields_compared", s.overlays.fields_compared);
-  visit("coverage", s.overlays.coverage);
-  visit("normal_angles", s.overlays.normal_angles);
-  visit("path", s.overlays.path);
-  visit("grid", s.overlays.grid);
-  visit("ghost", s.overlays.ghost);
-  visit("constraints", s.overlays.constraints);
+  for (const ui::OverlaySpec& overlay : ui::overlays()) visit(overlay.key, s.overlays.*overlay.on);
   visit("geom_groups", s.overlays.geom_groups);
   visit("site_groups", s.overlays.site_groups);
   visit("frames", s.overlays.frames);
   visit("labels", s.overlays.labels);
-  visit("panel_outliner", s.panels.outliner);
-  visit("panel_taxels", s.panels.taxels);
-  visit("panel_inspector", s.panels.inspector);
-  visit("panel_controls", s.panels.controls);
-  visit("panel_bars", s.panels.bars);
-  visit("panel_plot", s.panels.plot);
-  visit("panel_timeline", s.panels.timeline);
-  visit("panel_section", s.panels.section);
-  visit("panel_explain", s.panels.explain);
-  visit("panel_map", s.panels.map);
-  visit("panel_models", s.panels.models);
-  visit("panel_study", s.panels.study);
-  visit("panel_messages", s.panels.messages);
-  visit("panel_mesh_report", s.panels.mesh_report);
-  visit("panel_profiler", s.panels.profiler);
+  for (const ui::PanelSpec& panel : ui::panels())
+    if (panel.shown != nullptr) visit(panel.key, s.panels.*panel.shown);
   visit("info", s.panels.info);
   visit("tour_seen", s.tour_seen);
   visit("recent", s.recent);

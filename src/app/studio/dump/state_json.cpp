@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/dump/editing_json.h"
 #include "app/studio/dump/explain_json.h"
 #include "app/studio/dump/live_json.h"

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/camera_tool.h"
 #include "app/studio/app/interface.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/dump/settings.h"
 #include "app/studio/features/camera/camera_follow.h"
@@ -92,7 +91,7 @@ Studio::Studio(const Options& options)
   // Scripts and pictures begin without it, unless it is asked for.
   if (options.tour || (options.by_clock() && !ui_.saved.tour_seen)) ui_.tour_step = 0;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
-  if (!options.empty) open_file({options.file});
+  if (!options.empty) carry_out(ui::OpenFile{options.file});
   last_picture_at_ = pace_window_at_ = Clock::now();
 }
 
@@ -316,7 +315,7 @@ void Studio::draw_contents() {
   session_.press(ui::probe_request(ui_));
   session_.measure(ui::measure_request(ui_, input_));
   session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays), ui_.saved.overlays.readings_on_skin);
-  carry_out_requests();
+  carry_out_commands();
   window_->set_cursor(ImGui::GetMouseCursor());
   const Clock::time_point laid_out = Clock::now();
   ImGui::Render();

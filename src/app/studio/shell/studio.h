@@ -58,61 +58,95 @@ class Studio {
   void draw_contents();
   void note_cost(double layout, double window);
   void fill_window();  ///< with the picture laid out last
-  void carry_out_requests();
-  void carry_out(const ui::Request& request);
-  bool carry_out_in_time(const ui::Request& request);
-  bool carry_out_real(const ui::Request& request);
+  /// Carries out the commands that were posted in this frame, in order.
+  void carry_out_commands();
+  /// Asks whether to save if the command leaves a document with unsaved edits. Returns whether the command has to wait.
+  bool hold_if_unsaved(const ui::Command& command);
+
+  // One overload per command to the program; ui::CarryOut has those about the interface alone.
+  void carry_out(const ui::OpenFile& file);
+  void carry_out(const ui::OpenFingertipSweep&) { session_.open(""); }
+  void carry_out(const ui::CloseDocument&);
+  void carry_out(const ui::ListFolder& command);
+  void carry_out(const ui::CancelLoading&) { session_.cancel_loading(); }
+  void carry_out(const ui::PolishSamples&) { session_.polish(); }
+  void carry_out(const ui::SendCommand& command) { session_.send(command.command); }
+  void carry_out(const ui::RunScenario& command) { session_.run_scenario(command.scenario); }
+  void carry_out(const ui::PlayOrPause&);
+  void carry_out(const ui::StepOnce&) { session_.step_by(1); }
+  void carry_out(const ui::StepBack&) { session_.step_by(-1); }
+  void carry_out(const ui::ScrubTo& command) { session_.scrub(command.step); }
+  void carry_out(const ui::ReplayHistory& command) { session_.replay(command.direction); }
+  void carry_out(const ui::SetLoop& command) { session_.set_loop(command.range); }
+  void carry_out(const ui::SetBreakpoints& command) { session_.set_breakpoints(command.breakpoints); }
+  void carry_out(const ui::SetHistoryLimits& command) { session_.set_history_limits(command.limits); }
+  void carry_out(const ui::SetRecording& command);
+  void carry_out(const ui::ReadRealRecording& command);
+  void carry_out(const ui::ActOnReal& command);
+  void carry_out(const ui::ShiftReal& command);
+  void carry_out(const ui::CancelVideo&) { video_.reset(); }
+  void carry_out(const ui::ResetSimulation&) { session_.reset(); }
+  void carry_out(const ui::SetSpeed& command) { session_.set_speed(command.factor); }
+  void carry_out(const ui::SetMode& command);
+  void carry_out(const ui::ReloadFile&) { session_.reload(); }
+  void carry_out(const ui::SetMeshUnit& command);
+  void carry_out(const ui::EditProject& command);
+  void carry_out(const ui::CancelGesture& command);
+  void carry_out(const ui::EndGesture&) { session_.edits().end_gesture(); }
+  void carry_out(const ui::UndoStep&);
+  void carry_out(const ui::RedoStep&);
+  void carry_out(const ui::CopyTaxels&);
+  void carry_out(const ui::PasteTaxels&);
+  void carry_out(const ui::SaveProject& command) { save_project(command.path, command.replace); }
+  void carry_out(const ui::SaveAs&);
+  void carry_out(const ui::ExportFile& wanted);
+  void carry_out(const ui::AttachLayout& command);
+  void carry_out(const ui::DetachLayout& command) { session_.detach(command.geom); }
+  void carry_out(const ui::SaveScene& wanted);
+  void carry_out(const ui::DialogClosed&) { held_.reset(); }
+  void carry_out(const ui::AnswerUnsaved& command);
+  void carry_out(const ui::AnswerRecovery& command);
+  void carry_out(const ui::AnswerNotice& answer);
+  void carry_out(const ui::PreviewPattern&);
+  void carry_out(const ui::DropPreview&) { session_.patterns().post(std::nullopt, Superseded::cancel); }
+  void carry_out(const ui::ReadPoints& command);
+  void carry_out(const ui::TakeScreenshot&) { screenshot_wanted_ = true; }
+  void carry_out(const ui::Quit&) { quit_ = true; }
+
   void read_real(const std::string& path);
   void act_on_real(ui::RealTask task);
   void apply_gains();
   void begin_video(const std::string& path);
   void make_video();  ///< one picture of it, if one is ready
-  void set_mode(ui::Mode mode);
   /// Runs the document's scenario. Otherwise a message in the view says what is missing, and the result is false.
   bool run_or_say_why_not();
-  bool carry_out_edit(const ui::Request& request);
-  bool carry_out_save(const ui::Request& request);
-  bool carry_out_generate(const ui::Request& request);
-  void preview_pattern();
   [[nodiscard]] PatternResultPtr fresh_preview() const;
   bool take_preview();
-  void read_points(const std::string& path);
-  void open_file(const ui::OpenFile& file);
-  bool hold_if_unsaved(const ui::Request& request);
   void edit_document(const std::function<void(EditSession&)>& body, bool in_gesture = false,
                      const std::optional<ui::FieldInput>& from = std::nullopt);
-  void set_mesh_unit(double metres);
   void watch_files();
   void tell_change(const std::string& file, FileChange change);
   void tell_mesh(ComparedMesh compared);
   void tell_other_mesh();
   void add_notice(ui::FileNotice notice);
   [[nodiscard]] bool has_notice(const std::string& file) const;
-  void answer_notice(const ui::AnswerNotice& answer);
   void wrote(const std::string& file, const Project& written);
   void save_project(const std::string& path, bool replace);
   [[nodiscard]] bool can_export(ui::FileTask task) const;
-  void save_scene(const ui::SaveScene& wanted);
-  bool carry_out_in_scene(const ui::Request& request);
-  void export_file(const ui::ExportFile& wanted);
   void export_when_ready();
   [[nodiscard]] bool samples_are_final() const;
   std::vector<std::string> write_export(const ui::ExportFile& wanted);
   [[nodiscard]] gl::RgbaImage cut_out(int width, int height);
   [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
   void ask_for_file(ui::FileTask task, const std::string& problem);
-  void copy_taxels();
-  void paste_taxels();
   void start_autosave();
   void keep_unsaved();
   /// Writes unsaved edits for the next start: a signal ends the program.
   void keep_unsaved_at_end();
   void offer_recovery();
   void offer_recording();
-  void answer_recovery(bool recover);
   void answer_left_recording(bool recover);
   [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
-  void answer_unsaved(ui::UnsavedAnswer answer);
   [[nodiscard]] Project project_to_save() const;
   [[nodiscard]] std::optional<ui::Camera> camera_of_project() const;  ///< as it was saved; none: it was not
   void update_title();
@@ -149,7 +183,7 @@ class Studio {
   bool anything_opened_ = false, argument_refused_ = false;
   float themed_scale_ = 0;
   int pictures_due_ = 3;
-  std::optional<ui::Request> held_;       ///< what is to be done when unsaved edits are saved or given up
+  std::optional<ui::Command> held_;       ///< waits until unsaved edits are saved or discarded
   std::string layout_without_mesh_;       ///< file, waiting for its mesh; empty: none waits
   bool leave_unsaved_ = false;            ///< the user said so
   std::optional<ui::ExportFile> export_;  ///< what waits for polished samples

@@ -1,7 +1,7 @@
 // When the cameras turn to what their mode shows.
 #include <utility>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/camera/sensor_in_view.h"
 #include "app/studio/shell/studio.h"

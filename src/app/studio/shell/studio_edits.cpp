@@ -1,11 +1,11 @@
-// Edits, undo and the clipboard, as panels, tools and keys ask for them.
-#include "app/studio/app/actions.h"
+// Edits, undo and the clipboard.
 #include "app/studio/shell/studio.h"
 #include "core/layout/file/taxel_clipboard.h"
 
 namespace taxel::studio {
 
-/// What an edit refuses is told, and nothing has changed then: by the field or the gesture that asked, or as a message.
+/// Shows why an edit is refused at the field or the gesture that requested it, or as a message. The document stays
+/// then.
 void Studio::edit_document(const std::function<void(EditSession&)>& body, bool in_gesture,
                            const std::optional<ui::FieldInput>& from) {
   if (!session_.edits().is_open()) return;
@@ -27,31 +27,24 @@ void Studio::edit_document(const std::function<void(EditSession&)>& body, bool i
   ui_.selection.keep_only(session_.edits().project()->layout);
 }
 
-bool Studio::carry_out_edit(const ui::Request& request) {
-  if (const auto* edit = std::get_if<ui::EditProject>(&request)) {
-    edit_document([&](EditSession& edits) { edits.edit(edit->edit, edit->gesture); }, edit->gesture.number != 0,
-                  edit->from);
-  } else if (const auto* unit = std::get_if<ui::SetMeshUnit>(&request)) {
-    set_mesh_unit(unit->metres);
-  } else if (const auto* cancelled = std::get_if<ui::CancelGesture>(&request)) {
-    edit_document([&](EditSession& edits) { edits.cancel(cancelled->number); });
-  } else if (std::holds_alternative<ui::EndGesture>(request)) {
-    session_.edits().end_gesture();
-  } else if (std::holds_alternative<ui::UndoStep>(request)) {
-    edit_document([](EditSession& edits) { edits.undo(); });
-  } else if (std::holds_alternative<ui::RedoStep>(request)) {
-    edit_document([](EditSession& edits) { edits.redo(); });
-  } else if (std::holds_alternative<ui::CopyTaxels>(request)) {
-    copy_taxels();
-  } else if (std::holds_alternative<ui::PasteTaxels>(request)) {
-    paste_taxels();
-  } else {
-    return false;
-  }
-  return true;
+void Studio::carry_out(const ui::EditProject& command) {
+  edit_document([&](EditSession& edits) { edits.edit(command.edit, command.gesture); }, command.gesture.number != 0,
+                command.from);
 }
 
-void Studio::copy_taxels() {
+void Studio::carry_out(const ui::CancelGesture& command) {
+  edit_document([&](EditSession& edits) { edits.cancel(command.number); });
+}
+
+void Studio::carry_out(const ui::UndoStep&) {
+  edit_document([](EditSession& edits) { edits.undo(); });
+}
+
+void Studio::carry_out(const ui::RedoStep&) {
+  edit_document([](EditSession& edits) { edits.redo(); });
+}
+
+void Studio::carry_out(const ui::CopyTaxels&) {
   if (!session_.edits().is_open()) return;
   const Layout& layout = session_.edits().project()->layout;
   std::vector<Taxel> taxels;
@@ -60,7 +53,7 @@ void Studio::copy_taxels() {
   if (!taxels.empty()) window_->set_clipboard(taxels_to_json(taxels));
 }
 
-void Studio::paste_taxels() {
+void Studio::carry_out(const ui::PasteTaxels&) {
   edit_document([&](EditSession& edits) {
     const std::vector<Taxel> taxels = with_unused_ids(parse_taxels(window_->clipboard()), edits.project()->layout);
     edits.edit(AddTaxels{taxels, std::nullopt});

@@ -4,8 +4,7 @@
 
 #include <chrono>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/document/project_files.h"
 #include "app/studio/document/sheet_pictures.h"
 #include "app/studio/shell/studio.h"
@@ -42,7 +41,7 @@ bool Studio::can_export(ui::FileTask task) const {
   return session_.edits().is_open();
 }
 
-void Studio::export_file(const ui::ExportFile& wanted) {
+void Studio::carry_out(const ui::ExportFile& wanted) {
   if (!can_export(wanted.task)) return;
   if (wanted.path.empty()) return ask_for_file(wanted.task, "");
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
@@ -78,7 +77,7 @@ void Studio::export_when_ready() {
     export_.reset();
   } else if (samples_are_final()) {
     export_->replace = true;  // that was asked
-    export_file(*std::exchange(export_, std::nullopt));
+    carry_out(*std::exchange(export_, std::nullopt));
   } else if (session_.idle() && !input_.polishing.active && !input_.editing.compiled) {
     ui::add_message(ui_, Severity::error, export_->path + ": not written: " + input_.editing.problem, ImGui::GetTime());
     export_.reset();

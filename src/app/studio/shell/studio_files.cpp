@@ -1,7 +1,6 @@
 // Saving, exporting, and what happens to unsaved edits when the document is left.
 #include <fmt/format.h>
 
-#include "app/studio/app/actions.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/document/project_files.h"
 #include "app/studio/dump/settings.h"
@@ -13,16 +12,16 @@ namespace taxel::studio {
 
 namespace {
 
-/// What leaves the document that is open.
-bool leaves_document(const ui::Request& request) {
-  return std::holds_alternative<ui::OpenFile>(request) || std::holds_alternative<ui::OpenFingertipSweep>(request) ||
-         std::holds_alternative<ui::CloseDocument>(request) || std::holds_alternative<ui::Quit>(request);
+/// Whether a command leaves the open document.
+bool leaves_document(const ui::Command& command) {
+  return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenFingertipSweep>(command) ||
+         std::holds_alternative<ui::CloseDocument>(command) || std::holds_alternative<ui::Quit>(command);
 }
 
 }  // namespace
 
 /// A layout without mesh is opened on the bare mesh that is open, or waits for the next mesh.
-void Studio::open_file(const ui::OpenFile& file) {
+void Studio::carry_out(const ui::OpenFile& file) {
   SkinChoice skin;
   skin.mesh = file.mesh;
   std::string path = file.path;
@@ -42,19 +41,19 @@ void Studio::open_file(const ui::OpenFile& file) {
   session_.open(path, skin);
 }
 
-bool Studio::hold_if_unsaved(const ui::Request& request) {
-  if (!leaves_document(request) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;
-  held_ = request;
+bool Studio::hold_if_unsaved(const ui::Command& command) {
+  if (!leaves_document(command) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;
+  held_ = command;
   ui_.asks_unsaved = true;
   return true;
 }
 
-void Studio::answer_unsaved(ui::UnsavedAnswer answer) {
+void Studio::carry_out(const ui::AnswerUnsaved& command) {
   ui_.asks_unsaved = false;
   if (!held_) return;
-  if (answer == ui::UnsavedAnswer::save) {
+  if (command.answer == ui::UnsavedAnswer::save) {
     save_project("", false);
-  } else if (answer == ui::UnsavedAnswer::discard) {
+  } else if (command.answer == ui::UnsavedAnswer::discard) {
     leave_unsaved_ = true;
     ui_.ask(*std::exchange(held_, std::nullopt));
   } else {
@@ -62,30 +61,12 @@ void Studio::answer_unsaved(ui::UnsavedAnswer answer) {
   }
 }
 
-bool Studio::carry_out_save(const ui::Request& request) {
-  if (const auto* save = std::get_if<ui::SaveProject>(&request)) {
-    save_project(save->path, save->replace);
-  } else if (std::holds_alternative<ui::SaveProjectAs>(request)) {
-    ask_for_file(ui::FileTask::save_project, "");
-  } else if (const auto* scene = std::get_if<ui::SaveScene>(&request)) {
-    save_scene(*scene);
-  } else if (const auto* wanted = std::get_if<ui::ExportFile>(&request)) {
-    export_file(*wanted);
-  } else if (std::holds_alternative<ui::DialogClosed>(request)) {
-    held_.reset();
-  } else if (const auto* answer = std::get_if<ui::AnswerUnsaved>(&request)) {
-    answer_unsaved(answer->answer);
-  } else if (const auto* notice = std::get_if<ui::AnswerNotice>(&request)) {
-    answer_notice(*notice);
-  } else if (const auto* found = std::get_if<ui::AnswerRecovery>(&request)) {
-    answer_recovery(found->recover);
-  } else {
-    return false;
-  }
-  return true;
+void Studio::carry_out(const ui::SaveAs&) {
+  if (input_.is_scene) return carry_out(ui::SaveScene{});
+  ask_for_file(ui::FileTask::save_project, "");
 }
 
-/// The document with the camera as it stands.
+/// Returns the document with the present camera.
 Project Studio::project_to_save() const {
   Project project = *session_.edits().project();
   const ui::Camera& camera = ui_.cameras[0];
@@ -154,7 +135,7 @@ void Studio::save_project(const std::string& path, bool replace) {
   if (held_) ui_.ask(*std::exchange(held_, std::nullopt));
 }
 
-void Studio::save_scene(const ui::SaveScene& wanted) {
+void Studio::carry_out(const ui::SaveScene& wanted) {
   if (session_.kind() != DocumentKind::scene || !session_.frame()) return;
   if (wanted.path.empty()) return ask_for_file(ui::FileTask::save_scene, "");
   std::error_code ignored;
@@ -228,14 +209,14 @@ void Studio::answer_left_recording(bool recover) {
   }
 }
 
-void Studio::answer_recovery(bool recover) {
+void Studio::carry_out(const ui::AnswerRecovery& command) {
   if (lost_.empty()) {
-    answer_left_recording(recover);
+    answer_left_recording(command.recover);
     return offer_recovery();
   }
   const LostDocument lost = lost_.front();
   lost_.erase(lost_.begin());
-  if (recover) {
+  if (command.recover) {
     autosave_.take_over(lost);
     session_.recover(lost);
   } else {

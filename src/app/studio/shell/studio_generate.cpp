@@ -20,20 +20,7 @@ std::vector<ui::PresetNote> preset_notes() {
 
 }  // namespace
 
-bool Studio::carry_out_generate(const ui::Request& request) {
-  if (std::holds_alternative<ui::PreviewPattern>(request)) {
-    preview_pattern();
-  } else if (std::holds_alternative<ui::DropPreview>(request)) {
-    session_.patterns().post(std::nullopt, Superseded::cancel);
-  } else if (const auto* points = std::get_if<ui::ReadPoints>(&request)) {
-    read_points(points->path);
-  } else {
-    return false;
-  }
-  return true;
-}
-
-void Studio::preview_pattern() {
+void Studio::carry_out(const ui::PreviewPattern&) {
   ui::GenerateState& g = ui_.generate;
   const ui::PatternJob& job = g.asked;
   if (!job.skin || !input_.model) return;
@@ -71,9 +58,9 @@ bool Studio::take_preview() {
   return true;
 }
 
-void Studio::read_points(const std::string& path) {
+void Studio::carry_out(const ui::ReadPoints& command) {
   ui::GenerateState& g = ui_.generate;
-  const std::string file = std::filesystem::absolute(path).string();
+  const std::string file = std::filesystem::absolute(command.path).string();
   g.file_problem.clear();
   try {
     if (is_picture(file)) {

@@ -5,12 +5,12 @@
 namespace taxel::studio {
 
 /// The taxels stay where they are. Where there are none yet, there will be as many samples as before.
-void Studio::set_mesh_unit(double metres) {
+void Studio::carry_out(const ui::SetMeshUnit& command) {
   edit_document([&](EditSession& edits) {
     const Layout& layout = edits.project()->layout;
     ReplaceMesh replace{layout.mesh, *edits.project()->layout.sampling.region};
-    const double ratio = metres / replace.mesh.scale.x;
-    replace.mesh.scale = dvec3(metres);
+    const double ratio = command.metres / replace.mesh.scale.x;
+    replace.mesh.scale = dvec3(command.metres);
     std::vector<Edit> steps;
     if (const OpenMeshPtr mesh = edits.mesh(); mesh && layout.taxels.empty()) {
       Sampling sampling = layout.sampling;

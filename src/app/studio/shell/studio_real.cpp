@@ -1,23 +1,23 @@
 // What the window does with a recording of a real sensor.
-#include "app/studio/app/actions.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
 #include "core/run/real/apply_gains.h"
 
 namespace taxel::studio {
 
-bool Studio::carry_out_real(const ui::Request& request) {
-  if (const auto* read = std::get_if<ui::ReadRealRecording>(&request)) {
-    read->path.empty() ? ask_for_file(ui::FileTask::import_recording, "") : read_real(read->path);
-  } else if (const auto* act = std::get_if<ui::ActOnReal>(&request)) {
-    act_on_real(act->task);
-  } else if (const auto* shift = std::get_if<ui::ShiftReal>(&request)) {
-    real_.shift(shift->seconds);
-  } else {
-    return false;
-  }
+void Studio::carry_out(const ui::ReadRealRecording& command) {
+  command.path.empty() ? ask_for_file(ui::FileTask::import_recording, "") : read_real(command.path);
   input_.real = real_.shown();
-  return true;
+}
+
+void Studio::carry_out(const ui::ActOnReal& command) {
+  act_on_real(command.task);
+  input_.real = real_.shown();
+}
+
+void Studio::carry_out(const ui::ShiftReal& command) {
+  real_.shift(command.seconds);
+  input_.real = real_.shown();
 }
 
 void Studio::read_real(const std::string& path) {

@@ -1,5 +1,4 @@
 // Videos of the recorded steps: each is shown, and its picture taken, whatever the pace at which it is drawn.
-#include "app/studio/app/actions.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/studio/app/actions.h"
 #include "app/studio/document/documents.h"
 #include "app/studio/shell/studio.h"
 #include "ui/widgets/format.h"
@@ -122,7 +121,7 @@ void Studio::tell_other_mesh() {
   compared_ = std::move(compared);
 }
 
-void Studio::answer_notice(const ui::AnswerNotice& answer) {
+void Studio::carry_out(const ui::AnswerNotice& answer) {
   if (!has_notice(answer.file)) return;
   std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
   if (!answer.taken) return;

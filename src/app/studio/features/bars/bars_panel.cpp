@@ -2,8 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/bars/pressure_bars.h"
 #include "ui/widgets/controls.h"
 

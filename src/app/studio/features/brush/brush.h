@@ -2,7 +2,7 @@
 // faces of the mesh as loaded, the brush works on the skin.
 #pragma once
 
-#include "app/studio/app/surface_place.h"
+#include "app/studio/app/pointing/surface_place.h"
 #include "app/studio/app/ui_state.h"
 #include "core/mesh/surface_brush.h"
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/app/camera_tool.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/brush/brush.h"
 #include "app/studio/features/taxel/gesture.h"
 #include "core/mesh/loaded_faces.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/taxel/gesture.h"
 #include "core/layout/frame_guess.h"
 

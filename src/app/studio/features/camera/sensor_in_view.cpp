@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 
 namespace taxel::ui {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/explain/explain_plots.h"
 #include "app/studio/features/explain/explain_tables.h"
 #include "app/studio/features/explain/explain_tool.h"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/studio/app/camera_tool.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/generate/generate.h"
 #include "app/studio/features/generate/pattern_fields.h"
 #include "ui/theme.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/studio/app/actions.h"
+#include "app/studio/app/perform.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
 
@@ -108,7 +108,7 @@ void draw_spread(UiState& ui, const UiInput& input, Pattern& p) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(painted ? "the painted region" : "the whole skin");
   begin_row("", "");
-  if (button(ui, "Paint...")) perform(Action::brush, ui, input);
+  if (button(ui, "Paint...")) perform(ToggleTool{Tool::brush}, ui, input);
   tooltip("Take the brush (Q), and paint where taxels shall be");
 }
 

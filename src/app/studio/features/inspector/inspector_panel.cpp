@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/inspector/layout_settings.h"
 #include "app/studio/features/inspector/problem_list.h"
 #include "app/studio/features/mesh/mesh_section.h"

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/studio/app/actions.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/app/reading_range.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/studio/app/actions.h"
+#include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -24,21 +24,21 @@ void draw_recent_files(UiState& ui) {
 }
 
 std::string menu_label(const Binding& binding, const UiState& ui, const UiInput& input) {
-  if (binding.action == Action::undo && !input.editing.undo.empty()) return input.editing.undo;
-  if (binding.action == Action::redo && !input.editing.redo.empty()) return input.editing.redo;
+  if (std::holds_alternative<UndoStep>(binding.command) && !input.editing.undo.empty()) return input.editing.undo;
+  if (std::holds_alternative<RedoStep>(binding.command) && !input.editing.redo.empty()) return input.editing.redo;
   const Overlays& overlays = ui.saved.overlays;
-  if (binding.action == Action::cycle_frames) return std::string("Frames: ") + to_word(overlays.frames);
-  if (binding.action == Action::cycle_labels) return std::string("Labels: ") + to_word(overlays.labels);
+  if (std::holds_alternative<CycleFrames>(binding.command)) return std::string("Frames: ") + to_word(overlays.frames);
+  if (std::holds_alternative<CycleLabels>(binding.command)) return std::string("Labels: ") + to_word(overlays.labels);
   return binding.label;
 }
 
 void draw_entry(UiState& ui, const UiInput& input, const Binding& b) {
   if (b.separated) ImGui::Separator();
-  const bool chosen = menu_item(ui, menu_label(b, ui, input).c_str(), chord_name(b.chord), is_checked(b.action, ui),
-                                is_enabled(b.action, ui, input));
+  const bool chosen = menu_item(ui, menu_label(b, ui, input).c_str(), chord_name(b.chord), is_checked(b, ui, input),
+                                is_enabled(b, ui, input));
   ui.widgets.note_item(b.label);  // also where it says what would be undone
-  if (chosen) perform(b.action, ui, input);
-  if (b.action == Action::open_file) draw_recent_files(ui);
+  if (chosen) perform(b, ui, input);
+  if (std::holds_alternative<ShowOpenDialog>(b.command)) draw_recent_files(ui);
 }
 
 /// Entries of a menu in a row that are in one submenu of it stand in that. Returns where they end.

@@ -17,8 +17,8 @@ std::string lower(std::string_view text) {
 }
 
 bool is_command(const Binding& b) {
-  return b.context != Context::gesture && b.context != Context::widget && b.action != Action::escape &&
-         b.action != Action::palette;
+  return b.context != Context::gesture && b.context != Context::widget && !std::holds_alternative<Escape>(b.command) &&
+         !std::holds_alternative<OpenPalette>(b.command);
 }
 
 bool has_word_with(const std::string& name, const std::string& start) {

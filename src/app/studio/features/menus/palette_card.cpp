@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/studio/app/actions.h"
+#include "app/studio/app/perform.h"
 #include "app/studio/features/menus/palette.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -29,7 +29,7 @@ void move_choice(PaletteState& palette, int count) {
 
 /// One command: its name, where it stands, its chord. True: it was clicked.
 bool draw_command(UiState& ui, const UiInput& input, const Binding& b, bool chosen) {
-  const bool enabled = is_enabled(b.action, ui, input);
+  const bool enabled = is_enabled(b, ui, input);
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   ImGui::BeginDisabled(!enabled);
   const ImVec2 at = ImGui::GetCursorPos();
@@ -71,7 +71,7 @@ const Binding* draw_contents(UiState& ui, const UiInput& input) {
   const bool entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
   if (entered && !found.empty()) {
     const Binding* chosen = found[static_cast<std::size_t>(palette.chosen)];
-    if (is_enabled(chosen->action, ui, input)) run = chosen;
+    if (is_enabled(*chosen, ui, input)) run = chosen;
   }
   return run;
 }
@@ -98,7 +98,7 @@ void draw_palette(UiState& ui, const UiInput& input) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (run != nullptr) perform(run->action, ui, input);
+  if (run != nullptr) perform(*run, ui, input);
 }
 
 }  // namespace taxel::ui

@@ -8,7 +8,7 @@
 #include <array>
 #include <string>
 
-#include "app/studio/app/actions.h"
+#include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -112,7 +112,8 @@ void draw_message_counter(UiState& ui, const UiInput& input, Flow& flow) {
   flow.last(width);
   ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()})) perform(Action::toggle_messages, ui, input);
+  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()}))
+    perform(TogglePanel{&PanelsShown::messages}, ui, input);
   ImGui::PopStyleColor();
   ui.widgets.note_item("Message counter");
   tooltip("Show all messages");

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "app/studio/app/actions.h"
+#include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -22,10 +22,10 @@ float button_width(const char* label) {
 void draw_modes(UiState& ui, const UiInput& input, Flow& flow) {
   constexpr float kGap = 2;
   flow.next(button_width("LAYOUT") + kGap + button_width("SIMULATE"));
-  if (small_choice(ui, "LAYOUT", ui.mode == Mode::layout)) perform(Action::mode_layout, ui, input);
+  if (small_choice(ui, "LAYOUT", ui.mode == Mode::layout)) perform(SetMode{Mode::layout}, ui, input);
   tooltip("Look at the layout alone (Ctrl+1)");
   ImGui::SameLine(0, kGap);
-  if (small_choice(ui, "SIMULATE", ui.mode == Mode::simulate)) perform(Action::mode_simulate, ui, input);
+  if (small_choice(ui, "SIMULATE", ui.mode == Mode::simulate)) perform(SetMode{Mode::simulate}, ui, input);
   tooltip("Look at the running simulation (Ctrl+2)");
 }
 
@@ -34,30 +34,30 @@ void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const float small = 2.2f * line, large = 6.4f * line, gap = 4;
   flow.next(4 * (small + gap) + large);
-  ImGui::BeginDisabled(!is_enabled(Action::play_pause, ui, input));
+  ImGui::BeginDisabled(!is_enabled(binding_of(PlayOrPause{}), ui, input));
   if (icon_button(ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
-    perform(Action::reset_simulation, ui, input);
+    perform(ResetSimulation{}, ui, input);
   }
   ImGui::SameLine(0, gap);
   if (icon_button(ui, "Back", Icon::step_back, ImVec2(small, height), nullptr, "One step back (Left)")) {
-    perform(Action::step_back, ui, input);
+    perform(StepBack{}, ui, input);
   }
   ImGui::SameLine(0, gap);
   const bool playing = input.playing;
   if (icon_button(ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(large, height),
                   playing ? &colors.pause : &colors.run, playing ? "Pause (Space)" : "Run (Space)")) {
-    perform(Action::play_pause, ui, input);
+    perform(PlayOrPause{}, ui, input);
   }
   ImGui::SameLine(0, gap);
   if (icon_button(ui, "Step", Icon::step, ImVec2(small, height), nullptr, "One step forward (Right)")) {
-    perform(Action::step_forward, ui, input);
+    perform(StepOnce{}, ui, input);
   }
   ImGui::SameLine(0, gap);
   const bool records = input.frame && input.frame->recording.on;
   if (icon_button(ui, records ? "Stop recording" : "Record", Icon::record, ImVec2(small, height),
                   records ? &colors.error : nullptr,
                   records ? "Write what was recorded (Ctrl+R)" : "Record every step from now on (Ctrl+R)")) {
-    perform(Action::record, ui, input);
+    perform(ToggleRecording{}, ui, input);
   }
   ImGui::EndDisabled();
 }
@@ -87,16 +87,20 @@ void draw_speed(UiState& ui, const UiInput& input, Flow& flow) {
 
 struct OverlayButton {
   const char* label;
-  Action action;
+  bool Overlays::*overlay;
 };
 
 void draw_overlays(UiState& ui, const UiInput& input, Flow& flow) {
   constexpr std::array kButtons = {
-      OverlayButton{"Skin", Action::toggle_transparent}, OverlayButton{"Wire", Action::toggle_wireframe},
-      OverlayButton{"Contact", Action::toggle_contact},  OverlayButton{"Rays", Action::toggle_rays},
-      OverlayButton{"Samples", Action::toggle_samples},  OverlayButton{"Normals", Action::toggle_normals},
-      OverlayButton{"Taxels", Action::toggle_taxels},    OverlayButton{"Fields", Action::toggle_fields},
-      OverlayButton{"Path", Action::toggle_path},
+      OverlayButton{"Skin", &Overlays::sensor_transparent},
+      OverlayButton{"Wire", &Overlays::wireframe},
+      OverlayButton{"Contact", &Overlays::contact_surface},
+      OverlayButton{"Rays", &Overlays::rays},
+      OverlayButton{"Samples", &Overlays::samples},
+      OverlayButton{"Normals", &Overlays::sample_normals},
+      OverlayButton{"Taxels", &Overlays::taxels},
+      OverlayButton{"Fields", &Overlays::receptive_fields},
+      OverlayButton{"Path", &Overlays::path},
   };
   constexpr float kGap = 2;
   flow.next(ImGui::CalcTextSize("Show").x + 6 + button_width(kButtons.front().label));
@@ -104,12 +108,12 @@ void draw_overlays(UiState& ui, const UiInput& input, Flow& flow) {
   ImGui::TextDisabled("Show");
   float gap = 6;
   for (const OverlayButton& b : kButtons) {
-    const Binding& binding = binding_of(b.action);
+    const Binding& binding = binding_of(ToggleOverlay{b.overlay});
     const std::string key = chord_name(binding.chord);
     const std::string tip = key.empty() ? binding.label : fmt::format("{} ({})", binding.label, key);
     flow.next(button_width(b.label), gap);
     gap = kGap;
-    if (toggle(ui, b.label, is_checked(b.action, ui), tip.c_str())) perform(b.action, ui, input);
+    if (toggle(ui, b.label, is_checked(binding, ui, input), tip.c_str())) perform(binding, ui, input);
   }
 }
 

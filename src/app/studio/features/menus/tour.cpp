@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 

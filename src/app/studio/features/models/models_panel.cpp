@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/models/models_tool.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"

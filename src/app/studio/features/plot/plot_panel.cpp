@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/real/real_panel.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/camera_tool.h"
-#include "app/studio/app/surface_place.h"
+#include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/surface_place.h"
 #include "app/studio/features/taxel/gesture.h"
 #include "ui/scene/scene_cast.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/app/actions.h"
 #include "app/studio/features/scenario/path_tool.h"
 #include "core/document/scenario/recorded_path.h"
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "app/studio/app/actions.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 

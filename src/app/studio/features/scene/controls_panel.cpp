@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/scene/attach_section.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"

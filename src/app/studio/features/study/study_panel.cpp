@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/study/study_plots.h"
 #include "app/studio/features/study/study_varied.h"
 #include "core/base/error.h"

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
 #include "app/studio/features/table/taxel_cells.h"
 #include "app/studio/features/table/taxel_order.h"
 #include "ui/theme.h"

@@ -6,11 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/studio/app/camera_tool.h"
-#include "app/studio/features/brush/brush.h"
-#include "app/studio/features/generate/generate.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/scenario/path_tool.h"
-#include "app/studio/features/select/area_select.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {
@@ -42,39 +39,6 @@ std::vector<Taxel> selected_taxels(const UiState& ui, const Project& project, bo
   return taxels;
 }
 
-void end_tool(UiState& ui) {
-  ToolState& tool = ui.tool;
-  tool.tool = Tool::none;
-  tool.start.clear();
-  tool.done.reset();
-  tool.area.clear();
-  tool.value.clear();
-  tool.problem.clear();
-  tool.pressed_taxel = -1;
-  tool.released = false;
-}
-
-/// Makes the edit of what pointer and keys say now, where that is news.
-void follow(UiState& ui, const UiInput& input) {
-  ToolState& tool = ui.tool;
-  if (tool.done && *tool.done == tool.input) return;
-  tool.done = tool.input;
-  GestureEdit result =
-      tool.tool == Tool::way_point ? moved_way_point(ui, input) : gesture_edit(tool, gesture_view(ui, input));
-  if (!result.edit) return;
-  tool.value = std::move(result.value);
-  ui.ask(EditProject{std::move(*result.edit), {tool.gesture, true}});
-}
-
-void move_pointer(ToolState& tool) {
-  const ImGuiIO& io = ImGui::GetIO();
-  constexpr double kPrecise = 0.1;
-  tool.input.snap = io.KeyCtrl;
-  tool.input.precise = io.KeyShift;
-  tool.input.pointer += (io.KeyShift ? kPrecise : 1.0) *
-                        dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
-}
-
 /// From here on pointer and keys say what the tool does.
 void follow_with(UiState& ui, const UiInput& input, Tool tool) {
   ToolState& state = ui.tool;
@@ -90,32 +54,7 @@ void follow_with(UiState& ui, const UiInput& input, Tool tool) {
                          static_cast<double>(mouse.y - ui.view.rect.y0)};
   state.input = {};
   state.input.pointer = state.pointer_start;
-  follow(ui, input);
-}
-
-/// A press on a selected taxel may become a slide.
-void watch_press(UiState& ui, const UiInput& input, double x, double y) {
-  constexpr double kReach = 12;
-  const ImGuiIO& io = ImGui::GetIO();
-  if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.KeyCtrl || io.KeyShift || ui.selection.empty()) return;
-  const double reach = kReach * ui.pixel_scale;
-  const auto under = pick(scene_input(ui, input), ui.camera(), x, y, ui.view.width, ui.view.height, reach);
-  if (!under || under->taxel < 0 || under->taxel >= input.model->taxel_count()) return;
-  const int id = input.model->layout.taxels[static_cast<std::size_t>(under->taxel)].id;
-  if (ui.selection.contains(id)) ui.tool.pressed_taxel = id;
-}
-
-void begin_slide(UiState& ui, const UiInput& input) {
-  const int id = ui.tool.pressed_taxel;
-  const Selection before = ui.selection;
-  ui.selection.add(id);  // the one under the hand leads the others
-  begin_gesture(ui, input, Tool::slide);
-  ui.tool.selection = before;
-  ui.tool.pressed_taxel = -1;
-  const ImVec2 at = ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left];
-  ui.tool.pointer_start = {static_cast<double>(at.x - ui.view.rect.x0), static_cast<double>(at.y - ui.view.rect.y0)};
-  const ImVec2 now = ImGui::GetIO().MousePos;
-  ui.tool.input.pointer = {static_cast<double>(now.x - ui.view.rect.x0), static_cast<double>(now.y - ui.view.rect.y0)};
+  follow_gesture(ui, input);
 }
 
 /// Radius of a taxel to be placed: as those around it, else a part of the mesh.
@@ -131,13 +70,32 @@ double radius_for_new(const UiState& ui, const UiInput& input) {
 
 }  // namespace
 
+void end_tool(UiState& ui) {
+  ToolState& tool = ui.tool;
+  tool.tool = Tool::none;
+  tool.start.clear();
+  tool.done.reset();
+  tool.area.clear();
+  tool.value.clear();
+  tool.problem.clear();
+  tool.pressed_taxel = -1;
+  tool.released = false;
+}
+
+void follow_gesture(UiState& ui, const UiInput& input) {
+  ToolState& tool = ui.tool;
+  if (tool.done && *tool.done == tool.input) return;
+  tool.done = tool.input;
+  GestureEdit result =
+      tool.tool == Tool::way_point ? moved_way_point(ui, input) : gesture_edit(tool, gesture_view(ui, input));
+  if (!result.edit) return;
+  tool.value = std::move(result.value);
+  ui.ask(EditProject{std::move(*result.edit), {tool.gesture, true}});
+}
+
 GestureView gesture_view(const UiState& ui, const UiInput& input) {
   return {ui.camera(), ui.view.width, ui.view.height, shown_pose(ui, input),
           input.model ? input.model->skin.get() : nullptr};
-}
-
-bool can_edit(const UiState& ui, const UiInput& input) {
-  return ui.mode == Mode::layout && input.editing.project && input.model;
 }
 
 void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies) {
@@ -160,7 +118,7 @@ void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies) {
 }
 
 void accept_gesture(UiState& ui, const UiInput& input) {
-  follow(ui, input);  // what was typed together with Enter
+  follow_gesture(ui, input);  // what was typed together with Enter
   ui.ask(EndGesture{});
   end_tool(ui);
 }
@@ -187,53 +145,6 @@ void type_number(UiState& ui) {
 void constrain_gesture(UiState& ui, int axis) {
   if (ui.tool.tool == Tool::resize || ui.tool.tool == Tool::slide) return;
   ui.tool.input.axis = ui.tool.input.axis == axis ? -1 : axis;
-}
-
-bool handle_tool_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
-  ToolState& tool = ui.tool;
-  if (!tool.released) {  // the press that ended a gesture, or the drag that Esc has cancelled, does nothing more
-    tool.released = !ImGui::IsAnyMouseDown() && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
-    if (!tool.released && tool.tool == Tool::none) return true;
-  }
-  const bool usable = tool.tool == Tool::way_point ? has_way_point(ui, input) : can_edit(ui, input);
-  if (!usable) {
-    if (tool.tool != Tool::none) cancel_tool(ui);
-    return false;
-  }
-  if (tool.tool == Tool::box || tool.tool == Tool::lasso) {
-    if (draw_area(ui, input, {x, y}, hovered)) end_tool(ui);
-    return true;
-  }
-  if (tool.tool == Tool::brush) return brush_mouse(ui, input, x, y, hovered);
-  if (tool.follows()) {
-    if (tool.done) move_pointer(tool);
-    follow(ui, input);
-    const bool dragged = tool.tool == Tool::slide;
-    const bool done =
-        dragged ? !ImGui::IsMouseDown(ImGuiMouseButton_Left) : hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (done) {
-      accept_gesture(ui, input);
-    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-      cancel_tool(ui);
-    }
-    return true;
-  }
-  if (tool.tool == Tool::place && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    end_tool(ui);
-    return true;
-  }
-  if (tool.tool == Tool::none && frame_mouse(ui, input, x, y, hovered)) return true;
-  if (tool.tool == Tool::none && hovered && !ui.generate.open) watch_press(ui, input, x, y);
-  if (tool.pressed_taxel < 0) return false;
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    tool.pressed_taxel = -1;
-    return false;  // it was a click
-  }
-  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-    begin_slide(ui, input);
-    follow(ui, input);
-  }
-  return true;
 }
 
 std::optional<PlacementGhost> placement_ghost(const UiState& ui, const UiInput& input, double x, double y) {

@@ -6,9 +6,6 @@
 
 namespace taxel::ui {
 
-/// Whether there is something to edit, and it is looked at.
-[[nodiscard]] bool can_edit(const UiState& ui, const UiInput& input);
-
 /// How the layout is seen.
 [[nodiscard]] GestureView gesture_view(const UiState& ui, const UiInput& input);
 
@@ -23,8 +20,10 @@ void cancel_tool(UiState& ui);
 void type_number(UiState& ui);
 void constrain_gesture(UiState& ui, int axis);  ///< once more: free again
 
-/// The view's mouse, before the camera gets it. x, y: pointer in pixels of the view. True: it is a tool's.
-bool handle_tool_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
+/// Requests the edit that pointer and keys make of the gesture, if they have changed.
+void follow_gesture(UiState& ui, const UiInput& input);
+/// Ends any tool without an edit.
+void end_tool(UiState& ui);
 
 /// A taxel on the surface under a pixel of the view; none on the background.
 void place_taxel(UiState& ui, const UiInput& input, double x, double y);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/studio/app/surface_place.h"
+#include "app/studio/app/pointing/surface_place.h"
 #include "app/studio/features/taxel/tool_state.h"
 #include "core/document/edit.h"
 #include "ui/scene/pick/camera.h"

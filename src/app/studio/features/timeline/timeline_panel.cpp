@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
+#include "app/studio/app/perform.h"
 #include "app/studio/features/timeline/timeline_lanes.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -34,25 +34,25 @@ float film_width() {
 
 void draw_film(UiState& ui, const UiInput& input) {
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
-  const auto text_button = [&](const char* label, Action action, const char* tip) {
+  const auto text_button = [&](const char* label, const auto& command, const char* tip) {
     ImGui::SameLine(0, 3);
-    if (button(ui, label)) perform(action, ui, input);
+    if (button(ui, label)) perform(command, ui, input);
     tooltip(tip);
   };
   const bool back = input.replay<0, forth = input.replay> 0;
   if (icon_button(ui, "Backwards", back ? Icon::pause : Icon::backwards, {2 * line, height}, nullptr,
                   "Play recorded steps backwards (Shift+Space)"))
-    perform(Action::play_backwards, ui, input);
+    perform(TogglePlayBackwards{}, ui, input);
   ImGui::SameLine(0, 3);
   if (icon_button(ui, "Replay", forth ? Icon::pause : Icon::run, {2 * line, height}, nullptr,
                   "Play recorded steps; Run (Space) simulates on from the step that is shown"))
     ui.ask(ReplayHistory{forth ? 0 : 1});
-  text_button("< Event", Action::previous_event, "Previous event (Shift+Left)");
-  text_button("Event >", Action::next_event, "Next event (Shift+Right)");
-  text_button("Newest", Action::newest_step, "The newest step (End)");
+  text_button("< Event", GoToEvent{-1}, "Previous event (Shift+Left)");
+  text_button("Event >", GoToEvent{1}, "Next event (Shift+Right)");
+  text_button("Newest", GoToNewestStep{}, "The newest step (End)");
   ImGui::SameLine(0, 3);
   if (toggle(ui, "Loop", input.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
-    perform(Action::loop_range, ui, input);
+    perform(ToggleLoop{}, ui, input);
 }
 
 /// A switch with its threshold. Returns the new part, where one was entered.

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/frame_tool.h"
 #include "app/studio/features/generate/generate_panel.h"

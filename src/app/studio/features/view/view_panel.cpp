@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/camera_tool.h"
-#include "app/studio/app/dock_layout.h"
+#include "app/studio/app/panel_spec.h"
+#include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/view_mouse.h"
 #include "app/studio/features/fields/field_legend.h"
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/probe/probe_panel.h"

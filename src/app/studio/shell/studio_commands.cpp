@@ -1,11 +1,11 @@
-// What panels, keys and scripts ask of the program.
+// Commands to the program, carried out; files that the program writes at its end; and the program as scripts see it.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/actions.h"
-#include "app/studio/app/camera_tool.h"
+#include "app/studio/app/carry_out.h"
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
@@ -26,88 +26,43 @@ std::string free_name(std::string_view begin, std::string_view end) {
 
 }  // namespace
 
-void Studio::carry_out_requests() {
-  std::vector<ui::Request> requests;
-  requests.swap(ui_.requests);
-  for (const ui::Request& request : requests) carry_out(request);
-}
-
-void Studio::carry_out(const ui::Request& request) {
-  if (hold_if_unsaved(request) || carry_out_edit(request) || carry_out_save(request) || carry_out_generate(request) ||
-      carry_out_real(request))
-    return;
-  if (const auto* r = std::get_if<ui::OpenFile>(&request)) {
-    open_file(*r);
-  } else if (std::holds_alternative<ui::OpenFingertipSweep>(request)) {
-    session_.open("");
-  } else if (std::holds_alternative<ui::CloseDocument>(request)) {
-    session_.close();
-    ui_.selection = {};
-  } else if (const auto* list = std::get_if<ui::ListFolder>(&request)) {
-    list_folder(ui_.dialog, list->path);
-  } else if (std::holds_alternative<ui::CancelLoading>(request)) {
-    session_.cancel_loading();
-  } else if (std::holds_alternative<ui::PolishSamples>(request)) {
-    session_.polish();
-  } else if (const auto* run = std::get_if<ui::RunScenario>(&request)) {
-    session_.run_scenario(run->scenario);
-  } else if (std::holds_alternative<ui::PlayOrPause>(request)) {
-    if (!session_.shows_scene() && !run_or_say_why_not()) return;
-    session_.hand_over();
-    session_.set_playing(!session_.moves());
-  } else if (std::holds_alternative<ui::StepOnce>(request)) {
-    session_.step_by(1);
-  } else if (carry_out_in_time(request) || carry_out_in_scene(request)) {
-    return;
-  } else if (std::holds_alternative<ui::ResetSimulation>(request)) {
-    session_.reset();
-  } else if (const auto* speed = std::get_if<ui::SetSpeed>(&request)) {
-    session_.set_speed(speed->factor);
-  } else if (const auto* mode = std::get_if<ui::SetMode>(&request)) {
-    set_mode(mode->mode);
-  } else if (std::holds_alternative<ui::ReloadFile>(request)) {
-    session_.reload();
-  } else if (std::holds_alternative<ui::TakeScreenshot>(request)) {
-    screenshot_wanted_ = true;
-  } else if (std::holds_alternative<ui::Quit>(request)) {
-    quit_ = true;
+void Studio::carry_out_commands() {
+  std::vector<ui::Command> commands;
+  commands.swap(ui_.commands);
+  for (const ui::Command& posted : commands) {
+    if (hold_if_unsaved(posted)) continue;
+    std::visit(
+        [&](const auto& command) {
+          if constexpr (ui::InterfaceCommand<decltype(command)>)
+            ui::CarryOut{ui_, input_}(command);
+          else
+            carry_out(command);
+        },
+        posted);
   }
 }
 
-bool Studio::carry_out_in_time(const ui::Request& request) {
-  if (std::holds_alternative<ui::StepBack>(request)) {
-    session_.step_by(-1);
-  } else if (const auto* to = std::get_if<ui::ScrubTo>(&request)) {
-    session_.scrub(to->step);
-  } else if (const auto* replay = std::get_if<ui::ReplayHistory>(&request)) {
-    session_.replay(replay->direction);
-  } else if (const auto* loop = std::get_if<ui::SetLoop>(&request)) {
-    session_.set_loop(loop->range);
-  } else if (const auto* breakpoints = std::get_if<ui::SetBreakpoints>(&request)) {
-    session_.set_breakpoints(breakpoints->breakpoints);
-  } else if (const auto* limits = std::get_if<ui::SetHistoryLimits>(&request)) {
-    session_.set_history_limits(limits->limits);
-  } else if (const auto* record = std::get_if<ui::SetRecording>(&request)) {
-    session_.record(record->on, free_name("recording-", ""));
-  } else if (std::holds_alternative<ui::CancelVideo>(request)) {
-    video_.reset();
-  } else {
-    return false;
-  }
-  return true;
+void Studio::carry_out(const ui::CloseDocument&) {
+  session_.close();
+  ui_.selection = {};
 }
 
-bool Studio::carry_out_in_scene(const ui::Request& request) {
-  if (const auto* command = std::get_if<ui::SendCommand>(&request)) {
-    session_.send(command->command);
-  } else if (const auto* attach = std::get_if<ui::AttachLayout>(&request)) {
-    attach->path.empty() ? ask_for_file(ui::FileTask::attach_layout, "") : session_.attach(attach->geoms, attach->path);
-  } else if (const auto* detach = std::get_if<ui::DetachLayout>(&request)) {
-    session_.detach(detach->geom);
-  } else {
-    return false;
-  }
-  return true;
+void Studio::carry_out(const ui::ListFolder& command) {
+  list_folder(ui_.dialog, command.path);
+}
+
+void Studio::carry_out(const ui::PlayOrPause&) {
+  if (!session_.shows_scene() && !run_or_say_why_not()) return;
+  session_.hand_over();
+  session_.set_playing(!session_.moves());
+}
+
+void Studio::carry_out(const ui::SetRecording& command) {
+  session_.record(command.on, free_name("recording-", ""));
+}
+
+void Studio::carry_out(const ui::AttachLayout& command) {
+  command.path.empty() ? ask_for_file(ui::FileTask::attach_layout, "") : session_.attach(command.geoms, command.path);
 }
 
 bool Studio::run_or_say_why_not() {
@@ -120,7 +75,8 @@ bool Studio::run_or_say_why_not() {
   return false;
 }
 
-void Studio::set_mode(ui::Mode mode) {
+void Studio::carry_out(const ui::SetMode& command) {
+  const ui::Mode mode = command.mode;
   const bool runs = session_.shows_scene() || session_.frame() != nullptr;
   if (mode == ui::Mode::simulate && !session_.shows_scene() && !run_or_say_why_not() && !runs) return;
   if (mode == ui::Mode::simulate) session_.hand_over();
@@ -190,7 +146,7 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !session_.patterns().busy() && !fresh_preview();
-    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.requests.empty() && !video_;
+    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.commands.empty() && !video_;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;

@@ -1,4 +1,4 @@
-#include "app/studio/app/surface_place.h"
+#include "app/studio/app/pointing/surface_place.h"
 
 #include <cmath>
 

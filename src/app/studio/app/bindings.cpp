@@ -1,0 +1,269 @@
+// The rows of the keymap, menu by menu.
+#include <imgui.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "app/studio/app/keymap.h"
+#include "app/studio/app/overlays.h"
+#include "app/studio/app/panels.h"
+#include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/features/camera/camera_follow.h"
+#include "app/studio/features/probe/probe_tool.h"
+#include "app/studio/features/scenario/path_recorder.h"
+#include "app/studio/features/scenario/path_tool.h"
+
+namespace taxel::ui {
+
+namespace {
+
+using Rows = std::vector<Binding>;
+
+constexpr int kCtrl = ImGuiMod_Ctrl, kShift = ImGuiMod_Shift, kAlt = ImGuiMod_Alt;
+
+constexpr auto has_file = [](const UiState&, const UiInput& input) { return !input.file.empty(); };
+constexpr auto has_project = [](const UiState&, const UiInput& input) { return input.editing.project != nullptr; };
+constexpr auto can_save_as = [](const UiState&, const UiInput& input) {
+  return input.editing.project != nullptr || input.is_scene;
+};
+/// A run without taxels is enabled too: its message says that taxels are missing.
+constexpr auto has_document = [](const UiState&, const UiInput& input) {
+  return input.model != nullptr || input.frame != nullptr;
+};
+constexpr auto has_run = [](const UiState&, const UiInput& input) {
+  return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+};
+constexpr auto has_sensors = [](const UiState&, const UiInput& input) {
+  return input.frame != nullptr && !input.frame->sensors.empty();
+};
+constexpr auto has_history = [](const UiState&, const UiInput& input) { return input.has_history(); };
+constexpr auto has_recorded_sensors = [](const UiState& ui, const UiInput& input) {
+  return input.has_history() && has_sensors(ui, input);
+};
+constexpr auto can_make_video = [](const UiState&, const UiInput& input) {
+  return input.has_history() && !input.video.active;
+};
+constexpr auto can_undo = [](const UiState&, const UiInput& input) { return input.editing.undo_depth > 0; };
+constexpr auto can_redo = [](const UiState&, const UiInput& input) { return input.editing.redo_depth > 0; };
+
+bool has_taxels(const UiState& ui, const UiInput& input) {
+  const Layout* layout = input.shown_layout(ui);
+  return layout != nullptr && !layout->taxels.empty();
+}
+
+constexpr auto can_edit_taxels = [](const UiState& ui, const UiInput& input) {
+  return can_edit(ui, input) && !input.editing.project->layout.taxels.empty();
+};
+constexpr auto can_edit_selected = [](const UiState& ui, const UiInput& input) {
+  return can_edit(ui, input) && !ui.selection.empty();
+};
+constexpr auto has_hidden = [](const UiState& ui, const UiInput& input) {
+  return can_edit(ui, input) && !input.editing.project->hidden.empty();
+};
+constexpr auto has_selection = [](const UiState& ui, const UiInput&) { return !ui.selection.empty(); };
+constexpr auto has_scene_box = [](const UiState& ui, const UiInput& input) { return !scene_box(ui, input).empty(); };
+constexpr auto has_selection_box = [](const UiState& ui, const UiInput& input) {
+  return !selection_box(ui, input).empty();
+};
+constexpr auto is_simulated = [](const UiState& ui, const UiInput& input) {
+  return ui.mode == Mode::simulate && input.frame && input.frame->scene;
+};
+constexpr auto has_clip_plane = [](const UiState& ui, const UiInput&) { return ui.clip.has_value(); };
+constexpr auto is_probing = [](const UiState& ui, const UiInput&) { return ui.probe.on; };
+constexpr auto is_measuring = [](const UiState& ui, const UiInput&) { return ui.measure.on; };
+constexpr auto is_recording_path = [](const UiState& ui, const UiInput&) { return ui.path.recording.has_value(); };
+constexpr auto is_in_layout = [](const UiState& ui, const UiInput&) { return ui.mode == Mode::layout; };
+constexpr auto is_in_simulate = [](const UiState& ui, const UiInput&) { return ui.mode == Mode::simulate; };
+constexpr auto has_frames = [](const UiState& ui, const UiInput&) {
+  return ui.saved.overlays.frames != FramesShown::none;
+};
+constexpr auto has_labels = [](const UiState& ui, const UiInput&) {
+  return ui.saved.overlays.labels != LabelsShown::none;
+};
+constexpr auto is_range_locked = [](const UiState& ui, const UiInput&) { return !ui.range.automatic; };
+constexpr auto is_full_screen = [](const UiState& ui, const UiInput&) { return ui.full_screen; };
+constexpr auto is_light = [](const UiState& ui, const UiInput&) { return !ui.saved.dark; };
+
+/// Appends rows of a menu; a line separates them from earlier rows of that menu.
+void append(Rows& rows, const char* menu, Rows block) {
+  const bool first = std::none_of(rows.begin(), rows.end(), [&](const Binding& row) { return row.menu == menu; });
+  for (Binding& row : block) row.menu = menu;
+  block.front().separated = menu != nullptr && !first;
+  rows.insert(rows.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
+}
+
+// Columns of each row: command, context, chord, label, enabled, checked, repeats, second chord.
+
+constexpr const char *kFileMenu = "File", *kEditMenu = "Edit", *kModeMenu = "Mode", *kSimulationMenu = "Simulation",
+                     *kViewMenu = "View", *kCameraMenu = "View/Camera", *kGroupsMenu = "View/Groups",
+                     *kPanelsMenu = "Panels", *kHelpMenu = "Help";
+
+void append_file_rows(Rows& rows) {
+  append(rows, kFileMenu,
+         {{ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
+          {OpenFingertipSweep{}, kEverywhere, 0, "Open fingertip sweep"},
+          {ReloadFile{}, kEverywhere, kCtrl | ImGuiKey_L, "Reload", has_file},
+          {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
+  append(rows, kFileMenu,
+         {{SaveProject{}, kEverywhere, kCtrl | ImGuiKey_S, "Save", has_project},
+          {SaveAs{}, kEverywhere, kCtrl | kShift | ImGuiKey_S, "Save as...", can_save_as},
+          {ExportFile{FileTask::export_layout}, kEverywhere, kCtrl | ImGuiKey_E, "Export layout...", has_project},
+          {ExportFile{FileTask::export_taxels}, kEverywhere, 0, "Export taxels (CSV)...", has_project},
+          {ExportFile{FileTask::export_samples}, kEverywhere, 0, "Export samples (CSV)...", has_project},
+          {ExportFile{FileTask::export_sheet}, kEverywhere, 0, "Export sheet to print (HTML)...", has_project},
+          {ExportFile{FileTask::export_picture}, kEverywhere, 0, "Export picture (PNG)...", has_document},
+          {ExportFile{FileTask::export_frame}, kEverywhere, 0, "Save this step...", has_sensors},
+          {ExportFile{FileTask::export_recording}, kEverywhere, kCtrl | kShift | ImGuiKey_E, "Export recording...",
+           has_recorded_sensors},
+          {ExportFile{FileTask::export_video}, kEverywhere, 0, "Export video...", can_make_video},
+          {ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors}});
+  append(rows, kFileMenu, {{TakeScreenshot{}, kEverywhere, kCtrl | ImGuiKey_P, "Save screenshot"}});
+  append(rows, kFileMenu, {{Quit{}, kEverywhere, kCtrl | ImGuiKey_Q, "Quit"}});
+}
+
+void append_edit_rows(Rows& rows) {
+  append(rows, kEditMenu,
+         {{UndoStep{}, kEverywhere, kCtrl | ImGuiKey_Z, "Undo", can_undo, nullptr, true},
+          {RedoStep{}, kEverywhere, kCtrl | kShift | ImGuiKey_Z, "Redo", can_redo, nullptr, true, kCtrl | ImGuiKey_Y}});
+  append(rows, kEditMenu,
+         {{CopyTaxels{}, kLayout, kCtrl | ImGuiKey_C, "Copy taxels", can_edit_selected},
+          {PasteTaxels{}, kLayout, kCtrl | ImGuiKey_V, "Paste taxels", can_edit},
+          {BeginGesture{Tool::move, true}, kLayout, kShift | ImGuiKey_D, "Duplicate", can_edit_selected},
+          {DeleteSelected{}, kLayout, ImGuiKey_Delete, "Delete", can_edit_selected}});
+  append(rows, kEditMenu,
+         {{ToggleTool{Tool::place}, kLayout, kShift | ImGuiKey_A, "Place taxels", can_edit},
+          {ToggleGenerate{}, kLayout, kCtrl | ImGuiKey_G, "Generate taxels...", can_edit},
+          {ToggleTool{Tool::brush}, kLayout, ImGuiKey_Q, "Paint the region", can_edit},
+          {BeginGesture{Tool::move}, kLayout, ImGuiKey_G, "Move", can_edit_selected},
+          {BeginGesture{Tool::turn}, kLayout, ImGuiKey_R, "Turn normals", can_edit_selected},
+          {BeginGesture{Tool::resize}, kLayout, ImGuiKey_F, "Change radius", can_edit_selected},
+          {BeginGesture{Tool::way_point}, kSimulate, ImGuiKey_G, "Move the way point", has_way_point},
+          {ProjectSelectedBack{}, kLayout, kShift | ImGuiKey_N, "Project back to the mesh", can_edit_selected},
+          {MirrorSelected{}, kLayout, kCtrl | ImGuiKey_M, "Mirror, linked", can_edit_selected},
+          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", can_probe, is_probing},
+          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", can_probe, is_measuring}});
+  append(
+      rows, kEditMenu,
+      {{RenameSelected{}, kLayout, ImGuiKey_Enter, "Rename in the table", can_edit_selected, nullptr, false,
+        ImGuiKey_KeypadEnter},
+       {MoveInOrder{true}, kLayout, kAlt | ImGuiKey_UpArrow, "Earlier in the order", can_edit_selected, nullptr, true},
+       {MoveInOrder{false}, kLayout, kAlt | ImGuiKey_DownArrow, "Later in the order", can_edit_selected, nullptr,
+        true}});
+  append(rows, kEditMenu,
+         {{HideSelected{}, kLayout, ImGuiKey_H, "Hide", can_edit_selected},
+          {EditProject{SetHidden{}, {}}, kLayout, kAlt | ImGuiKey_H, "Show all", has_hidden},
+          {ShowOnlySelected{}, kLayout, ImGuiKey_Slash, "Show only these", can_edit_selected}});
+  append(rows, kEditMenu,
+         {{ToggleTool{Tool::box}, kLayout, ImGuiKey_B, "Select in a box", can_edit_taxels},
+          {ToggleTool{Tool::lasso}, kLayout, kShift | ImGuiKey_B, "Select in a lasso", can_edit_taxels},
+          {SelectAll{}, kLayout, ImGuiKey_A, "Select all", has_taxels},
+          {SelectNone{}, kLayout, kAlt | ImGuiKey_A, "Select none", has_selection},
+          {InvertSelection{}, kLayout, kCtrl | ImGuiKey_I, "Invert selection", has_taxels}});
+}
+
+void append_simulation_rows(Rows& rows) {
+  append(rows, kModeMenu,
+         {{SetMode{Mode::layout}, kEverywhere, kCtrl | ImGuiKey_1, "Layout mode", has_document, is_in_layout},
+          {SetMode{Mode::simulate}, kEverywhere, kCtrl | ImGuiKey_2, "Simulate mode", has_document, is_in_simulate}});
+  append(rows, kSimulationMenu,
+         {{PlayOrPause{}, kEverywhere, ImGuiKey_Space, "Run / Pause", has_document},
+          {StepOnce{}, kEverywhere, ImGuiKey_RightArrow, "Step forward", has_run, nullptr, true},
+          {StepBack{}, kEverywhere, ImGuiKey_LeftArrow, "Step back", has_history, nullptr, true},
+          {GoToEvent{1}, kEverywhere, kShift | ImGuiKey_RightArrow, "Next event", has_history, nullptr, true},
+          {GoToEvent{-1}, kEverywhere, kShift | ImGuiKey_LeftArrow, "Previous event", has_history, nullptr, true},
+          {GoToNewestStep{}, kEverywhere, ImGuiKey_End, "Newest step", has_history},
+          {TogglePlayBackwards{}, kEverywhere, kShift | ImGuiKey_Space, "Play backwards", has_history},
+          {ToggleLoop{}, kEverywhere, 0, "Loop", has_history},
+          {ToggleBreakOnJump{}, kSimulate, kShift | ImGuiKey_B, "Pause when a taxel jumps", has_history},
+          {ExplainReading{}, kSimulate, ImGuiKey_E, "Explain the reading", has_history},
+          {ToggleRecording{}, kSimulate, kCtrl | ImGuiKey_R, "Record", has_history},
+          {ToggleRecordPath{}, kSimulate, 0, "Record a path", can_record_path, is_recording_path},
+          {ResetSimulation{}, kSimulate, ImGuiKey_Backspace, "Reset", has_run},
+          {SelectParentBody{}, kSimulate, ImGuiKey_PageUp, "Select the parent body", can_select_parent}});
+  append(rows, kSimulationMenu,
+         {{ChangeSpeed{false}, kEverywhere, ImGuiKey_Minus, "Slower"},
+          {ChangeSpeed{true}, kEverywhere, ImGuiKey_Equal, "Faster"}});
+}
+
+void append_view_rows(Rows& rows) {
+  append(rows, kViewMenu,
+         {{FrameCamera{false}, kEverywhere, ImGuiKey_Home, "Frame all", has_scene_box},
+          {FrameCamera{true}, kEverywhere, ImGuiKey_Period, "Frame selection", has_selection_box}});
+  append(rows, kCameraMenu,
+         {{AlignCamera{}, kEverywhere, kCtrl | ImGuiKey_A, "Align camera", has_scene_box},
+          {StepCamera{1}, kSimulate, ImGuiKey_RightBracket, "Next camera of the scene", has_cameras},
+          {StepCamera{-1}, kSimulate, ImGuiKey_LeftBracket, "Previous camera of the scene", has_cameras}});
+  append(rows, kViewMenu,
+         {{CycleFrames{}, kSimulate, ImGuiKey_F6, "Frames (bodies, geoms, sites, world)", is_simulated, has_frames},
+          {CycleLabels{}, kSimulate, ImGuiKey_F7, "Labels (bodies, joints, geoms, sites, cameras)", is_simulated,
+           has_labels},
+          {TogglePanel{&PanelsShown::info}, kSimulate, ImGuiKey_F2, "Info", is_simulated}});
+  Rows block;
+  for (const OverlaySpec& overlay : overlays())
+    block.push_back({ToggleOverlay{overlay.on}, overlay.context, overlay.chord, overlay.label});
+  append(rows, kViewMenu, std::exchange(block, {}));
+  constexpr std::array kGeomLabels = {"Geoms of group 0", "Geoms of group 1", "Geoms of group 2",
+                                      "Geoms of group 3", "Geoms of group 4", "Geoms of group 5"};
+  constexpr std::array kSiteLabels = {"Sites of group 0", "Sites of group 1", "Sites of group 2",
+                                      "Sites of group 3", "Sites of group 4", "Sites of group 5"};
+  for (std::size_t i = 0; i < kGeomLabels.size(); ++i)
+    block.push_back(
+        {ToggleGroup{&Overlays::geom_groups, i}, kSimulate, ImGuiKey_0 + static_cast<int>(i), kGeomLabels[i]});
+  append(rows, kGroupsMenu, std::exchange(block, {}));
+  for (std::size_t i = 0; i < kSiteLabels.size(); ++i)
+    block.push_back({ToggleGroup{&Overlays::site_groups, i}, kSimulate, kShift | (ImGuiKey_0 + static_cast<int>(i)),
+                     kSiteLabels[i]});
+  append(rows, kGroupsMenu, std::exchange(block, {}));
+  append(rows, kViewMenu,
+         {{ToggleClipPlane{}, kEverywhere, 0, "Clip plane", has_scene_box, has_clip_plane},
+          {FlipClipPlane{}, kEverywhere, 0, "Flip the clip plane", has_clip_plane}});
+  append(rows, kViewMenu, {{ToggleRangeLock{}, kEverywhere, 0, "Lock pressure range", nullptr, is_range_locked}});
+}
+
+void append_window_rows(Rows& rows) {
+  Rows block;
+  for (const PanelSpec& panel : panels())
+    if (panel.label != nullptr) block.push_back({TogglePanel{panel.shown}, panel.context, panel.chord, panel.label});
+  append(rows, kPanelsMenu, std::move(block));
+  append(rows, kPanelsMenu,
+         {{ToggleFullScreen{}, kEverywhere, ImGuiKey_F11, "Full screen", nullptr, is_full_screen, false, ImGuiKey_F5},
+          {ResetArrangement{}, kEverywhere, 0, "Reset arrangement"}});
+  append(rows, kPanelsMenu,
+         {{ToggleTheme{}, kEverywhere, 0, "Light theme", nullptr, is_light},
+          {ScaleInterface{1}, kEverywhere, kCtrl | ImGuiKey_Equal, "Larger interface"},
+          {ScaleInterface{-1}, kEverywhere, kCtrl | ImGuiKey_Minus, "Smaller interface"},
+          {ScaleInterface{0}, kEverywhere, kCtrl | ImGuiKey_0, "Normal size"}});
+  append(rows, kHelpMenu,
+         {{OpenPalette{}, kEverywhere, kCtrl | ImGuiKey_K, "Find a command..."},
+          {TogglePanel{&PanelsShown::help}, kEverywhere, ImGuiKey_F1, "Keys and mouse"},
+          {StartTour{}, kEverywhere, 0, "Tour"}});
+  append(rows, nullptr,
+         {{ConstrainGesture{0}, kGesture, ImGuiKey_X, "Along or about X"},
+          {ConstrainGesture{1}, kGesture, ImGuiKey_Y, "Along or about Y"},
+          {ConstrainGesture{2}, kGesture, ImGuiKey_Z, "Along or about Z"},
+          {AcceptGesture{}, kGesture, ImGuiKey_Enter, "Accept", nullptr, nullptr, false, ImGuiKey_KeypadEnter},
+          {CancelTool{}, kGesture, ImGuiKey_Escape, "Cancel: all as it was"},
+          {EnterPanel{kInspectorTitle}, kEverywhere, ImGuiKey_Tab, "Into the inspector, by keyboard"},
+          {EnterPanel{kTaxelsTitle}, kEverywhere, kShift | ImGuiKey_Tab, "Into the taxel table, by keyboard"},
+          {Escape{}, kEverywhere, ImGuiKey_Escape, "Cancel, then clear the selection, then free the camera"}});
+}
+
+Rows all_rows() {
+  Rows rows;
+  append_file_rows(rows);
+  append_edit_rows(rows);
+  append_simulation_rows(rows);
+  append_view_rows(rows);
+  append_window_rows(rows);
+  return rows;
+}
+
+}  // namespace
+
+std::span<const Binding> bindings() {
+  static const Rows rows = all_rows();
+  return rows;
+}
+
+}  // namespace taxel::ui

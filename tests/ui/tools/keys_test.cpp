@@ -1,0 +1,159 @@
+// Keys and commands: which key posts what, and where scales and speeds end.
+#include "app/studio/app/perform.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "app/studio/app/overlays.h"
+#include "app/studio/app/panels.h"
+#include "app/studio/features/timeline/timeline_lanes.h"
+#include "ui/theme.h"
+#include "ui/tools/running.h"
+
+namespace taxel::ui {
+namespace {
+
+/// The table of keys is written down twice on purpose: a key that changes by mistake differs from bindings.txt. After a
+/// change that is wanted: taxelstudio --list-bindings > tests/ui/tools/bindings.txt
+TEST(Keys, AreThoseOfTheListInTheTests) {
+  std::ifstream file(TAXEL_SOURCE_DIR "/tests/ui/tools/bindings.txt");
+  std::stringstream expected;
+  expected << file.rdbuf();
+  EXPECT_EQ(bindings_as_text(), expected.str());
+}
+
+using test::Running;
+
+TEST(Keys, GoThroughTimeInTheRightDirection) {
+  Running run;
+  ASSERT_NE(run.pressed<SetSpeed>(ImGuiKey_Equal), nullptr);
+  EXPECT_EQ(run.scene.asked<SetSpeed>()->factor, 2);
+  ASSERT_NE(run.pressed<SetSpeed>(ImGuiKey_Minus), nullptr);
+  EXPECT_EQ(run.scene.asked<SetSpeed>()->factor, 0.5);
+  ASSERT_NE(run.pressed<ScrubTo>(ImGuiKey_RightArrow, ImGuiMod_Shift), nullptr);
+  EXPECT_EQ(run.scene.asked<ScrubTo>()->step, 17U);
+  ASSERT_NE(run.pressed<ScrubTo>(ImGuiKey_LeftArrow, ImGuiMod_Shift), nullptr);
+  EXPECT_EQ(run.scene.asked<ScrubTo>()->step, 12U);
+  ASSERT_NE(run.pressed<ScrubTo>(ImGuiKey_End), nullptr);
+  EXPECT_EQ(run.scene.asked<ScrubTo>()->step, 20U);
+  ASSERT_NE(run.pressed<ReplayHistory>(ImGuiKey_Space, ImGuiMod_Shift), nullptr);
+  EXPECT_EQ(run.scene.asked<ReplayHistory>()->direction, -1);
+  run.scene.input.replay = -1;
+  ASSERT_NE(run.pressed<ReplayHistory>(ImGuiKey_Space, ImGuiMod_Shift), nullptr);
+  EXPECT_EQ(run.scene.asked<ReplayHistory>()->direction, 0) << "once more: it stops";
+  EXPECT_NE(run.pressed<StepBack>(ImGuiKey_LeftArrow), nullptr);
+  EXPECT_NE(run.pressed<StepOnce>(ImGuiKey_RightArrow), nullptr);
+  EXPECT_NE(run.pressed<PlayOrPause>(ImGuiKey_Space), nullptr);
+  EXPECT_NE(run.pressed<ResetSimulation>(ImGuiKey_Backspace), nullptr);
+}
+
+TEST(Overlays, EachRowTogglesItsOwnValue) {
+  Running run;
+  const Overlays before = run.scene.ui.saved.overlays;
+  for (const OverlaySpec& row : overlays()) {
+    perform(ToggleOverlay{row.on}, run.scene.ui, run.scene.input);
+    Overlays expected = before;
+    expected.*row.on = !(before.*row.on);
+    EXPECT_EQ(run.scene.ui.saved.overlays, expected) << row.label;
+    EXPECT_EQ(is_checked(binding_of(ToggleOverlay{row.on}), run.scene.ui, run.scene.input), expected.*row.on);
+    run.scene.ui.saved.overlays = before;
+  }
+}
+
+TEST(Overlays, EachGroupTogglesItsOwnValue) {
+  Running run;
+  Overlays& shown = run.scene.ui.saved.overlays;
+  for (GroupsShown Overlays::*groups : {&Overlays::geom_groups, &Overlays::site_groups}) {
+    for (std::size_t i = 0; i < kSceneGroups; ++i) {
+      GroupsShown expected = shown.*groups;
+      expected.at(i) = !expected.at(i);
+      perform(ToggleGroup{groups, i}, run.scene.ui, run.scene.input);
+      EXPECT_EQ(shown.*groups, expected) << i;
+    }
+  }
+}
+
+TEST(Panels, EachRowOpensOrClosesItsPanel) {
+  Running run;
+  for (const PanelSpec& row : panels()) {
+    if (row.shown == nullptr) continue;
+    bool& shown = run.scene.ui.saved.panels.*row.shown;
+    const bool before = shown;
+    perform(TogglePanel{row.shown}, run.scene.ui, run.scene.input);
+    EXPECT_NE(shown, before) << row.title;
+    EXPECT_EQ(run.scene.ui.opened_panel == &shown, shown) << row.title;
+  }
+}
+
+TEST(Loop, CoversAllRecordedStepsOrNone) {
+  Running run;
+  perform(ToggleLoop{}, run.scene.ui, run.scene.input);
+  EXPECT_EQ(run.scene.asked<SetLoop>()->range, (StepRange{10, 20}));
+  run.scene.input.loop = StepRange{10, 20};
+  perform(ToggleLoop{}, run.scene.ui, run.scene.input);
+  EXPECT_EQ(run.scene.asked<SetLoop>()->range, std::nullopt);
+}
+
+TEST(Interface, ScalesWithinItsLimits) {
+  Running run;
+  SavedState& saved = run.scene.ui.saved;
+  perform(ScaleInterface{1}, run.scene.ui, run.scene.input);
+  EXPECT_FLOAT_EQ(saved.scale, 1.1f);
+  for (int i = 0; i < 40; ++i) perform(ScaleInterface{1}, run.scene.ui, run.scene.input);
+  EXPECT_FLOAT_EQ(saved.scale, 2.5f);
+  for (int i = 0; i < 80; ++i) perform(ScaleInterface{-1}, run.scene.ui, run.scene.input);
+  EXPECT_FLOAT_EQ(saved.scale, 0.6f);
+  perform(ScaleInterface{0}, run.scene.ui, run.scene.input);
+  EXPECT_EQ(saved.scale, 1);
+}
+
+TEST(SelectionOfTaxels, KeepsTheActiveOneLast) {
+  Running run;
+  UiState& ui = run.scene.ui;
+  click_taxel(ui, 2, false);
+  click_taxel(ui, 1, true);
+  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{2, 1})) << "Shift adds";
+  click_taxel(ui, 2, true);
+  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{1})) << "Shift takes out";
+  ui.selection.set_all(run.scene.project.layout);
+  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{2, 1})) << "the active one stays active";
+  click_taxel(ui, 2, false);
+  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{2})) << "alone";
+  ui.selection.invert(run.scene.project.layout);
+  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{1}));
+}
+
+TEST(TimelineSteps, FillEqualColumns) {
+  Timeline timeline;
+  timeline.lanes = {100, 0, 200, 50};
+  timeline.steps = {40, 49};  // 10 columns of 10 pixels
+  EXPECT_EQ(step_at(timeline, 50), 40U);
+  EXPECT_EQ(step_at(timeline, 100.1f), 40U);
+  EXPECT_EQ(step_at(timeline, 109.9f), 40U);
+  EXPECT_EQ(step_at(timeline, 110.1f), 41U);
+  EXPECT_EQ(step_at(timeline, 199.9f), 49U);
+  EXPECT_EQ(step_at(timeline, 250), 49U);
+  for (std::uint64_t step = 40; step <= 49; ++step) {
+    const float x = x_of(timeline, static_cast<double>(step));
+    EXPECT_FLOAT_EQ(x, 105 + 10 * static_cast<float>(step - 40)) << "the middle of its column";
+    EXPECT_EQ(step_at(timeline, x), step);
+  }
+}
+
+TEST(TimelineEvents, HaveAColourEach) {
+  const Palette& colors = palette(true);
+  const auto same = [](const ImVec4& a, const ImVec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  const auto color = [&](StepEvent event) { return event_color({0, 0, 0, static_cast<std::uint8_t>(event)}, colors); };
+  EXPECT_TRUE(same(color(StepEvent::jump_at_equal_force), colors.error)) << "what the method did";
+  EXPECT_TRUE(same(color(StepEvent::jump), colors.warning));
+  EXPECT_TRUE(same(color(StepEvent::disagreement), colors.warning));
+  EXPECT_TRUE(same(color(StepEvent::other_layout), colors.layout_mode));
+  EXPECT_TRUE(same(color(StepEvent::contact_begins), colors.run));
+  EXPECT_TRUE(same(color(StepEvent::contact_ends), colors.dim));
+  EXPECT_FALSE(same(colors.error, colors.warning));
+}
+
+}  // namespace
+}  // namespace taxel::ui
