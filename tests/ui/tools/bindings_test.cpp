@@ -1,0 +1,79 @@
+// The rows of commands, overlays and panels: unique keys, and menus in blocks.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "app/studio/app/overlays.h"
+#include "app/studio/app/panels.h"
+#include "app/studio/app/ui_state.h"
+
+namespace taxel::ui {
+namespace {
+
+TEST(Rows, SettingsKeysAreUnique) {
+  std::set<std::string> keys;
+  for (const OverlaySpec& row : overlays()) EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+  for (const PanelSpec& row : panels()) {
+    if (row.key == nullptr) continue;
+    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+  }
+}
+
+TEST(Rows, PanelsWithASettingHaveAMenuEntry) {
+  std::set<std::string> titles;
+  for (const PanelSpec& row : panels()) {
+    EXPECT_TRUE(titles.insert(row.title).second) << row.title;
+    EXPECT_NE(row.draw, nullptr) << row.title;
+    EXPECT_EQ(row.shown == nullptr, row.key == nullptr) << row.title;
+    EXPECT_EQ(row.shown == nullptr, row.label == nullptr) << row.title;
+  }
+}
+
+TEST(Rows, OverlaysAreInTheViewMenu) {
+  for (const OverlaySpec& row : overlays()) {
+    const Binding& binding = binding_of(ToggleOverlay{row.on});
+    EXPECT_STREQ(binding.menu, "View") << row.key;
+    EXPECT_EQ(std::string(binding.label), row.label);
+    EXPECT_EQ(binding.chord, row.chord) << row.key;
+  }
+}
+
+TEST(Bindings, FindARowByTheValuesOfItsCommand) {
+  EXPECT_STREQ(binding_of(ExportFile{FileTask::export_sheet}).label, "Export sheet to print (HTML)...");
+  EXPECT_STREQ(binding_of(SetMode{Mode::layout}).label, "Layout mode");
+  EXPECT_STREQ(binding_of(SetMode{Mode::simulate}).label, "Simulate mode");
+  EXPECT_STREQ(binding_of(ToggleGroup{&Overlays::site_groups, 4}).label, "Sites of group 4");
+}
+
+TEST(Bindings, MenusBeginWithoutALine) {
+  std::set<std::string> begun;
+  for (const Binding& row : bindings()) {
+    if (row.menu == nullptr) {
+      EXPECT_FALSE(row.separated) << row.label;
+    } else if (begun.insert(row.menu).second) {
+      EXPECT_FALSE(row.separated) << row.label;
+    }
+  }
+  EXPECT_EQ(begun, (std::set<std::string>{"Edit", "File", "Help", "Mode", "Panels", "Simulation", "View", "View/Camera",
+                                          "View/Groups"}));
+}
+
+TEST(Bindings, LinesSeparateTheBlocksOfAMenu) {
+  std::set<std::string> separated;
+  for (const Binding& row : bindings())
+    if (row.separated) separated.insert(row.label);
+  EXPECT_EQ(separated, (std::set<std::string>{"Clip plane", "Copy taxels", "Frames (bodies, geoms, sites, world)",
+                                              "Full screen", "Hide", "Light theme", "Lock pressure range",
+                                              "Place taxels", "Quit", "Rename in the table", "Save", "Save screenshot",
+                                              "Select in a box", "Sites of group 0", "Slower", "Transparent sensor"}));
+}
+
+TEST(Bindings, NameBothChords) {
+  EXPECT_EQ(chord_names(binding_of(RedoStep{})), "Ctrl+Shift+Z, Ctrl+Y");
+  EXPECT_EQ(chord_names(binding_of(SaveProject{})), "Ctrl+S");
+  EXPECT_EQ(chord_names(binding_of(StartTour{})), "");
+}
+
+}  // namespace
+}  // namespace taxel::ui

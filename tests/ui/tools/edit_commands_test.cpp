@@ -1,0 +1,293 @@
+// Commands about selection, tools and edits: the state they change at once, and the edit they post.
+#include <gtest/gtest.h>
+
+#include "app/studio/app/perform.h"
+#include "ui/tools/interface_frames.h"
+#include "ui/tools/tool_scene.h"
+
+namespace taxel::ui {
+namespace {
+
+/// A ball with taxels 1, 2 and 3, open in LAYOUT.
+struct Ball : test::ToolScene {
+  test::InterfaceFrames interface;
+  Ball() : ToolScene({dvec3(1, 0, 0), dvec3(1, 0.5, 0), dvec3(1, 0, 0.5)}) {}
+  template <class C>
+  void run(const C& command) {
+    perform(command, ui, input);
+  }
+  /// The newest edit that was posted; it has to be of this kind.
+  template <class E>
+  [[nodiscard]] const E& edit() const {
+    return std::get<E>(asked<EditProject>()->edit);
+  }
+};
+
+TEST(DeleteSelected, DeletesTheSelectedTaxels) {
+  Ball ball;
+  ball.ui.selection.taxels = {3, 1};
+  ball.run(DeleteSelected{});
+  EXPECT_EQ(ball.edit<DeleteTaxels>().ids, (std::vector<int>{3, 1}));
+}
+
+TEST(DeleteSelected, IsDisabledWithoutSelection) {
+  Ball ball;
+  ball.run(DeleteSelected{});
+  EXPECT_TRUE(ball.ui.commands.empty());
+}
+
+TEST(DeleteSelected, IsDisabledInSimulate) {
+  Ball ball;
+  ball.ui.selection.set(1);
+  ball.ui.mode = Mode::simulate;
+  ball.run(DeleteSelected{});
+  EXPECT_TRUE(ball.ui.commands.empty());
+}
+
+TEST(HideSelected, AddsToHiddenTaxelsAndClearsTheSelection) {
+  Ball ball;
+  ball.project.hidden = {2};
+  ball.publish();
+  ball.ui.selection.set(3);
+  ball.run(HideSelected{});
+  EXPECT_EQ(ball.edit<SetHidden>().ids, (std::vector<int>{2, 3}));
+  EXPECT_TRUE(ball.ui.selection.empty());
+}
+
+TEST(ShowOnlySelected, HidesTheOthersAndKeepsTheSelection) {
+  Ball ball;
+  ball.ui.selection.set(2);
+  ball.run(ShowOnlySelected{});
+  EXPECT_EQ(ball.edit<SetHidden>().ids, (std::vector<int>{1, 3}));
+  EXPECT_EQ(ball.ui.selection.taxels, (std::vector<int>{2}));
+}
+
+TEST(ShowOnlySelected, ShowsAllIfTheOthersAreHidden) {
+  Ball ball;
+  ball.project.hidden = {1, 3};
+  ball.publish();
+  ball.ui.selection.set(2);
+  ball.run(ShowOnlySelected{});
+  EXPECT_TRUE(ball.edit<SetHidden>().ids.empty());
+}
+
+TEST(MoveInOrder, MovesTheSelectedTaxelByOnePlace) {
+  Ball ball;
+  ball.ui.selection.set(2);
+  ball.run(MoveInOrder{true});
+  EXPECT_EQ(ball.edit<ReorderTaxels>().ids, (std::vector<int>{2, 1, 3}));
+  ball.run(MoveInOrder{false});
+  EXPECT_EQ(ball.edit<ReorderTaxels>().ids, (std::vector<int>{1, 3, 2}));
+}
+
+TEST(ProjectSelectedBack, PutsTaxelsOntoTheSkin) {
+  Ball ball;
+  const dvec3 on_skin = ball.project.layout.taxels[0].center;
+  ball.project.layout.taxels[0].center = 1.2 * on_skin;
+  ball.publish();
+  ball.ui.selection.set(1);
+  ball.run(ProjectSelectedBack{});
+  const TaxelChange& change = ball.edit<SetTaxels>().changes.at(0);
+  EXPECT_EQ(change.id, 1);
+  EXPECT_LT(glm::distance(*change.center, on_skin), 1e-4);
+  EXPECT_GT(change.normal->x, 0.9) << "the normal of the face";
+}
+
+TEST(MirrorSelected, MirrorsAcrossThePlaneOfTheSensorFrame) {
+  Ball ball;
+  ball.ui.selection.set(2);
+  ball.run(MirrorSelected{});
+  const SensorFrame& frame = ball.project.layout.frame;
+  EXPECT_EQ(ball.edit<MirrorTaxels>().ids, (std::vector<int>{2}));
+  EXPECT_NEAR(glm::dot(ball.edit<MirrorTaxels>().plane.normal, frame.distal), 0, 1e-12);
+  EXPECT_NEAR(glm::dot(ball.edit<MirrorTaxels>().plane.normal, frame.pad), 0, 1e-12);
+  EXPECT_EQ(ball.edit<MirrorTaxels>().skin, ball.input.model->skin);
+}
+
+TEST(SelectAll, SkipsHiddenTaxels) {
+  Ball ball;
+  ball.project.hidden = {2};
+  ball.publish();
+  ball.run(SelectAll{});
+  EXPECT_EQ(ball.ui.selection.taxels.size(), 2U);
+  EXPECT_FALSE(ball.ui.selection.contains(2));
+}
+
+TEST(InvertSelection, SelectsTheOtherShownTaxels) {
+  Ball ball;
+  ball.project.hidden = {3};
+  ball.publish();
+  ball.ui.selection.set(1);
+  ball.run(InvertSelection{});
+  EXPECT_EQ(ball.ui.selection.taxels, (std::vector<int>{2}));
+}
+
+TEST(SelectNone, ClearsTheSelection) {
+  Ball ball;
+  EXPECT_FALSE(is_enabled(binding_of(SelectNone{}), ball.ui, ball.input)) << "nothing is selected";
+  ball.ui.selection.set(1);
+  ball.run(SelectNone{});
+  EXPECT_TRUE(ball.ui.selection.empty());
+}
+
+TEST(RenameSelected, OpensTheNameOfTheActiveTaxelInTheTable) {
+  Ball ball;
+  ball.ui.saved.panels.taxels = false;
+  ball.ui.selection.taxels = {3, 1};
+  ball.run(RenameSelected{});
+  EXPECT_TRUE(ball.ui.saved.panels.taxels);
+  EXPECT_EQ(ball.ui.table.cell->id, 1);
+  EXPECT_EQ(ball.ui.table.cell->column, TableColumn::name);
+}
+
+TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
+  Ball ball;
+  const Binding& row = binding_of(EditProject{SetHidden{}, {}});
+  EXPECT_STREQ(row.label, "Show all");
+  EXPECT_FALSE(is_enabled(row, ball.ui, ball.input));
+  ball.project.hidden = {1};
+  ball.publish();
+  perform(row, ball.ui, ball.input);
+  EXPECT_TRUE(ball.edit<SetHidden>().ids.empty());
+}
+
+TEST(ToggleTool, StartsAToolAndLeavesIt) {
+  Ball ball;
+  ball.run(ToggleTool{Tool::place});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::place);
+  ball.run(ToggleTool{Tool::place});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::none);
+}
+
+TEST(ToggleTool, ReplacesAnotherTool) {
+  Ball ball;
+  ball.run(ToggleTool{Tool::brush});
+  ball.run(ToggleTool{Tool::lasso});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::lasso);
+}
+
+TEST(ToggleTool, IsDisabledForALassoWithoutTaxels) {
+  Ball ball;
+  ball.project.layout.taxels.clear();
+  ball.publish();
+  ball.run(ToggleTool{Tool::lasso});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::none);
+  ball.run(ToggleTool{Tool::place});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::place) << "a place needs none";
+}
+
+TEST(ToggleProbe, CancelsTheToolAndHoldsTheProbe) {
+  Ball ball;
+  ball.run(ToggleTool{Tool::place});
+  ball.run(ToggleProbe{});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::none);
+  EXPECT_TRUE(ball.ui.probe.on && ball.ui.probe.held);
+  EXPECT_TRUE(is_checked(binding_of(ToggleProbe{}), ball.ui, ball.input));
+  ball.run(ToggleProbe{});
+  EXPECT_FALSE(ball.ui.probe.on);
+}
+
+TEST(ToggleProbe, IsDisabledInSimulate) {
+  Ball ball;
+  ball.ui.mode = Mode::simulate;
+  ball.run(ToggleProbe{});
+  EXPECT_FALSE(ball.ui.probe.on);
+}
+
+TEST(ToggleMeasure, ForgetsThePointsWhenItEnds) {
+  Ball ball;
+  ball.run(ToggleMeasure{});
+  EXPECT_TRUE(ball.ui.measure.on);
+  ball.ui.measure.points.resize(2);
+  ball.run(ToggleMeasure{});
+  EXPECT_FALSE(ball.ui.measure.on);
+  EXPECT_TRUE(ball.ui.measure.points.empty());
+}
+
+TEST(ToggleGenerate, DropsThePreviewWhenItCloses) {
+  Ball ball;
+  ball.run(ToggleGenerate{});
+  EXPECT_TRUE(ball.ui.generate.open);
+  EXPECT_EQ(ball.asked<DropPreview>(), nullptr);
+  ball.run(ToggleGenerate{});
+  EXPECT_FALSE(ball.ui.generate.open);
+  EXPECT_NE(ball.asked<DropPreview>(), nullptr);
+}
+
+TEST(BeginGesture, StartsWithTheSelectedTaxels) {
+  Ball ball;
+  ball.ui.selection.taxels = {1, 3};
+  ball.run(BeginGesture{Tool::move});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::move);
+  ASSERT_EQ(ball.ui.tool.start.size(), 2U);
+  EXPECT_EQ(ball.ui.tool.start.back().id, 3) << "the active one is last";
+}
+
+TEST(BeginGesture, IsDisabledWithoutSelection) {
+  Ball ball;
+  ball.run(BeginGesture{Tool::turn});
+  EXPECT_EQ(ball.ui.tool.tool, Tool::none);
+}
+
+TEST(BeginGesture, SelectsCopiesThatHaveNewIds) {
+  Ball ball;
+  ball.ui.selection.set(2);
+  ball.run(BeginGesture{Tool::move, true});
+  EXPECT_EQ(ball.ui.selection.taxels, (std::vector<int>{4}));
+  EXPECT_TRUE(ball.ui.tool.adds);
+}
+
+TEST(ConstrainGesture, FreesAnAxisThatIsChosenTwice) {
+  Ball ball;
+  ball.ui.selection.set(1);
+  ball.run(BeginGesture{Tool::move});
+  ball.run(ConstrainGesture{1});
+  EXPECT_EQ(ball.ui.tool.input.axis, 1);
+  ball.run(ConstrainGesture{2});
+  EXPECT_EQ(ball.ui.tool.input.axis, 2);
+  ball.run(ConstrainGesture{2});
+  EXPECT_EQ(ball.ui.tool.input.axis, -1);
+}
+
+TEST(CancelTool, RestoresTheSelectionAndCancelsTheGesture) {
+  Ball ball;
+  ball.ui.selection.set(2);
+  ball.run(BeginGesture{Tool::move, true});
+  const std::uint64_t gesture = ball.ui.tool.gesture;
+  ball.run(CancelTool{});
+  EXPECT_EQ(ball.asked<CancelGesture>()->number, gesture);
+  EXPECT_EQ(ball.ui.selection.taxels, (std::vector<int>{2}));
+  EXPECT_EQ(ball.ui.tool.tool, Tool::none);
+}
+
+TEST(AcceptGesture, EndsTheGesture) {
+  Ball ball;
+  ball.ui.selection.set(2);
+  ball.run(BeginGesture{Tool::resize});
+  ball.run(AcceptGesture{});
+  EXPECT_NE(ball.asked<EndGesture>(), nullptr);
+  EXPECT_EQ(ball.asked<CancelGesture>(), nullptr);
+  EXPECT_EQ(ball.ui.tool.tool, Tool::none);
+}
+
+TEST(UndoStep, IsEnabledIfAnEditCanBeUndone) {
+  Ball ball;
+  ball.run(UndoStep{});
+  EXPECT_EQ(ball.asked<UndoStep>(), nullptr);
+  ball.input.editing.undo_depth = 1;
+  ball.run(UndoStep{});
+  EXPECT_NE(ball.asked<UndoStep>(), nullptr);
+  ball.run(RedoStep{});
+  EXPECT_EQ(ball.asked<RedoStep>(), nullptr);
+}
+
+TEST(PasteTaxels, NeedsADocumentButNoSelection) {
+  Ball ball;
+  ball.run(CopyTaxels{});
+  EXPECT_EQ(ball.asked<CopyTaxels>(), nullptr);
+  ball.run(PasteTaxels{});
+  EXPECT_NE(ball.asked<PasteTaxels>(), nullptr);
+}
+
+}  // namespace
+}  // namespace taxel::ui
