@@ -18,7 +18,7 @@
 
 #include "../layout_arguments.h"
 #include "app/studio/document/edit_session.h"
-#include "app/studio/features/probe/probe_worker.h"
+#include "app/studio/features/probe/probe_job.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/document/edit.h"
@@ -173,17 +173,18 @@ class Bell {
 std::vector<Time> measure_hand_over(const Document& document) {
   Bell bell;
   SensorCache cache;
-  studio::ProbeWorker probe([&] { bell.ring(); });
+  studio::JobPool pool;
+  studio::ProbeJob probe(pool, [&] { bell.ring(); });
   studio::EditSession edits(
-      cache, [&] { bell.ring(); }, [&](const SensorModelPtr& model) { probe.press_now(model); });
+      pool, cache, [&] { bell.ring(); }, [&](const SensorModelPtr& model) { probe.model_built(model); });
   SensorBuild how;
   how.cache = &cache;
   SensorModelPtr model =
       build_sensor_model(document.project.layout, document.mesh.mesh, document.mesh.sha256, document.file, how);
   edits.open(std::make_shared<const Project>(document.project),
              std::make_shared<const studio::OpenMesh>(document.mesh, MeshFindings{}), document.file, "");
-  const ui::ProbeWish wish{probe_of(document.project), ""};
-  probe.press(model, wish);
+  const ui::ProbeRequest request{probe_of(document.project), ""};
+  probe.press(model, request);
   probe.wait();
   std::vector<Time> times;
   for (int i = 0; i < kEdits; ++i) {
@@ -195,7 +196,7 @@ std::vector<Time> measure_hand_over(const Document& document) {
       SensorModelPtr built = edits.take_model();
       if (!built) continue;
       model = std::move(built);
-      probe.press(model, wish);
+      probe.press(model, request);
       if (const ui::PressedProbePtr pressed = probe.newest(); pressed && pressed->model == model) break;
     }
     times.push_back(Time::now() - start);

@@ -9,8 +9,8 @@
 
 #include "core/document/edit.h"
 #include "core/document/history.h"
-#include "core/run/scene_marks.h"
-#include "core/run/sim_command.h"
+#include "core/run/marks.h"
+#include "core/run/command.h"
 #include "ui/widgets/field_state.h"
 
 namespace taxel::ui {

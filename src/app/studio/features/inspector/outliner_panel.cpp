@@ -63,7 +63,7 @@ void draw_sensor(UiState& ui, const SensorModel& model, const Layout& layout, co
   ImGui::TreePop();
 }
 
-void draw_scene(UiState& ui, const UiInput& input) {
+void draw_scene_tree(UiState& ui, const UiInput& input) {
   const SimScene& scene = *input.frame->scene;
   if (!ImGui::TreeNodeEx("Scene", kOpenNode)) return;
   for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
@@ -94,7 +94,7 @@ void draw_outliner(UiState& ui, const UiInput& input) {
       const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
       draw_sensor(ui, *input.model, layout, input.name.empty() ? "layout" : input.name);
     }
-    if (input.frame && input.frame->scene) draw_scene(ui, input);
+    if (input.frame && input.frame->scene) draw_scene_tree(ui, input);
     if (!input.model && !input.frame) ImGui::TextDisabled("Nothing is open.");
   }
   ImGui::End();

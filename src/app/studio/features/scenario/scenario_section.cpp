@@ -17,7 +17,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr FieldUnit kMilliseconds{"ms", -3, -1};
+constexpr FieldUnit kTimestepUnit{"ms", -3, -1};
 
 bool uses(const Scenario& scenario, ScenarioKind kind, double Scenario::*value) {
   for (const ScenarioParameter& parameter : scenario_parameters())
@@ -111,7 +111,7 @@ void draw_recorder(UiState& ui, const UiInput& input) {
   if (pressed) toggle_path_recording(ui, input);
   if (!begin_properties("recorder")) return;
   begin_property("Way point every (ms)", "Of a recorded path; no more than one a picture");
-  if (const auto every = number_field(ui, "Way point every", {ui.path.record_every}, kMilliseconds)) {
+  if (const auto every = number_field(ui, "Way point every", {ui.path.record_every}, kTimestepUnit)) {
     if (*every > 0) {
       ui.path.record_every = *every;
     } else {

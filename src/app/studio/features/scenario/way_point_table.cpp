@@ -10,7 +10,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr FieldUnit kSeconds{"s", 0, -1}, kDegrees{"deg", 0, 2};
+constexpr FieldUnit kSeconds{"s", 0, -1}, kAngleUnit{"deg", 0, 2};
 constexpr const char* kAxes[] = {"X", "Y", "Z"};
 
 /// Axis times angle, in degrees.
@@ -51,7 +51,7 @@ bool draw_turn(UiState& ui, WayPoint& point) {
   begin_property("Turned (\u00b0)",
                  "How the frame of the finger's mesh file is turned in the world: an axis times the angle about it");
   dvec3 turn = turn_vector(point.X_WM.q);
-  const auto typed = vector_field(ui, "Turned", {turn}, kDegrees);
+  const auto typed = vector_field(ui, "Turned", {turn}, kAngleUnit);
   if (!typed) return false;
   turn[typed->axis] = typed->value;
   point.X_WM.q = turned_by(turn);
