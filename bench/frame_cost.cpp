@@ -148,8 +148,8 @@ int main(int argc, char** argv) {
   fmt::print(
       "| | a step without frames | more with 60 a second, median | least to most | so much a frame | "
       "stood still a step: without, with |\n| --- | --- | --- | --- | --- | --- |\n");
-  Scenario press = default_scenario(ScenarioKind::press);
-  press.hold = 2000;
+  Scenario press = default_scenario(kKind<scenarios::Press>);
+  press.as<scenarios::Press>().hold = 2000;
   measure("pressed fingertip", 2500, false, LoadScenarioCommand{bench::our_fingertip(kSamples), press}, stretches);
   measure("hand of five fingers after 20 s", 20000, true,
           LoadSceneCommand{TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", {}}, stretches);

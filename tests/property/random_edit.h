@@ -141,7 +141,7 @@ class RandomEdit {
       }
       case 18: {
         Scenario scenario = project_.scenario;
-        scenario.depth = 1e-3 * (1 + uniform());
+        *find_number(scenario, "depth") = 1e-3 * (1 + uniform());
         return SetScenario{scenario};
       }
       default:

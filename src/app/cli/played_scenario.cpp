@@ -17,23 +17,23 @@
 namespace taxel::cli {
 
 bool warn_of_depth(const Scenario& scenario, const SensorModel& model, Console& console) {
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.value == &Scenario::depth && !parameter.used_by(scenario)) return false;
+  const double* depth = find_number(scenario, "depth");
+  if (depth == nullptr) return false;
   const dvec3 size = model.mesh->bounds().extent();
   const double smallest = std::min({size.x, size.y, size.z});
   const Material& material = model.layout.material;
   // The default thickness of a pad is an eighth of the smallest extent (hydro_body.cpp).
   const double pad = material.thickness > 0 ? material.thickness : 0.125 * smallest;
   const bool is_pad = material.compliant() && material.field == FieldKind::pad;
-  if (scenario.depth > smallest)
+  if (*depth > smallest)
     console.warn(fmt::format("/depth: {} m is deeper than the sensor is thick, {:.3g} m: the readings mean nothing",
-                             scenario.depth, smallest));
-  else if (is_pad && scenario.depth > pad)
+                             *depth, smallest));
+  else if (is_pad && *depth > pad)
     console.warn(
         fmt::format("/depth: {} m is deeper than the pad is thick, {:.3g} m: beyond the pad the pressure goes "
                     "on with p = (E/H) x depth, which no material does",
-                    scenario.depth, pad));
-  return scenario.depth > smallest || (is_pad && scenario.depth > pad);
+                    *depth, pad));
+  return *depth > smallest || (is_pad && *depth > pad);
 }
 
 int play(const PlayedScenario& played, Console& console) {

@@ -26,9 +26,10 @@ std::string head_text(const RecordingReport& report) {
   const Scenario& s = *report.scenario;
   const std::string& name = report.models.front()->layout.name;
   const std::string layout = name.empty() ? "a layout without a name" : "\"" + name + "\"";
-  if (s.kind != ScenarioKind::sweep) return fmt::format("{} of {}: {}\n", to_word(s.kind), layout, rows);
+  const auto* sweep = std::get_if<scenarios::Sweep>(&s.motion);
+  if (sweep == nullptr) return fmt::format("{} of {}: {}\n", to_word(s.kind()), layout, rows);
   return fmt::format("sweep of {} over {}: {}, {} m deep, {} m/s, tilt {} degrees\n", layout, object_text(s), rows,
-                     s.depth, s.speed, s.tilt_deg);
+                     sweep->depth, sweep->speed, sweep->tilt_deg);
 }
 
 /// Returns the lines of a soft geom without taxels.

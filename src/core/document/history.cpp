@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <set>
 
+
 namespace taxel {
 namespace {
 
 std::size_t heap(const std::string& text) {
-  const std::size_t inside = std::string().capacity();  // short texts live in the object
+  const std::size_t inside = std::string().capacity();  // short texts are stored in the object
   return text.capacity() > inside ? text.capacity() + 1 : 0;
 }
 
@@ -24,7 +25,7 @@ std::size_t heap(const Layout& layout) {
     bytes += heap(calibration.unit) + heap(calibration.curve) + heap(calibration.taxels);
     for (const TaxelCalibration& taxel : calibration.taxels) bytes += heap(taxel.curve);
   }
-  const std::size_t node = 4 * sizeof(void*);  // of a red-black tree: parent, children, colour
+  const std::size_t node = 4 * sizeof(void*);  // node of a red-black tree: parent, children, colour
   for (const auto& item : layout.unknown) bytes += node + sizeof(item) + heap(item.first) + heap(item.second);
   return bytes;
 }
@@ -32,9 +33,11 @@ std::size_t heap(const Layout& layout) {
 }  // namespace
 
 std::size_t bytes_of(const Project& project) {
-  std::size_t bytes = sizeof(Project) + heap(project.layout) + heap(project.scenario.object) +
-                      heap(project.scenario.source) + heap(project.scenario.points) + heap(project.mirrors) +
+  std::size_t bytes = sizeof(Project) + heap(project.layout) + heap(project.scenario.object) + heap(project.mirrors) +
                       heap(project.hidden);
+  visit_fields(project.scenario, [&](const FieldSpec&, const auto& value) {
+    if constexpr (!std::is_same_v<decltype(value), const double&>) bytes += heap(value);
+  });
   for (const Mirror& mirror : project.mirrors) bytes += heap(mirror.links);
   return bytes;
 }
@@ -58,7 +61,7 @@ bool History::apply(const Edit& edit, Gesture gesture) {
   const ProjectPtr& from = merge && gesture.from_start ? steps_[now_ - 1].project : steps_[now_].project;
   Project edited = apply_edit(*from, edit);
   if (edited == *steps_[now_].project) return false;
-  if (merge && edited == *steps_[now_ - 1].project) {  // dragged back to where it began: no step
+  if (merge && edited == *steps_[now_ - 1].project) {  // dragged back to the start: no step
     cancel(gesture.number);
     return true;
   }
@@ -122,7 +125,7 @@ std::size_t History::bytes() const {
 
 void History::drop_oldest() {
   if (bytes() > limits_.bytes) undone_.clear();
-  // Apply has made the present step the last one; it and the one before it stay.
+  // apply() has made the present step the last one. It and the previous step remain.
   while (now_ > 1 && (now_ > limits_.steps || bytes() > limits_.bytes)) {
     steps_.pop_front();
     --now_;

@@ -17,7 +17,7 @@ Layout as_in_the_paper(Layout layout) {
 Edit paper_setting_edit(const Layout& layout) {
   const Layout changed = as_in_the_paper(layout);
   const EditList edits{{SetMaterial{changed.material}, SetSampling{changed.sampling},
-                        SetScenario{default_scenario(ScenarioKind::paper)}}};
+                        SetScenario{default_scenario(kKind<scenarios::Paper>)}}};
   return ApplyAll{"Set up as in the paper", std::make_shared<const EditList>(edits)};
 }
 

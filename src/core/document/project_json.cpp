@@ -28,7 +28,7 @@ void read_head(const Node& root) {
   root.only({"format", "version", "layout", "scenario", "view", "mirrors", "hidden"});
 }
 
-/// Errors of the part's own reader, with where the part stands in the project.
+/// Calls a reader of a part and adds the place of the part in the project to its errors.
 template <class Read>
 auto read_part(const std::string& file, const std::string& pointer, const Read& read) {
   try {
@@ -45,7 +45,7 @@ int whole_number(const Node& node) {
   return static_cast<int>(v);
 }
 
-/// A number that a camera can use: pixels are computed from it, and 1e308 makes them infinite.
+/// Returns a number of a camera. Throws Error beyond the limit: a value of 1e308 would make pixels infinite.
 double bounded_number(const Node& node, double largest) {
   const double value = node.number();
   if (!(std::abs(value) <= largest)) node.wrong(fmt::format("between -{0} and {0}", largest));
@@ -53,7 +53,7 @@ double bounded_number(const Node& node, double largest) {
 }
 
 View read_view(const Node& node) {
-  constexpr double kFarthest = 1e6;      // [m]: the camera keeps 1 mm apart there
+  constexpr double kFarthest = 1e6;      // [m]; the camera resolves 1 mm at this distance
   constexpr double kNearest = 1e-6;      // [m]
   constexpr double kLargestTurn = 36e6;  // degrees
   node.only({"target", "azimuth_deg", "elevation_deg", "distance", "fov_deg"});
@@ -102,14 +102,14 @@ Json mirror_json(const Mirror& mirror, const std::string& pointer) {
           {"links", links}};
 }
 
-/// Throws Error if a path cannot be kept in a JSON file: it would be another path when it is read again.
+/// Throws Error if a path is not valid UTF-8: a JSON file would change it.
 void expect_utf8(const fs::path& file, const std::string& pointer, const std::string& path) {
   if (!is_utf8(path))
     throw Error(file.string(), pointer,
                 "the path is not UTF-8, which a JSON file cannot hold: rename the folder or file");
 }
 
-/// A path of the document as it is written into a file of this folder.
+/// Returns a path of the document relative to the folder of the file that will hold it.
 std::string relative_to(const fs::path& folder, const std::string& file) {
   const fs::path path(file);
   if (file.empty() || !path.is_absolute()) return file;
@@ -125,7 +125,7 @@ fs::path folder_of(const fs::path& file) {
   return fs::absolute(file).lexically_normal().parent_path();
 }
 
-/// What `text_of()` makes, written to the file, whose name its errors get.
+/// Writes the result of `text_of()` to the file. Errors get the name of the file.
 template <class Text>
 void write_text(const fs::path& path, const Text& text_of) {
   const std::string text = read_part(path.string(), "", text_of);
@@ -172,8 +172,7 @@ std::string project_to_json(const Project& project) {
 Project read_project(const fs::path& path) {
   Project project = parse_project(read_file(path), path.string());
   project.layout.mesh.file = absolute_from(folder_of(path), project.layout.mesh.file);
-  for (std::string* file : {&project.scenario.object, &project.scenario.source})
-    *file = absolute_from(folder_of(path), *file);
+  for (const auto& [key, file] : files_of(project.scenario)) *file = absolute_from(folder_of(path), *file);
   return project;
 }
 
@@ -189,11 +188,11 @@ ProjectOfLayout read_layout_as_project(const fs::path& path) {
 void write_project(const fs::path& path, const Project& project) {
   Project written = project;
   written.layout.mesh.file = relative_to(folder_of(path), project.layout.mesh.file);
-  for (std::string* file : {&written.scenario.object, &written.scenario.source})
-    *file = relative_to(folder_of(path), *file);
   expect_utf8(path, "/layout/mesh/file", written.layout.mesh.file);
-  expect_utf8(path, "/scenario/object", written.scenario.object);
-  expect_utf8(path, "/scenario/source", written.scenario.source);
+  for (const auto& [key, file] : files_of(written.scenario)) {
+    *file = relative_to(folder_of(path), *file);
+    expect_utf8(path, "/scenario/" + key, *file);
+  }
   write_text(path, [&] { return project_to_json(written); });
 }
 

@@ -178,7 +178,7 @@ std::unique_ptr<Simulator> Simulator::make_scenario(const SensorModelPtr& model,
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
-  s.title = "fingertip " + std::string(to_word(scenario.kind)) + ": " + model->layout.name;
+  s.title = "fingertip " + std::string(to_word(scenario.kind())) + ": " + model->layout.name;
   s.scenario = build_scenario_scene(*model, scenario);
   s.compiled = compile_scene(s.scenario->hosted_xml, s.scenario->files.files, s.title);
   for (const int i : sensor_instances(s.m())) s.compiled.handed[instance_name(s.m(), i)] = model;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text/field_spec.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {
@@ -21,6 +22,12 @@ struct FieldUnit {
 inline constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2};
 /// With all digits of the number, for values that are stored as typed.
 inline constexpr FieldUnit kExactMillimetres{"mm", -3, -1}, kExactDegrees{"deg", 0, -1}, kExactNumber{"", 0, -1};
+
+/// Returns the unit in which fields display a quantity.
+constexpr FieldUnit field_unit(FieldQuantity quantity, int digits = -1) {
+  const DisplayUnit unit = display_unit(quantity);
+  return {unit.typed, unit.decimal, digits};
+}
 
 /// `values`: of all that are edited, in SI; "mixed" is shown where they differ. The new value, in SI, when Enter or
 /// leaving the field takes over what was typed; none while it is typed, where nothing has changed, and where it is no

@@ -154,8 +154,8 @@ struct RunningPath {
   Pose X_now{{1, 0, 0, 0}, {0.03, 0.02, 0.01}};
   explicit RunningPath(const std::vector<double>& times) {
     scene.ui.mode = Mode::simulate;
-    scene.project.scenario.kind = ScenarioKind::path;
-    for (const double time : times) scene.project.scenario.points.push_back({time, Pose{}});
+    scene.project.scenario.motion = scenarios::Path{};
+    for (const double time : times) scene.project.scenario.as<scenarios::Path>().points.push_back({time, Pose{}});
     scene.publish();
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = std::make_shared<SimScene>();
@@ -168,7 +168,7 @@ struct RunningPath {
   std::vector<double> added(int selected) {
     scene.ui.path.selected = selected;
     add_way_point(scene.ui, scene.input);
-    const auto& points = std::get<SetScenario>(scene.asked<EditProject>()->edit).scenario.points;
+    const auto& points = std::get<SetScenario>(scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
     std::vector<double> times;
     for (const WayPoint& point : points) times.push_back(point.time);
     EXPECT_EQ(points.at(static_cast<std::size_t>(scene.ui.path.selected)).X_WM.p, X_now.p) << "the new one is selected";
@@ -190,7 +190,8 @@ TEST(WayPoints, AreDeletedDownToTwo) {
   RunningPath path({0, 0.4, 2});
   path.scene.ui.path.selected = 1;
   delete_way_point(path.scene.ui, path.scene.input);
-  const auto& points = std::get<SetScenario>(path.scene.asked<EditProject>()->edit).scenario.points;
+  const auto& points =
+      std::get<SetScenario>(path.scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].time, 2);
   RunningPath two({0, 1});

@@ -138,7 +138,7 @@ TEST(Edit, RefusesWhatCouldNotBeUsed) {
   EXPECT_EQ(complaint(SetFrame{{dvec3(0, 0, 1), dvec3(0, 0, 2)}}), "/frame/pad: must not be parallel to distal");
   EXPECT_EQ(complaint(ReplaceMesh{{"", dvec3(1), ""}, {}}), "/mesh/file: must name a mesh file, is \"\"");
   Scenario scenario;
-  scenario.depth = std::numeric_limits<double>::infinity();
+  scenario.as<scenarios::Sweep>().depth = std::numeric_limits<double>::infinity();
   EXPECT_EQ(complaint(SetScenario{scenario}), "/scenario/depth: must be finite, is inf");
   EXPECT_EQ(complaint(SetRegion{{3, -1}}), "region: faces are numbered from 0, is -1");
   EXPECT_EQ(complaint(SetHidden{{3}}), "taxel 3: is not in the layout");

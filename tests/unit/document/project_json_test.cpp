@@ -30,10 +30,9 @@ Project full_project() {
   layout.unknown = {{"/taxels/0/note", "{\"a\":[1,2.5]}"}, {"/made", "null"}};
   Scenario& scenario = project.scenario = with_object({}, "object.obj");
   double value = 1;
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.used_by(scenario)) scenario.*parameter.value = value++;
-  scenario.depth = 0.1 + 0.2;
-  scenario.tilt_deg = -30;
+  for (const ScenarioNumber& number : numbers_of(scenario)) *number.value = value++;
+  scenario.as<scenarios::Sweep>().depth = 0.1 + 0.2;
+  scenario.as<scenarios::Sweep>().tilt_deg = -30;
   project.view = View{dvec3(1, 2, 1.0 / 3.0), -200, 89.5, 1e-3, 35};
   project.mirrors = {{{dvec3(0, 0.1, 0), {0, 2, 0.3}}, {{7, 2}}}, {{}, {{2, 7}}}};
   project.hidden = {2, 7};
@@ -194,7 +193,7 @@ TEST(ProjectJson, WhatCannotBeWrittenIsNamedAndKeepsTheOldFile) {
   EXPECT_EQ(complaint_of([&] { write_project(path, project); }),
             path.string() + ": /view/distance: must be finite to be written, is inf");
   project = full_project();
-  project.scenario.depth = std::numeric_limits<double>::infinity();
+  project.scenario.as<scenarios::Sweep>().depth = std::numeric_limits<double>::infinity();
   EXPECT_EQ(complaint_of([&] { write_project(path, project); }),
             path.string() + ": /scenario/depth: must be finite, is inf");
   EXPECT_EQ(read_file(path), "old");

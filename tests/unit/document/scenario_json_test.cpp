@@ -18,21 +18,20 @@ std::string complaint(const std::string& text) {
 
 /// Every value that this kind uses is another one than by default.
 Scenario unlike_default(ScenarioKind kind, ObjectShape shape) {
-  Scenario scenario = with_shape({}, shape);
-  scenario.kind = kind;
+  Scenario scenario = with_shape(default_scenario(kind), shape);
   double value = 0.1 + 0.2;
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.used_by(scenario)) scenario.*parameter.value = value += 1;
-  if (shape == ObjectShape::edge && kind != ScenarioKind::paper) scenario.edge_radius = 1.1;
-  if (kind == ScenarioKind::replay) scenario.source = "out";
-  if (kind == ScenarioKind::path) scenario.points = {{0, {}}, {0.1 + 0.2, {{0.6, 0, 0.8, 0}, {1, 2, 3}}}};
+  for (const ScenarioNumber& number : numbers_of(scenario)) *number.value = value += 1;
+  if (shape == ObjectShape::edge && has_object(scenario)) scenario.edge_radius = 1.1;
+  if (auto* replay = std::get_if<scenarios::Replay>(&scenario.motion)) replay->source = "out";
+  if (auto* path = std::get_if<scenarios::Path>(&scenario.motion))
+    path->points = {{0, {}}, {0.1 + 0.2, {{0.6, 0, 0.8, 0}, {1, 2, 3}}}};
   return scenario;
 }
 
 TEST(ScenarioJson, KeepsEveryValueOfEveryKind) {
   for (const auto& word : words_of(ScenarioKind{})) {
     for (const ObjectShape shape : {ObjectShape::edge, ObjectShape::box, ObjectShape::sphere}) {
-      const bool has_shape = word.value != ScenarioKind::paper;
+      const bool has_shape = word.value != kKind<scenarios::Paper>;
       const Scenario scenario = unlike_default(word.value, has_shape ? shape : ObjectShape::box);
       EXPECT_EQ(parse_scenario(scenario_to_json(scenario)), scenario) << word.text;
       EXPECT_EQ(parse_scenario(scenario_file_json(scenario)), scenario) << word.text;
@@ -44,8 +43,8 @@ TEST(ScenarioJson, ReadsAFileWithoutShapeAsABox) {
   for (const std::string text : {"{}", R"({"kind": "sweep", "depth": 0.0015})"}) {
     const Scenario scenario = parse_scenario(text);
     EXPECT_EQ(scenario, with_shape({}, ObjectShape::box)) << text;
-    EXPECT_EQ(scenario.before, 0.012);
-    EXPECT_EQ(scenario.past, 0.012);
+    EXPECT_EQ(scenario.as<scenarios::Sweep>().before, 0.012);
+    EXPECT_EQ(scenario.as<scenarios::Sweep>().past, 0.012);
   }
   EXPECT_EQ(parse_scenario(R"({"shape": "edge"})"), Scenario{});
 }
@@ -58,20 +57,42 @@ TEST(ScenarioJson, NamesTheEdgeThatASweepCrosses) {
 
 TEST(Scenario, ReachFollowsTheShapeUnlessChosen) {
   Scenario scenario;
-  scenario.past = 0.03;
+  scenario.as<scenarios::Sweep>().past = 0.03;
   scenario = with_shape(scenario, ObjectShape::box);
-  EXPECT_EQ(scenario.before, kBoxReach);
-  EXPECT_EQ(scenario.past, 0.03);
-  EXPECT_EQ(with_shape(scenario, ObjectShape::edge).before, kEdgeReach);
+  EXPECT_EQ(scenario.as<scenarios::Sweep>().before, kBoxReach);
+  EXPECT_EQ(scenario.as<scenarios::Sweep>().past, 0.03);
+  EXPECT_EQ(with_shape(scenario, ObjectShape::edge).as<scenarios::Sweep>().before, kEdgeReach);
 }
 
 TEST(Scenario, ObjectFollowsTheKindUnlessChosen) {
-  Scenario scenario = with_kind({}, ScenarioKind::press);
+  Scenario scenario = with_kind({}, kKind<scenarios::Press>);
   EXPECT_EQ(scenario.shape, ObjectShape::box);
-  EXPECT_EQ(with_kind(scenario, ScenarioKind::sweep), Scenario{});
-  EXPECT_EQ(with_kind({}, ScenarioKind::path).shape, ObjectShape::edge) << "its poses are those around the edge";
-  scenario = with_kind(with_object({}, "a.obj"), ScenarioKind::press);
+  EXPECT_EQ(with_kind(scenario, kKind<scenarios::Sweep>), Scenario{});
+  EXPECT_EQ(with_kind({}, kKind<scenarios::Path>).shape, ObjectShape::edge) << "its poses are those around the edge";
+  scenario = with_kind(with_object({}, "a.obj"), kKind<scenarios::Press>);
   EXPECT_EQ(scenario.object, "a.obj");
+}
+
+TEST(Scenario, NumbersFollowTheKindUnlessTheirDefaultDiffers) {
+  Scenario scenario = default_scenario(kKind<scenarios::Roll>);
+  scenario.as<scenarios::Roll>().depth = 0.002;
+  EXPECT_EQ(with_kind(scenario, kKind<scenarios::Sweep>).as<scenarios::Sweep>().depth, 0.002);
+  EXPECT_EQ(with_kind(scenario, kKind<scenarios::Paper>).as<scenarios::Paper>().record_interval, 0.025);
+  scenario.as<scenarios::Roll>().record_interval = 0.02;
+  EXPECT_EQ(with_kind(scenario, kKind<scenarios::Paper>).as<scenarios::Paper>().record_interval, 0.02);
+}
+
+TEST(Scenario, ValuesOfAKindComeBackWithTheKind) {
+  LastScenarios last;
+  Scenario scenario = default_scenario(kKind<scenarios::Roll>);
+  scenario.as<scenarios::Roll>().angle_deg = 40;
+  scenario.as<scenarios::Roll>().hold = 1;
+  Scenario sweep = with_kind(scenario, kKind<scenarios::Sweep>, last);
+  sweep.as<scenarios::Sweep>().depth = 0.003;
+  const Scenario twist = with_kind(sweep, kKind<scenarios::Twist>, last);
+  EXPECT_EQ(twist.as<scenarios::Twist>().angle_deg, 40) << "shared by roll and twist";
+  scenario.as<scenarios::Roll>().depth = 0.003;
+  EXPECT_EQ(with_kind(twist, kKind<scenarios::Roll>, last), scenario);
 }
 
 TEST(ScenarioJson, ASweepOnABoxIsWrittenAsItAlwaysWas) {
@@ -82,7 +103,7 @@ TEST(ScenarioJson, ASweepOnABoxIsWrittenAsItAlwaysWas) {
 
 TEST(ScenarioJson, IsFoundInsideASweepJson) {
   const Scenario scenario = parse_scenario(R"({"format": "taxel-sweep", "scenario": {"depth": 0.001}})");
-  EXPECT_EQ(scenario.depth, 0.001);
+  EXPECT_EQ(scenario.as<scenarios::Sweep>().depth, 0.001);
 }
 
 TEST(ScenarioJson, NamesWhatIsWrong) {

@@ -28,13 +28,14 @@ TEST(Study, TheSecondParameterChangesFastest) {
   const std::vector<StudyRun> runs = runs_of(study);
   ASSERT_EQ(runs.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(runs[i].scenario.kind, ScenarioKind::press);
-    EXPECT_DOUBLE_EQ(runs[i].scenario.depth, 0.001 + 0.0005 * static_cast<double>(i / 2));
+    EXPECT_EQ(runs[i].scenario.kind(), kKind<scenarios::Press>);
+    EXPECT_DOUBLE_EQ(runs[i].scenario.as<scenarios::Press>().depth, 0.001 + 0.0005 * static_cast<double>(i / 2));
     EXPECT_EQ(runs[i].seed, 7 + i % 2);
     EXPECT_FALSE(runs[i].density);
-    EXPECT_EQ(runs[i].values, (std::vector<double>{runs[i].scenario.depth, 7.0 + static_cast<double>(i % 2)}));
+    EXPECT_EQ(runs[i].values,
+              (std::vector<double>{runs[i].scenario.as<scenarios::Press>().depth, 7.0 + static_cast<double>(i % 2)}));
   }
-  EXPECT_EQ(runs.back().scenario.depth, 0.002) << "the end exactly";
+  EXPECT_EQ(runs.back().scenario.as<scenarios::Press>().depth, 0.002) << "the end exactly";
   EXPECT_EQ(parse_study(study_to_json(study)), study);
 }
 

@@ -35,7 +35,7 @@ const SensorFrame kFrame{{1, 0, 0}, {0, 0, -1}};
 
 Scenario of_kind(ScenarioKind kind) {
   Scenario scenario = default_scenario(kind);
-  scenario.tilt_deg = 0;
+  if (double* tilt = find_number(scenario, "tilt_deg")) *tilt = 0;
   return scenario;
 }
 
@@ -51,12 +51,13 @@ std::uint64_t step_at(const Motion& motion, double seconds) {
 
 TEST(Motion, PressGoesDownToItsDepthRestsAndRises) {
   const TriMesh skin = finger();
-  Scenario scenario = of_kind(ScenarioKind::press);
-  scenario.depth = 0.002;
-  scenario.clearance = 0.0015;
-  scenario.speed = 0.02;
-  scenario.hold = 0.1;
-  scenario.place = -0.01;
+  Scenario scenario = of_kind(kKind<scenarios::Press>);
+  auto& press = scenario.as<scenarios::Press>();
+  press.depth = 0.002;
+  press.clearance = 0.0015;
+  press.speed = 0.02;
+  press.hold = 0.1;
+  press.place = -0.01;
   const Motion motion = make_motion(skin, kFrame, scenario, kObject);
   const double down = 0.0035 / 0.02;
   EXPECT_EQ(motion.last_step, step_at(motion, 2 * down + 0.1));
@@ -73,13 +74,14 @@ TEST(Motion, PressGoesDownToItsDepthRestsAndRises) {
 TEST(Motion, RollTravelsRadiusTimesAngleWithoutSlipping) {
   const TriMesh skin = finger();
   for (const double angle : {75.0, -75.0, 400.0}) {
-    Scenario scenario = of_kind(ScenarioKind::roll);
-    scenario.angle_deg = angle;
-    scenario.hold = 0;
+    Scenario scenario = of_kind(kKind<scenarios::Roll>);
+    auto& roll = scenario.as<scenarios::Roll>();
+    roll.angle_deg = angle;
+    roll.hold = 0;
     const Motion motion = make_motion(skin, kFrame, scenario, kObject);
-    const double down = (scenario.clearance + scenario.depth) / scenario.speed;
+    const double down = (roll.clearance + roll.depth) / roll.speed;
     const Pose before = motion.pose(step_at(motion, down));
-    const Pose after = motion.pose(step_at(motion, down + std::abs(angle) / scenario.rate_deg));
+    const Pose after = motion.pose(step_at(motion, down + std::abs(angle) / roll.rate_deg));
     // The axis travels R times the angle, as an inscribed circle of 360 sides does
     const double travelled = after.p.x - before.p.x;
     EXPECT_NEAR(travelled, kRadius * angle * kPi / 180, 2e-4 * std::abs(travelled));
@@ -87,8 +89,8 @@ TEST(Motion, RollTravelsRadiusTimesAngleWithoutSlipping) {
     // The point of contact is at rest.
     for (std::uint64_t step = step_at(motion, down); step < step_at(motion, down + 1); ++step) {
       const Pose a = motion.pose(step), b = motion.pose(step + 1);
-      EXPECT_NEAR(lowest(skin, a), 0.05 - scenario.depth, 1e-12);
-      const dvec3 contact(a.p.x, a.p.y, 0.05 - scenario.depth);
+      EXPECT_NEAR(lowest(skin, a), 0.05 - roll.depth, 1e-12);
+      const dvec3 contact(a.p.x, a.p.y, 0.05 - roll.depth);
       const double slip = glm::distance(b * (a.inverse() * contact), contact);
       EXPECT_LT(slip, 0.02 * glm::distance(a.p, b.p)) << step;  // within half a side of the vertex it turns about
     }
@@ -109,11 +111,12 @@ TEST(Motion, RollingOutlineOfASquareTipsOverItsCorners) {
 
 TEST(Motion, TwistTurnsAboutThePadsNormalThroughTheLowestPoint) {
   const TriMesh skin = finger();
-  Scenario scenario = of_kind(ScenarioKind::twist);
-  scenario.angle_deg = 40;
-  scenario.tilt_deg = 20;
+  Scenario scenario = of_kind(kKind<scenarios::Twist>);
+  auto& twist = scenario.as<scenarios::Twist>();
+  twist.angle_deg = 40;
+  twist.tilt_deg = 20;
   const Motion motion = make_motion(skin, kFrame, scenario, kObject);
-  const double down = (scenario.clearance + scenario.depth) / scenario.speed, turning = 40 / 60.0;
+  const double down = (twist.clearance + twist.depth) / twist.speed, turning = 40 / 60.0;
   const Pose before = motion.pose(step_at(motion, down));
   dvec3 pivot_M(0);
   for (const dvec3& v : skin.vertices())
@@ -130,28 +133,30 @@ TEST(Motion, TwistTurnsAboutThePadsNormalThroughTheLowestPoint) {
 
 TEST(Motion, SlideGoesThereAndBack) {
   const TriMesh skin = finger();
-  Scenario scenario = of_kind(ScenarioKind::slide);
-  scenario.direction_deg = 30;
-  scenario.hold = 0;
+  Scenario scenario = of_kind(kKind<scenarios::Slide>);
+  auto& slide = scenario.as<scenarios::Slide>();
+  slide.direction_deg = 30;
+  slide.hold = 0;
   const Motion motion = make_motion(skin, kFrame, scenario, kObject);
-  const double down = (scenario.clearance + scenario.depth) / scenario.speed, way = scenario.distance / scenario.speed;
+  const double down = (slide.clearance + slide.depth) / slide.speed, way = slide.distance / slide.speed;
   const Pose there = motion.pose(step_at(motion, down + way)), from = motion.pose(step_at(motion, down));
   EXPECT_LT(glm::distance(there.p - from.p, 0.01 * dvec3(std::cos(kPi / 6), 0.5, 0)), 1e-12);
   EXPECT_LT(glm::distance(motion.pose(step_at(motion, down + 2 * way)).p, from.p), 1e-12);
-  EXPECT_NEAR(lowest(skin, there), 0.05 - scenario.depth, 1e-12);
+  EXPECT_NEAR(lowest(skin, there), 0.05 - slide.depth, 1e-12);
 }
 
 TEST(Motion, ADropIsLedByNothing) {
   const TriMesh skin = finger();
-  const Motion motion = make_motion(skin, kFrame, of_kind(ScenarioKind::drop), kObject);
+  const Motion motion = make_motion(skin, kFrame, of_kind(kKind<scenarios::Drop>), kObject);
   EXPECT_FALSE(motion.pose);
   EXPECT_NEAR(lowest(skin, motion.X_start), 0.06, 1e-12);
   EXPECT_EQ(motion.last_step, 500U);
 }
 
 TEST(Motion, RowsAreDueAtEvenTimes) {
-  Scenario scenario = of_kind(ScenarioKind::press);
-  scenario.record_interval = 0.0025;
+  Scenario scenario = of_kind(kKind<scenarios::Press>);
+  auto& press = scenario.as<scenarios::Press>();
+  press.record_interval = 0.0025;
   const Motion motion = make_motion(finger(), kFrame, scenario, kObject);
   std::vector<std::uint64_t> rows;
   for (std::uint64_t step = 0; step < 12; ++step)
@@ -182,9 +187,10 @@ TEST(Motion, SweepOverAnEdgeBeginsAndEndsClearOfIt) {
   for (const double tilt : {-60.0, 0.0, 45.0, 80.0}) {
     for (const double depth : {0.0005, 0.0015, 0.01}) {
       Scenario scenario;
-      scenario.tilt_deg = tilt;
-      scenario.depth = depth;
-      scenario.before = scenario.past = 0;  // as near as the finger is clear
+      auto& sweep = scenario.as<scenarios::Sweep>();
+      sweep.tilt_deg = tilt;
+      sweep.depth = depth;
+      sweep.before = sweep.past = 0;  // as near as the finger is clear
       const Aabb object = edge_bounds(scenario);
       const Motion motion = make_motion(skin, kFrame, scenario, object);
       EXPECT_NEAR(lowest(skin, motion.X_start), object.hi.z - depth, 1e-12);
@@ -238,7 +244,7 @@ Pose released_pose(double time) {
 TEST(PaperDemo, LeadsAFingerInThePapersFrameAsReleased) {
   const TriMesh skin = finger();
   const SensorFrame paper_frame{{0, 0, 1}, {0, -1, 0}};
-  const Motion motion = make_motion(skin, paper_frame, default_scenario(ScenarioKind::paper), kDemoBox);
+  const Motion motion = make_motion(skin, paper_frame, default_scenario(kKind<scenarios::Paper>), kDemoBox);
   EXPECT_EQ(motion.last_step, 25000U);
   for (const std::uint64_t step : {0U, 5000U, 12500U, 20000U, 25000U}) {
     const Pose X = motion.pose(step), released = released_pose(static_cast<double>(step) * 1e-3);
@@ -251,7 +257,7 @@ TEST(PaperDemo, LeadsAFingerInThePapersFrameAsReleased) {
 
 TEST(PaperDemo, TurnsAnyFingerAsThePapers) {
   const TriMesh skin = finger();
-  const Motion motion = make_motion(skin, kFrame, default_scenario(ScenarioKind::paper), kDemoBox);
+  const Motion motion = make_motion(skin, kFrame, default_scenario(kKind<scenarios::Paper>), kDemoBox);
   const Pose released = released_pose(0);
   EXPECT_LT(glm::distance(motion.X_start.rotate(kFrame.distal), released.rotate({0, 0, 1})), 1e-15);
   EXPECT_LT(glm::distance(motion.X_start.rotate(kFrame.pad), released.rotate({0, -1, 0})), 1e-15);
@@ -259,7 +265,7 @@ TEST(PaperDemo, TurnsAnyFingerAsThePapers) {
 }
 
 TEST(PaperDemo, RecordsEveryStepOfTheDemoAndItsTravelThereAndBack) {
-  const Motion motion = make_motion(finger(), kFrame, default_scenario(ScenarioKind::paper), kDemoBox);
+  const Motion motion = make_motion(finger(), kFrame, default_scenario(kKind<scenarios::Paper>), kDemoBox);
   const double way = std::hypot(0.025, 0.012);
   EXPECT_NEAR(motion.travel(12500), way, 1e-15);
   EXPECT_NEAR(motion.travel(25000), 2 * way, 1e-15);
@@ -269,8 +275,9 @@ TEST(PaperDemo, RecordsEveryStepOfTheDemoAndItsTravelThereAndBack) {
 }
 
 TEST(Motion, RefusesMotionsThatNeverEnd) {
-  Scenario scenario = of_kind(ScenarioKind::press);
-  scenario.hold = 1e300;
+  Scenario scenario = of_kind(kKind<scenarios::Press>);
+  auto& press = scenario.as<scenarios::Press>();
+  press.hold = 1e300;
   EXPECT_THROW(make_motion(finger(), kFrame, scenario, kObject), Error);
 }
 

@@ -35,15 +35,15 @@ std::vector<WayPoint> points_of(const ScenarioScene& scene) {
 
 TEST(RecordedPath, KeepsThePapersFingerAtItsPlaceOnTheBox) {
   const SensorModelPtr model = test::fingertip_model(1e5);
-  const Scenario paper = default_scenario(ScenarioKind::paper);
+  const Scenario paper = default_scenario(kKind<scenarios::Paper>);
   const ScenarioScene run = build_scenario_scene(*model, paper);
   const std::vector<WayPoint> recorded = points_of(run);
   const Scenario path = path_of_run(paper, paper, recorded);
-  EXPECT_EQ(path.kind, ScenarioKind::path);
+  EXPECT_EQ(path.kind(), kKind<scenarios::Path>);
   const ScenarioScene played = build_scenario_scene(*model, path);
   const Box before = object_of(run), after = object_of(played);
   EXPECT_LT(glm::distance(before.half, after.half), 1e-9);
-  ASSERT_EQ(path.points.size(), recorded.size());
+  ASSERT_EQ(path.as<scenarios::Path>().points.size(), recorded.size());
   ASSERT_GT(recorded.size(), 10U);
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     const auto step = static_cast<std::uint64_t>(std::lround(recorded[i].time / played.motion.timestep));
@@ -54,13 +54,13 @@ TEST(RecordedPath, KeepsThePapersFingerAtItsPlaceOnTheBox) {
 }
 
 TEST(RecordedPath, TakesTheObjectOfTheRunForThePapers) {
-  Scenario run = with_shape(default_scenario(ScenarioKind::press), ObjectShape::plate);
+  Scenario run = with_shape(default_scenario(kKind<scenarios::Press>), ObjectShape::plate);
   run.box_size = 0.08;
   const std::vector<WayPoint> points{{0, {}}, {1, Pose{dquat(1, 0, 0, 0), dvec3(1, 2, 3)}}};
-  const Scenario path = path_of_run(default_scenario(ScenarioKind::paper), run, points);
+  const Scenario path = path_of_run(default_scenario(kKind<scenarios::Paper>), run, points);
   EXPECT_EQ(path.shape, ObjectShape::plate);
   EXPECT_EQ(path.box_size, 0.08);
-  EXPECT_EQ(path.points, points);
+  EXPECT_EQ(path.as<scenarios::Path>().points, points);
   const Scenario sphere = with_shape(run, ObjectShape::sphere), sweep;
   EXPECT_EQ(path_of_run(sphere, run, points).shape, ObjectShape::sphere) << "an object that was chosen stays";
   EXPECT_EQ(path_of_run(sweep, sweep, points).shape, ObjectShape::edge) << "the edge of the sweep stays";

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 /// In contact after a few steps.
 Scenario touching() {
   Scenario scenario = test::box_sweep();
-  scenario.before = 0.002;
-  scenario.speed = 0.02;
+  scenario.as<scenarios::Sweep>().before = 0.002;
+  scenario.as<scenarios::Sweep>().speed = 0.02;
   return scenario;
 }
 

@@ -23,9 +23,9 @@ SensorModelPtr ScenarioSceneTest::model_;
 
 TEST_F(ScenarioSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
   Scenario scenario = test::box_sweep();
-  scenario.depth = 0.001;
-  scenario.before = 0.008;
-  scenario.tilt_deg = 30;
+  scenario.as<scenarios::Sweep>().depth = 0.001;
+  scenario.as<scenarios::Sweep>().before = 0.008;
+  scenario.as<scenarios::Sweep>().tilt_deg = 30;
   const ScenarioScene scene = build_scenario_scene(*model_, scenario);
   const SensorFrame& frame = model_->layout.frame;
   const Pose X_start = scene.motion.X_start;
@@ -117,7 +117,7 @@ TEST_F(ScenarioSceneTest, StickingFingerDoesNotChatter) {
 
 TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
   Scenario scenario = test::box_sweep();
-  scenario.depth = -1;
+  scenario.as<scenarios::Sweep>().depth = -1;
   try {
     build_scenario_scene(*model_, scenario);
     FAIL();
@@ -135,7 +135,7 @@ TEST_F(ScenarioSceneTest, ObjectMeshTakesTheBoxesPlace) {
   Scenario scenario = test::box_sweep();
   scenario.object = (folder.folder / "wedge.obj").string();
   const ScenarioScene scene = build_scenario_scene(*model_, scenario);
-  EXPECT_NEAR((scene.motion.X_start * scene.motion.lead_M).z, 0.02 - scenario.depth, 1e-12);
+  EXPECT_NEAR((scene.motion.X_start * scene.motion.lead_M).z, 0.02 - scenario.as<scenarios::Sweep>().depth, 1e-12);
   register_sensor_plugin();
   const CompiledScene compiled = compile_scene(scene.hosted_xml, scene.files.files, "sweep");
   const DataHandle data(mj_makeData(compiled.model.get()));

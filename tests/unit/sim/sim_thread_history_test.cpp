@@ -126,7 +126,7 @@ TEST_F(ThreadHistory, StopsAtTheSameJumpAfterGoingBack) {
 
 TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
   Scenario scenario = test::box_sweep();
-  scenario.before = scenario.past = 0.001;
+  scenario.as<scenarios::Sweep>().before = scenario.as<scenarios::Sweep>().past = 0.001;
   ask(LoadScenarioCommand{model_, scenario});
   const SimFramePtr end = ask(StepCommand{100000});
   ASSERT_TRUE(end->finished);

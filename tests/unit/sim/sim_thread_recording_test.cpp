@@ -38,8 +38,8 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
   /// In contact after a few steps.
   static Scenario touching() {
     Scenario scenario = test::box_sweep();
-    scenario.before = 0.002;
-    scenario.speed = 0.02;
+    scenario.as<scenarios::Sweep>().before = 0.002;
+    scenario.as<scenarios::Sweep>().speed = 0.02;
     return scenario;
   }
   [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }

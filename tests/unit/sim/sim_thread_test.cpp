@@ -67,7 +67,7 @@ TEST_F(Thread, StepsExactlyOnRequest) {
 
 TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
   Scenario scenario = test::box_sweep();
-  scenario.before = scenario.past = 0.001;
+  scenario.as<scenarios::Sweep>().before = scenario.as<scenarios::Sweep>().past = 0.001;
   thread_.set_clock_driven(false);
   load(scenario);
   thread_.send(PlayCommand{});

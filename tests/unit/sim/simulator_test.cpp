@@ -86,7 +86,7 @@ TEST_F(Sweep, FingerFollowsTheMocapBody) {
 
 TEST(MocapBody, HasThePoseOfTheMotionInEachStep) {
   const SensorModelPtr model = test::fingertip_model(1e5);
-  for (const ScenarioKind kind : {ScenarioKind::roll, ScenarioKind::twist, ScenarioKind::slide}) {
+  for (const ScenarioKind kind : {kKind<scenarios::Roll>, kKind<scenarios::Twist>, kKind<scenarios::Slide>}) {
     Scenario scenario = default_scenario(kind);
     const Motion motion = build_scenario_scene(*model, scenario).motion;
     const auto simulator = Simulator::make_scenario(model, scenario);
@@ -104,7 +104,7 @@ TEST(MocapBody, HasThePoseOfTheMotionInEachStep) {
       turned = std::max(turned, glm::length(X.q - motion.X_start.q));
     }
     EXPECT_NE(motion.pose(0).q, dquat(1, 0, 0, 0));
-    if (kind == ScenarioKind::slide) continue;
+    if (kind == kKind<scenarios::Slide>) continue;
     EXPECT_GT(turned, 0.01) << to_word(kind);
   }
 }
@@ -206,10 +206,10 @@ TEST_F(Sweep, FrameHoldsTheWholeStep) {
 
 TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
   Scenario scenario = test::box_sweep();
-  scenario.before = 0.001;
-  scenario.past = 0.00033;
-  scenario.speed = 0.0071;
-  scenario.record_every = 0.00017;
+  scenario.as<scenarios::Sweep>().before = 0.001;
+  scenario.as<scenarios::Sweep>().past = 0.00033;
+  scenario.as<scenarios::Sweep>().speed = 0.0071;
+  scenario.as<scenarios::Sweep>().record_every = 0.00017;
   const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), scenario);
   int rows = 0;
   double travel = -1;

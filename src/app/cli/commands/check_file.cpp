@@ -172,8 +172,9 @@ Problems check_project_file(const std::string& text, const std::string& file) {
   const Project project = parse_project(text, file);
   Problems problems = check_layout(project.layout, file);
   for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
-  const Scenario scenario = with_absolute_files(project.scenario, file);
-  if (scenario.object.empty() && scenario.source.empty()) return problems;
+  Scenario scenario = with_absolute_files(project.scenario, file);
+  const auto files = files_of(scenario);
+  if (std::all_of(files.begin(), files.end(), [](const auto& named) { return named.second->empty(); })) return problems;
   try {
     expect_playable(trial_sensor(), scenario, file);
   } catch (const Error& e) {

@@ -78,7 +78,7 @@ struct StudyReport {
 };
 
 std::string StudyReport::text() const {
-  std::string text = fmt::format("{} runs of a {}\n", results.size(), to_word(study.scenario.kind));
+  std::string text = fmt::format("{} runs of a {}\n", results.size(), to_word(study.scenario.kind()));
   std::string head = fmt::format("{:<8}", "run");
   for (const StudyParameter& parameter : study.parameters) head += fmt::format(" {:>14}", parameter.key);
   text += head + fmt::format(" {:>6} {:>14} {:>12} {:>14}\n", "taxel", "highest peak", "force [N]", "largest step");

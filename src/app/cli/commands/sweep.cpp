@@ -13,25 +13,25 @@ namespace {
 /// An option that sets a number of the scenario.
 struct NumberFlag {
   const char* name;
-  double Scenario::*value;
+  const char* key;  ///< of the number in the scenario
   const char* unit;
   Check (*check)();
   const char* text;
 };
 constexpr std::array<NumberFlag, 10> kFlags{
-    {{"--depth", &Scenario::depth, "M", positive,
+    {{"--depth", "depth", "M", positive,
       "How far below the top of the object the lowest point of the finger is led [m]"},
-     {"--speed", &Scenario::speed, "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
-     {"--before", &Scenario::before, "M", not_negative,
+     {"--speed", "speed", "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
+     {"--before", "before", "M", not_negative,
       "Start: lowest point of the finger this far before the edge, 0.012 on a box; on an edge at least as far as the "
       "finger touches [m]"},
-     {"--past", &Scenario::past, "M", not_negative, "End: this far past the edge, as --before [m]"},
-     {"--tilt", &Scenario::tilt_deg, "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
-     {"--record-every", &Scenario::record_every, "M", positive, "A row per this travel [m]"},
-     {"--timestep", &Scenario::timestep, "S", positive, "Of the simulation [s]"},
-     {"--mass", &Scenario::finger_mass, "KG", positive, "Of the finger [kg]"},
-     {"--box", &Scenario::box_size, "M", positive, "Edge length of the box [m]"},
-     {"--edge-radius", &Scenario::edge_radius, "M", positive, "Radius of the round on the edge [m]"}}};
+     {"--past", "past", "M", not_negative, "End: this far past the edge, as --before [m]"},
+     {"--tilt", "tilt_deg", "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
+     {"--record-every", "record_every", "M", positive, "A row per this travel [m]"},
+     {"--timestep", "timestep", "S", positive, "Of the simulation [s]"},
+     {"--mass", "finger_mass", "KG", positive, "Of the finger [kg]"},
+     {"--box", "box_size", "M", positive, "Edge length of the box [m]"},
+     {"--edge-radius", "edge_radius", "M", positive, "Radius of the round on the edge [m]"}}};
 
 struct Options {
   std::string layout, out, scenario, object;
@@ -42,7 +42,7 @@ struct Options {
 
 /// Returns the scenario before any number of an option replaces its own.
 Scenario base_of(const Options& options) {
-  if (options.over.as_in_the_paper) return default_scenario(ScenarioKind::paper);
+  if (options.over.as_in_the_paper) return default_scenario(kKind<scenarios::Paper>);
   Scenario scenario = options.scenario.empty() ? Scenario{} : read_scenario(options.scenario);
   if (options.object.empty()) return scenario;
   const std::optional<ObjectShape> shape = from_word<ObjectShape>(options.object);
@@ -51,21 +51,21 @@ Scenario base_of(const Options& options) {
 
 /// Sets the number of an option. Throws Error if the scenario does not use the number.
 void set_number(Scenario& scenario, const NumberFlag& flag, double value) {
-  for (const ScenarioParameter& parameter : scenario_parameters()) {
-    if (parameter.value != flag.value || parameter.used_by(scenario)) continue;
-    if (parameter.used_by(scenario.kind, ObjectShape::edge))
+  double* number = find_number(scenario, flag.key);
+  if (number == nullptr) {
+    if (find_number(with_shape(scenario, ObjectShape::edge), flag.key) != nullptr)
       throw Error("", flag.name, "is used by the object \"edge\" only");
-    throw Error("", flag.name, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind)));
+    throw Error("", flag.name, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind())));
   }
-  scenario.*flag.value = value;
+  *number = value;
 }
 
 /// Returns the scenario that the options describe. Throws Error if it is not valid or is of another kind.
 Scenario scenario_of(const Options& options) {
   Scenario scenario = base_of(options);
-  if (scenario.kind != ScenarioKind::sweep && scenario.kind != ScenarioKind::paper)
+  if (!scenario.is<scenarios::Sweep>() && !scenario.is<scenarios::Paper>())
     throw Error(options.scenario,
-                fmt::format("is a scenario of the kind \"{}\": `taxel play` runs it", to_word(scenario.kind)));
+                fmt::format("is a scenario of the kind \"{}\": `taxel play` runs it", to_word(scenario.kind())));
   for (std::size_t i = 0; i < kFlags.size(); ++i)
     if (options.numbers[i]) set_number(scenario, kFlags[i], *options.numbers[i]);
   check_scenario(scenario);
@@ -90,7 +90,7 @@ Run add_sweep(OptionList& list) {
     list.add(kFlags[i].name, &options->numbers[i], kFlags[i].text,
              {.unit = kFlags[i].unit,
               .check = kFlags[i].check(),
-              .default_text = fmt::format("{}", defaults.*kFlags[i].value)});
+              .default_text = fmt::format("{}", *find_number(defaults, kFlags[i].key))});
   list.add("--object", &options->object,
            "edge (default: a box that stands on an edge), box (over its edge and onto its top), plate, sphere, or a "
            "mesh file in metres",

@@ -269,7 +269,7 @@ struct UiInput {
   std::string version;
 
   /// What runs is best shown over travel, not over time.
-  [[nodiscard]] bool by_travel() const { return runs_scenario && scenario.kind == ScenarioKind::sweep; }
+  [[nodiscard]] bool by_travel() const { return runs_scenario && scenario.is<scenarios::Sweep>(); }
   /// Whether there are recorded steps.
   [[nodiscard]] bool has_history() const { return frame && frame->history.steps > 0; }
   /// State of the selected sensor in the newest frame, or null.

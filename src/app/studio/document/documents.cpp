@@ -137,16 +137,14 @@ Document load_foreign_layout(const std::filesystem::path& file, const SkinChoice
 
 /// Warnings of files that the project's scenario names and that are missing: the scenario could not run.
 std::vector<std::string> missing_files(const Project& project, const std::filesystem::path& file) {
-  const Scenario scenario = with_absolute_files(project.scenario, file);
+  Scenario scenario = with_absolute_files(project.scenario, file);
   std::vector<std::string> notes;
-  const auto check = [&](const char* field, const std::filesystem::path& named) {
+  for (const auto& [field, named] : files_of(scenario)) {
     std::error_code ignored;
-    if (!named.empty() && !std::filesystem::exists(named, ignored))
-      notes.push_back(fmt::format("{}: /scenario/{}: {}: no such file: the scenario cannot run", file.string(), field,
-                                  named.string()));
-  };
-  check("object", scenario.object);
-  check("source", scenario.source);
+    if (!named->empty() && !std::filesystem::exists(*named, ignored))
+      notes.push_back(
+          fmt::format("{}: /scenario/{}: {}: no such file: the scenario cannot run", file.string(), field, *named));
+  }
   return notes;
 }
 

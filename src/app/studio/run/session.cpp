@@ -113,7 +113,9 @@ bool Session::run_scenario(const Scenario& scenario) {
   }
   if (edits_.is_open()) edits_.edit(SetScenario{scenario});
   hand_over_wanted_ = hand_over_wanted_ || document_->previewed();
-  const bool elsewhere = !simulates_document_ || scenario.kind != scenario_.kind || scenario.place != scenario_.place;
+  const auto place_of = [](const Scenario& s) { return find_number(s, "place") ? *find_number(s, "place") : 0.0; };
+  const bool elsewhere =
+      !simulates_document_ || scenario.kind() != scenario_.kind() || place_of(scenario) != place_of(scenario_);
   build_scene({.document = *document_, .in_scenario = true, .scenario = scenario, .play = true, .framed = elsewhere});
   return true;
 }

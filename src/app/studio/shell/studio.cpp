@@ -217,7 +217,7 @@ void Studio::act_on(const SessionNews& news) {
     video_.reset();
     ui_.controls = {};
     ui_.study = {};
-    ui_.path.recording.reset();
+    ui::leave_path(ui_);
     ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (news.resized) turns_cameras_ = {true, true};

@@ -5,21 +5,21 @@
 namespace taxel {
 namespace {
 
-/// Slope at the middle of three points, from the slopes s0, s1 of the secants over h0, h1: their weighted harmonic mean
-/// where they agree in sign, else 0 (Fritsch and Butland 1984, equation 5, weights of Brodlie).
+/// Returns the slope at the middle of three points from the slopes s0, s1 of the secants over h0, h1: the weighted
+/// harmonic mean if both have the same sign, otherwise 0 (Fritsch and Butland 1984, equation 5, weights of Brodlie).
 double monotone_slope(double h0, double h1, double s0, double s1) {
   if (!(s0 * s1 > 0)) return 0;
   const double a = (h0 + 2 * h1) / (3 * (h0 + h1));
   return s0 * s1 / (a * s1 + (1 - a) * s0);
 }
 
-/// The cubic through (0, y0) and (h, y1) with slopes d0, d1 (Hermite).
+/// Returns the cubic through (0, y0) and (h, y1) with slopes d0, d1 (Hermite).
 double hermite(double t, double h, double y0, double y1, double d0, double d1) {
   const double u = t / h, v = 1 - u;
   return y0 + (y1 - y0) * u * u * (3 - 2 * u) + h * u * v * (d0 * v - d1 * u);
 }
 
-/// The shorter of both ways between two orientations [radians].
+/// Returns the smaller of the two angles between two orientations [radians].
 double angle_between(const dquat& a, const dquat& b) {
   const dquat d = glm::conjugate(a) * b;
   return 2 * std::atan2(glm::length(dvec3(d.x, d.y, d.z)), std::abs(d.w));

@@ -1,4 +1,4 @@
-// The way of a body through way points.
+// The motion of a body through waypoints.
 #pragma once
 
 #include <vector>
@@ -7,27 +7,27 @@
 
 namespace taxel {
 
-/// Passes every way point at its time, with continuous velocity, at rest at both ends.
+/// A curve that passes every waypoint at its time, with continuous velocity, and is at rest at both ends.
 ///
 /// Each coordinate of the position is the monotone piecewise cubic of Fritsch and Butland, "A method for constructing
-/// local monotone piecewise cubic interpolants" (SIAM J. Sci. Stat. Comput. 5, 1984): between two way points it never
-/// leaves the values at them. A spline with continuous acceleration would overshoot, and press deeper than any way
-/// point says. The orientation turns about one axis between two way points (Shoemake's slerp, SIGGRAPH 1985), by an
-/// angle that is such a cubic of the time as well, so that the speed of turning is continuous too; its axis is not.
+/// local monotone piecewise cubic interpolants" (SIAM J. Sci. Stat. Comput. 5, 1984): between two waypoints its values
+/// are between those at the waypoints. A spline with continuous acceleration would overshoot, and press deeper than all
+/// waypoints. Between two waypoints the orientation turns about one axis (Shoemake's slerp, SIGGRAPH 1985) by an angle
+/// that is such a cubic of the time. The angular speed is therefore continuous; the axis is not.
 class PathCurve {
  public:
-  /// At least one way point, times ascending.
+  /// Requires at least one waypoint, and ascending times.
   explicit PathCurve(std::vector<WayPoint> points);
-  /// Before the first way point the pose of that one, after the last that of the last.
+  /// Returns the pose at a time. Before the first waypoint it is the first pose, after the last one the last pose.
   [[nodiscard]] Pose at(double time) const;
   [[nodiscard]] double begin() const { return points_.front().time; }
   [[nodiscard]] double end() const { return points_.back().time; }
 
  private:
   std::vector<WayPoint> points_;
-  std::vector<double> turned_;   ///< angle turned up to each way point
-  std::vector<dvec3> velocity_;  ///< at each way point
-  std::vector<double> turning_;  ///< likewise, of the angle
+  std::vector<double> turned_;   ///< angle turned up to each waypoint
+  std::vector<dvec3> velocity_;  ///< velocity at each waypoint
+  std::vector<double> turning_;  ///< angular speed at each waypoint
 };
 
 }  // namespace taxel

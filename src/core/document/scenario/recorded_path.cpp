@@ -5,22 +5,22 @@
 namespace taxel {
 
 Scenario path_of_run(Scenario edited, const Scenario& run, std::vector<WayPoint> points) {
-  const bool has_object = edited.kind != ScenarioKind::paper;
-  edited = with_kind(std::move(edited), ScenarioKind::path);
-  if (!has_object) {
+  const bool keeps_object = has_object(edited);
+  edited = with_kind(edited, kKind<scenarios::Path>);
+  if (!keeps_object) {
     edited.shape = run.shape;
     edited.object = run.object;
     edited.box_size = run.box_size;
     edited.edge_radius = run.edge_radius;
   }
-  if (run.kind == ScenarioKind::paper) {
+  if (run.is<scenarios::Paper>()) {
     edited.shape = ObjectShape::box;
     edited.object.clear();
     edited.box_size = kDemoBox.extent().x;
     const dvec3 to_other_boxes(-kDemoBox.lo.x, -kDemoBox.center().y, -kDemoBox.lo.z);
     for (WayPoint& point : points) point.X_WM.p += to_other_boxes;
   }
-  edited.points = std::move(points);
+  edited.as<scenarios::Path>().points = std::move(points);
   return edited;
 }
 

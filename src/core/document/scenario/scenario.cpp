@@ -1,71 +1,96 @@
 #include "core/document/scenario/scenario.h"
 
-#include <array>
+#include <algorithm>
 
 namespace taxel {
 namespace {
 
-template <class... Kind>
-constexpr unsigned kinds(Kind... kind) {
-  return ((1U << static_cast<unsigned>(kind)) | ...);
+/// Keys of numbers in the order of files. Keys that are not listed follow in the order of the inspector.
+constexpr std::string_view kFileOrder[] = {
+    "depth",       "speed",    "before",        "past",   "tilt_deg",  "record_every",   "timestep",
+    "finger_mass", "box_size", "edge_radius",   "place",  "clearance", "hold",           "angle_deg",
+    "rate_deg",    "distance", "direction_deg", "height", "duration",  "record_interval"};
+
+auto file_order(std::string_view key) {
+  return std::find(std::begin(kFileOrder), std::end(kFileOrder), key) - std::begin(kFileOrder);
 }
 
-using enum ScenarioKind;
-constexpr unsigned kPressed = kinds(press, roll, twist, slide);  // led down to a depth, and up again
-constexpr unsigned kTurned = kinds(roll, twist);
-constexpr unsigned kPlaced = kPressed | kinds(drop);
-constexpr unsigned kNoSweep = kPlaced | kinds(path, replay);
-constexpr unsigned kChosen = kNoSweep | kinds(sweep);  // their object is chosen by the user
-constexpr unsigned kAll = kChosen | kinds(paper);
-using enum ParameterRange;
-
-// Those of the sweep first, as its files have them.
-constexpr std::array<ScenarioParameter, 20> kParameters{
-    {{"depth", &Scenario::depth, positive, kPressed | kinds(sweep)},
-     {"speed", &Scenario::speed, positive, kPressed | kinds(sweep)},
-     {"before", &Scenario::before, not_negative, kinds(sweep)},
-     {"past", &Scenario::past, not_negative, kinds(sweep)},
-     {"tilt_deg", &Scenario::tilt_deg, any, kPlaced | kinds(sweep)},
-     {"record_every", &Scenario::record_every, positive, kinds(sweep)},
-     {"timestep", &Scenario::timestep, positive, kAll & ~kinds(replay)},
-     {"finger_mass", &Scenario::finger_mass, positive, kAll},
-     {"box_size", &Scenario::box_size, positive, kChosen},
-     {"edge_radius", &Scenario::edge_radius, positive, kChosen, true},
-     {"place", &Scenario::place, any, kPlaced},
-     {"clearance", &Scenario::clearance, not_negative, kPressed},
-     {"hold", &Scenario::hold, not_negative, kPressed},
-     {"angle_deg", &Scenario::angle_deg, any, kTurned},
-     {"rate_deg", &Scenario::rate_deg, positive, kTurned},
-     {"distance", &Scenario::distance, positive, kinds(slide)},
-     {"direction_deg", &Scenario::direction_deg, any, kinds(slide)},
-     {"height", &Scenario::height, positive, kinds(drop)},
-     {"duration", &Scenario::duration, positive, kinds(drop)},
-     {"record_interval", &Scenario::record_interval, positive, kNoSweep | kinds(paper)}}};
-
-double default_reach(ObjectShape shape) {
-  return shape == ObjectShape::edge ? kEdgeReach : kBoxReach;
+template <std::size_t... I>
+ScenarioMotion make_motion_of(ScenarioKind kind, std::index_sequence<I...>) {
+  ScenarioMotion motion;
+  (void)((kind == ScenarioKind{I} && (motion.emplace<I>(), true)) || ...);
+  return motion;
 }
 
-double default_interval(ScenarioKind kind) {
-  return kind == paper ? kPaperInterval : kInterval;
+bool has_poses(const Scenario& scenario) {
+  return std::visit([](const auto& motion) { return std::remove_cvref_t<decltype(motion)>::kHasPoses; },
+                    scenario.motion);
+}
+
+/// Returns `from` as another kind, with the remaining values of `last`, a scenario of that kind.
+Scenario converted(const Scenario& from, const Scenario& last) {
+  Scenario usual_from = default_scenario(from.kind()), usual = default_scenario(last.kind()), made = from;
+  const bool has_default_object = from.object.empty() && from.shape == usual_from.shape;
+  if ((has_default_object && !has_poses(last)) || !has_object(last)) {
+    made.shape = usual.shape;
+    made.object.clear();
+  }
+  made.motion = with_shape(last, made.shape).motion;
+  for (const ScenarioNumber& number : numbers_of(made)) {
+    const std::string_view key = number.field.key;
+    const double *value = find_number(from, key), *before = find_number(usual_from, key);
+    const double* after = find_number(usual, key);
+    if (value != nullptr && before != nullptr && after != nullptr) *number.value = *value == *before ? *after : *value;
+  }
+  return made;
 }
 
 }  // namespace
 
+std::vector<ScenarioNumber> numbers_of(Scenario& scenario) {
+  std::vector<ScenarioNumber> numbers;
+  visit_fields(scenario, [&](const FieldSpec& field, auto& value) {
+    if constexpr (std::is_same_v<decltype(value), double&>) numbers.push_back({field, &value});
+  });
+  std::stable_sort(numbers.begin(), numbers.end(), [](const ScenarioNumber& a, const ScenarioNumber& b) {
+    return file_order(a.field.key) < file_order(b.field.key);
+  });
+  return numbers;
+}
+
+double* find_number(Scenario& scenario, std::string_view key) {
+  for (const ScenarioNumber& number : numbers_of(scenario))
+    if (number.field.key == key) return number.value;
+  return nullptr;
+}
+
+std::vector<std::pair<std::string, std::string*>> files_of(Scenario& scenario) {
+  std::vector<std::pair<std::string, std::string*>> files{{"object", &scenario.object}};
+  visit_fields(scenario, [&](const FieldSpec& field, auto& value) {
+    if constexpr (std::is_same_v<decltype(value), std::string&>) files.emplace_back(field.key, &value);
+  });
+  return files;
+}
+
+bool has_object(const Scenario& scenario) {
+  return std::visit([](const auto& motion) { return std::remove_cvref_t<decltype(motion)>::kHasObject; },
+                    scenario.motion);
+}
+
 ObjectShape default_shape(ScenarioKind kind) {
-  return kind == sweep ? ObjectShape::edge : ObjectShape::box;
+  return default_scenario(kind).shape;
 }
 
 Scenario default_scenario(ScenarioKind kind) {
-  Scenario scenario = with_shape({}, default_shape(kind));
-  scenario.record_interval = default_interval(kind);
-  scenario.kind = kind;
+  Scenario scenario;
+  scenario.motion = make_motion_of(kind, std::make_index_sequence<std::variant_size_v<ScenarioMotion>>());
+  scenario.shape =
+      std::visit([](const auto& motion) { return std::remove_cvref_t<decltype(motion)>::kShape; }, scenario.motion);
   return scenario;
 }
 
 Scenario with_shape(Scenario scenario, ObjectShape shape) {
-  for (double Scenario::*reach : {&Scenario::before, &Scenario::past})
-    if (scenario.*reach == default_reach(scenario.shape)) scenario.*reach = default_reach(shape);
+  std::visit([&](auto& motion) { motion.follow_shape(scenario.shape, shape); }, scenario.motion);
   scenario.shape = shape;
   scenario.object.clear();
   return scenario;
@@ -77,17 +102,16 @@ Scenario with_object(Scenario scenario, const std::string& file) {
   return scenario;
 }
 
-Scenario with_kind(Scenario scenario, ScenarioKind kind) {
-  const bool has_default = scenario.object.empty() && scenario.shape == default_shape(scenario.kind);
-  const bool has_poses = kind == path || kind == replay;
-  if ((has_default && !has_poses) || kind == paper) scenario = with_shape(std::move(scenario), default_shape(kind));
-  if (scenario.record_interval == default_interval(scenario.kind)) scenario.record_interval = default_interval(kind);
-  scenario.kind = kind;
-  return scenario;
+Scenario with_kind(const Scenario& scenario, ScenarioKind kind, LastScenarios& last) {
+  for (const auto& word : words_of(kind)) {
+    Scenario& of_kind = last.try_emplace(word.value, default_scenario(word.value)).first->second;
+    of_kind = word.value == scenario.kind() ? scenario : converted(scenario, of_kind);
+  }
+  return last.at(kind);
 }
 
-std::span<const ScenarioParameter> scenario_parameters() {
-  return kParameters;
+Scenario with_kind(const Scenario& scenario, ScenarioKind kind) {
+  return kind == scenario.kind() ? scenario : converted(scenario, default_scenario(kind));
 }
 
 }  // namespace taxel

@@ -13,102 +13,102 @@ using Node = JsonNode<Json>;
 
 constexpr const char* kFormat = "taxel-scenario";
 constexpr int kVersion = 1;
-/// How far from 1 the length of a way point's quaternion may be: what rounding and typing leave.
-constexpr double kUnitTolerance = 1e-6;
 
-void check_range(const Node& node, double value, ParameterRange range) {
+void check_range(const Node& node, double value, FieldRange range) {
   if (!std::isfinite(value)) node.fail(fmt::format("must be finite, is {}", value));
-  if (range == ParameterRange::positive) node.must_be_positive(value);
-  if (range == ParameterRange::not_negative) node.must_not_be_negative(value);
+  if (range == FieldRange::positive) node.must_be_positive(value);
+  if (range == FieldRange::not_negative) node.must_not_be_negative(value);
 }
 
-Json to_object(const WayPoint& point) {
-  const dvec3& p = point.X_WM.p;
-  const dquat& q = point.X_WM.q;
-  return {{"time", point.time}, {"pos", {p.x, p.y, p.z}}, {"quat", {q.w, q.x, q.y, q.z}}};
+Json to_value(const std::string& text) {
+  return text;
 }
 
-Json to_object(const Scenario& scenario) {
+Json to_value(const std::vector<WayPoint>& points) {
+  Json list = Json::array();
+  for (const WayPoint& point : points) {
+    const dvec3& p = point.X_WM.p;
+    const dquat& q = point.X_WM.q;
+    list.push_back({{"time", point.time}, {"pos", {p.x, p.y, p.z}}, {"quat", {q.w, q.x, q.y, q.z}}});
+  }
+  return list;
+}
+
+void read_value(const Node& node, std::string& text) {
+  text = node.text();
+}
+
+void read_value(const Node& node, std::vector<WayPoint>& points) {
+  for (std::size_t i = 0; i < node.length(); ++i) {
+    const Node point = node.item(i);
+    point.only({"time", "pos", "quat"});
+    const std::vector<double> q = point.at("quat").numbers(4);
+    points.push_back({point.at("time").number(), {{q[0], q[1], q[2], q[3]}, point.at("pos").vector3()}});
+  }
+}
+
+/// Calls v(FieldSpec, value&) for the fields that are not numbers.
+template <class S, class V>
+void visit_other_fields(S& scenario, const V& v) {
+  visit_fields(scenario, [&](const FieldSpec& field, auto& value) {
+    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) v(field, value);
+  });
+}
+
+Json to_object(Scenario scenario) {
   Json object = Json::object();
-  if (scenario.kind != ScenarioKind::sweep) object["kind"] = to_word(scenario.kind);
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.used_by(scenario)) object[parameter.key] = scenario.*parameter.value;
-  if (scenario.kind == ScenarioKind::paper) return object;  // its object is given
+  if (!scenario.is<scenarios::Sweep>()) object["kind"] = to_word(scenario.kind());
+  for (const ScenarioNumber& number : numbers_of(scenario)) object[number.field.key] = *number.value;
+  if (!has_object(scenario)) return object;
   if (scenario.shape != ObjectShape::box) object["shape"] = to_word(scenario.shape);
   object["object"] = scenario.object;
-  if (scenario.kind == ScenarioKind::replay) object["source"] = scenario.source;
-  if (scenario.kind == ScenarioKind::path) {
-    object["points"] = Json::array();
-    for (const WayPoint& point : scenario.points) object["points"].push_back(to_object(point));
-  }
+  visit_other_fields(scenario, [&](const FieldSpec& field, const auto& value) { object[field.key] = to_value(value); });
   return object;
 }
 
-/// Every key belongs to the scenario's kind and shape.
-void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
-  const ScenarioKind kind = scenario.kind;
-  for (const auto& item : json.items()) {
-    const std::string& key = item.key();
-    const bool of_object = key == "shape" || key == "object";
-    bool known = key == "kind" || of_object, used = key == "kind" || (of_object && kind != ScenarioKind::paper);
-    for (const ScenarioParameter& parameter : scenario_parameters()) {
-      known = known || key == parameter.key;
-      if (key != parameter.key) continue;
-      used = parameter.used_by(scenario);
-      if (!used && parameter.used_by(kind, ObjectShape::edge))
-        node.fail_at(key, fmt::format("is used by the shape \"{}\" only", to_word(ObjectShape::edge)));
-    }
-    known = known || key == "source" || key == "points";
-    used = used || (key == "source" && kind == ScenarioKind::replay) || (key == "points" && kind == ScenarioKind::path);
-    if (!known) node.fail_at(key, "unknown key");
-    if (!used) node.fail_at(key, fmt::format("is not used by the kind \"{}\"", to_word(kind)));
-  }
+/// Returns the keys that the scenario uses.
+std::set<std::string, std::less<>> keys_of(const Scenario& scenario) {
+  std::set<std::string, std::less<>> keys{"kind"};
+  if (has_object(scenario)) keys.insert({"shape", "object"});
+  visit_fields(scenario, [&](const FieldSpec& field, const auto&) { keys.insert(field.key); });
+  return keys;
 }
 
-WayPoint read_point(const Node& node) {
-  node.only({"time", "pos", "quat"});
-  const std::vector<double> q = node.at("quat").numbers(4);
-  return {node.at("time").number(), {{q[0], q[1], q[2], q[3]}, node.at("pos").vector3()}};
+/// Throws Error for a key that the scenario's kind or shape does not use.
+void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
+  const auto used = keys_of(scenario), used_on_edge = keys_of(with_shape(scenario, ObjectShape::edge));
+  for (const auto& item : json.items()) {
+    const std::string& key = item.key();
+    if (used.contains(key)) continue;
+    if (used_on_edge.contains(key))
+      node.fail_at(key, fmt::format("is used by the shape \"{}\" only", to_word(ObjectShape::edge)));
+    for (const auto& word : words_of(ScenarioKind{}))
+      if (keys_of(with_shape(default_scenario(word.value), ObjectShape::edge)).contains(key))
+        node.fail_at(key, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind())));
+    node.fail_at(key, "unknown key");
+  }
 }
 
 Scenario read_values(const Node& node, const Json& json) {
   const auto kind = node.find("kind");
-  Scenario scenario = default_scenario(kind ? kind->word<ScenarioKind>() : ScenarioKind::sweep);
+  Scenario scenario = default_scenario(kind ? kind->word<ScenarioKind>() : kKind<scenarios::Sweep>);
   scenario = with_shape(scenario, ObjectShape::box);
   if (const auto shape = node.find("shape")) scenario = with_shape(scenario, shape->word<ObjectShape>());
   check_keys(node, json, scenario);
-  for (const ScenarioParameter& parameter : scenario_parameters()) {
-    if (const auto number = node.find(parameter.key)) {
-      scenario.*parameter.value = number->number();
-      check_range(*number, scenario.*parameter.value, parameter.range);
+  for (const ScenarioNumber& known : numbers_of(scenario)) {
+    if (const auto number = node.find(known.field.key)) {
+      *known.value = number->number();
+      check_range(*number, *known.value, known.field.range);
     }
   }
   if (const auto object = node.find("object")) scenario.object = object->text();
-  if (const auto source = node.find("source")) scenario.source = source->text();
-  if (const auto points = node.find("points"))
-    for (std::size_t i = 0; i < points->length(); ++i) scenario.points.push_back(read_point(points->item(i)));
+  visit_other_fields(scenario, [&](const FieldSpec& field, auto& value) {
+    if (const auto found = node.find(field.key)) read_value(*found, value);
+  });
   return scenario;
 }
 
-void check_points(const std::vector<WayPoint>& points) {
-  if (points.size() < 2) throw Error("", "/points", fmt::format("a path needs 2 way points, has {}", points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string at = fmt::format("/points/{}", i);
-    const WayPoint& point = points[i];
-    if (!std::isfinite(point.time) || point.time < 0)
-      throw Error("", at + "/time", fmt::format("must not be negative, is {}", point.time));
-    if (i > 0 && !(point.time > points[i - 1].time))
-      throw Error(
-          "", at + "/time",
-          fmt::format("must be later than that of the way point before, {}, is {}", points[i - 1].time, point.time));
-    if (!is_finite(point.X_WM.p)) throw Error("", at + "/pos", "must be finite");
-    const double length = glm::length(point.X_WM.q);
-    if (!(std::abs(length - 1) <= kUnitTolerance))
-      throw Error("", at + "/quat", fmt::format("must be of length 1, is of length {}", length));
-  }
-}
-
-/// The scenario's own object in a document.
+/// Returns the scenario object in a document.
 Node scenario_of(const Node& root) {
   const auto inner = root.find("scenario");
   const auto format = root.find("format");
@@ -157,30 +157,25 @@ Scenario read_scenario_with_files(const std::filesystem::path& path) {
 }
 
 Scenario with_absolute_files(Scenario scenario, const std::filesystem::path& file) {
-  for (std::string* named : {&scenario.object, &scenario.source})
+  for (const auto& [key, named] : files_of(scenario))
     if (!named->empty()) *named = (std::filesystem::absolute(file).parent_path() / *named).lexically_normal().string();
   return scenario;
 }
 
 void check_scenario(const Scenario& scenario) {
+  Scenario checked = scenario;
   const Json json = to_object(scenario);
   const std::string file;
   const Node node(json, file);
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.used_by(scenario)) check_range(node.at(parameter.key), scenario.*parameter.value, parameter.range);
-  if (scenario.kind == ScenarioKind::sweep && scenario.shape != ObjectShape::edge &&
-      !(scenario.before + scenario.past > 0))
-    node.fail_at("past", "before and past together must be greater than 0");
-  if (scenario.shape == ObjectShape::edge && scenario.kind != ScenarioKind::paper &&
-      !(scenario.edge_radius < 0.5 * scenario.box_size))
+  for (const ScenarioNumber& number : numbers_of(checked))
+    check_range(node.at(number.field.key), *number.value, number.field.range);
+  if (scenario.shape == ObjectShape::edge && has_object(scenario) && !(scenario.edge_radius < 0.5 * scenario.box_size))
     node.fail_at("edge_radius", fmt::format("must be less than half of box_size, {}, is {}", 0.5 * scenario.box_size,
                                             scenario.edge_radius));
   if (!scenario.object.empty() && scenario.shape != ObjectShape::box)
     node.fail_at("shape", "a mesh as \"object\" takes the place of the shape: leave one of them out");
-  if (scenario.kind == ScenarioKind::replay && scenario.source.empty())
-    node.fail_at("source", "a replay needs a recording: a folder or its .npz");
-  if (scenario.kind == ScenarioKind::path) check_points(scenario.points);
-  for (const auto& [key, path] : {std::pair("object", &scenario.object), std::pair("source", &scenario.source)})
+  std::visit([&](const auto& motion) { motion.check(scenario.shape); }, scenario.motion);
+  for (const auto& [key, path] : files_of(checked))
     if (!is_utf8(*path))
       node.fail_at(key, "the path is not UTF-8, which a JSON file cannot hold: rename the folder or file");
 }

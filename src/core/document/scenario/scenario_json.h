@@ -1,4 +1,4 @@
-// A scenario as JSON: what project files, `taxel play` and the recordings' sweep.json and scenario.json hold.
+// Reads and writes scenarios as JSON: in project files, scenario files, and the sweep.json of recordings.
 #pragma once
 
 #include <filesystem>
@@ -8,26 +8,26 @@
 
 namespace taxel {
 
-/// One JSON object with the values that the kind uses, SI units; shortest round-trip numbers, no newline at the end. A
-/// sweep on a box names neither kind nor shape: such files are older than the shape `edge` and keep their meaning.
+/// Returns one JSON object with the values that the scenario uses, in SI units, with shortest round-trip numbers and no
+/// newline at the end. A sweep on a box names neither kind nor shape, because older files do not have these keys.
 std::string scenario_to_json(const Scenario& scenario);
 
-/// The same as a file of its own: {"format": "taxel-scenario", "version": 1, "scenario": {...}}.
+/// Returns the text of a scenario file: {"format": "taxel-scenario", "version": 1, "scenario": {...}}.
 std::string scenario_file_json(const Scenario& scenario);
 
-/// Reads a scenario object, or a document that holds one under "scenario" (a file of its own, a sweep.json). Values
-/// left out keep their defaults, which are those of a box: `shape` left out means `box`, also of a sweep. Throws
-/// Error(file, JSON pointer, message) for keys that the kind does not use, wrong types, values out of range, and a
-/// version of "taxel-scenario" that is not known.
+/// Reads a scenario object, or a document with a scenario under "scenario" (a scenario file, a sweep.json). Missing
+/// values have the defaults of a box: without `shape`, the object is a box, also in a sweep. Throws
+/// Error(file, JSON pointer, message) for keys that the kind does not use, wrong types, values out of range, and an
+/// unknown version of "taxel-scenario".
 Scenario parse_scenario(const std::string& text, const std::string& file = "");
-/// parse_scenario of a file; paths in it stay as they are.
+/// Reads a file by parse_scenario, without changing its paths.
 Scenario read_scenario(const std::filesystem::path& path);
-/// The same with_absolute_files.
+/// Reads a file by parse_scenario and makes its paths absolute.
 Scenario read_scenario_with_files(const std::filesystem::path& path);
-/// The paths in it (object, source), which are relative to the file that holds it, made absolute.
+/// Returns the scenario with absolute paths (object, source). Its paths are relative to the folder of `file`.
 Scenario with_absolute_files(Scenario scenario, const std::filesystem::path& file);
 
-/// Throws Error("", "/key", ...) for the first value that is out of range.
+/// Throws Error("", "/key", ...) for the first value that is not valid.
 void check_scenario(const Scenario& scenario);
 
 }  // namespace taxel

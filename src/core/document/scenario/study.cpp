@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kLargestSeed = 9007199254740992;  // 2^53: whole numbers up to here are exact
 
-const ScenarioParameter* parameter_of(const Scenario& scenario, const std::string& key) {
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (key == parameter.key && parameter.used_by(scenario)) return &parameter;
-  return nullptr;
-}
-
 void set(StudyRun& run, const std::string& key, double value) {
   run.values.push_back(value);
   if (key == "density") {
@@ -26,7 +20,7 @@ void set(StudyRun& run, const std::string& key, double value) {
   } else if (key == "seed") {
     run.seed = static_cast<std::uint64_t>(value);
   } else {
-    run.scenario.*parameter_of(run.scenario, key)->value = value;
+    *find_number(run.scenario, key) = value;
   }
 }
 
@@ -38,7 +32,7 @@ void check_value(const Study& study, const std::string& key, double value, const
     if (!(value > 0) || !std::isfinite(value)) throw Error("", at, fmt::format("must be greater than 0, is {}", value));
   } else {
     Scenario scenario = study.scenario;
-    scenario.*parameter_of(scenario, key)->value = value;
+    *find_number(scenario, key) = value;
     try {
       check_scenario(scenario);
     } catch (const Error& e) {
@@ -77,10 +71,10 @@ void check_study(const Study& study) {
     const StudyParameter& parameter = study.parameters[i];
     const std::string at = fmt::format("/parameters/{}", i);
     const bool layout = parameter.key == "density" || parameter.key == "seed";
-    if (!layout && parameter_of(study.scenario, parameter.key) == nullptr)
+    if (!layout && find_number(study.scenario, parameter.key) == nullptr)
       throw Error("", at + "/parameter",
                   fmt::format("\"{}\" is neither density nor seed, nor a number of the kind \"{}\"", parameter.key,
-                              to_word(study.scenario.kind)));
+                              to_word(study.scenario.kind())));
     if (i > 0 && parameter.key == study.parameters[0].key)
       throw Error("", at + "/parameter", fmt::format("\"{}\" is varied already", parameter.key));
     if (parameter.values.empty()) throw Error("", at + "/values", "must be at least one");

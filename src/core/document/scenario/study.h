@@ -11,10 +11,10 @@
 
 namespace taxel {
 
-/// What is varied: a number of the scenario by its key, or `density` [1/m^2] or `seed` of the layout's samples.
+/// A varied number: a number of the scenario by its key, or `density` [1/m^2] or `seed` of the layout's samples.
 struct StudyParameter {
   std::string key;
-  std::vector<double> values;  ///< SI, in the order of the runs
+  std::vector<double> values;  ///< SI values in the order of the runs
   bool operator==(const StudyParameter&) const = default;
 };
 
@@ -28,23 +28,24 @@ struct StudyRun {
   Scenario scenario;
   std::optional<double> density;
   std::optional<std::uint64_t> seed;
-  std::vector<double> values;  ///< of the parameters, in their order
+  std::vector<double> values;  ///< values of the parameters, in their order
 };
 
-/// Runs of a study are limited to what a machine can hold and a hand can look at.
+/// Largest number of runs: more do not fit into memory, and a user cannot compare them.
 inline constexpr std::size_t kMostRuns = 1000;
 
-/// All of them; the second parameter changes fastest.
+/// Returns the runs of a study. The second parameter changes fastest.
 std::vector<StudyRun> runs_of(const Study& study);
 
-/// Throws Error("", pointer, ...) for the first value that cannot be: a parameter that the scenario's kind does not
-/// use, twice the same, none or too many values, one that is out of range.
+/// Throws Error("", pointer, ...) for the first error: a parameter that the scenario does not use or that is listed
+/// twice, no value, too many runs, or a value out of range.
 void check_study(const Study& study);
 
-/// {"format": "taxel-study", "version": 1, "scenario": {...}, "parameters": [{"parameter": "depth", "values": [...]}]};
-/// instead of values, "from", "to" and "count" give that many at even distances. Throws Error(file, JSON pointer, ...).
+/// Parses {"format": "taxel-study", "version": 1, "scenario": {...}, "parameters": [{"parameter": "depth", "values":
+/// [...]}]}. In place of "values", "from", "to" and "count" give values at even distances. Throws Error(file, JSON
+/// pointer, ...).
 Study parse_study(const std::string& text, const std::string& file = "");
-/// parse_study of a file; paths in its scenario, which are relative to the file, made absolute.
+/// Reads a file by parse_study and makes the paths of its scenario absolute. They are relative to the file's folder.
 Study read_study(const std::filesystem::path& path);
 std::string study_to_json(const Study& study);
 

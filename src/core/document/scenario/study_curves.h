@@ -1,4 +1,4 @@
-// What a study's runs read, to be looked at side by side.
+// The readings of all runs of a study.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@ namespace taxel {
 
 struct StudyCurve {
   StudyRun run;
-  std::vector<double> time;                   ///< per row [s]
-  std::vector<std::vector<double>> readings;  ///< per taxel and row, SI
-  std::string error;                          ///< why the run failed; empty: it did not
+  std::vector<double> time;                   ///< time of each row [s]
+  std::vector<std::vector<double>> readings;  ///< readings by taxel and row, SI
+  std::string error;                          ///< error of the run, or empty
 };
 
 struct StudyCurves {
   Study study;
-  std::vector<int> taxel_ids;  ///< order of the readings
+  std::vector<int> taxel_ids;  ///< ids in the order of the readings
   std::vector<StudyCurve> runs;
-  double largest_reading = 0, longest = 0;  ///< over all runs: of readings, and [s]
-  std::string problem;                      ///< why there are no runs at all; empty: there are
+  double largest_reading = 0, longest = 0;  ///< largest reading and largest time [s] of all runs
+  std::string problem;                      ///< reason why there are no runs, or empty
 };
 using StudyCurvesPtr = std::shared_ptr<const StudyCurves>;
 

@@ -7,15 +7,15 @@ const dvec3 kFrom{-0.020, 0, 0.070}, kSpan{0.025, 0, -0.012};  // of the path [m
 const dquat kDemoTurn = glm::normalize(dquat(0.271, 0.653, 0.653, 0.271));
 const SensorFrame kPaperFrame{{0, 0, 1}, {0, -1, 0}};
 
-/// The lowest point of the paper's finger, in the middle of its width, from the origin of its mesh file as the demo
-/// turns it; world axes [m]. From the vertices of the released file ubi_tip_collision.stl.
+/// Offset of the lowest point, in the middle of the width of the paper's finger, from the origin of its mesh file in
+/// the orientation of the demo; world axes [m]. Computed from the vertices of the released file ubi_tip_collision.stl.
 const dvec3 kPaperLead{0.019550891655317794, 1.6479969024658057e-05, -0.023408118042095406};
 
 double phase(double time) {
   return std::sin(kPi * std::clamp(time / kDemoSeconds, 0.0, 1.0));
 }
 
-/// Rotation from the frame of a mesh file to axes (distal, pad, width).
+/// Returns the rotation from the frame of a mesh file to the axes (distal, pad, width).
 dmat3 finger_axes(const SensorFrame& frame) {
   const dvec3 distal = glm::normalize(frame.distal);
   const dvec3 pad = glm::normalize(frame.pad - glm::dot(frame.pad, distal) * distal);

@@ -9,7 +9,7 @@ double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// One half of the hull (Andrew 1979): points sorted by x, then z, as they are given.
+/// Returns one half of the hull (Andrew 1979) of points that are sorted by x, then z.
 template <class Points>
 std::vector<dvec2> half_hull(const Points& points) {
   std::vector<dvec2> chain;
@@ -17,7 +17,7 @@ std::vector<dvec2> half_hull(const Points& points) {
     while (chain.size() > 1 && cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0) chain.pop_back();
     chain.push_back(p);
   }
-  chain.pop_back();  // the other half begins with it
+  chain.pop_back();  // the other half begins with this point
   return chain;
 }
 
@@ -49,7 +49,7 @@ RollingOutline::Contact RollingOutline::at(double angle) const {
   const std::size_t n = hull_.size();
   Contact contact{hull_.front(), 0};
   if (n < 3) return contact;
-  // The edge in direction phi lies in the plane when the body has turned by phi.
+  // The edge in direction phi is in the plane when the body has turned by phi.
   const double forward = angle < 0 ? -1 : 1;
   const auto turn = [&](std::size_t from, std::size_t to, double before) {
     const dvec2 edge = forward * (hull_[to] - hull_[from]);

@@ -13,10 +13,10 @@
 namespace taxel {
 namespace {
 
-/// Sides of the polygon that replaces the arc. Half of one spans 1.4 degrees: 1 - cos(1.4 degrees) = 3e-4.
+/// Number of sides of the polygon that replaces the arc. Half of a side spans 1.4 degrees: 1 - cos(1.4 deg) = 3e-4.
 constexpr int kArcSides = 32;
 
-/// Corners (x, z) of the section, counter-clockwise from x to z, beginning at the lower edge.
+/// Returns the corners (x, z) of the section, counter-clockwise from x to z, from the lower edge.
 std::vector<dvec2> section(double size, double radius) {
   const double half = size * std::sqrt(0.5);  // half of the diagonal
   const double center = 2 * half - std::sqrt(2.0) * radius;
@@ -42,12 +42,12 @@ TriMesh make_upright_edge(double size, double radius) {
   for (const dvec2& corner : corners)
     for (const double y : {-0.5 * size, 0.5 * size}) vertices.emplace_back(corner.x, y, corner.y);
   std::vector<ivec3> faces;
-  for (int i = 0; i < n; ++i) {  // vertex 2 i is at the end of least y, vertex 2 i + 1 at the other
+  for (int i = 0; i < n; ++i) {  // vertex 2 i has the smaller y, vertex 2 i + 1 the larger
     const int j = (i + 1) % n;
     faces.emplace_back(2 * i, 2 * i + 1, 2 * j + 1);
     faces.emplace_back(2 * i, 2 * j + 1, 2 * j);
   }
-  for (int i = 1; i + 1 < n; ++i) {  // the section is convex: both ends are fans about the lower edge
+  for (int i = 1; i + 1 < n; ++i) {  // both ends are fans about the lower edge: the section is convex
     faces.emplace_back(0, 2 * i, 2 * (i + 1));
     faces.emplace_back(1, 2 * (i + 1) + 1, 2 * i + 1);
   }

@@ -61,8 +61,7 @@ Aabb bounds_of(const dvec3& extent) {
 }
 
 Object make_object(const Scenario& s, std::vector<SceneFile>& files) {
-  if (s.kind == ScenarioKind::paper)
-    return primitive_object("box", text(0.5 * kDemoBox.extent()), kDemoBox, kPaperFriction);
+  if (s.is<scenarios::Paper>()) return primitive_object("box", text(0.5 * kDemoBox.extent()), kDemoBox, kPaperFriction);
   if (!s.object.empty()) {
     const TriMeshPtr mesh = load_mesh(s.object).mesh;
     const Aabb& box = mesh->bounds();
@@ -143,7 +142,7 @@ std::string scene_xml(const SensorModel& model, const Scenario& s, const Motion&
   </sensor>
 </mujoco>
 )",
-      fmt::arg("title", title_of(s.kind)), fmt::arg("timestep", motion.timestep), fmt::arg("top", object.bounds.hi.z),
+      fmt::arg("title", title_of(s.kind())), fmt::arg("timestep", motion.timestep), fmt::arg("top", object.bounds.hi.z),
       fmt::arg("extent", 2.0 * object.bounds.hi.z), fmt::arg("sensor", sensor), fmt::arg("finger", kFingerGeom),
       fmt::arg("object", kObjectGeom), fmt::arg("mesh", kFingerMesh), fmt::arg("object_asset", object.asset),
       fmt::arg("object_geom", object.geom), fmt::arg("lead", lead.body), fmt::arg("weld", lead.weld),

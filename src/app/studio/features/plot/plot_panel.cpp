@@ -50,7 +50,7 @@ void draw_options(UiState& ui, const ReadingUnit& unit) {
 
 void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit, double largest, float height) {
   const SimScene& scene = *input.frame->scene;
-  const double end = input.by_travel() ? 1e3 * scene.duration * input.scenario.speed
+  const double end = input.by_travel() ? 1e3 * scene.duration * input.scenario.as<scenarios::Sweep>().speed
                                        : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
   const std::string reading = ui.saved.plot.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
   const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(reading.c_str()).x;

@@ -77,10 +77,16 @@ void follow_path_recording(UiState& ui, const UiInput& input) {
   recording->over = frame.finished;
 }
 
+void leave_path(UiState& ui) {
+  ui.path.recording.reset();
+  ui.path.last.clear();
+}
+
 void let_go_of_way_points(UiState& ui) {
   PathState path;
   path.record_every = ui.path.record_every;
   path.recording = std::move(ui.path.recording);
+  path.last = std::move(ui.path.last);
   ui.path = std::move(path);
 }
 

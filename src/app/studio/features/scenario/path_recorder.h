@@ -18,5 +18,7 @@ void follow_path_recording(UiState& ui, const UiInput& input);
 
 /// Another scene runs: nothing is in the hand any more. A recording goes on with the run that begins.
 void let_go_of_way_points(UiState& ui);
+/// Drops the recording and the values of former kinds, because another document is open.
+void leave_path(UiState& ui);
 
 }  // namespace taxel::ui

@@ -27,8 +27,9 @@ struct PathState {
   dvec2 start{0};               ///< of the pointer [pixels of the view]
   dvec3 grabbed_W{0};           ///< the mark then
   std::optional<WayPoint> was;  ///< the way point then
-  std::optional<ScenarioKind>
-      chosen;  ///< a kind that lacks what it needs (a replay its recording) to be the document's
+  /// The kind chosen in the inspector, while it lacks a value without which it cannot be the document's: a recording.
+  std::optional<ScenarioKind> chosen;
+  LastScenarios last;  ///< values of kinds that the document had before
 
   double record_every = 0.05;              ///< [s]
   std::optional<PathRecording> recording;  ///< none: nothing is kept

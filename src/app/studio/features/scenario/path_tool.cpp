@@ -15,7 +15,13 @@ constexpr int kLineParts = 160;
 
 const Scenario* path_of(const UiState& ui, const UiInput& input) {
   const Scenario* scenario = edited_scenario(ui, input);
-  return scenario != nullptr && scenario->kind == ScenarioKind::path ? scenario : nullptr;
+  return scenario != nullptr && scenario->is<scenarios::Path>() ? scenario : nullptr;
+}
+
+/// Returns the waypoints of a path.
+template <class S>
+auto& points_of(S& scenario) {
+  return scenario.template as<scenarios::Path>().points;
 }
 
 /// The mark under the pointer: the selected one, for others may lie in the same place, else the nearest; -1: none.
@@ -47,13 +53,13 @@ dvec3 across_view(const UiState& ui, const dvec3& p_W, const dvec2& from, const 
 /// The path with its selected way point moved.
 Edit moved_by(const UiState& ui, const Scenario& scenario, const dvec3& by_W) {
   Scenario moved = scenario;
-  moved.points[static_cast<std::size_t>(ui.path.selected)].X_WM.p = ui.path.was->X_WM.p + by_W;
+  points_of(moved)[static_cast<std::size_t>(ui.path.selected)].X_WM.p = ui.path.was->X_WM.p + by_W;
   return SetScenario{moved};
 }
 
 void drag(UiState& ui, const Scenario& scenario, const dvec2& pointer) {
   PathState& state = ui.path;
-  if (static_cast<std::size_t>(state.selected) >= scenario.points.size()) return;
+  if (static_cast<std::size_t>(state.selected) >= points_of(scenario).size()) return;
   if (!state.moved) state.gesture = ++ui.tool.gesture;
   state.moved = true;
   const dvec3 by_W = across_view(ui, state.grabbed_W, state.start, pointer);
@@ -69,12 +75,12 @@ const Scenario* edited_scenario(const UiState& ui, const UiInput& input) {
 
 std::optional<ShownPath> edited_path(const UiState& ui, const UiInput& input) {
   const Scenario* scenario = path_of(ui, input);
-  if (scenario == nullptr || scenario->points.empty()) return std::nullopt;
+  if (scenario == nullptr || points_of(*scenario).empty()) return std::nullopt;
   const dvec3 lead_M = input.frame->scene->lead_M;
-  const PathCurve curve(scenario->points);
+  const PathCurve curve(points_of(*scenario));
   ShownPath path;
   path.selected = ui.path.selected;
-  for (const WayPoint& point : scenario->points) path.points_W.push_back(point.X_WM * lead_M);
+  for (const WayPoint& point : points_of(*scenario)) path.points_W.push_back(point.X_WM * lead_M);
   for (int i = 0; i <= kLineParts; ++i)
     path.line_W.push_back(curve.at(curve.begin() + (curve.end() - curve.begin()) * i / kLineParts) * lead_M);
   return path;
@@ -93,13 +99,14 @@ void add_way_point(UiState& ui, const UiInput& input) {
   const Scenario* scenario = path_of(ui, input);
   const SensorStep* sensor = input.sensor(ui);
   if (scenario == nullptr || sensor == nullptr) return;
-  const int last = static_cast<int>(scenario->points.size()) - 1;
+  const int last = static_cast<int>(points_of(*scenario).size()) - 1;
   const int after = ui.path.selected >= 0 && ui.path.selected <= last ? ui.path.selected : last;
   Scenario edited = *scenario;
+  std::vector<WayPoint>& points = points_of(edited);
   const auto at = static_cast<std::size_t>(after + 1);
-  double time = after < 0 ? 0 : edited.points[at - 1].time + kMoreSeconds;
-  if (after >= 0 && after < last) time = 0.5 * (edited.points[at - 1].time + edited.points[at].time);
-  edited.points.insert(edited.points.begin() + (after + 1), WayPoint{time, sensor->X_WM});
+  double time = after < 0 ? 0 : points[at - 1].time + kMoreSeconds;
+  if (after >= 0 && after < last) time = 0.5 * (points[at - 1].time + points[at].time);
+  points.insert(points.begin() + (after + 1), WayPoint{time, sensor->X_WM});
   ui.path.selected = after + 1;
   ui.ask(EditProject{SetScenario{edited}, {}});
 }
@@ -107,10 +114,11 @@ void add_way_point(UiState& ui, const UiInput& input) {
 void delete_way_point(UiState& ui, const UiInput& input) {
   const Scenario* scenario = path_of(ui, input);
   const auto i = static_cast<std::size_t>(ui.path.selected);
-  if (scenario == nullptr || ui.path.selected < 0 || i >= scenario->points.size() || scenario->points.size() <= 2)
+  if (scenario == nullptr || ui.path.selected < 0 || i >= points_of(*scenario).size() ||
+      points_of(*scenario).size() <= 2)
     return;
   Scenario edited = *scenario;
-  edited.points.erase(edited.points.begin() + ui.path.selected);
+  points_of(edited).erase(points_of(edited).begin() + ui.path.selected);
   ui.path.selected = -1;
   ui.ask(EditProject{SetScenario{edited}, {}});
 }
@@ -118,12 +126,12 @@ void delete_way_point(UiState& ui, const UiInput& input) {
 bool has_way_point(const UiState& ui, const UiInput& input) {
   const Scenario* scenario = path_of(ui, input);
   return scenario != nullptr && ui.path.selected >= 0 &&
-         static_cast<std::size_t>(ui.path.selected) < scenario->points.size();
+         static_cast<std::size_t>(ui.path.selected) < points_of(*scenario).size();
 }
 
 bool take_way_point(UiState& ui, const UiInput& input) {
   if (!has_way_point(ui, input)) return false;
-  ui.path.was = path_of(ui, input)->points[static_cast<std::size_t>(ui.path.selected)];
+  ui.path.was = points_of(*path_of(ui, input))[static_cast<std::size_t>(ui.path.selected)];
   ui.path.grabbed_W = ui.path.was->X_WM * input.frame->scene->lead_M;
   return true;
 }
@@ -176,7 +184,7 @@ bool handle_path_mouse(UiState& ui, const UiInput& input, double x, double y, bo
   state.moved = false;
   state.start = {x, y};
   state.grabbed_W = path.points_W[i];
-  state.was = scenario->points[i];
+  state.was = points_of(*scenario)[i];
   return true;
 }
 

@@ -5,7 +5,6 @@
 
 #include "app/studio/features/scenario/path_recorder.h"
 #include "app/studio/features/scenario/path_tool.h"
-#include "app/studio/features/scenario/scenario_fields.h"
 #include "app/studio/features/scenario/way_point_table.h"
 #include "core/document/paper_setting.h"
 #include "core/document/scenario/recorded_path.h"
@@ -19,13 +18,7 @@ namespace {
 
 constexpr FieldUnit kTimestepUnit{"ms", -3, -1};
 
-bool uses(const Scenario& scenario, ScenarioKind kind, double Scenario::*value) {
-  for (const ScenarioParameter& parameter : scenario_parameters())
-    if (parameter.value == value) return parameter.used_by(kind, scenario.shape);
-  return false;
-}
-
-/// A kind that needs what is not there yet is remembered until it is.
+/// A kind that lacks a value stays the chosen kind until the value is there.
 void draw_kind(UiState& ui, const UiInput& input, const Scenario& scenario, ScenarioKind shown) {
   begin_property("Kind", "How the finger is led");
   const auto kind = word_field(ui, "Kind", shown);
@@ -33,13 +26,16 @@ void draw_kind(UiState& ui, const UiInput& input, const Scenario& scenario, Scen
   if (!kind) return;
   ui.path.chosen.reset();
   ui.path.selected = -1;
-  if (*kind == ScenarioKind::replay && scenario.source.empty()) {
+  const Scenario changed = with_kind(scenario, *kind, ui.path.last);
+  const auto* replay = std::get_if<scenarios::Replay>(&changed.motion);
+  if (replay != nullptr && replay->source.empty()) {
     ui.path.chosen = kind;
     return;
   }
-  const bool begins_path = *kind == ScenarioKind::path && scenario.points.size() < 2;
-  ask_edit(ui, SetScenario{begins_path ? path_of_run(scenario, input.scenario, points_to_begin_with(ui, input))
-                                       : with_kind(scenario, *kind)});
+  const auto* path = std::get_if<scenarios::Path>(&changed.motion);
+  const bool begins_path = path != nullptr && path->points.size() < 2;
+  ask_edit(ui,
+           SetScenario{begins_path ? path_of_run(scenario, input.scenario, points_to_begin_with(ui, input)) : changed});
 }
 
 void draw_object(UiState& ui, Scenario& edited, bool& changed) {
@@ -50,36 +46,56 @@ void draw_object(UiState& ui, Scenario& edited, bool& changed) {
   }
   begin_property("Object mesh", "Mesh file in metres, in place of the shape; empty: the shape");
   if (const auto file = text_field(ui, "Object mesh", {edited.object})) {
-    edited = file->empty() ? with_shape(edited, default_shape(edited.kind)) : with_object(edited, *file);
+    edited = file->empty() ? with_shape(edited, default_shape(edited.kind())) : with_object(edited, *file);
     changed = true;
   }
   show_refusal(ui, "Object mesh");
 }
 
+bool draw_field(UiState& ui, const FieldSpec& field, double& value) {
+  const std::string name = label_with_unit(field);
+  begin_property(name.c_str(), field.help);
+  const auto typed = number_field(ui, name, {value}, field_unit(field.quantity));
+  if (typed) value = *typed;
+  show_refusal(ui, name);
+  return typed.has_value();
+}
+
+bool draw_field(UiState& ui, const FieldSpec& field, std::string& file) {
+  begin_property(field.label, field.help);
+  const auto typed = text_field(ui, field.label, {file});
+  const bool changed = typed && !typed->empty();
+  if (changed) {
+    file = *typed;
+    ui.path.chosen.reset();
+  }
+  show_refusal(ui, field.label);
+  return changed;
+}
+
+bool draw_field(UiState&, const FieldSpec&, std::vector<WayPoint>&) {
+  return false;  // draw_way_point_table() draws them
+}
+
+/// Returns `scenario` with the values that it shares with `edited`, which is of another kind.
+Scenario with_shared_values(Scenario scenario, Scenario edited) {
+  if (scenario.shape != edited.shape || scenario.object != edited.object) {
+    scenario = with_shape(scenario, edited.shape);
+    scenario.object = edited.object;
+  }
+  for (const ScenarioNumber& number : numbers_of(edited))
+    if (double* shared = find_number(scenario, number.field.key)) *shared = *number.value;
+  return scenario;
+}
+
 void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
-  Scenario edited = scenario;
+  Scenario edited = shown == scenario.kind() ? scenario : with_kind(scenario, shown, ui.path.last);
   bool changed = false;
-  if (shown == ScenarioKind::replay) {
-    begin_property("Recording", "A folder of taxel sweep, play or run, or its readings.npz");
-    if (const auto source = text_field(ui, "Recording", {scenario.source}); source && !source->empty()) {
-      edited = with_kind(edited, ScenarioKind::replay);
-      edited.source = *source;
-      ui.path.chosen.reset();
-      changed = true;
-    }
-    show_refusal(ui, "Recording");
-  }
-  for (const ScenarioField& field : scenario_fields()) {
-    if (!uses(scenario, shown, field.value)) continue;
-    begin_property(field.name, field.tip);
-    if (const auto typed = number_field(ui, field.name, {scenario.*field.value}, field.unit)) {
-      edited.*field.value = *typed;
-      changed = true;
-    }
-    show_refusal(ui, field.name);
-  }
-  if (shown != ScenarioKind::paper) draw_object(ui, edited, changed);
-  if (changed) ask_edit(ui, SetScenario{edited});
+  visit_fields(edited, [&](const FieldSpec& field, auto& value) { changed = draw_field(ui, field, value) || changed; });
+  if (has_object(edited)) draw_object(ui, edited, changed);
+  if (!changed) return;
+  ui.path.last[shown] = edited;
+  ask_edit(ui, SetScenario{ui.path.chosen ? with_shared_values(scenario, edited) : edited});
 }
 
 /// The paper's setting as one edit: body, samples and scenario.
@@ -125,8 +141,8 @@ void draw_recorder(UiState& ui, const UiInput& input) {
 /// Returns why the scenario cannot run; empty if it can.
 std::string why_not_run(const UiInput& input, ScenarioKind shown, bool complete) {
   if (!complete)
-    return shown == ScenarioKind::replay ? "Nothing to replay: choose the recording first."
-                                         : "Nothing to run: the scenario of this kind is not complete yet.";
+    return shown == kKind<scenarios::Replay> ? "Nothing to replay: choose the recording first."
+                                             : "Nothing to run: the scenario of this kind is not complete yet.";
   if (!input.model) return "Nothing to simulate: the layout is not compiled.";
   if (input.model->taxel_count() == 0)
     return "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G generates a "
@@ -155,8 +171,8 @@ void draw_run_button(UiState& ui, const Scenario& scenario, const std::string& r
 void draw_scenario_section(UiState& ui, const UiInput& input) {
   const Scenario* scenario = edited_scenario(ui, input);
   if (scenario == nullptr || !header(ui, "Scenario")) return;
-  const ScenarioKind shown = ui.path.chosen.value_or(scenario->kind);
-  const bool complete = shown == scenario->kind;
+  const ScenarioKind shown = ui.path.chosen.value_or(scenario->kind());
+  const bool complete = shown == scenario->kind();
   if (begin_properties("scenario kind")) {
     draw_kind(ui, input, *scenario, shown);
     end_properties();
@@ -165,7 +181,7 @@ void draw_scenario_section(UiState& ui, const UiInput& input) {
   draw_paper_setting(ui, input);
   draw_recorder(ui, input);
   if (complete && *scenario != input.scenario) caption("What runs is the scenario before this change.");
-  if (complete && shown == ScenarioKind::path) draw_way_point_table(ui, input, *scenario);
+  if (complete && shown == kKind<scenarios::Path>) draw_way_point_table(ui, input, *scenario);
   if (begin_properties("scenario")) {
     draw_fields(ui, *scenario, shown);
     end_properties();

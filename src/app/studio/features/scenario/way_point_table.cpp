@@ -62,7 +62,7 @@ void draw_buttons(UiState& ui, const UiInput& input, const Scenario& scenario) {
   if (button(ui, "Add here")) add_way_point(ui, input);
   tooltip("Where the finger is now, behind the selected way point");
   ImGui::SameLine();
-  ImGui::BeginDisabled(ui.path.selected < 0 || scenario.points.size() <= 2);
+  ImGui::BeginDisabled(ui.path.selected < 0 || scenario.as<scenarios::Path>().points.size() <= 2);
   if (button(ui, "Delete way point")) delete_way_point(ui, input);
   ImGui::EndDisabled();
 }
@@ -71,20 +71,20 @@ void draw_buttons(UiState& ui, const UiInput& input, const Scenario& scenario) {
 
 void draw_way_point_table(UiState& ui, const UiInput& input, const Scenario& scenario) {
   Scenario edited = scenario;
+  std::vector<WayPoint>& points = edited.as<scenarios::Path>().points;
   bool changed = false;
-  if (ui.path.selected >= static_cast<int>(edited.points.size())) ui.path.selected = -1;
+  if (ui.path.selected >= static_cast<int>(points.size())) ui.path.selected = -1;
   if (ImGui::BeginTable("##points", 5, ImGuiTableFlags_SizingStretchProp)) {
     ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed);
     for (const char* name : {"time (s)", "x (mm)", "y (mm)", "z (mm)"}) ImGui::TableSetupColumn(name);
     ImGui::TableHeadersRow();
-    for (std::size_t i = 0; i < edited.points.size(); ++i)
-      changed = draw_row(ui, static_cast<int>(i), edited.points[i]) || changed;
+    for (std::size_t i = 0; i < points.size(); ++i) changed = draw_row(ui, static_cast<int>(i), points[i]) || changed;
     ImGui::EndTable();
   }
-  for (std::size_t i = 0; i < edited.points.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
     for (const char* column : {"Time", "X", "Y", "Z"}) show_refusal(ui, fmt::format("{} {}", column, i));
   if (ui.path.selected >= 0 && begin_properties("turn")) {
-    changed = draw_turn(ui, edited.points[static_cast<std::size_t>(ui.path.selected)]) || changed;
+    changed = draw_turn(ui, points[static_cast<std::size_t>(ui.path.selected)]) || changed;
     end_properties();
   }
   if (changed) ask_edit(ui, SetScenario{edited});

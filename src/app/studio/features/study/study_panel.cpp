@@ -23,11 +23,11 @@ constexpr std::uint64_t kMostPerParameter = 100;
 constexpr const char* kNone = "none";
 constexpr float kWidth = 44, kHeight = 36;  // at first, in heights of text
 
-/// What the document has of it.
-double value_now(const Project& project, const Varied& varied) {
-  if (varied.key == kDensityKey) return project.layout.sampling.density;
-  if (varied.key == kSeedKey) return static_cast<double>(project.layout.sampling.seed);
-  return project.scenario.*varied.value;
+/// Returns the value of the document.
+double value_now(const Project& project, std::string_view key) {
+  if (key == kDensityKey) return project.layout.sampling.density;
+  if (key == kSeedKey) return static_cast<double>(project.layout.sampling.seed);
+  return *find_number(project.scenario, key);
 }
 
 struct ParameterFields {
@@ -39,17 +39,19 @@ struct ParameterFields {
 };
 
 /// Half of what the document has to twice of it, where nothing was chosen.
-void begin_with(const Project& project, const Varied& varied, ParameterFields& p) {
-  const double now = value_now(project, varied);
-  p.from = varied.key == kSeedKey ? now : 0.5 * now;
-  p.to = varied.key == kSeedKey ? now + p.count - 1 : 2 * now;
+void begin_with(const Project& project, const FieldSpec& varied, ParameterFields& p) {
+  const double now = value_now(project, varied.key);
+  const bool is_seed = std::string_view(varied.key) == kSeedKey;
+  p.from = is_seed ? now : 0.5 * now;
+  p.to = is_seed ? now + p.count - 1 : 2 * now;
 }
 
 void draw_parameter(UiState& ui, const Project& project, ParameterFields p) {
-  const std::vector<Varied> all = varied_in(project.scenario);
-  std::vector<std::string_view> names{kNone};
-  for (const Varied& one : all) names.push_back(one.name);
-  auto at = std::find_if(all.begin(), all.end(), [&](const Varied& one) { return one.key == p.key; });
+  const std::vector<FieldSpec> all = varied_in(project.scenario);
+  std::vector<std::string> labels{kNone};
+  for (const FieldSpec& one : all) labels.push_back(label_with_unit(one));
+  const std::vector<std::string_view> names(labels.begin(), labels.end());
+  auto at = std::find_if(all.begin(), all.end(), [&](const FieldSpec& one) { return one.key == p.key; });
   begin_property(p.name, "What is varied");
   const auto made = choice_of(ui, p.name, names, at == all.end() ? 0 : static_cast<std::size_t>(at - all.begin()) + 1);
   if (made) {
@@ -61,9 +63,9 @@ void draw_parameter(UiState& ui, const Project& project, ParameterFields p) {
   if (p.from == 0 && p.to == 0) begin_with(project, *at, p);
   const auto row = [&](const char* what, double& value) {
     const std::string name = fmt::format("{} {}", p.name, what);
-    const std::string_view unit = at->unit_text();
+    const std::string_view unit = display_unit(at->quantity).symbol;
     begin_property(unit.empty() ? name.c_str() : fmt::format("{} ({})", name, unit).c_str());
-    if (const auto typed = number_field(ui, name, {value}, at->unit)) value = *typed;
+    if (const auto typed = number_field(ui, name, {value}, field_unit(at->quantity))) value = *typed;
     show_refusal(ui, name);
   };
   row("from", p.from);

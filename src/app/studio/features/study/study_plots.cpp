@@ -21,12 +21,12 @@ namespace {
 constexpr float kLeastHeight = 9;  // of a run, in heights of text: in less room the panel scrolls
 
 std::string title_of(const Study& study, const StudyRun& run) {
-  const std::vector<Varied> all = varied_in(study.scenario);
+  const std::vector<FieldSpec> all = varied_in(study.scenario);
   std::string title;
   for (std::size_t i = 0; i < run.values.size(); ++i) {
     const auto varied =
-        std::find_if(all.begin(), all.end(), [&](const Varied& one) { return one.key == study.parameters[i].key; });
-    if (varied != all.end()) title += (title.empty() ? "" : ", ") + varied->with(run.values[i]);
+        std::find_if(all.begin(), all.end(), [&](const FieldSpec& one) { return one.key == study.parameters[i].key; });
+    if (varied != all.end()) title += (title.empty() ? "" : ", ") + value_text(*varied, run.values[i]);
   }
   return title;
 }

@@ -1,0 +1,58 @@
+// The description of a value that a user edits: its key in files, its label, and its unit.
+#pragma once
+
+#include <string>
+
+namespace taxel {
+
+/// The quantity of a field. It decides in which unit a window displays the value; files hold SI values and degrees.
+enum class FieldQuantity { number, length, speed, angle, angular_speed, mass, duration, interval, density, file, list };
+
+/// The values that a field accepts.
+enum class FieldRange { positive, not_negative, any };
+
+struct FieldSpec {
+  const char* key;    ///< name in files
+  const char* label;  ///< name in windows, without the unit
+  const char* help;   ///< one sentence for a tooltip
+  FieldQuantity quantity;
+  FieldRange range = FieldRange::any;
+};
+
+/// The unit that windows use for a quantity: 10^decimal SI units, or degrees.
+struct DisplayUnit {
+  const char* symbol = "";  ///< text behind the label; empty without unit
+  const char* typed = "";   ///< name that core/base/text/expression.h reads
+  int decimal = 0;
+};
+
+constexpr DisplayUnit display_unit(FieldQuantity quantity) {
+  switch (quantity) {
+    case FieldQuantity::length:
+      return {"mm", "mm", -3};
+    case FieldQuantity::speed:
+      return {"mm/s", "mm/s", -3};
+    case FieldQuantity::angle:
+      return {"\u00b0", "deg", 0};
+    case FieldQuantity::angular_speed:
+      return {"\u00b0/s", "deg", 0};
+    case FieldQuantity::mass:
+      return {"g", "g", -3};
+    case FieldQuantity::duration:
+      return {"s", "", 0};
+    case FieldQuantity::interval:
+      return {"ms", "ms", -3};
+    case FieldQuantity::density:
+      return {"1/mm\u00b2", "1/mm^2", 6};
+    default:
+      return {};
+  }
+}
+
+/// Returns the label with its unit in brackets: "Depth (mm)".
+inline std::string label_with_unit(const FieldSpec& field) {
+  const std::string symbol = display_unit(field.quantity).symbol;
+  return symbol.empty() ? field.label : field.label + (" (" + symbol + ")");
+}
+
+}  // namespace taxel
