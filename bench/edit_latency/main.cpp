@@ -21,7 +21,7 @@
 #include "app/studio/features/probe/probe_job.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/document/edit.h"
+#include "core/document/apply_edit.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/probe/probe.h"

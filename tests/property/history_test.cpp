@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/document/apply_edit.h"
 #include "core/document/history.h"
 #include "core/document/project_json.h"
 #include "random_edit.h"

@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-/// A number whose sign is too much, without it; the default where that does not help.
+/// Returns the absolute value of a number, or the default if the number is not finite.
 double without_sign(double v, double otherwise) {
   return std::isfinite(v) ? std::abs(v) : otherwise;
 }
@@ -48,7 +48,7 @@ std::optional<Fix> fix_of_sampling(const Problem& problem, Sampling sampling, co
   return Fix{fmt::format("Set the density to {:g} per square metre", sampling.density), SetSampling{sampling}};
 }
 
-/// `pad` at right angles to `distal`, turned as little as possible.
+/// Returns a frame with `pad` at right angles to `distal`, turned as little as possible.
 std::optional<Fix> fix_of_frame(const Problem& problem, SensorFrame frame) {
   if (problem.code != "frame_parallel" && problem.code != "frame_skew") return std::nullopt;
   const dvec3 along = glm::normalize(frame.distal);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/document/apply_edit.h"
 
 namespace taxel {
 namespace {

@@ -4,16 +4,18 @@
 #include <set>
 #include <utility>
 
+#include "core/document/apply_edit.h"
 #include "core/document/fixes.h"
 #include "core/layout/check/layout_check.h"
 
 namespace taxel {
 namespace {
 
-/// A round mends one thing of each taxel: its place, its normal, its radius, those of its subtaxels.
+/// Largest number of rounds. A round repairs one value of each taxel: its centre, normal or radius, or one of its
+/// subtaxels.
 constexpr int kRounds = 32;
 
-/// `mesh` belongs to the project `before` any repair.
+/// Returns the errors and warnings of `project`. `mesh` belongs to the project `before` any repair.
 Problems problems_of(const Project& project, const Project& before, const LayoutMesh& mesh) {
   Problems problems = check_layout_values(project.layout, "");
   const bool repairs = project.layout.mesh.repair != before.layout.mesh.repair;
@@ -25,12 +27,12 @@ Problems problems_of(const Project& project, const Project& before, const Layout
   return problems;
 }
 
-/// Whether the user must decide: about another file, unit or mesh, but not about a repair of the mesh.
+/// Returns true if the user must decide: about another file, unit or mesh, but not about a repair of the mesh.
 bool is_decision(const Problem& problem) {
   return problem.pointer.starts_with("/mesh") && problem.code != "mesh_open" && problem.code != "repair_out_of_range";
 }
 
-/// What a fix is of, a taxel's id or the settings at a pointer; and where in that.
+/// The owner of a problem (a taxel's id, or the settings at a pointer), and the place in the owner.
 struct Subject {
   std::string whose, place;
 };
@@ -60,7 +62,7 @@ class Mender {
   }
 
  private:
-  /// One fix for each taxel and setting; whether there was any.
+  /// Applies one repair for each taxel and setting. Returns true if there was any.
   bool mend_some(const Problems& problems) {
     std::set<std::string> mended;
     std::vector<Edit> round;
@@ -68,7 +70,7 @@ class Mender {
       const Subject subject = subject_of(problem, project_.layout);
       if (is_decision(problem) || mended.contains(subject.whose)) continue;
       std::optional<Fix> fix = fix_for(problem, project_, &mesh_.skin);
-      // What did not help once will not help again.
+      // A repair that failed once fails again.
       if (!fix || !tried_.insert(subject.whose + subject.place + " " + problem.code).second) continue;
       mended.insert(subject.whose);
       round.push_back(std::move(fix->edit));
@@ -78,8 +80,8 @@ class Mender {
     return any;
   }
 
-  /// Changes of taxels as one edit each for those that twins follow and those that they do not: a layout has
-  /// thousands.
+  /// Merges the changes of taxels into two edits, because a layout has thousands of taxels: one that mirrored taxels
+  /// follow, and one that they do not.
   static std::vector<Edit> together(std::vector<Edit> edits) {
     std::vector<Edit> rest;
     SetTaxels followed{{}, true}, alone{{}, false};
@@ -100,7 +102,7 @@ class Mender {
     try {
       project_ = apply_edit(project_, edit);
     } catch (const Error&) {
-      return false;  // another problem of the same place stands in its way: that one is told
+      return false;  // another problem of the same place prevents it, and is reported
     }
     edits_.push_back(std::move(edit));
     return true;

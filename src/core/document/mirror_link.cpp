@@ -45,21 +45,21 @@ void take_image(const Taxel& of, const MirrorPlane& plane, const ChangedFields& 
   if (fields.subtaxels) twin.subtaxels = std::move(image.subtaxels);
 }
 
-/// The links across this plane, made where there are none.
+/// Returns the links across this plane, after adding the plane if it is new.
 Mirror& mirror_of(Project& project, const MirrorPlane& plane) {
   for (Mirror& mirror : project.mirrors)
     if (mirror.plane == plane) return mirror;
   return project.mirrors.emplace_back(Mirror{plane, {}});
 }
 
-/// A taxel that nearly covers its own image: the one taxel that both are, in the plane. Empty for any other.
+/// Returns a taxel that nearly covers its own image, moved into the plane. Empty for all other taxels.
 std::optional<Taxel> in_plane_of(const Taxel& taxel, const MirrorPlane& plane) {
   const dvec3 n = glm::normalize(plane.normal);
   const double away = glm::dot(taxel.center - plane.point, n);
   if (!(disc_overlap(taxel.radius, taxel.radius, 2.0 * std::abs(away)) > kLargeOverlap)) return std::nullopt;
   const dvec3 along = taxel.normal - glm::dot(taxel.normal, n) * n;
   const double least = 0.5 * std::numbers::sqrt2 * glm::length(taxel.normal);  // 45 degrees from the plane
-  if (!(glm::length(along) > least)) return std::nullopt;                      // looks across the plane: a pair
+  if (!(glm::length(along) > least)) return std::nullopt;  // the normal points across the plane: a pair
   Taxel moved = taxel;
   moved.center -= away * n;
   moved.normal = glm::normalize(along);
@@ -67,7 +67,7 @@ std::optional<Taxel> in_plane_of(const Taxel& taxel, const MirrorPlane& plane) {
   return moved;
 }
 
-/// Whether a taxel lies on the skin and looks along its normal, but for what nobody sees: 1 micrometre, 0.1 degrees.
+/// Returns true if a taxel is on the skin with the skin's normal, up to 1 micrometre and 0.1 degrees.
 bool is_on(const MeshIndex& skin, const Taxel& taxel) {
   constexpr double kNear = 1e-6, kCosine = 1 - 1.5e-6;
   const Taxel put = onto_skin({taxel}, skin).front();
@@ -75,11 +75,11 @@ bool is_on(const MeshIndex& skin, const Taxel& taxel) {
          glm::dot(put.normal, glm::normalize(taxel.normal)) >= kCosine;
 }
 
-/// A taxel made of another one, on the skin if the other one is and the skin is there for it.
+/// Returns a taxel made from another one: on the skin if the other one is on the skin and the skin is near.
 Taxel as_on(const MeshIndex* skin, const Taxel& of, Taxel made) {
   if (skin == nullptr || !is_on(*skin, of) || is_on(*skin, made)) return made;
   Taxel put = onto_skin({made}, *skin).front();
-  // Further away than its radius there is no skin on that side: the mirror's word counts.
+  // Without skin within the radius, the taxel remains at the mirrored place.
   return glm::distance(put.center, made.center) <= made.radius ? put : made;
 }
 
@@ -88,7 +88,7 @@ void check_plane(const MirrorPlane& plane) {
   require_direction("mirror", "normal", plane.normal);
 }
 
-/// The taxels of a layout by place, those without a twin across a plane.
+/// The taxels of a layout by place, without those that have a mirrored taxel across a plane.
 class FreeTaxels {
  public:
   FreeTaxels(const Layout& layout, const Mirror& mirror, double tolerance)
@@ -98,7 +98,7 @@ class FreeTaxels {
   [[nodiscard]] bool linked(int id) const { return linked_.contains(id); }
   void link(int id) { linked_.insert(id); }
 
-  /// The nearest within the tolerance, the first of those equally near; other than `self`. Null: none.
+  /// Returns the nearest taxel within the tolerance except `self`, the first of equally near ones, or null.
   [[nodiscard]] const Taxel* at(const dvec3& place, int self) const {
     const Taxel* nearest = nullptr;
     double least = tolerance_;
@@ -123,7 +123,7 @@ class FreeTaxels {
   static double cell_of(const Layout& layout, double tolerance) {
     Aabb box;
     for (const Taxel& taxel : layout.taxels) box.include(taxel.center);
-    constexpr double kLeastPart = 1e-6;  // of the whole: where the tolerance is 0
+    constexpr double kLeastPart = 1e-6;  // relative to the size of the layout, for a tolerance of 0
     const double cell = std::max(tolerance, box.empty() ? 0.0 : kLeastPart * box.diagonal());
     return cell > 0 && std::isfinite(cell) ? cell : 1.0;
   }
@@ -143,7 +143,7 @@ void follow_links(Project& project, const std::vector<ChangedFields>& changed) {
   for (const Mirror& mirror : project.mirrors) twins.push_back(twins_across(mirror));
   std::set<int> done;
   for (const ChangedFields& fields : changed) done.insert(fields.id);
-  std::vector<ChangedFields> queue = changed;  // grows: breadth first
+  std::vector<ChangedFields> queue = changed;  // grows; breadth-first search
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const ChangedFields fields = queue[next];
     const Taxel& taxel = project.layout.taxels[indices.at(fields.id)];
@@ -167,7 +167,7 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit) {
   FreeTaxels free(project.layout, mirror, edit.tolerance);
   std::vector<Taxel> images;
   std::vector<std::size_t> links_of_images;
-  std::vector<std::pair<std::size_t, Taxel>> into_plane;  // index of the taxel, and what becomes of it
+  std::vector<std::pair<std::size_t, Taxel>> into_plane;  // index and new values of the taxel
   for (const int id : edit.ids) {
     const auto found = indices.find(id);
     if (found == indices.end()) throw Error("", fmt::format("taxel {}", id), "is not in the layout");

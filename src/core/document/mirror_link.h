@@ -1,4 +1,4 @@
-// Twins: taxels that are mirror images of each other and stay so.
+// Mirrored taxels: pairs that remain mirror images of each other when one is edited.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,22 @@
 
 namespace taxel {
 
-/// Which fields of a taxel an edit has changed.
+/// The fields of a taxel that an edit has changed.
 struct ChangedFields {
   int id = 0;
   bool center = false, normal = false, radius = false, subtaxels = false;
 };
 
-/// Gives the twins of the changed taxels the mirror image of what was changed, and of nothing else; twins of twins too.
-/// Changed taxels keep their own values. Across several planes each twin is reached once, by the fewest planes.
+/// Copies the mirror image of the changed fields to the mirrored taxels of the changed taxels, and on to their mirrored
+/// taxels. Changed taxels keep their own values. Each mirrored taxel is reached once, across the fewest planes.
 void follow_links(Project& project, const std::vector<ChangedFields>& changed);
 
-/// As MirrorTaxels, LinkTaxels and UnlinkTaxels say.
+// Apply the edits of these names. Throw Error if a taxel does not exist, or a pair cannot be linked.
 void mirror_taxels(Project& project, const MirrorTaxels& edit);
 void link_taxels(Project& project, const LinkTaxels& edit);
 void unlink_taxels(Project& project, const UnlinkTaxels& edit);
 
-/// Drops links for which `gone(id)` holds at either end, and planes without links.
+/// Removes links with a taxel for which `gone(id)` is true, and then planes without links.
 template <class Gone>
 void drop_links(std::vector<Mirror>& mirrors, const Gone& gone) {
   for (Mirror& mirror : mirrors)

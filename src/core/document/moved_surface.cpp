@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/document/fixes.h"
+#include "core/document/taxel_fixes.h"
 
 namespace taxel {
 

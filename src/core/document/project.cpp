@@ -70,6 +70,33 @@ std::vector<int> unused_ids(const Layout& layout, std::size_t count) {
   return ids;
 }
 
+std::vector<std::string> make_ids_unique(Layout& layout) {
+  std::vector<std::string> notes;
+  std::set<int> ids;
+  for (Taxel& taxel : layout.taxels) {
+    if (taxel.id >= 0 && ids.insert(taxel.id).second) continue;
+    const int old = taxel.id;
+    taxel.id = unused_ids(layout, 1).front();
+    ids.insert(taxel.id);
+    notes.push_back(fmt::format("/taxels/{}: the id {} {}, this taxel is {} now", &taxel - layout.taxels.data(), old,
+                                old < 0 ? "is negative" : "is that of another taxel", taxel.id));
+  }
+  return notes;
+}
+
+std::vector<Taxel> with_unused_ids(std::vector<Taxel> taxels, const Layout& layout) {
+  std::set<int> taken;
+  for (const Taxel& taxel : layout.taxels) taken.insert(taxel.id);
+  std::vector<Taxel*> without_id;
+  for (Taxel& taxel : taxels)
+    if (taxel.id < 0 || !taken.insert(taxel.id).second) without_id.push_back(&taxel);
+  Layout all = layout;
+  for (const Taxel& taxel : taxels) all.taxels.push_back(taxel);
+  const std::vector<int> ids = unused_ids(all, without_id.size());
+  for (std::size_t i = 0; i < without_id.size(); ++i) without_id[i]->id = ids[i];
+  return taxels;
+}
+
 void check_project(const Project& project) {
   std::set<int> ids;
   check_ids(project.layout, ids);

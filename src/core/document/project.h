@@ -1,7 +1,7 @@
-// The document that the window edits: a plain value. Everything that a user saves is in it, nothing stands in it twice;
-// what is computed from it (mesh, samples, fields) is not part of it.
+// The document that the window edits, as a plain value. It holds all values that a user saves, each once. Values
+// computed from it (mesh, samples, fields) are not part of it.
 //
-// Taxels are known by their ids, which are unique in a project; an index changes with the order.
+// The id of a taxel is unique in a project. Its index changes with the order of the taxels.
 #pragma once
 
 #include <memory>
@@ -18,9 +18,9 @@
 
 namespace taxel {
 
-/// Two taxels that are mirror images of each other and stay so: when one is edited, the other follows.
+/// Two taxels that remain mirror images of each other: an edit of one changes the other.
 struct MirrorLink {
-  int taxel = 0, image = 0;  ///< ids
+  int taxel = 0, image = 0;  ///< ids of the taxels
   bool operator==(const MirrorLink&) const = default;
 };
 
@@ -31,44 +31,52 @@ struct Mirror {
   bool operator==(const Mirror&) const = default;
 };
 
-/// How the camera stood when the project was saved: it orbits about `target`, z up.
+/// The camera when the project was saved. It orbits about `target`, with z up.
 struct View {
-  dvec3 target{0};            ///< [m], world
+  dvec3 target{0};            ///< centre of the orbit, frame W [m]
   double azimuth_deg = 135;   ///< direction from target to eye, about +z from +x
   double elevation_deg = 25;  ///< above the horizon
-  double distance = 0.15;     ///< from eye to target [m]
-  double fov_deg = 40;        ///< vertical
+  double distance = 0.15;     ///< distance between eye and target [m]
+  double fov_deg = 40;        ///< vertical field of view
   bool operator==(const View&) const = default;
 };
 
 struct Project {
-  /// What is exported; carries nothing of what follows. In a document layout.mesh.file is absolute, so that it means
-  /// the same wherever the document is saved to.
+  /// The exported layout. In a document, layout.mesh.file is absolute, so it remains valid when the document is saved
+  /// to another folder.
   Layout layout;
   Scenario scenario;
-  /// Not edited: the camera is the window's. Saving puts in where it stands, opening takes it from here; undo leaves
-  /// it.
+  /// The saved camera, or empty. Edits and undo do not change it: saving writes the window's camera here, and opening
+  /// restores it.
   std::optional<View> view;
   std::vector<Mirror> mirrors;
-  std::vector<int> hidden;  ///< ids of taxels that are not shown, ascending
+  std::vector<int> hidden;  ///< ids of hidden taxels, ascending
   bool operator==(const Project&) const = default;
 };
 using ProjectPtr = std::shared_ptr<const Project>;
 
-/// The taxel of an id, or null.
+/// Returns the taxel with this id, or null.
 const Taxel* find_taxel(const Layout& layout, int id);
-/// The same, index in layout.taxels. Throws Error naming the taxel.
+/// Returns the index of the taxel in layout.taxels. Throws Error that names the taxel if there is none.
 std::size_t taxel_index(const Layout& layout, int id);
 
-/// The index of each id, for many at once.
+/// Returns the index of each id, for many look-ups.
 std::unordered_map<int, std::size_t> taxel_indices(const Layout& layout);
 
-/// `count` ids that no taxel has, ascending, following the largest one. Throws Error where none is left.
+/// Returns `count` ascending ids that follow the largest id of the layout. Throws Error if no id is left.
 std::vector<int> unused_ids(const Layout& layout, std::size_t count);
 
-/// What a project must be beside what layout_check tells about its layout: ids unique; links and hidden ids of taxels
-/// there are; no taxel linked to itself or twice across one plane; hidden ascending. Throws Error with the
-/// JSON pointer of the first place where it is not.
+/// Gives each taxel whose id is negative, or equal to the id of an earlier taxel, an unused id. Returns a note for each
+/// change. Call it before a layout from another source becomes a project.
+std::vector<std::string> make_ids_unique(Layout& layout);
+
+/// Returns taxels from another source (pasted, duplicated, generated) with ids for adding to the layout. A taxel keeps
+/// its id if no taxel in the layout or earlier in the list has it; the others get unused ids.
+std::vector<Taxel> with_unused_ids(std::vector<Taxel> taxels, const Layout& layout);
+
+/// Checks the rules of a project that layout_check does not check: ids are unique, links and hidden ids refer to
+/// existing taxels, no taxel is linked to itself or twice across one plane, and hidden ids ascend. Throws Error with
+/// the JSON pointer of the first violation.
 void check_project(const Project& project);
 
 }  // namespace taxel

@@ -6,7 +6,6 @@
 
 #include "core/base/files.h"
 #include "core/base/text/json_reader.h"
-#include "core/document/edit.h"
 #include "core/document/scenario/scenario_json.h"
 #include "core/layout/file/layout_json.h"
 

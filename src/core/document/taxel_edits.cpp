@@ -22,8 +22,8 @@ void must_be_new(std::set<int>& seen, int id) {
   if (!seen.insert(id).second) fail(id, "is listed twice");
 }
 
-/// A layout keeps the keys that this program does not know by the index of their object ("/taxels/3/note"): gives those
-/// below `start` the index new_index(old), or drops them where that is negative.
+/// Changes the indices of unknown keys below `start` ("/taxels/3/note") to new_index(old), because a layout stores them
+/// by the index of their object. Removes the keys whose new index is negative.
 void move_unknown_keys(Layout& layout, const std::string& start,
                        const std::function<std::int64_t(std::size_t)>& new_index) {
   std::map<std::string, std::string> moved;
@@ -42,7 +42,7 @@ void move_unknown_keys(Layout& layout, const std::string& start,
   layout.unknown = std::move(moved);
 }
 
-/// Of each old index, -1 where the item is dropped.
+/// Returns the new index of each old index, or -1 if the item is removed.
 template <class Item, class Drop>
 std::vector<std::int64_t> indices_without(const std::vector<Item>& items, const Drop& drop) {
   std::vector<std::int64_t> to;
@@ -58,7 +58,7 @@ void drop_items(Layout& layout, std::vector<Item>& items, const std::string& sta
   std::erase_if(items, drop);
 }
 
-/// The rotation by the shortest way from one direction to another, less than 90 degrees apart; none otherwise.
+/// Returns the shortest rotation from one direction to another, or nothing if they are 90 degrees or more apart.
 std::optional<dmat3> small_turn(const dvec3& from, const dvec3& to) {
   const dvec3 a = glm::normalize(from), b = glm::normalize(to);
   if (!(glm::dot(a, b) > 0.0)) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<dmat3> small_turn(const dvec3& from, const dvec3& to) {
   return glm::mat3_cast(q);
 }
 
-/// Subtaxels go where their taxel goes.
+/// Moves and turns the subtaxels together with their taxel.
 void carry_subtaxels(const Taxel& before, Taxel& taxel) {
   const bool turns = taxel.normal != before.normal;
   const std::optional<dmat3> R = turns ? small_turn(before.normal, taxel.normal) : std::nullopt;
@@ -97,8 +97,8 @@ ChangedFields change_taxel(const TaxelChange& change, Taxel& taxel) {
           .subtaxels = change.subtaxels.has_value() || (change.center && !taxel.subtaxels.empty())};
 }
 
-/// Throws Error("", "taxel ID: FIELD", ...) for the first error of layout_check in these taxels that concerns(index,
-/// field), field being "center", "normal", "radius", "subtaxels" or "id".
+/// Throws Error("", "taxel ID: FIELD", ...) for the first error of layout_check in these taxels for which
+/// concerns(index, field) is true; the field is "center", "normal", "radius", "subtaxels" or "id".
 template <class Concerns>
 void require_usable(const std::vector<Taxel>& taxels, const Concerns& concerns) {
   Layout layout;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 
-/// Where in a layout a problem is: a taxel, or one of its subtaxels.
+/// The place of a problem in a layout: a taxel, or one of its subtaxels.
 struct Place {
   std::size_t taxel = 0;
   std::optional<std::size_t> subtaxel;
@@ -39,7 +39,7 @@ std::optional<Place> place_of(const std::string& pointer, const Layout& layout) 
   return place;
 }
 
-/// What a taxel and a subtaxel have in common.
+/// The values that a taxel and a subtaxel share.
 struct Disc {
   dvec3 center, normal;
   double radius;
@@ -52,18 +52,18 @@ Disc disc_of(const T& t) {
 struct OnSkin {
   dvec3 position, normal;
 };
-/// The normal is the smooth one, or the face's where the two are so far apart that layout_check would complain again:
-/// of the angle, or because no sample around has a normal within the receptive field's.
+/// Returns the place on the skin with the smooth normal, or with the face's normal if the two differ so much that
+/// layout_check would report the angle, or would find no sample with a normal near that of the receptive field.
 OnSkin nearest_on(const MeshIndex& skin, const dvec3& center, double max_angle_deg = 180.0) {
   const SurfacePoint at = skin.closest_point(center);
   const dvec3 smooth = smooth_normal(skin.mesh(), at),
               face = skin.mesh().face_normals()[static_cast<std::size_t>(at.face)];
-  const double steep = 53.0, part = 0.9;  // degrees, where the check's limit is 60
+  const double steep = 53.0, part = 0.9;  // degrees; the limit of the check is 60
   const double least_cosine = std::cos(std::min(steep, part * max_angle_deg) * kPi / 180.0);
   return {at.position, glm::dot(smooth, face) < least_cosine ? face : smooth};
 }
 
-/// The median radius of the other taxels that have one.
+/// Returns the median of the valid radii of the other taxels.
 std::optional<double> usual_radius(const Layout& layout) {
   std::vector<double> radii;
   for (const Taxel& taxel : layout.taxels)
@@ -73,7 +73,7 @@ std::optional<double> usual_radius(const Layout& layout) {
   return radii[radii.size() / 2];
 }
 
-/// One problem of one disc.
+/// The repair of one problem of a disc.
 class TaxelFix {
  public:
   TaxelFix(const Problem& problem, const Project& project, const MeshIndex* skin, const Place& place)
@@ -100,7 +100,7 @@ class TaxelFix {
     return place_.subtaxel ? fmt::format("subtaxel {} of taxel {}", *place_.subtaxel, taxel_.id)
                            : fmt::format("taxel {}", taxel_.id);
   }
-  /// The edit that gives the disc these values.
+  /// Returns the edit that gives the disc these values.
   [[nodiscard]] Edit set(const Disc& disc) const {
     TaxelChange change;
     change.id = taxel_.id;
@@ -147,7 +147,7 @@ class TaxelFix {
     if (const auto usual = usual_radius(project_.layout)) return resized(*usual, "the median of the taxels");
     return resized(Taxel().radius, "the default");
   }
-  /// Millimetres or micrometres, read as metres.
+  /// Returns a repair of a radius in millimetres or micrometres that was read as metres.
   std::optional<Fix> shrink_radius() const {
     if (skin_ == nullptr) return std::nullopt;
     for (const double unit : {1e-3, 1e-6})
@@ -156,7 +156,7 @@ class TaxelFix {
                        unit == 1e-3 ? "as if it was in millimetres" : "as if it was in micrometres");
     return std::nullopt;
   }
-  /// Samples are about 1/sqrt(density) apart: three times that holds some thirty.
+  /// Returns a repair with a radius of three times the distance of samples, 1/sqrt(density): about thirty samples.
   std::optional<Fix> reach_samples() const {
     const double radius = 3.0 / std::sqrt(project_.layout.sampling.density);
     if (!(radius > disc_.radius) || !std::isfinite(radius)) return std::nullopt;

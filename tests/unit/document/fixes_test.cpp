@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "core/document/apply_edit.h"
+#include "core/document/taxel_fixes.h"
 #include "core/layout/check/layout_check.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/make/primitives.h"

@@ -1,6 +1,7 @@
 // All repairs at once: what can be mended is, in one edit; the rest is told.
 #include <gtest/gtest.h>
 
+#include "core/document/apply_edit.h"
 #include "core/document/fixes.h"
 #include "core/document/history.h"
 #include "core/layout/check/layout_check.h"

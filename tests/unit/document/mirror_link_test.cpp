@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/rng.h"
-#include "core/document/edit.h"
+#include "core/document/apply_edit.h"
 #include "core/layout/generators/onto_skin.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/document/apply_edit.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {
