@@ -183,7 +183,7 @@ std::vector<Time> measure_hand_over(const Document& document) {
       build_sensor_model(document.project.layout, document.mesh.mesh, document.mesh.sha256, document.file, how);
   edits.open(std::make_shared<const Project>(document.project),
              std::make_shared<const studio::OpenMesh>(document.mesh, MeshFindings{}), document.file, "");
-  const ui::ProbeRequest request{probe_of(document.project), ""};
+  const Probe request = probe_of(document.project);
   probe.press(model, request);
   probe.wait();
   std::vector<Time> times;

@@ -9,22 +9,16 @@
 
 namespace taxel::ui {
 
-struct ProbeRequest {
-  Probe probe;
-  std::string mesh_file;  ///< file of the mesh of a ProbeMesh, otherwise empty
-  bool operator==(const ProbeRequest&) const = default;
-};
-
 struct PressedProbe {
   SensorModelPtr model;  ///< pressed on; never null
-  ProbeRequest request;
-  std::string problem;  ///< why it cannot be pressed; then nothing below counts
-  TriMeshPtr mesh;      ///< the probe as drawn
-  Pose X_MG;            ///< pose of the probe's mesh
-  SensorStep state;     ///< state of the model at rest, with its frame M as the world
-  double force = 0;     ///< force of the pressure on the sensor [N]
-  double area = 0;      ///< area of the contact surface [m^2]
-  double largest = 0;   ///< pressure [Pa]
+  Probe probe;           ///< the requested probe; a ProbeMesh has its file only
+  std::string problem;   ///< why it cannot be pressed; then nothing below counts
+  TriMeshPtr mesh;       ///< the probe as drawn
+  Pose X_MG;             ///< pose of the probe's mesh
+  SensorStep state;      ///< state of the model at rest, with its frame M as the world
+  double force = 0;      ///< force of the pressure on the sensor [N]
+  double area = 0;       ///< area of the contact surface [m^2]
+  double largest = 0;    ///< pressure [Pa]
   int polygons = 0;
 };
 using PressedProbePtr = std::shared_ptr<const PressedProbe>;

@@ -20,24 +20,24 @@ class ProbeJobTest : public testing::Test {
     SensorBuild how;
     how.cache = &cache;
     document = built_in_fingertip(how);
-    request.probe.point = document.model->layout.taxels.front().center;
+    probe.point = document.model->layout.taxels.front().center;
   }
   SensorCache cache;
   Document document;
-  ui::ProbeRequest request;
+  Probe probe;
   std::atomic<int> woken = 0;
   JobPool pool;
   ProbeJob job{pool, [this] { ++woken; }};
 };
 
 TEST_F(ProbeJobTest, TellsWhatAPressReads) {
-  job.press(document.model, request);
+  job.press(document.model, probe);
   job.wait();
   const ui::PressedProbePtr pressed = job.newest();
   ASSERT_NE(pressed, nullptr);
   EXPECT_EQ(pressed->problem, "");
   ProbePress expected;
-  taxel::press(*document.model, request.probe, expected);
+  taxel::press(*document.model, probe, expected);
   EXPECT_EQ(pressed->state.readings, expected.reading.values);
   EXPECT_EQ(pressed->force, glm::length(expected.wrench.force));
   EXPECT_EQ(pressed->area, expected.surface.area());
@@ -49,14 +49,14 @@ TEST_F(ProbeJobTest, TellsWhatAPressReads) {
 
 TEST_F(ProbeJobTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
   for (int i = 1; i <= 100; ++i) {
-    request.probe.depth = 1e-5 * i;
-    job.press(document.model, request);
+    probe.depth = 1e-5 * i;
+    job.press(document.model, probe);
   }
   job.wait();
-  EXPECT_EQ(job.newest()->request, request);
+  EXPECT_EQ(job.newest()->probe, probe);
   EXPECT_LT(woken, 100) << "those in between were dropped";
   const int before = woken;
-  job.press(document.model, request);
+  job.press(document.model, probe);
   job.wait();
   EXPECT_EQ(woken, before);
 }
@@ -65,7 +65,7 @@ TEST_F(ProbeJobTest, AModelThatIsBuiltComesWithItsReading) {
   EditSession edits(
       pool, cache, [] {}, [this](const SensorModelPtr& model) { job.model_built(model); });
   edits.open(document.project, document.mesh, "");
-  job.press(document.model, request);
+  job.press(document.model, probe);
   job.wait();
   TaxelChange change;
   change.id = document.model->layout.taxels.front().id;
@@ -79,7 +79,7 @@ TEST_F(ProbeJobTest, AModelThatIsBuiltComesWithItsReading) {
   const ui::PressedProbePtr pressed = job.newest();
   EXPECT_EQ(pressed->model, model) << "read before it was told";
   const int before = woken;
-  job.press(model, request);
+  job.press(model, probe);
   EXPECT_FALSE(job.busy());
   EXPECT_EQ(woken, before);
 }
@@ -88,19 +88,18 @@ TEST_F(ProbeJobTest, SaysWhyItCannotPress) {
   const test::TempFolder folder;
   const std::string file = (folder.path() / "flat.off").string();
   std::ofstream(file) << "OFF\n3 2 0\n0 0 0\n0.01 0 0\n0 0.01 0\n3 0 1 2\n3 0 2 1\n";
-  const auto problem = [&](const ProbeShape& shape, const std::string& mesh_file) {
-    request.probe.shape = shape;
-    request.mesh_file = mesh_file;
-    job.press(document.model, request);
+  const auto problem = [&](const ProbeShape& shape) {
+    probe.shape = shape;
+    job.press(document.model, probe);
     job.wait();
     return job.newest()->problem;
   };
-  EXPECT_NE(problem(ProbeSphere{-1}, "").find("radius"), std::string::npos);
-  EXPECT_NE(problem(ProbeMesh{}, "").find("choose a mesh file"), std::string::npos);
-  EXPECT_NE(problem(ProbeMesh{}, "no such.obj").find("no such.obj"), std::string::npos);
-  const std::string flat = problem(ProbeMesh{}, file);
+  EXPECT_NE(problem(ProbeSphere{-1}).find("radius"), std::string::npos);
+  EXPECT_NE(problem(ProbeMesh{nullptr, ""}).find("choose a mesh file"), std::string::npos);
+  EXPECT_NE(problem(ProbeMesh{nullptr, "no such.obj"}).find("no such.obj"), std::string::npos);
+  const std::string flat = problem(ProbeMesh{nullptr, file});
   EXPECT_NE(flat.find("encloses nothing"), std::string::npos) << flat;
-  EXPECT_EQ(problem(ProbeMesh{}, TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj"), "");
+  EXPECT_EQ(problem(ProbeMesh{nullptr, TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj"}), "");
   EXPECT_GT(job.newest()->area, 0);
 }
 
@@ -120,10 +119,9 @@ TEST_F(ProbeJobTest, PressesAnOpenMeshAsItsRepairClosesIt) {
                                [&](const ivec3& a, const ivec3& b) { return height(a) < height(b); }));
   save_mesh(open, TriMesh(whole.vertices(), faces));
   ASSERT_FALSE(load_mesh(open).mesh->closed());
-  request.probe.shape = ProbeMesh{};
   const auto pressed = [&](const std::filesystem::path& file) {
-    request.mesh_file = file.string();
-    job.press(document.model, request);
+    probe.shape = ProbeMesh{nullptr, file.string()};
+    job.press(document.model, probe);
     job.wait();
     return job.newest();
   };
@@ -138,7 +136,7 @@ TEST_F(ProbeJobTest, PressesAnOpenMeshAsItsRepairClosesIt) {
 }
 
 TEST_F(ProbeJobTest, WithoutAWishThereIsNoReading) {
-  job.press(document.model, request);
+  job.press(document.model, probe);
   job.press(document.model, std::nullopt);
   job.wait();
   EXPECT_EQ(job.newest(), nullptr);

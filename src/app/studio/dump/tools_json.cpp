@@ -13,27 +13,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* to_string(ui::ProbeKind kind) {
-  switch (kind) {
-    case ui::ProbeKind::sphere:
-      return "sphere";
-    case ui::ProbeKind::edge:
-      return "edge";
-    case ui::ProbeKind::point:
-      return "point";
-    case ui::ProbeKind::mesh:
-      return "mesh";
-  }
-  return "";
-}
-
 Json probe_json(const ui::UiState& ui, const ui::UiInput& input) {
   if (!ui.probe.on) return nullptr;
   const ui::ProbeSettings& settings = ui.probe.settings;
   Json json = Json::object();
   json["held"] = ui.probe.held;
-  json["shape"] = to_string(settings.kind);
-  json["radius"] = settings.sphere.radius;
+  json["shape"] = std::visit([](const auto& shape) { return shape.kWord; }, settings.shape());
+  json["radius"] = settings.sphere().radius;
   json["modulus"] = settings.material.modulus;
   json["depth"] = settings.depth;
   json["at"] = ui.probe.at ? Json{ui.probe.at->x, ui.probe.at->y, ui.probe.at->z} : Json(nullptr);
@@ -42,14 +28,12 @@ Json probe_json(const ui::UiState& ui, const ui::UiInput& input) {
   json["reading"] = nullptr;
   const SensorStep* state = input.shown_state(ui);
   if (state != nullptr && ui.mode == ui::Mode::layout) {
-    json["reading"] = {
-        {"force", input.probe->force},
-        {"area", input.probe->area},
-        {"polygons", input.probe->polygons},
-        {"max_pressure", input.probe->largest},
-        {"point",
-         {input.probe->request.probe.point.x, input.probe->request.probe.point.y, input.probe->request.probe.point.z}},
-        {"values", state->readings}};
+    json["reading"] = {{"force", input.probe->force},
+                       {"area", input.probe->area},
+                       {"polygons", input.probe->polygons},
+                       {"max_pressure", input.probe->largest},
+                       {"point", {input.probe->probe.point.x, input.probe->probe.point.y, input.probe->probe.point.z}},
+                       {"values", state->readings}};
   }
   return json;
 }

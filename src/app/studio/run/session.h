@@ -61,7 +61,7 @@ class Session {
   /// As soon as the newest model is built, the simulation reads by it.
   void hand_over() { hand_over_wanted_ = true; }
   /// Presses the probe on what is edited, after every edit anew; none: there is no probe.
-  void press(std::optional<ui::ProbeRequest> request);
+  void press(std::optional<Probe> probe);
   /// Measures between two points; none: nothing.
   void measure(std::optional<ui::MeasureRequest> request) { jobs_.measure.post(std::move(request)); }
   /// Works out the receptive fields of what this mode shows, for the pictures to come.
@@ -221,7 +221,7 @@ class Session {
   ui::ComparedPtr compared_;
   std::optional<ui::ExplainRequest> explain_request_;
   ui::ExplainedPtr explained_;
-  std::optional<ui::ProbeRequest> probe_request_;
+  std::optional<Probe> probe_request_;
   ui::PressedProbePtr pressed_;                                     ///< of the model that is shown
   std::optional<std::chrono::steady_clock::time_point> edited_at_;  ///< and its reading is not shown yet
   std::optional<double> edit_latency_;

@@ -71,8 +71,8 @@ void Session::after_edit(bool simulated) {
   hand_over_wanted_ = hand_over_wanted_ || simulated || holds_run();
 }
 
-void Session::press(std::optional<ui::ProbeRequest> request) {
-  probe_request_ = std::move(request);
+void Session::press(std::optional<Probe> probe) {
+  probe_request_ = std::move(probe);
   if (!probe_request_) {
     pressed_.reset();
     edited_at_.reset();

@@ -26,11 +26,10 @@ class ProbePresser {
  public:
   void operator()(const ProbeInput& input, ui::PressedProbe& out) {
     out.model = input.model;
-    out.request = input.request;
-    Probe probe = input.request.probe;
-    const std::string& file = input.request.mesh_file;
-    if (std::holds_alternative<ProbeMesh>(probe.shape))
-      probe.shape = ProbeMesh{meshes_.get(file, [&] { return load_probe(file); })};
+    out.probe = input.probe;
+    Probe probe = input.probe;
+    if (auto* shape = std::get_if<ProbeMesh>(&probe.shape))
+      shape->mesh = meshes_.get(shape->file, [&] { return load_probe(shape->file); });
     taxel::press(*input.model, probe, press_);
     out.mesh = press_.mesh;
     out.X_MG = press_.X_MG;
@@ -60,12 +59,12 @@ ProbeJob::ProbeJob(JobPool& pool, std::function<void()> wake)
           },
           std::move(wake)) {}
 
-void ProbeJob::press(const SensorModelPtr& model, const std::optional<ui::ProbeRequest>& request) {
-  post(model && request ? std::optional(ProbeInput{model, *request}) : std::nullopt);
+void ProbeJob::press(const SensorModelPtr& model, const std::optional<Probe>& probe) {
+  post(model && probe ? std::optional(ProbeInput{model, *probe}) : std::nullopt);
 }
 
 void ProbeJob::model_built(const SensorModelPtr& model) {
-  if (const std::optional<ProbeInput> input = posted(); input && model) run_here({model, input->request});
+  if (const std::optional<ProbeInput> input = posted(); input && model) run_here({model, input->probe});
 }
 
 }  // namespace taxel::studio

@@ -11,7 +11,7 @@ namespace taxel::studio {
 
 struct ProbeInput {
   SensorModelPtr model;
-  ui::ProbeRequest request;
+  Probe probe;
   bool operator==(const ProbeInput&) const = default;
 };
 
@@ -19,8 +19,8 @@ class ProbeJob : public NewestWins<ProbeInput, ui::PressedProbe> {
  public:
   ProbeJob(JobPool& pool, std::function<void()> wake);
 
-  /// Posts a press. Without a request or a model there is no reading any more.
-  void press(const SensorModelPtr& model, const std::optional<ui::ProbeRequest>& request);
+  /// Posts a press. Without a probe or a model there is no reading any more.
+  void press(const SensorModelPtr& model, const std::optional<Probe>& probe);
   /// Presses the requested probe on a model that was just built, on the worker that built it, so that the model and its
   /// reading arrive together.
   void model_built(const SensorModelPtr& model);

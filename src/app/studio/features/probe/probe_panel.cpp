@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <array>
-
 #include "app/studio/features/probe/probe_tool.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -18,67 +16,54 @@ namespace {
 constexpr double kSoftModulus = 100e3;  // of a probe that is made soft first [Pa]
 constexpr double kThinnest = 1e-5, kSharpest = 1, kBluntest = 179;
 
-/// A row with a choice out of names; the number of the one that was chosen now, or -1.
-template <std::size_t N>
-int choice_row(UiState& ui, const char* name, const std::array<const char*, N>& names, int chosen) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", name);
-  ImGui::TableNextColumn();
+/// Draws a row with a choice of names. Returns the index of the name that the user chooses now.
+std::optional<std::size_t> choice_row(UiState& ui, const char* name, const std::vector<const char*>& names,
+                                      std::size_t chosen) {
+  begin_property(name);
   ImGui::SetNextItemWidth(-1);
-  int result = -1;
-  const std::string id = std::string("##") + name;
-  const bool open = ImGui::BeginCombo(id.c_str(), names[static_cast<std::size_t>(chosen)]);
+  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), names[chosen]);
   if (!open) ui.widgets.note_item(std::string("Probe/") + name);
+  std::optional<std::size_t> result;
   if (!open) return result;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (selectable(ui, names[i], static_cast<int>(i) == chosen)) result = static_cast<int>(i);
-  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (selectable(ui, names[i], i == chosen)) result = i;
   ImGui::EndCombo();
   return result;
 }
 
-/// `size` of the sensor, which a probe may have as well [m].
+void draw_field(UiState& ui, const FieldSpec& field, double& value, double size) {
+  if (field.quantity == FieldQuantity::angle)
+    property_field(ui, field.label, &value, 1, "%.0f\u00b0", kSharpest, kBluntest);
+  else
+    property_field(ui, field.label, &value, 1e3, "%.2f mm", kThinnest, size);
+}
+
+void draw_field(UiState& ui, const FieldSpec& field, std::string& file, double /*size*/) {
+  begin_property(field.label);
+  if (const auto typed = text_field(ui, "Probe file", {file})) file = *typed;
+  tooltip(field.help);
+}
+
+/// Draws the shape and its fields. `size` is the largest length of a probe: the size of the sensor [m].
 void draw_shape(UiState& ui, double size) {
-  constexpr std::array kKinds = {"Sphere", "Edge", "Point", "Mesh file"};
   ProbeSettings& s = ui.probe.settings;
-  if (const int kind = choice_row(ui, "Shape", kKinds, static_cast<int>(s.kind)); kind >= 0)
-    s.kind = static_cast<ProbeKind>(kind);
-  switch (s.kind) {
-    case ProbeKind::sphere:
-      property_field(ui, "Radius", &s.sphere.radius, 1e3, "%.2f mm", kThinnest, size);
-      break;
-    case ProbeKind::edge:
-      property_field(ui, "Length", &s.edge.length, 1e3, "%.2f mm", kThinnest, size);
-      property_field(ui, "Angle", &s.edge.angle_deg, 1, "%.0f\u00b0", kSharpest, kBluntest);
-      break;
-    case ProbeKind::point:
-      property_field(ui, "Height", &s.point.height, 1e3, "%.2f mm", kThinnest, size);
-      property_field(ui, "Angle", &s.point.angle_deg, 1, "%.0f\u00b0", kSharpest, kBluntest);
-      break;
-    case ProbeKind::mesh:
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::AlignTextToFramePadding();
-      ImGui::TextDisabled("File");
-      ImGui::TableNextColumn();
-      if (const auto file = text_field(ui, "Probe file", {s.mesh_file})) s.mesh_file = *file;
-      tooltip("Path of a closed mesh, which is pressed along its -z");
-      break;
-  }
-  if (s.kind == ProbeKind::edge || s.kind == ProbeKind::mesh)
-    property_field(ui, "Turned", &s.roll_deg, 1, "%.0f\u00b0", -180, 180);
+  std::vector<const char*> labels;
+  for (const ProbeShape& shape : s.shapes)
+    labels.push_back(std::visit([](const auto& one) { return one.kLabel; }, shape));
+  s.chosen = choice_row(ui, "Shape", labels, s.chosen).value_or(s.chosen);
+  const auto draw = [&](auto& shape) {
+    shape.visit([&](const FieldSpec& field, auto& value) { draw_field(ui, field, value, size); });
+    if (!shape.kIsRound) property_field(ui, "Turned", &s.roll_deg, 1, "%.0f\u00b0", -180, 180);
+  };
+  std::visit(draw, s.shapes[s.chosen]);
 }
 
 void draw_material(UiState& ui) {
-  constexpr std::array kKinds = {"Rigid", "Soft"};
   Material& material = ui.probe.settings.material;
-  const int kind = choice_row(ui, "Material", kKinds, material.compliant() ? 1 : 0);
-  if (kind >= 0) material.modulus = kind == 1 ? kSoftModulus : 0;
+  const auto kind = choice_row(ui, "Material", {"Rigid", "Soft"}, material.compliant() ? 1 : 0);
+  if (kind) material.modulus = *kind == 1 ? kSoftModulus : 0;
   if (!material.compliant()) return;
-  material.field = FieldKind::medial_axis;
-  if (ui.probe.settings.kind != ProbeKind::sphere) material.field = FieldKind::pad;
+  material.field = std::visit([](const auto& shape) { return shape.kField; }, ui.probe.settings.shape());
   property_field(ui, "Modulus", &material.modulus, 1e-3, "%.0f kPa", 1e3, 1e8);
 }
 

@@ -1,37 +1,50 @@
-// The probe in the hand: what it is, where it was put, how deep.
+// The state of the probe tool: shape, place and depth of the probe.
 #pragma once
 
 #include <optional>
-#include <string>
+#include <variant>
+#include <vector>
 
 #include "core/sensor/probe/probe.h"
 
 namespace taxel::ui {
 
-enum class ProbeKind { sphere, edge, point, mesh };
+/// Returns one probe of each shape with default values, in the order of the variant.
+template <std::size_t I = 0>
+std::vector<ProbeShape> default_probe_shapes() {
+  if constexpr (I == std::variant_size_v<ProbeShape>) {
+    return {};
+  } else {
+    std::vector<ProbeShape> shapes = default_probe_shapes<I + 1>();
+    shapes.insert(shapes.begin(), ProbeShape(std::in_place_index<I>));
+    return shapes;
+  }
+}
 
 struct ProbeSettings {
-  ProbeKind kind = ProbeKind::sphere;
-  ProbeSphere sphere;
-  ProbeEdge edge;
-  ProbePoint point;
-  std::string mesh_file;
-  Material material;     ///< modulus 0: rigid
-  double depth = 0.001;  ///< [m]
+  std::size_t chosen = 0;                                   ///< index of the shape in `shapes`
+  std::vector<ProbeShape> shapes = default_probe_shapes();  ///< last values of each shape
+  Material material;                                        ///< modulus 0 for a rigid probe
+  double depth = 0.001;                                     ///< [m]
   double roll_deg = 0;
+
+  [[nodiscard]] const ProbeShape& shape() const { return shapes[chosen]; }
+  [[nodiscard]] const ProbeSphere& sphere() const {
+    return std::get<ProbeSphere>(shapes[ProbeShape(ProbeSphere{}).index()]);
+  }
 };
 
 struct ProbeState {
-  bool on = false;          ///< taken up; without a place yet it presses nothing
-  bool held = false;        ///< it follows the pointer over the skin; else it stays where it is, and edits show there
-  std::optional<dvec3> at;  ///< on the skin, frame M
+  bool on = false;          ///< the tool is active; without a place the probe does not press
+  bool held = false;        ///< the probe follows the pointer over the skin
+  std::optional<dvec3> at;  ///< place on the skin, frame M
   ProbeSettings settings;
-  bool sized = false;             ///< the settings were fitted to a sensor, or changed by hand
-  bool pressed = false;           ///< the left button went down on it
-  bool dragged = false;           ///< and the pointer moved since
-  double depth_before = 0;        ///< when it went down [m]
-  double largest = 0;             ///< pressure since it was taken up [Pa]
-  std::optional<double> latency;  ///< from the last edit to its reading [s]
+  bool sized = false;             ///< the settings were fitted to the sensor
+  bool pressed = false;           ///< the left button was pressed on the probe
+  bool dragged = false;           ///< the pointer has moved since the press
+  double depth_before = 0;        ///< depth at the press [m]
+  double largest = 0;             ///< largest pressure since the activation [Pa]
+  std::optional<double> latency;  ///< time from the last edit to its reading [s]
 };
 
 }  // namespace taxel::ui

@@ -28,13 +28,10 @@ void set_depth(UiState& ui, const UiInput& input, double depth) {
   ui.probe.settings.depth = std::clamp(depth, 0.0, kDeepestProbe * size_of(input));
 }
 
-/// So that it neither hides the sensor nor is lost on it.
+/// Reduces all shapes to a size at which the probe does not hide the sensor.
 void fit_to_sensor(ProbeSettings& settings, double size) {
-  const double radius = std::min(settings.sphere.radius, kRadiusPart * size);
-  settings.sphere.radius = radius;
-  settings.edge.length = std::min(settings.edge.length, 4 * radius);
-  settings.edge.height = std::min(settings.edge.height, 4 * radius);
-  settings.point.height = std::min(settings.point.height, 4 * radius);
+  const double radius = std::min(settings.sphere().radius, kRadiusPart * size);
+  for (ProbeShape& shape : settings.shapes) std::visit([&](auto& one) { one.shrink_to(radius); }, shape);
   settings.depth = std::min(settings.depth, kFirstNotches * probe_notch(size));
 }
 
@@ -97,31 +94,17 @@ void toggle_probe(UiState& ui, const UiInput& input) {
   ui.probe.on = ui.probe.held = true;
 }
 
-std::optional<ProbeRequest> probe_request(const UiState& ui) {
+std::optional<Probe> probe_request(const UiState& ui) {
   const ProbeState& state = ui.probe;
   if (!state.on || !state.at || ui.mode != Mode::layout) return std::nullopt;
   const ProbeSettings& settings = state.settings;
-  ProbeRequest request;
-  switch (settings.kind) {
-    case ProbeKind::sphere:
-      request.probe.shape = settings.sphere;
-      break;
-    case ProbeKind::edge:
-      request.probe.shape = settings.edge;
-      break;
-    case ProbeKind::point:
-      request.probe.shape = settings.point;
-      break;
-    case ProbeKind::mesh:
-      request.probe.shape = ProbeMesh{};
-      request.mesh_file = settings.mesh_file;
-      break;
-  }
-  request.probe.material = settings.material;
-  request.probe.point = *state.at;
-  request.probe.depth = settings.depth;
-  request.probe.roll_deg = settings.roll_deg;
-  return request;
+  Probe probe;
+  probe.shape = settings.shape();
+  probe.material = settings.material;
+  probe.point = *state.at;
+  probe.depth = settings.depth;
+  probe.roll_deg = settings.roll_deg;
+  return probe;
 }
 
 bool handle_probe_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {

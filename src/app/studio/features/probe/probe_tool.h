@@ -13,8 +13,8 @@ inline constexpr double kDeepestProbe = 0.5;
 void toggle_probe(UiState& ui, const UiInput& input);
 void leave_probe(UiState& ui);
 
-/// The probe to press, or empty.
-[[nodiscard]] std::optional<ProbeRequest> probe_request(const UiState& ui);
+/// Returns the probe to press, or nothing.
+[[nodiscard]] std::optional<Probe> probe_request(const UiState& ui);
 
 /// The view's mouse, before other tools and the camera get it. x, y: pointer in pixels of the view. True: it is the
 /// probe's.
