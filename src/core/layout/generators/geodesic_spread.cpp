@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxCandidates = 1'000'000;
 
-/// The region's faces, ascending. Throws for a face that is none or stands twice.
+/// Returns the region's faces in ascending order. Throws Error for an invalid or repeated face.
 std::vector<int> region_faces(const Spread& spread, const TriMesh& mesh) {
   std::vector<int> faces = spread.faces;
   if (faces.empty()) {
@@ -33,7 +33,7 @@ std::vector<int> region_faces(const Spread& spread, const TriMesh& mesh) {
   return faces;
 }
 
-/// The faces as a mesh of their own, in the same order.
+/// Returns the faces as a separate mesh, in the same order.
 TriMesh part_of(const TriMesh& mesh, const std::vector<int>& faces) {
   std::vector<int> new_index(static_cast<std::size_t>(mesh.vertex_count()), -1);
   std::vector<dvec3> vertices;
@@ -67,7 +67,7 @@ int candidate_count(const Spread& spread) {
   return spread.candidates;
 }
 
-/// Candidates, and how far each is from the nearest taxel so far.
+/// Candidates, and the distance of each from the nearest chosen taxel.
 class FarthestPoints {
  public:
   FarthestPoints(const MeshIndex& skin, SurfacePool pool)
@@ -79,13 +79,13 @@ class FarthestPoints {
       on_face_[static_cast<std::size_t>(pool_.faces[static_cast<std::size_t>(i)])].push_back(i);
   }
 
-  /// The candidate farthest from all taxels so far; the lowest index among equals.
+  /// Returns the candidate that is farthest from all chosen taxels, the lowest index among equals.
   [[nodiscard]] int farthest() const {
     return static_cast<int>(std::max_element(distances_.begin(), distances_.end()) - distances_.begin());
   }
   [[nodiscard]] double distance(int candidate) const { return distances_[static_cast<std::size_t>(candidate)]; }
 
-  /// Where a candidate lies, on its own face: another sheet may touch the skin there.
+  /// Returns the place of a candidate on its own face, because another sheet may touch the skin there.
   [[nodiscard]] SurfacePoint place(int candidate, const TriMesh& mesh) const {
     const int face = pool_.faces[static_cast<std::size_t>(candidate)];
     const TrianglePoint nearest = nearest_on_triangle(pool_.positions[static_cast<std::size_t>(candidate)],
@@ -93,7 +93,7 @@ class FarthestPoints {
     return {nearest.position, face, nearest.barycentric, 0.0};
   }
 
-  /// Nothing beyond `reach`, the largest distance so far, can come nearer: paths end there.
+  /// Paths end at `reach`, the largest distance so far: farther candidates cannot become nearer.
   void choose(int candidate, double reach) {
     const auto chosen = static_cast<std::size_t>(candidate);
     geodesic_.propagate(pool_.faces[chosen], pool_.positions[chosen], reach);
@@ -125,7 +125,7 @@ SpreadTaxels geodesic_spread(const Spread& spread, const MeshIndex& skin, Progre
 
   SpreadTaxels result;
   result.least_distance = std::numeric_limits<double>::infinity();
-  const std::uint64_t stream = 7;  // apart from those that make the candidates
+  const std::uint64_t stream = 7;  // differs from the streams of the candidates
   int next = static_cast<int>(CounterRng(spread.seed, stream).bits(0) % static_cast<std::uint64_t>(candidates));
   for (int k = 0; k < spread.count; ++k) {
     if (progress) progress->check(static_cast<double>(k) / spread.count);

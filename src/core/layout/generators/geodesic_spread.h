@@ -1,4 +1,4 @@
-// Exactly N taxels spread over a region, each as far from the others along the skin as it can be.
+// Spreads N taxels over a region, with large distances between them along the skin.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@ namespace taxel {
 
 struct Spread {
   int count = 1;
-  std::vector<int> faces;  ///< the region, each face once; empty: the whole mesh
-  int candidates = 0;      ///< places to choose from; 0: 30 per taxel, at least 2000
+  std::vector<int> faces;  ///< faces of the region, each once; empty for the whole mesh
+  int candidates = 0;      ///< number of candidates; 0 for 30 per taxel, at least 2000
   std::uint64_t seed = 42;
-  double radius = 0.005;  ///< of the receptive fields [m]
+  double radius = 0.005;  ///< radius of the receptive fields [m]
 };
 
 struct SpreadTaxels {
-  std::vector<Taxel> taxels;  ///< ids in the order of choice: the first k are a spread of k
-  /// Least length of a path between two of them [m]; infinity for one taxel, or where no two are joined by a path.
+  std::vector<Taxel> taxels;  ///< taxels in the order of choice: the first k are a spread of k
+  /// Least length of a path between two taxels [m]; infinity for one taxel, or if no path joins two taxels.
   double least_distance = 0;
 };
 
-/// Farthest points first (Gonzalez 1985, "Clustering to minimize the maximum intercluster distance"), by exact geodesic
-/// distance, among candidates that are even over the region's area. The least distance is at least half of the largest
-/// that any `count` of the candidates can have. The seed makes the candidates and picks the first taxel; ties go to the
-/// candidate of the lowest index. Paths may leave the region. Throws Error naming the parameter, Cancelled through
-/// `progress`.
+/// Returns taxels chosen farthest point first (Gonzalez 1985, "Clustering to minimize the maximum intercluster
+/// distance") by exact geodesic distance, among candidates that are even over the region's area. The least distance is
+/// at least half of the largest one that any `count` candidates can have. The seed determines the candidates and the
+/// first taxel; of equally far candidates the one of the lowest index is chosen. Paths may leave the region. Throws
+/// Error that names the parameter, and Cancelled through `progress`.
 SpreadTaxels geodesic_spread(const Spread& spread, const MeshIndex& skin, Progress* progress = nullptr);
 
 }  // namespace taxel

@@ -24,7 +24,7 @@ std::vector<Taxel> planar_grid(const Grid& grid) {
   const dvec3 normal = require_direction("grid", "normal", grid.normal);
   const dvec3 along = require_direction("grid", "along_row", grid.along_row);
   const dvec3 in_plane = along - glm::dot(along, normal) * normal;
-  const double parallel = 1e-6;  // sine of the smallest angle that still tells a direction in the plane
+  const double parallel = 1e-6;  // sine of the smallest angle that defines a direction in the plane
   if (glm::length(in_plane) < parallel) throw Error("grid", "along_row", "must not be parallel to normal");
   const dvec3 to_column = glm::normalize(in_plane), to_row = glm::cross(normal, to_column);
   std::vector<Taxel> taxels;

@@ -21,7 +21,7 @@ void check(const GreyImage& image, const ImageDots& dots) {
   require_finite(kName, "center", dots.center);
 }
 
-/// The pixels of one dot, from its first one on; they are taken out of `inside`.
+/// Returns the pixels of the dot with this first pixel and removes them from `inside`.
 std::pair<dvec2, int> take_dot(const GreyImage& image, std::vector<bool>& inside, std::size_t first) {
   const auto width = static_cast<std::size_t>(image.width);
   dvec2 sum(0);
@@ -69,7 +69,7 @@ DotTaxels image_dots(const GreyImage& image, const ImageDots& dots, const MeshIn
   const dvec3 normal = require_direction(kName, "normal", dots.normal);
   const dvec3 along = require_direction(kName, "along_row", dots.along_row);
   const dvec3 in_plane = along - glm::dot(along, normal) * normal;
-  const double parallel = 1e-6;  // sine of the smallest angle that still tells a direction in the plane
+  const double parallel = 1e-6;  // sine of the smallest angle that defines a direction in the plane
   if (glm::length(in_plane) < parallel) throw Error(kName, "along_row", "must not be parallel to normal");
   if (centers.empty())
     throw Error(kName, "picture",

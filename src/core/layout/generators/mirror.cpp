@@ -7,7 +7,7 @@
 namespace taxel {
 namespace {
 
-/// x' = x - 2 ((x - p) . n) n, n a unit vector; directions: p = 0.
+/// Mirrors points: x' = x - 2 ((x - p) . n) n with a unit vector n. For directions, p = 0.
 dvec3 reflected(const dvec3& x, const dvec3& p, const dvec3& n) {
   return x - 2.0 * glm::dot(x - p, n) * n;
 }

@@ -1,4 +1,4 @@
-// The other half of a symmetric layout.
+// Mirror images of taxels, for the other half of a symmetric layout.
 #pragma once
 
 #include <string>
@@ -8,24 +8,23 @@
 
 namespace taxel {
 
-/// Through `point` [m], at right angles to `normal` (any length).
+/// A plane through `point` [m], at right angles to `normal` (any length).
 struct MirrorPlane {
   dvec3 point{0};
   dvec3 normal{1, 0, 0};
   bool operator==(const MirrorPlane&) const = default;
 };
 
-/// Each taxel at its mirror image: centres, normals, subtaxels; ids, names and order kept. Its own inverse.
-/// The images lie on the skin as well as the skin is symmetric. Throws Error naming the parameter.
+/// Returns the mirror images of centres, normals and subtaxels, with unchanged ids, names and order. The function is
+/// its own inverse. Images are off the skin as far as the skin is asymmetric. Throws Error that names the parameter.
 std::vector<Taxel> mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane);
 
-/// What an image is called: "left" and "right" change places, other names get " mirrored", none stays none.
+/// Returns the name of an image: "left" and "right" change places, other names get " mirrored", an empty name is empty.
 std::string mirrored_name(const std::string& name);
 
-/// The taxels, and after them the images of those that have none yet: taxels that lie on the plane, or whose image
-/// another taxel already is (to within `tolerance`, metres), add nothing, so doing it twice changes nothing. New ids
-/// follow the largest one, in the order of the originals, names are those of mirrored_name. Throws Error naming the
-/// parameter.
+/// Returns the taxels, and after them the missing images. A taxel on the plane, or with another taxel within
+/// `tolerance` [m] of its image, adds no image, so a second call changes nothing. New ids follow the largest id, in the
+/// order of the originals; names are those of mirrored_name. Throws Error that names the parameter.
 std::vector<Taxel> with_mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane,
                                       double tolerance = 1e-6);
 

@@ -1,4 +1,4 @@
-// Taxels whose places come from elsewhere (a table, a drawing), brought onto a skin.
+// Moves taxels from another source (a table, a drawing) onto a skin.
 #pragma once
 
 #include <limits>
@@ -9,9 +9,9 @@
 
 namespace taxel {
 
-/// Each taxel at the nearest point of the skin, with the smooth normal there; its subtaxels too. Ids, names, radii and
-/// order are kept. Throws Error("points", "taxel ID", ...) for one further than `farthest` [m] from the skin (its unit
-/// may be another one), or not finite.
+/// Returns the taxels and their subtaxels at the nearest points of the skin, with the smooth normals there. Ids, names,
+/// radii and order are unchanged. Throws Error("points", "taxel ID", ...) for a taxel that is farther than `farthest`
+/// [m] from the skin (its unit may be wrong), or not finite.
 std::vector<Taxel> onto_skin(std::vector<Taxel> taxels, const MeshIndex& skin,
                              double farthest = std::numeric_limits<double>::infinity());
 

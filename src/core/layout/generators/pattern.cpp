@@ -17,10 +17,10 @@ namespace taxel {
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-/// A table's taxels further from the skin than this part of the mesh's diagonal are in another unit, or of another
-/// mesh.
+/// Largest distance of a table's taxels from the skin, relative to the mesh's diagonal. Farther taxels are in another
+/// unit, or belong to another mesh.
 constexpr double kFarthestPart = 0.25;
-/// Normals of a flat preset are one: to this cosine.
+/// Least cosine between the normals of a flat preset.
 constexpr double kFlatCosine = 0.9998;
 
 void check_length(const char* name, double value) {
@@ -50,20 +50,21 @@ void check_values(const Pattern& p) {
   if (!std::isfinite(p.turn_deg)) throw Error("", "Turn", "must be a number");
 }
 
-/// By the right-hand rule about a unit vector.
+/// Turns a direction about a unit vector by the right-hand rule.
 dvec3 turned(const dvec3& direction, const dvec3& axis, double degrees) {
   const double angle = degrees * kPi / 180, c = std::cos(angle), s = std::sin(angle);
   return c * direction + s * glm::cross(axis, direction) + (1 - c) * glm::dot(axis, direction) * axis;
 }
 
-/// How high over the skin a plane may lie from which it is seen: halfway to what stands before it, or outside of all.
+/// Returns a height over the skin from which the skin is visible: half of the distance to the next surface above it, or
+/// a height outside of the mesh.
 double free_height(const PlacingFrame& frame, const MeshIndex& skin) {
   const double outside = 2 * skin.mesh().bounds().diagonal(), off_skin = 1e-6 * outside;
   const auto hit = skin.cast({frame.center + off_skin * frame.normal, frame.normal});
   return hit ? 0.5 * hit->t : outside;
 }
 
-/// One making: what all kinds need.
+/// The values that all kinds need.
 struct Making {
   const Pattern& pattern;
   const PatternSource& source;
@@ -188,7 +189,7 @@ struct Making {
     return flat ? laid_on(preset) : aligned(std::move(preset));
   }
 
-  /// A flat sensor is laid over the skin at the frame, its width along the rows.
+  /// Projects a flat sensor onto the skin at the frame, with its width along the rows.
   [[nodiscard]] PatternTaxels laid_on(const SensorPreset& preset) const {
     const std::vector<Taxel>& from = preset.layout.taxels;
     const dvec3 n = from.front().normal, u = row_direction(preset.layout.frame, n), v = glm::cross(n, u);
@@ -209,7 +210,8 @@ struct Making {
     return counted(std::move(taxels), from.size());
   }
 
-  /// A sensor that goes round: tips, directions and middles of the two meshes on one another, then to the nearest skin.
+  /// Aligns tips, directions and middles of the meshes of a curved sensor and of the skin, and then moves the taxels to
+  /// the nearest points of the skin.
   [[nodiscard]] PatternTaxels aligned(SensorPreset preset) const {
     const dmat3 from = axes_of(preset.layout.frame), to = axes_of(source.sensor);
     const dvec3 from_tip = tip_of(*preset.mesh, from), to_tip = tip_of(skin.mesh(), to);
@@ -218,19 +220,19 @@ struct Making {
     return {taxel::onto_skin(std::move(preset.layout.taxels), skin), 0, 0};
   }
 
-  /// distal, pad and their cross product as columns.
+  /// Returns distal, pad and their cross product as columns.
   static dmat3 axes_of(const SensorFrame& frame) {
     const dvec3 distal = glm::normalize(frame.distal), side = glm::normalize(glm::cross(distal, frame.pad));
     return {distal, glm::cross(side, distal), side};
   }
-  /// In these axes: the end along distal, the middle across.
+  /// Returns the end of the mesh along distal, and its middle across, in these axes.
   static dvec3 tip_of(const TriMesh& mesh, const dmat3& axes) {
     Aabb box;
     for (const dvec3& p : mesh.vertices()) box.include(glm::transpose(axes) * p);
     return {box.hi.x, box.center().y, box.center().z};
   }
 
-  static constexpr double kFlatArm = 1e-9;  // of the diagonal: the frame lies on the axis
+  static constexpr double kFlatArm = 1e-9;  // relative to the diagonal: the frame is on the axis
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ Taxel taxel_on(const TriMesh& skin, const SurfacePoint& at, int id, double radiu
 
 Taxel rounded(Taxel taxel) {
   const double per_metre = 1e7, per_unit = 1e6;
-  taxel.center = glm::round(taxel.center * per_metre) / per_metre + 0.0;  // + 0 turns -0 into 0
+  taxel.center = glm::round(taxel.center * per_metre) / per_metre + 0.0;  // + 0 replaces -0 by 0
   taxel.normal = glm::round(taxel.normal * per_unit) / per_unit + 0.0;
   return taxel;
 }

@@ -1,4 +1,4 @@
-// What all generators share: a taxel on a skin, and the error that names what is wrong.
+// Functions that all generators share: placing taxels on a skin, and checks of parameters.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,31 @@
 
 namespace taxel {
 
-/// The normal of the smooth surface that the mesh stands for: vertex normals interpolated over the face (Phong 1975).
-/// Unit; the face's own normal where they cancel.
+/// Returns the unit normal of the smooth surface that the mesh approximates: vertex normals interpolated over the face
+/// (Phong 1975), or the normal of the face if they cancel.
 dvec3 smooth_normal(const TriMesh& mesh, const SurfacePoint& at);
 
-/// A taxel at a point of the skin, with the smooth normal there. Radius of the receptive field in metres.
+/// Returns a taxel at a point of the skin, with the smooth normal there. `radius` is that of the receptive field [m].
 Taxel taxel_on(const TriMesh& skin, const SurfacePoint& at, int id, double radius);
 
-/// For files that people read: the centre to 0.1 micrometre, the normal to 1e-6.
+/// Rounds the centre to 0.1 micrometre and the normal to 1e-6, for files that people read.
 Taxel rounded(Taxel taxel);
 
-/// What becomes of the points of a pattern that are not over the skin.
+/// Treatment of the points of a pattern that are not over the skin.
 enum class Beyond {
-  refuse,    ///< an Error names the first
-  leave_out  ///< there are fewer taxels; an Error where none is left
+  refuse,    ///< the generator throws Error that names the first one
+  leave_out  ///< they get no taxels; Error if no taxel is left
 };
-/// The first point of the skin that a ray meets from outside. Where it misses the mesh or begins inside it: none for
-/// Beyond::leave_out, else an Error headed by `generator` and `where` (a parameter, or the row and column).
+/// Returns the first point of the skin on a ray from outside. If the ray misses the mesh or begins inside it, returns
+/// nothing for Beyond::leave_out, and otherwise throws Error(generator, where, ...); `where` is a parameter, or a row
+/// and column.
 std::optional<SurfacePoint> skin_under(const MeshIndex& skin, const dvec3& origin, const dvec3& direction,
                                        Beyond beyond, const std::string& generator, const std::string& where);
 
-/// Throws for Beyond::leave_out where nothing is left.
+/// Throws Error if there are no taxels.
 void require_some(const std::string& generator, const std::vector<Taxel>& taxels);
 
-/// Rules of parameters; each throws Error(generator, parameter, what it must be and is).
+// Rules of parameters. Each throws Error(generator, parameter, ...) with the rule and the value.
 void require_count(const std::string& generator, const std::string& parameter, int value);
 void require_positive(const std::string& generator, const std::string& parameter, double value);
 void require_finite(const std::string& generator, const std::string& parameter, const dvec3& value);
@@ -42,7 +43,7 @@ void require_finite(const std::string& generator, const std::string& parameter, 
 /// Returns the unit vector of a direction.
 dvec3 require_direction(const std::string& generator, const std::string& parameter, const dvec3& value);
 
-/// The most taxels that one generator makes.
+/// Largest number of taxels that one generator makes.
 inline constexpr int kMaxGeneratedTaxels = 100'000;
 
 }  // namespace taxel

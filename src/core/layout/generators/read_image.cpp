@@ -1,4 +1,4 @@
-// Pictures by stb_image. PNG and JPEG only: its readers of other formats take half a file for a whole one.
+// Reads images by stb_image. Only PNG and JPEG, because its other readers accept truncated files.
 #include "core/base/files.h"
 #include "core/layout/generators/image_dots.h"
 

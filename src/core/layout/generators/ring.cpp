@@ -18,7 +18,7 @@ class Inward {
     axis_ = require_direction(generator_, "axis", around.axis);
     const dvec3 first = require_direction(generator_, "first", around.first);
     const dvec3 across = first - glm::dot(first, axis_) * axis_;
-    const double parallel = 1e-6;  // sine of the smallest angle that still tells a half plane
+    const double parallel = 1e-6;  // sine of the smallest angle that defines a half plane
     if (glm::length(across) < parallel) throw Error(generator_, "first", "must not be parallel to axis");
     zero_ = glm::normalize(across);
     quarter_ = glm::cross(axis_, zero_);

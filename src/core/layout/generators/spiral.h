@@ -1,4 +1,4 @@
-// Taxels in the spiral of a sunflower's head, projected onto a skin.
+// Taxels in the spiral of a sunflower's seeds, projected onto a skin.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,19 @@
 
 namespace taxel {
 
-/// A disc outside of the skin, and where it is projected to.
+/// A disc outside of the skin, and the direction of its projection.
 struct Spiral {
   int count = 1;
-  dvec3 center{0};            ///< of the disc, outside of the skin [m]
-  dvec3 direction{0, 0, -1};  ///< of projection, at right angles to the disc; any length
+  dvec3 center{0};            ///< centre of the disc, outside of the skin [m]
+  dvec3 direction{0, 0, -1};  ///< direction of projection, the disc's normal; any length
   double disc_radius = 0.01;  ///< [m]
-  double radius = 0.005;      ///< of the receptive fields [m]
+  double radius = 0.005;      ///< radius of the receptive fields [m]
 };
 
-/// Taxel k lies at r = R sqrt((k + 1/2) / N), theta = k pi (3 - sqrt 5): equal area each (Vogel 1979, "A better way to
-/// construct the sunflower head"), then where the ray along `direction` first meets the skin. The angle is counted
-/// about -direction. Throws Error naming the parameter, or the taxel whose ray misses the skin.
+/// Returns taxels of equal area each (Vogel 1979, "A better way to construct the sunflower head"). Taxel k is at
+/// r = R sqrt((k + 1/2) / N), theta = k pi (3 - sqrt 5) about -direction on the disc, and then at the first
+/// intersection of the ray along `direction` with the skin. Throws Error that names the parameter, or the taxel whose
+/// ray misses the skin.
 std::vector<Taxel> sunflower(const Spiral& spiral, const MeshIndex& skin, Beyond beyond = Beyond::refuse);
 
 }  // namespace taxel
