@@ -2,6 +2,7 @@
 // never changed.
 #include "cli/taxel_program.h"
 #include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/mesh_io.h"
 #include "fixtures/finger_scene_xml.h"
 #include "fixtures/pad_meshes.h"
 #include "unit/mesh/broken_mesh.h"

@@ -1,6 +1,7 @@
 // The kept shear of a step: computed again by the history, or written by a saved step, with the same bits from both.
 #include <gtest/gtest.h>
 
+#include "core/layout/words.h"
 #include "core/run/bundle/frame_bundle.h"
 #include "core/run/recording/npz.h"
 #include "fixtures/box_sweep.h"

@@ -19,6 +19,7 @@
 #include "app/studio/script/script_player.h"
 #include "app/vector_json.h"
 #include "core/layout/file/layout_json.h"
+#include "core/layout/words.h"
 #include "core/mesh/repair/repair_message.h"
 #include "ui/scene/color_map.h"
 

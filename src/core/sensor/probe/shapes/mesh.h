@@ -11,7 +11,7 @@ struct ProbeMesh {
   static constexpr bool kIsRound = false;
   static constexpr FieldKind kField = FieldKind::pad;
   TriMeshPtr mesh;   ///< meshes are equal if they are the same object
-  std::string file;  ///< file that the window reads `mesh` from
+  std::string file = {};  ///< file that the window reads `mesh` from
 
   template <class V>
   void visit(const V& v) {
