@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/pick/camera.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

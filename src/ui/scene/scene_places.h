@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -7,106 +7,13 @@
 #include <vector>
 
 #include "core/base/shared_value.h"
-#include "core/run/frame.h"
 #include "ui/gl/rgb_image.h"
 #include "ui/gl/shader_source.h"
-#include "ui/scene/color_map.h"
 #include "ui/scene/field_numbers.h"
-#include "ui/scene/geometry/shown_fields.h"
-#include "ui/scene/marks_shown.h"
-#include "ui/scene/measured.h"
 #include "ui/scene/pick/camera.h"
-#include "ui/scene/pick/clip_plane.h"
-#include "ui/scene/pressed_probe.h"
-#include "ui/scene/shown_path.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
-
-/// The range of pressures [Pa] and the colour map, shared by surface, bars, rays, legend and plots.
-struct PressureRange {
-  double lo = 0, hi = 1;
-  bool automatic = true;
-  const ColorMap* colors = &kColorMaps.front();
-
-  /// Returns the colour of a pressure; all pressures have the first colour while the range is empty.
-  [[nodiscard]] glm::vec3 color(double pressure) const {
-    return colors->at(hi > lo ? (pressure - lo) / (hi - lo) : 0.0);
-  }
-  bool operator==(const PressureRange&) const = default;
-};
-
-/// Things drawn in the view; keys in brackets as in the keymap.
-struct Overlays {
-  bool sensor_transparent = true;  // [T]
-  bool wireframe = false;          // [W]
-  bool rays = true;                // [Y]
-  bool contact_surface = true;     // [C]
-  bool contact_edges = false;
-  bool tractions = false;          // [V] pressure and friction of each polygon, as arrows
-  bool readings_on_skin = false;   // [S] the taxels' readings, spread by the weights of their fields
-  bool ghost = true;               // of the step before's surface, while a reading is explained
-  bool filtered_polygons = false;  // polygons of the overlap that the surface left out
-  bool samples = true;             // [P]
-  bool sample_normals = false;     // [N]
-  bool taxels = true;              // centre and normal arrow
-  bool taxel_labels = true;
-  bool receptive_fields = true;  // ring on the surface
-  bool fields_filled = false;    // by the layout's metric
-  bool fields_compared = false;  // areas that only the Euclidean distance reaches
-  bool coverage = false;         // how many taxels see each spot
-  bool normal_angles = false;    // taxel normals coloured by their angle to the skin's
-  bool path = true;              // red line
-  bool grid = true;
-  bool constraints = true;  // points that welds and connections hold together
-  bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
-  GroupsShown geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
-  GroupsShown site_groups{true, true, true, false, false, false};  // [Shift+0] to [Shift+5]
-  FramesShown frames = FramesShown::none;                          // [F6]
-  LabelsShown labels = LabelsShown::none;                          // [F7]
-  bool operator==(const Overlays&) const = default;
-};
-
-/// Whether a geom is drawn. A sensor is, whatever the group of its geom.
-[[nodiscard]] inline bool shows(const Overlays& show, const SceneGeom& geom) {
-  return geom.sensor >= 0 || show.geom_groups.at(static_cast<std::size_t>(geom.group));
-}
-[[nodiscard]] inline bool shows(const Overlays& show, const SceneSite& site) {
-  return site.mesh && show.site_groups.at(static_cast<std::size_t>(site.group));
-}
-
-/// Of the maps that are on, the one that says most.
-[[nodiscard]] inline FieldMap field_map(const Overlays& show) {
-  if (show.coverage) return FieldMap::coverage;
-  if (show.fields_compared) return FieldMap::compared;
-  return show.fields_filled ? FieldMap::filled : FieldMap::none;
-}
-
-struct SceneInput {
-  SimFramePtr frame;              ///< displayed step; if null only grid and background are drawn
-  SensorModelPtr document_model;  ///< when there is no simulation: the layout alone at the origin; may be null
-  PressedProbePtr probe;          ///< pressed on that; may be null
-  Overlays overlays;
-  PressureRange range;
-  PressureRange reading_range;  ///< range of the colours of readings: `range`, unless they are no pressures
-  int selected_sensor = 0;
-  int selected_body = -1;            ///< index in SceneControls::bodies, or -1
-  int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
-  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
-  std::vector<int> hidden_taxels;    ///< indices in the document's layout, ascending; neither drawn nor picked
-  FaceSet region;                    ///< painted faces of the document's mesh, ascending
-  bool repair_changes = false;       ///< draws the changes by the repair of the document's mesh
-  ShownFieldsPtr fields;             ///< receptive fields computed elsewhere; null if there are none yet
-  std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
-  StepPtr before;                                    ///< previous step, whose surfaces are drawn as ghosts; may be null
-  int marked_surface = -1, marked_polygon = -1;      ///< outlined surface and polygon of the selected sensor, or -1
-  std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
-  MeasuredPtr measured;                              ///< a line on the document's skin; may be null
-  std::vector<dvec3> measure_points;                 ///< ends of the measured line, and one that is pointed at
-  std::optional<ShownPath> path;                     ///< the edited path, replaces the frame's path
-  bool dark = true;
-  double scale = 1;                                    ///< scale of lines, points and the gizmo, as of the interface
-  bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
-};
 
 class SceneRenderer {
  public:

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::ui {

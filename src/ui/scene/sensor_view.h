@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

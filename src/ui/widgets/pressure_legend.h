@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {

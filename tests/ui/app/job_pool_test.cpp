@@ -430,7 +430,7 @@ TEST_F(NewestWinsTest, StoresAnExceptionAsTheResultsProblem) {
   slot->post(1);
   slot->wait();
   EXPECT_EQ(slot->newest()->problem, "no memory");
-  EXPECT_EQ(slot->newest()->text, "1") << "what was filled before";
+  EXPECT_EQ(slot->newest()->text, "1") << "the result that was filled before";
   slot->post(2);
   slot->wait();
   EXPECT_EQ(slot->newest()->problem, "");

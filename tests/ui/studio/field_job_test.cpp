@@ -31,7 +31,7 @@ class FieldJobTest : public testing::Test {
   FieldJob job{pool, [this] { ++woken; }};
 };
 
-TEST_F(FieldJobTest, TellsTheNumbersOfTheFieldsThemselves) {
+TEST_F(FieldJobTest, ReportsTheNumbersOfTheFieldsThemselves) {
   const SensorModelPtr straight = model(Metric::euclidean), along = model(Metric::geodesic);
   job.show({{straight, along}, FieldMap::compared});
   job.wait();

@@ -30,7 +30,7 @@ class ProbeJobTest : public testing::Test {
   ProbeJob job{pool, [this] { ++woken; }};
 };
 
-TEST_F(ProbeJobTest, TellsWhatAPressReads) {
+TEST_F(ProbeJobTest, ReportsTheReadingOfAPress) {
   job.press(document.model, probe);
   job.wait();
   const ui::PressedProbePtr pressed = job.newest();
@@ -77,7 +77,7 @@ TEST_F(ProbeJobTest, AModelThatIsBuiltComesWithItsReading) {
     model = edits.take_model();
   }
   const ui::PressedProbePtr pressed = job.newest();
-  EXPECT_EQ(pressed->model, model) << "read before it was told";
+  EXPECT_EQ(pressed->model, model) << "read before it was reported";
   const int before = woken;
   job.press(model, probe);
   EXPECT_FALSE(job.busy());
@@ -135,7 +135,7 @@ TEST_F(ProbeJobTest, PressesAnOpenMeshAsItsRepairClosesIt) {
   EXPECT_EQ(by_open->polygons, by_closed->polygons);
 }
 
-TEST_F(ProbeJobTest, WithoutAWishThereIsNoReading) {
+TEST_F(ProbeJobTest, WithoutARequestThereIsNoReading) {
   job.press(document.model, probe);
   job.press(document.model, std::nullopt);
   job.wait();

@@ -16,7 +16,7 @@ namespace taxel::ui {
 namespace {
 
 /// The table of keys is written down twice on purpose: a key that changes by mistake differs from bindings.txt. After a
-/// change that is wanted: taxelstudio --list-bindings > tests/ui/tools/bindings.txt
+/// change that is wanted, run `taxelstudio --list-bindings > tests/ui/tools/bindings.txt`.
 TEST(Keys, AreThoseOfTheListInTheTests) {
   std::ifstream file(TAXEL_SOURCE_DIR "/tests/ui/tools/bindings.txt");
   std::stringstream expected;
@@ -146,7 +146,7 @@ TEST(TimelineEvents, HaveAColourEach) {
   const Palette& colors = palette(true);
   const auto same = [](const ImVec4& a, const ImVec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   const auto color = [&](StepEvent event) { return event_color({0, 0, 0, static_cast<std::uint8_t>(event)}, colors); };
-  EXPECT_TRUE(same(color(StepEvent::jump_at_equal_force), colors.error)) << "what the method did";
+  EXPECT_TRUE(same(color(StepEvent::jump_at_equal_force), colors.error)) << "a change by the method";
   EXPECT_TRUE(same(color(StepEvent::jump), colors.warning));
   EXPECT_TRUE(same(color(StepEvent::disagreement), colors.warning));
   EXPECT_TRUE(same(color(StepEvent::other_layout), colors.layout_mode));

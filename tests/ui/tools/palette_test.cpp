@@ -11,7 +11,7 @@
 namespace taxel::ui {
 namespace {
 
-/// Whether a command is the best match for what is typed.
+/// Whether a command is the best match for the typed text.
 template <class C>
 bool finds(std::string_view typed, const C& command) {
   return find_commands(typed).at(0) == &binding_of(command);
@@ -22,7 +22,7 @@ bool is_listed(const Binding& row) {
          !std::holds_alternative<OpenPalette>(row.command);
 }
 
-TEST(Palette, FindsWhatIsMeant) {
+TEST(Palette, FindsTheMeantCommand) {
   EXPECT_TRUE(finds("export", ExportFile{FileTask::export_layout}));
   EXPECT_TRUE(finds("LAYOUT MODE", SetMode{Mode::layout}));
   EXPECT_TRUE(finds("cov", ToggleOverlay{&Overlays::coverage}));
@@ -47,7 +47,7 @@ TEST(Palette, EveryCommandIsFoundFirstByItsWholeName) {
   }
 }
 
-TEST(Palette, NothingTypedIsEverythingAndNonsenseNothing) {
+TEST(Palette, ListsEverythingWithoutATextAndNothingForNonsense) {
   const auto commands = static_cast<std::size_t>(std::count_if(bindings().begin(), bindings().end(), is_listed));
   EXPECT_EQ(find_commands("").size(), commands);
   EXPECT_EQ(find_commands("   ").size(), commands);

@@ -13,7 +13,7 @@ namespace {
 /// An option that sets a number of the scenario.
 struct NumberFlag {
   const char* name;
-  const char* key;  ///< of the number in the scenario
+  const char* key;  ///< key of the number in the scenario
   const char* unit;
   Check (*check)();
   const char* text;

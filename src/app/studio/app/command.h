@@ -9,8 +9,8 @@
 
 #include "core/document/edit.h"
 #include "core/document/history.h"
-#include "core/run/marks.h"
 #include "core/run/command.h"
+#include "core/run/marks.h"
 #include "ui/widgets/field_state.h"
 
 namespace taxel::ui {
@@ -286,7 +286,7 @@ struct ReadPoints {        ///< a table or an image for ui.generate
 struct TakeScreenshot {};
 struct Quit {};
 
-/// Any command. It is copied, moved and destroyed in command.cpp only: the code for so many alternatives, in every file
+/// Any command. It is copied, moved and destroyed in command.cpp only: the code for all alternatives, in every file
 /// that makes one, takes most of the file's compile time.
 struct Command
     : std::variant<ShowOpenDialog, BeginGesture, ConstrainGesture, AcceptGesture, CancelTool, ToggleTool, ToggleProbe,

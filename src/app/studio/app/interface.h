@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/studio/app/ui_state.h"
+#include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {
 

@@ -36,8 +36,8 @@
 #include "ui/scene/pick/camera.h"
 #include "ui/scene/pick/picking.h"
 #include "ui/scene/pressed_probe.h"
+#include "ui/scene/scene_input.h"
 #include "ui/scene/scene_labels.h"
-#include "ui/scene/scene_renderer.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {

@@ -23,6 +23,7 @@
 #include "app/studio/shell/window/window.h"
 #include "app/studio/shell/window/window_painter.h"
 #include "core/sim/host/recording_journal.h"
+#include "ui/scene/scene_renderer.h"
 
 namespace taxel::studio {
 

@@ -86,7 +86,7 @@ void Studio::carry_out(const ui::SetMode& command) {
 
 void Studio::save_screenshot(const std::string& file) {
   painter_->forget();
-  fill_window();  // what was shown last may be gone
+  fill_window();  // the objects of the last frame may be gone
   write_png(file, window_->read());
 }
 

@@ -1,4 +1,4 @@
-// How each scenario kind leads the finger: one overload of lead_finger() per kind, each in a file of its own.
+// The motion of the finger in each scenario kind: one overload of lead_finger() per kind, each in a file of its own.
 #pragma once
 
 #include <functional>

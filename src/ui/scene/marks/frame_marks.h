@@ -3,7 +3,7 @@
 
 #include "ui/scene/paint/segments.h"
 #include "ui/scene/passes/look.h"
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -4,7 +4,8 @@
 #include "ui/scene/paint/points.h"
 #include "ui/scene/paint/segments.h"
 #include "ui/scene/passes/look.h"
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/pick/camera.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -11,6 +11,7 @@
 #include "ui/scene/paint/field_paint.h"
 #include "ui/scene/paint/region_paint.h"
 #include "ui/scene/paint/surfaces.h"
+#include "ui/scene/pick/camera.h"
 
 namespace taxel::ui {
 

@@ -9,7 +9,7 @@
 #include "ui/gl/texture.h"
 #include "ui/scene/marks/mark_state.h"
 #include "ui/scene/paint/segments.h"
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/pick/camera.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -1,4 +1,4 @@
-// What the 3-D view displays: its scene, the extent of it, and the pose of the edited sensor in it.
+// The scene of the 3-D view, its extent, and the pose of the edited sensor in it.
 #pragma once
 
 #include "app/studio/app/ui_state.h"

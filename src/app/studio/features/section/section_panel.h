@@ -1,7 +1,7 @@
 // The section view of the paper's Figure 1: skin, object, contact surface, receptive field and rays in a plane.
 #pragma once
 
-#include "ui/scene/scene_renderer.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/studio/app/ui_state.h"
+#include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {
 void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer);

@@ -10,7 +10,7 @@ struct ProbeMesh {
   static constexpr const char *kWord = "mesh", *kLabel = "Mesh file";
   static constexpr bool kIsRound = false;
   static constexpr FieldKind kField = FieldKind::pad;
-  TriMeshPtr mesh;   ///< meshes are equal if they are the same object
+  TriMeshPtr mesh;        ///< meshes are equal if they are the same object
   std::string file = {};  ///< file that the window reads `mesh` from
 
   template <class V>
