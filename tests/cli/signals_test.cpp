@@ -1,4 +1,6 @@
 // Signals to a command that computes and writes: it writes complete files or none, and its status names the signal.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <csignal>
 #include <thread>
