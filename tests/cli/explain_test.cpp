@@ -138,7 +138,7 @@ TEST(Explain, RefusesWhatItCannotExplain) {
   fs::copy(npz, folder);
   refused(folder, {"--taxel", "3", "--time", "1"},
           "taxel: " + (folder / "scene.xml").string() +
-              ": is missing: the contact is computed anew from the scene that lies beside the recording");
+              ": is missing: the contact is computed again from the scene next to the recording");
   write_text(folder / "broken.npz", file_text(npz).substr(0, 3000));
   EXPECT_EQ(taxel({"explain", (folder / "broken.npz").string(), "--taxel", "3", "--time", "1"}).status, 2);
 }

@@ -237,8 +237,8 @@ TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
   const Outcome run = taxel({"check", "run.json"}, folder);
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err,
-            "taxel: run.json: /format: is \"taxel-run\"; what can be checked is taxel-layout, taxel-project, "
-            "taxel-scenario, taxel-study, contact-case, taxel-sweep and taxel-play\n");
+            "taxel: run.json: /format: is \"taxel-run\"; must be taxel-layout, taxel-project, taxel-scenario, "
+            "taxel-study, contact-case, taxel-sweep or taxel-play\n");
   EXPECT_EQ(taxel({"check", (shared_box_sweep({"--density", "1e6"}) / "sweep.json").string()}, folder).status, 0);
   EXPECT_EQ(taxel({"check", (shared_box_sweep({"--density", "1e6"}) / "scene.xml").string()}, folder).status, 0);
 }

@@ -62,7 +62,7 @@ TEST(Models, RefusesWhatItCannotRead) {
   fs::copy(run / "readings.npz", folder);
   expect_refusal(taxel({"models", folder.string()}),
                  "taxel: " + (folder / "scene.xml").string() +
-                     ": is missing: the contact is computed anew from the scene that lies beside the recording");
+                     ": is missing: the contact is computed again from the scene next to the recording");
   EXPECT_EQ(taxel({"models", run.string(), "--every", "0"}).status, 2);
   expect_refusal(taxel({"models", run.string(), "--out", "/nowhere/at/all.csv"}),
                  "taxel: /nowhere/at/all.csv: cannot be written: its folder does not exist");

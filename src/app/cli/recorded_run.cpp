@@ -38,8 +38,7 @@ RecordedRun read_run(const std::filesystem::path& path, const std::string& geom)
 void load_scene(RecordedRun& run) {
   const std::filesystem::path scene = std::filesystem::path(run.file).parent_path() / "scene.xml";
   if (!std::filesystem::exists(scene))
-    throw Error(scene.string(),
-                "is missing: the contact is computed anew from the scene that lies beside the recording");
+    throw Error(scene.string(), "is missing: the contact is computed again from the scene next to the recording");
   run.simulator = Simulator::load(scene);
   const SimScene& made = *run.simulator->scene();
   const auto differs = [&](const std::string& what) {

@@ -55,7 +55,7 @@ TEST(Study, NamesWhatIsWrong) {
   EXPECT_EQ(why_not("{}", R"([{"parameter": "depth", "values": [1]}, {"parameter": "depth", "values": [1]}])"),
             "s.json: /parameters/1/parameter: \"depth\" is varied already");
   EXPECT_EQ(why_not("{}", R"([{"parameter": "depth", "values": [1], "count": 2}])"),
-            "s.json: /parameters/0/count: is not used beside values");
+            "s.json: /parameters/0/count: is not used together with values");
   EXPECT_EQ(why_not("{}", R"([{"parameter": "depth", "from": 1, "to": 2, "count": 1}])"),
             "s.json: /parameters/0/count: must be a whole number from 2 to 1000, is 1");
   EXPECT_EQ(why_not("{}", R"([{"parameter": "depth", "from": 1, "to": 2, "count": 40},

@@ -268,9 +268,9 @@ TEST(GeodesicSpread, ErrorsNameTheParameter) {
                with([](Spread& s) { s.count = 11, s.candidates = 10; }));
   expect_error("geodesic spread: candidates: ", with([](Spread& s) { s.candidates = -1; }));
   expect_error("geodesic spread: radius: ", with([](Spread& s) { s.radius = -1; }));
-  expect_error("geodesic spread: faces: 12 is no face", with([](Spread& s) { s.faces = {0, 12}; }));
-  expect_error("geodesic spread: faces: -1 is no face", with([](Spread& s) { s.faces = {0, -1}; }));
-  expect_error("geodesic spread: faces: 3 stands twice", with([](Spread& s) { s.faces = {3, 1, 3}; }));
+  expect_error("geodesic spread: faces: 12 is not a face", with([](Spread& s) { s.faces = {0, 12}; }));
+  expect_error("geodesic spread: faces: -1 is not a face", with([](Spread& s) { s.faces = {0, -1}; }));
+  expect_error("geodesic spread: faces: 3 is listed twice", with([](Spread& s) { s.faces = {3, 1, 3}; }));
   Progress progress;
   progress.cancel();
   EXPECT_THROW(geodesic_spread({}, box, &progress), Cancelled);

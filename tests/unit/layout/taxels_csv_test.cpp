@@ -55,7 +55,7 @@ TEST(TaxelsCsv, NamesLineAndColumn) {
   EXPECT_EQ(complaint("x,y\n1,2"), "t.csv: line 1, column Z: is missing");
   EXPECT_EQ(complaint("1,2\n"), "t.csv: line 1, column Z: is missing");
   EXPECT_EQ(complaint("x,y,z,nx\n"), "t.csv: line 1, column NormY: is missing: a normal has three");
-  EXPECT_EQ(complaint("x,X,y,z\n"), "t.csv: line 1, column X: stands there twice");
+  EXPECT_EQ(complaint("x,X,y,z\n"), "t.csv: line 1, column X: is in the header twice");
   EXPECT_EQ(complaint("x,y,z\n1,2,3\n\n1,2"), "t.csv: line 4, column Z: is missing");
   EXPECT_EQ(complaint("x,y,z\n1,\"2,5\",3"), "t.csv: line 2, column Y: must be a number, is \"2,5\"");
   EXPECT_EQ(complaint("x,y,z\n1,nan,3"), "t.csv: line 2, column Y: must be a number, is \"nan\"");

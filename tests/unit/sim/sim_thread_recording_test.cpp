@@ -120,7 +120,7 @@ TEST_F(ThreadRecording, AnotherRunEndsItAndIsNoPartOfIt) {
   ask(StepCommand{30});
   const SimFramePtr reset = ask(ResetCommand{});
   EXPECT_FALSE(reset->recording.on);
-  EXPECT_EQ(reset->written.note, "it ended because the run began anew");
+  EXPECT_EQ(reset->written.note, "it ended because the run was restarted");
   expect_recorded(file("run.npz"), plain(1, 30));
   ask(RecordCommand{file("none.npz")});
   EXPECT_NE(ask(EndRecordingCommand{})->written.error.find("no step was made"), std::string::npos);

@@ -219,8 +219,8 @@ Problems check_file(const std::string& file, const SkinChoice& skin) {
     throw Error(
         file, "/format",
         "is \"" + format +
-            "\"; what can be checked is taxel-layout, taxel-project, taxel-scenario, taxel-study, contact-case, "
-            "taxel-sweep and taxel-play");
+            "\"; must be taxel-layout, taxel-project, taxel-scenario, taxel-study, contact-case, taxel-sweep or "
+            "taxel-play");
   }
   return check_layout(parse_layout(text, file), file);
 }

@@ -19,7 +19,7 @@ std::vector<double> read_values(const Node& node) {
   std::vector<double> values;
   if (const auto listed = node.find("values")) {
     for (const char* key : {"from", "to", "count"})
-      if (node.find(key)) node.fail_at(key, "is not used beside values");
+      if (node.find(key)) node.fail_at(key, "is not used together with values");
     for (std::size_t i = 0; i < listed->length(); ++i) values.push_back(listed->item(i).number());
     return values;
   }

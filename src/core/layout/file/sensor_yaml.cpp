@@ -215,8 +215,8 @@ class SensorReader {
   void note_readout() {
     if (const YamlValue* method = optional("method"))
       note(
-          fmt::format("method \"{}\": readings are weighted means, as in the paper; --aggregate chooses another way "
-                      "(weighted_sum is what the released code computes, which does not divide)",
+          fmt::format("method \"{}\": readings are weighted means, as in the paper; --aggregate selects another "
+                      "aggregate (weighted_sum is the one of the released code, which does not divide)",
                       method->text()));
     if (const YamlValue* method = optional("sample_method"))
       note(fmt::format("sample_method \"{}\": samples are spread evenly, each with the same weight", method->text()));

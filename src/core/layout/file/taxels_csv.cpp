@@ -86,7 +86,7 @@ class Table {
     for (std::size_t i = 0; i < head.fields.size(); ++i)
       for (const ColumnName& name : kColumnNames) {
         if (lower(head.fields[i]) != name.word) continue;
-        if (has(name.column)) fail(head, name.column, "stands there twice");
+        if (has(name.column)) fail(head, name.column, "is in the header twice");
         at_[name.column] = static_cast<int>(i);
       }
   }

@@ -26,10 +26,10 @@ std::vector<int> region_faces(const Spread& spread, const TriMesh& mesh) {
   std::sort(faces.begin(), faces.end());
   if (faces.front() < 0 || faces.back() >= mesh.face_count())
     throw Error("geodesic spread", "faces",
-                fmt::format("{} is no face of the mesh, which has {}", faces.front() < 0 ? faces.front() : faces.back(),
-                            mesh.face_count()));
+                fmt::format("{} is not a face of the mesh, which has {} faces",
+                            faces.front() < 0 ? faces.front() : faces.back(), mesh.face_count()));
   const auto twice = std::adjacent_find(faces.begin(), faces.end());
-  if (twice != faces.end()) throw Error("geodesic spread", "faces", fmt::format("{} stands twice", *twice));
+  if (twice != faces.end()) throw Error("geodesic spread", "faces", fmt::format("{} is listed twice", *twice));
   return faces;
 }
 

@@ -14,22 +14,22 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kMeanings{{
     {"mesh_open",
-     "The surface of the file has no inside there. A repair closes it when it is used (Inspector > Mesh); the file "
-     "stays as it is."},
+     "The surface has no inside there. A repair closes it when the mesh is used (Inspector > Mesh); the file does not "
+     "change."},
     {"mesh_nonmanifold",
-     "What lies inside is not defined there in the file. A repair removes what hangs there, or parts what touches."},
+     "Inside and outside are not defined there. A repair removes loose faces, and separates parts that touch."},
     {"mesh_winding",
-     "Inside and outside change places there in the file. A repair turns the faces, or wraps what cannot be turned."},
+     "Inside and outside are exchanged there. A repair reverses the faces, or wraps the mesh if that is not possible."},
     {"mesh_inverted",
-     "Samples and the normals of placed taxels look into the body, and nothing would be felt. Turn its faces round."},
-    {"mesh_cavity", "Its wall cannot be touched: no sample lies on it, and rays from the skin end halfway to it."},
+     "Samples and the normals of placed taxels point into the body, so readings would be 0. Reverse the faces."},
+    {"mesh_cavity", "Its wall cannot be touched: it has no samples, and rays from the skin end halfway to it."},
     {"mesh_shells",
-     "Each is skin of its own: samples lie on all of them, and distances along the surface do not lead from one to "
-     "another."},
+     "Each shell is a separate skin: samples are on all of them, and distances along the surface do not cross from one "
+     "shell to another."},
     {"mesh_self_intersection",
-     "Skin inside of other parts is sampled but cannot be touched, and pressures near it are too high."},
-    {"mesh_units", "Radii and densities are given in metres: with the wrong unit no field fits the mesh."},
-    {"mesh_repaired", "Done while reading; the file stays as it is."},
+     "Skin inside other parts has samples but cannot be touched, and pressures near it are too high."},
+    {"mesh_units", "Radii and densities are in metres: with the wrong unit no receptive field fits the mesh."},
+    {"mesh_repaired", "Done while reading; the file does not change."},
 }};
 
 std::string meaning_of(std::string_view code) {

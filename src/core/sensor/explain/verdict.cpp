@@ -90,13 +90,13 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
       return fmt::format("Sampling noise: {}{}.", reading, exactly) + cure(v, in.limits);
     case Cause::star_field:
       return fmt::format(
-          "Pressure field: {}{}, and under even stiffness it {}. The tets of the star field are of unequal stiffness; "
-          "a pad is even.",
+          "Pressure field: {}{}, and with uniform stiffness it {}. The tets of a star field differ in stiffness; "
+          "a pad has uniform stiffness.",
           reading, exactly, moved(v.contact, in.limits));
     case Cause::inverted_tets:
       return fmt::format(
-          "Inverted tets: {}{}, and under even stiffness it {}. Tets of the skin there are inside out, and others "
-          "reach across; a pad has none.",
+          "Inverted tets: {}{}, and with uniform stiffness it {}. Tets of the skin there are inverted, and other tets "
+          "overlap them; a pad has no inverted tets.",
           reading, exactly, moved(v.contact, in.limits));
     case Cause::redistribution:
     case Cause::contact:
@@ -112,8 +112,8 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
   std::string text = fmt::format("{}: {}{}; {}.", v.cause == Cause::contact ? "The contact itself" : "Redistribution",
                                  reading, exactly, force);
   if (v.cause == Cause::redistribution) text += " The pressure moved to other places.";
-  if (!in.exact) text += " Samples and contact cannot be told apart: there is no exact integral.";
-  if (in.soft_contact) text += " Whether the field took part cannot be told: both bodies are soft.";
+  if (!in.exact) text += " It is unknown whether samples or contact caused it: there is no exact integral.";
+  if (in.soft_contact) text += " It is unknown whether the field contributed: both bodies are soft.";
   return text;
 }
 

@@ -15,7 +15,7 @@
 namespace taxel {
 namespace {
 
-/// The surface of a body with the sensor, as contact_at() finds it.
+/// Computes the contact surface of a body with the sensor, exactly as contact_at() does.
 void intersect_with(const HydroBody& self, const TouchedBody& other, const Pose& X_WM, const Pose& X_WB,
                     ContactSurface& out, IntersectWorkspace& workspace) {
   if (!other.mirrored) return intersect(self, *other.body, X_WM, X_WB, out, workspace);
@@ -24,7 +24,7 @@ void intersect_with(const HydroBody& self, const TouchedBody& other, const Pose&
   mirror(theirs, RigidTransform(X_WM.inverse() * X_WB), out);
 }
 
-/// The reading that the layout's own hits give by the paper's released code: sum of w p.
+/// Returns the reading of the paper's released code, sum of w p, over the layout's own hits.
 std::vector<double> weighted_sum_of(const SensorModel& model, const std::vector<RayHit>& hits) {
   RayHits again;
   again.clear(model.rays.size());
@@ -124,7 +124,7 @@ ModelReadings ModelComparison::read(std::span<const SensorStep> sensors, std::sp
   if (!scene_->touched.empty()) {
     for (const TouchedBody& body : scene_->touched[sensor_]) {
       if (body.body == nullptr)
-        unknown = fmt::format("without geom \"{}\": where it is, or what it is made of, is not known", body.name);
+        unknown = fmt::format("without geom \"{}\": its pose or its material is not known", body.name);
       X_WB.push_back(body.sensor >= 0 ? sensors[static_cast<std::size_t>(body.sensor)].X_WM
                      : body.geom >= 0 ? X_WG[static_cast<std::size_t>(body.geom)]
                                       : body.X_WB);

@@ -48,7 +48,7 @@ void SimLoop::set_playing(bool on) {
 
 /// Begins a run: the history starts with the state before the first step.
 void SimLoop::begin_run() {
-  recordings_.end("the run began anew", simulator_.get());
+  recordings_.end("the run was restarted", simulator_.get());
   ++counts_.runs;
   error_.clear();
   rows_.trace = {{}, rows_.trace.edition + 1};
