@@ -142,8 +142,8 @@ struct ApplyAll {
   std::shared_ptr<const EditList> edits;
 };
 
-/// One of the edits above. Its special members are defined in edit.cpp: inline, the code for so many alternatives would
-/// take most of the compile time of every file that makes an edit.
+/// One of the edits above. The special members are defined in edit.cpp: inline, the code for this many alternatives
+/// would take most of the compile time of every file that makes an edit.
 struct Edit : std::variant<AddTaxels, DeleteTaxels, SetTaxels, RenumberTaxels, ReorderTaxels, MirrorTaxels, LinkTaxels,
                            UnlinkTaxels, SetHidden, SetRegion, SetName, SetFrame, SetSampling, SetReceptiveField,
                            SetReadout, SetMaterial, SetRepair, SetCalibration, SetScenario, ReplaceMesh, ReplaceLayout,

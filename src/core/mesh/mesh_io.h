@@ -29,16 +29,16 @@ struct LoadedMesh {
 LoadedMesh load_mesh(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0),
                      const Progress* progress = nullptr);
 
-/// Does the work of load_mesh() on bytes in memory. `path` gives the format, is named in messages, and its folder has
-/// the buffers of a .gltf.
+/// Reads a mesh from bytes in memory, as load_mesh() does from a file, and throws the same errors. `path` gives the
+/// format and is named in messages; the buffers of a .gltf are read from its folder.
 LoadedMesh read_mesh(std::string_view bytes, const std::filesystem::path& path, const dvec3& scale = dvec3(1.0),
                      const Progress* progress = nullptr);
 
 /// Returns true for the extensions that load_mesh() reads.
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// Writes a mesh in the format of its extension, atomically. Throws Error naming the file if the format is not written
-/// or the file cannot be.
+/// Writes a mesh in the format of its extension, atomically. Throws Error naming the file if the format has no writer
+/// or the file cannot be written.
 void save_mesh(const std::filesystem::path& path, const TriMesh& mesh);
 
 }  // namespace taxel

@@ -31,9 +31,8 @@ class TriMesh {
 
   [[nodiscard]] const std::vector<dvec3>& face_normals() const { return face_normals_; }  ///< unit
   [[nodiscard]] const std::vector<double>& face_areas() const { return face_areas_; }     ///< m^2
-  [[nodiscard]] const std::vector<dvec3>& vertex_normals() const {
-    return vertex_normals_;
-  }  ///< unit, weighted by angles
+  /// Unit normals of the vertices: the face normals weighted by the angles of the faces at the vertex.
+  [[nodiscard]] const std::vector<dvec3>& vertex_normals() const { return vertex_normals_; }
   /// Connected shell of each face (faces that share a vertex); shells are numbered by their first face.
   [[nodiscard]] const std::vector<int>& shell_of_face() const { return shell_of_face_; }
   [[nodiscard]] int shell_count() const { return shell_count_; }
@@ -43,7 +42,7 @@ class TriMesh {
   [[nodiscard]] double volume() const { return volume_; }  ///< signed volume by the divergence theorem [m^3]
   /// Centroid of the volume, or of the area if the mesh is open or flat [m].
   [[nodiscard]] const dvec3& centroid() const { return centroid_; }
-  /// Whether there are faces and each edge belongs to exactly two of them, in opposite directions.
+  /// Returns true if there are faces and each edge belongs to exactly two of them, in opposite directions.
   [[nodiscard]] bool closed() const { return topology_.is_closed(); }
 
  private:
@@ -71,7 +70,7 @@ TriMesh extract_shells(const TriMesh& mesh, const std::vector<int>& shells, std:
 /// Returns some faces with their vertices, both in the order of `faces`.
 TriMesh extract_faces(const TriMesh& mesh, const std::vector<int>& faces);
 
-/// Whether `shell` lies inside another shell (a cavity when it is oriented inward).
+/// Returns true if another shell encloses `shell`. An enclosed shell that is oriented inward is a cavity.
 bool shell_is_enclosed(const TriMesh& mesh, int shell);
 
 /// Returns the shells that no other shell encloses, ascending. Sensing uses these.

@@ -99,8 +99,8 @@ void Calibrator::skin(std::span<const double> readings) {
     const double r = 0.5 * settings_.hysteresis->width;
     for (std::size_t k = 0; k < channels_.size(); ++k) {
       double& loop = channels_[k].loop;
-      // play operator w = max(x - r, min(x + r, w)), from w = 0 (Visintin 1994, Differential Models of Hysteresis);
-      // a fraction f of the reading goes through it: x' = x + f (w - x)
+      // The play operator is w = max(x - r, min(x + r, w)), from w = 0 (Visintin 1994, Differential Models of
+      // Hysteresis). It acts on a fraction f of the reading: x' = x + f (w - x).
       loop = std::max(pressed_[k] - r, std::min(pressed_[k] + r, loop));
       pressed_[k] += settings_.hysteresis->fraction * (loop - pressed_[k]);
     }

@@ -1,4 +1,4 @@
-// One sensor at one step: its pose, what it touched, and what it read. Plain values.
+// One sensor at one step: its pose, its contact surfaces and its readings. Plain values.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// MuJoCo's objects with owners.
+// Owning handles of MuJoCo's objects.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -20,7 +20,7 @@ using ModelHandle = std::unique_ptr<mjModel, MujocoDeleter>;
 using DataHandle = std::unique_ptr<mjData, MujocoDeleter>;
 using SpecHandle = std::unique_ptr<mjSpec, MujocoDeleter>;
 
-/// Files that exist in memory only, as MuJoCo's parser sees them.
+/// Virtual file system: files in memory that MuJoCo's parser can open.
 class Vfs {
  public:
   Vfs() { mj_defaultVFS(&vfs_); }
@@ -28,7 +28,7 @@ class Vfs {
   Vfs(const Vfs&) = delete;
   Vfs& operator=(const Vfs&) = delete;
 
-  /// Throws Error when a file of that name was added before.
+  /// Adds a file. Throws Error if a file of this name was added before.
   void add(const std::string& name, std::string_view bytes) {
     if (mj_addBufferVFS(&vfs_, name.c_str(), bytes.data(), static_cast<int>(bytes.size())) != 0)
       throw Error(name, "cannot be added to the scene's files");

@@ -18,7 +18,7 @@
 namespace taxel {
 namespace {
 
-/// MuJoCo's log would land in the user's working folder; what it says reaches the user through our own messages.
+/// Turns MuJoCo's log off: it would be written into the user's working folder, and our own messages report the same.
 void quiet_mujoco() {
   mjLogConfig config = mju_getLogConfig();
   config.logto_console = false;
@@ -31,7 +31,7 @@ void prepare_mujoco() {
   if (!register_sensor_plugin()) throw Error("the taxel.sensor plugin module is loaded in this process already");
 }
 
-/// The way of the finger's lowest point; of a straight one its ends.
+/// Returns the path of the finger's lowest point; for a straight path, only its two ends.
 std::vector<dvec3> drawn_path(const Motion& motion) {
   constexpr std::uint64_t kMost = 256;
   const bool straight = motion.way_points.size() == 2 && motion.travel;
@@ -49,7 +49,7 @@ Simulator::~Simulator() = default;
 void Simulator::Impl::make_data() {
   data.reset(mj_makeData(compiled.model.get()));
   if (data == nullptr) throw Error(title, "MuJoCo cannot make the simulation data");
-  mj_kinematics(&m(), &d());  // where what does not move stands
+  mj_kinematics(&m(), &d());  // computes the poses of fixed geoms
   bodies.clear();
   for (const int i : sensor_instances(m())) {
     bodies.push_back({i, 0});
@@ -99,7 +99,7 @@ std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
     } else if (m().body_weldid[m().geom_bodyid[touched.geom]] == 0) {
       one.X_WB = geom_pose(m(), d(), touched.geom);
     } else {
-      one.body = nullptr;  // it moves, and no record says where
+      one.body = nullptr;  // the geom moves, and its poses are not recorded
     }
   }
   return all;
@@ -231,7 +231,7 @@ bool Simulator::load_keyframe(int keyframe) {
   return true;
 }
 
-/// Drags a body, or ends dragging. Returns whether geoms may have moved.
+/// Drags a body, or ends dragging. Returns true if geoms may have moved.
 bool Simulator::Impl::move(const Perturb& asked) {
   const bool held = asked.kind != Perturb::Kind::none && asked.geom >= 0;
   if (!held || static_cast<std::size_t>(asked.geom) >= drawn.size()) {

@@ -20,8 +20,8 @@ namespace taxel {
 /// A scene with its sensors. Belongs to one thread.
 class Simulator {
  public:
-  /// Makes the scene of a scenario for any compiled layout: a mocap body moves the sensor, which touches the scenario's
-  /// object. Throws Error.
+  /// Builds the scene of a scenario for any compiled layout: a mocap body moves the sensor, which touches the object of
+  /// the scenario. Throws Error as build_scenario_scene() does.
   static std::unique_ptr<Simulator> make_scenario(const SensorModelPtr& model, const Scenario& scenario);
   /// Loads an MJCF file with the sensors that it declares, and attaches layouts to other geoms. `aggregate` replaces
   /// the aggregate of every layout. Throws Error that names the file and MuJoCo's reason.
@@ -32,8 +32,8 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  /// Returns the warnings of the sensors about the scene, such as a mesh that differs from the layout's, or contacts
-  /// that MuJoCo computes a second time.
+  /// Returns the warnings of the sensors about the scene, for example that a mesh differs from the mesh of the layout,
+  /// or that MuJoCo computes a contact a second time.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
   /// Returns the wall times of all sensors since the start.
@@ -61,7 +61,8 @@ class Simulator {
   void view(StepView& view) const;  ///< reuses the memory of `view`
   /// Saves the state after the latest step, from which restore_state() continues. Reuses the memory of `state`.
   void save_state(SimState& state) const;
-  /// Restores a state of this simulator: the next step() repeats, bit for bit. view() still returns the latest step.
+  /// Restores a state of this simulator. The next step() is then the same, bit for bit; view() still returns the latest
+  /// step. Throws Error if the state does not belong to the scene.
   void restore_state(const SimState& state);
   [[nodiscard]] ControlValues controls_of(const SimState& state) const;  ///< controls in a state of this simulator
   [[nodiscard]] Pose pose_of_geom(int geom) const;                       ///< X_WG of scene()->geoms[geom], as in view()

@@ -13,7 +13,7 @@
 namespace taxel {
 
 struct Simulator::Impl {
-  std::string title;  // file of the scene, for messages
+  std::string title;  // name of the scene in messages: its file
   CompiledScene compiled;
   DataHandle data;
   std::optional<ScenarioScene> scenario;

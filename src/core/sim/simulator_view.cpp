@@ -30,7 +30,7 @@ std::vector<std::string> Simulator::warnings() const {
     const BodyContacts& body = impl_->contacts(i);
     const std::string who = (i < impl_->sensor_count() ? "sensor \"" : "contact \"") + body.settings().name + "\": ";
     for (const std::string& text : body.warnings) all.push_back(who + text);
-    // The model of a built-in scenario is of the caller, who knows its report.
+    // The caller has the model of a built-in scenario and knows its report.
     const SensorModelPtr model = i < impl_->sensor_count() && !impl_->scenario ? impl_->model(i) : nullptr;
     if (model != nullptr && model->mesh != model->loaded)
       all.push_back(who + "mesh of the layout: " + repair_summary(model->repaired->report));
@@ -80,7 +80,7 @@ void Simulator::view(StepView& view) const {
     one.motions.clear();
     for (const std::size_t k : e.near) {
       one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
-      one.surfaces.push_back(&e.pairs[k].surface);  // as the hits number them
+      one.surfaces.push_back(&e.pairs[k].surface);  // in the order of the surface indices of the hits
       one.motions.push_back({body.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.hits = reading.hits.all();

@@ -1,4 +1,4 @@
-// What happens in a built scene: values that a project file holds and a user edits.
+// A scenario: how the finger moves against an object in a built scene. Plain values, stored in the project file.
 #pragma once
 
 #include <algorithm>
@@ -52,6 +52,7 @@ template <class Kind>
 inline constexpr ScenarioKind kKind =
     std::ranges::find(scenarios::kWords, Kind::kWord, &Word<ScenarioKind>::text)->value;
 
+/// One scenario of a project. Lengths are in metres, poses in the world frame.
 struct Scenario {
   double timestep = 0.001;                ///< [s]; not used by a replay
   double finger_mass = 0.020;             ///< [kg]

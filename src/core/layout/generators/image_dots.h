@@ -35,7 +35,8 @@ struct ImageDots {
 
 /// Returns the centres of the dots in pixels, x to the right and y down from the upper left corner of the image. A dot
 /// is a set of pixels connected over edges or corners; its centre is their mean. Dots are in the order of their first
-/// pixels, row by row.
+/// pixels, row by row. Throws Error if the image has no pixels, the threshold is
+/// not from 1 to 255, or there are more than kMaxGeneratedTaxels dots.
 std::vector<dvec2> dots_of(const GreyImage& image, const ImageDots& dots);
 
 struct DotTaxels {

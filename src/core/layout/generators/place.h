@@ -40,7 +40,7 @@ void require_count(const std::string& generator, const std::string& parameter, i
 void require_positive(const std::string& generator, const std::string& parameter, double value);
 void require_finite(const std::string& generator, const std::string& parameter, const dvec3& value);
 void require_finite(const std::string& generator, const std::string& parameter, double value);
-/// Returns the unit vector of a direction.
+/// Returns the unit vector of a direction. Throws Error unless the length is finite and not 0.
 dvec3 require_direction(const std::string& generator, const std::string& parameter, const dvec3& value);
 
 /// Largest number of taxels that one generator makes.

@@ -185,7 +185,7 @@ class SceneReader {
 
  private:
   void add_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& transform) {
-    // tinygltf gives -1 where the file says nothing: triangles (glTF 2.0, 5.24).
+    // Without a mode in the file, tinygltf gives -1. The default are triangles (glTF 2.0, 5.24).
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES) return;
     const auto position = primitive.attributes.find("POSITION");

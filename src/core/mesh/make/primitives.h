@@ -7,7 +7,7 @@ namespace taxel {
 
 TriMesh make_box(const dvec3& half_size);                 ///< 12 triangles
 TriMesh make_icosphere(double radius, int subdivisions);  ///< 20 * 4^n triangles, vertices on the sphere
-TriMesh make_sphere(double radius, double edge_length);   ///< as many subdivisions as edge_length needs
+TriMesh make_sphere(double radius, double edge_length);   ///< icosphere with edges of at most edge_length
 TriMesh make_capsule(double radius, double half_length, double edge_length);   ///< axis z
 TriMesh make_cylinder(double radius, double half_length, double edge_length);  ///< axis z, flat caps
 TriMesh make_ellipsoid(const dvec3& semi_axes, double edge_length);

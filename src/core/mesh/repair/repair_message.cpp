@@ -50,8 +50,9 @@ std::string area_text(double area, const RepairReport& report) {
   return fmt::format("{}, {} % of the area", in_mm2(area), part);
 }
 
-/// "2 folded faces and 1 fin removed (2.63 mm\u00b2, 0.16 % of the area), 1 hole filled (...)". The area in brackets is
-/// that of the steps with this verb: what was removed is not added to what went inside of a union.
+/// Returns a text such as "2 folded faces and 1 fin removed (2.63 mm\u00b2, 0.16 % of the area), 1 hole filled (...)".
+/// The area in brackets belongs to the steps with the verb before it, so removed area is not added to area inside a
+/// union.
 std::string all_clauses(const RepairReport& report) {
   const std::vector<RepairStep>& steps = report.steps;
   std::string text;

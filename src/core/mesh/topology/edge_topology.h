@@ -102,7 +102,7 @@ class EdgeTopology {
  private:
   std::vector<ivec3> faces_;
   std::vector<int> half_edges_;  ///< by edge
-  std::vector<int> first_{0};    ///< index in half_edges_ of each edge's first half-edge, and the end of the last edge
+  std::vector<int> first_{0};    ///< for each edge, its first index in half_edges_; then the total number
   std::vector<int> twins_;
   bool closed_ = false;
 };

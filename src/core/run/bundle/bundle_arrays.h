@@ -1,4 +1,4 @@
-// The arrays of a saved step, as its parts write and read them.
+// Helper functions that write and read the arrays of a saved step.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ inline std::vector<dvec3> vectors_of(const NpzReader& in, const std::string& nam
 inline double number_of(const NpzReader& in, const std::string& name) {
   return finite_doubles(in, name, {})[0];
 }
-/// A whole number within [least, end).
+/// Returns `value` as an int. Throws Error naming file and array unless it is within [least, end).
 inline int index_of(const NpzReader& in, const std::string& name, std::int64_t value, std::int64_t least,
                     std::size_t end) {
   if (value < least || value >= static_cast<std::int64_t>(end))
@@ -49,7 +49,7 @@ inline std::size_t count_of(const NpzReader& in, const std::string& name) {
   return static_cast<std::size_t>(index_of(in, name, in.integers(name, {})[0], 0, kMost));
 }
 
-/// Each mesh once, however many use it.
+/// Meshes of a saved step. A mesh that several parts use is written once.
 class BundledMeshes {
  public:
   std::int64_t number(const TriMeshPtr& mesh) {

@@ -39,7 +39,7 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
   const std::vector<double> rgba = finite_doubles(in, "geom_rgba", {n, 4}),
                             positions = finite_doubles(in, "geom_pos", {n, 3}),
                             quaternions = unit_quaternions(in, "geom_quat", {n, 4});
-  const std::vector<std::int64_t> zeros(n, 0);  // of a version that left groups out
+  const std::vector<std::int64_t> zeros(n, 0);  // used if the file is of a version without groups
   const std::vector<std::int64_t> plane = in.integers("geom_plane", {n}), sensor = in.integers("geom_sensor", {n}),
                                   mesh = in.integers("geom_mesh", {n}),
                                   group = in.has("geom_group") ? in.integers("geom_group", {n}) : zeros;
@@ -57,14 +57,14 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
   }
 }
 
-/// Number of tets that a polygon may name: those of the sensor's body if it is soft. Otherwise the tets are another
-/// body's, and nothing looks them up.
+/// Returns the number of tets that a polygon may name. If the sensor's body is soft, the tets are its own; otherwise
+/// they belong to another body and are never looked up.
 std::size_t tet_count(const SensorModel& model) {
   const auto* soft = model.body ? std::get_if<SoftBody>(&model.body->geometry) : nullptr;
   return soft != nullptr ? soft->field->tets().size() : std::numeric_limits<int>::max();
 }
 
-/// `tets`: see tet_count().
+/// Reads the polygons of one contact surface. `tets` is the result of tet_count().
 void read_polygons(const NpzReader& in, const std::string& prefix, std::size_t tets, ContactSurface& surface) {
   const std::vector<std::int64_t> polygons = in.integers(prefix + "polygons", {kAny, 5});
   const std::size_t n = polygons.size() / 5;
@@ -141,7 +141,7 @@ SensorModelPtr read_model(const NpzReader& in, const std::string& prefix, const 
   return build_sensor_model(layout, surface, layout.mesh.sha256, in.file(), how);
 }
 
-/// None in a file of a version that did not write them.
+/// Reads the motions of the surfaces; empty if the file is of a version without them.
 std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& name, std::size_t surfaces) {
   std::vector<SurfaceMotion> motions;
   if (!in.has(name)) return motions;
@@ -153,7 +153,7 @@ std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& 
   return motions;
 }
 
-/// Likewise, and none where the layout asks for none.
+/// Reads the shear of the taxels; empty if the file is of a version without shear, or the layout has no shear readings.
 std::vector<dvec2> read_shear_rows(const NpzReader& in, const std::string& name, const SensorModel& model) {
   std::vector<dvec2> shear;
   if (!model.layout.readout.shear || !in.has(name)) return shear;
@@ -187,7 +187,7 @@ SensorStep read_sensor(const NpzReader& in, const std::string& prefix, const Sen
   return state;
 }
 
-/// A history of this one step.
+/// Returns a history that has only this step.
 void remember(SimFrame& frame) {
   const StepView view = view_of(frame);
   TraceRow row{frame.time, frame.travel, {}, SampleQuality::polished};
@@ -218,7 +218,7 @@ SimFramePtr read_frame_bundle(const NpzReader& in, const SensorBuild& how) {
   scene->timestep = number_of(in, "timestep");
   scene->path_W = vectors_of(in, "path");
   scene->sensor_geoms = in.texts("sensor_geoms");
-  constexpr std::int64_t kMaxStep = std::int64_t{1} << 53;  // a step counts as a double in times and plots
+  constexpr std::int64_t kMaxStep = std::int64_t{1} << 53;  // times and plots convert a step to a double without loss
   frame->step = static_cast<std::uint64_t>(bounded_integers(in, "step", {}, 0, kMaxStep)[0]);
   frame->time = number_of(in, "time");
   frame->travel = number_of(in, "travel");

@@ -9,9 +9,9 @@ namespace {
 
 using Integers = std::vector<std::int64_t>;
 
-/// As HydroBody::geometry holds them.
+/// Words for the kinds of geometry, in the order of the alternatives of HydroBody::geometry.
 constexpr std::array<const char*, 4> kKinds{"rigid_half_space", "soft_half_space", "soft", "rigid_mesh"};
-/// As ShapeType numbers them.
+/// Words for the shapes, in the order of ShapeType.
 constexpr std::array<const char*, 8> kShapes{"plane",    "sphere", "capsule", "ellipsoid",
                                              "cylinder", "box",    "mesh",    "tets"};
 
@@ -28,7 +28,7 @@ TriMeshPtr mesh_at(const NpzReader& in, const std::string& name, std::int64_t nu
   return meshes[static_cast<std::size_t>(index_of(in, name, number, 0, meshes.size()))];
 }
 
-/// The field beyond the tets; null if there is none, or the file's version did not write it.
+/// Reads the field beyond the tets; null if there is none or the file is of a version without it.
 DepthFieldPtr read_depth(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
   if (!in.has(prefix + "skin")) return nullptr;
   const std::vector<double> depth = finite_doubles(in, prefix + "depth", {2});
@@ -55,7 +55,7 @@ SoftBody read_field(const NpzReader& in, const std::string& prefix, const std::v
   }
 }
 
-/// Those of one sensor. `number(body)` gives a body's place among all.
+/// Writes the bodies that one sensor touches. `number(body)` returns the index of a body among all bodies of the file.
 template <class Number>
 void write_rows(const std::vector<TouchedBody>& touched, const std::string& prefix, const Number& number,
                 BundledMeshes& meshes, NpzWriter& out) {
@@ -165,7 +165,7 @@ HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std
 }
 
 void write_touched(const SimScene& scene, BundledMeshes& meshes, NpzWriter& out) {
-  if (scene.touched.size() != scene.sensors.size()) return;  // read from a file that had none
+  if (scene.touched.size() != scene.sensors.size()) return;  // the scene is of a file without these arrays
   std::vector<HydroBodyPtr> bodies;
   const auto number = [&](const HydroBodyPtr& body) {
     const auto found = std::find(bodies.begin(), bodies.end(), body);

@@ -66,7 +66,7 @@ class Sink {
   void put_all(const Container& values) {
     put(values.data(), values.size());
   }
-  /// Bypasses the caches, for large arrays: packed data would evict what the next step needs.
+  /// Appends a large array past the caches, since packed data would evict the data that the next step needs.
   template <class Container>
   void stream_all(const Container& values) {
     const std::size_t size = values.size() * sizeof(values[0]);

@@ -8,10 +8,11 @@
 namespace taxel {
 namespace {
 
-/// Points of the shorter signal on the coarse grid, and of the longer one at most on the fine grid.
+/// Number of points of the shorter signal on the coarse grid, and largest number of points of the longer signal on the
+/// fine grid.
 constexpr double kCoarsePoints = 300, kFinePoints = 500000;
 
-/// Taxels on one even grid.
+/// Values of the taxels on an even grid of times.
 struct EvenSignals {
   double start = 0, interval = 0;           // [s]
   std::vector<std::vector<double>> values;  // per taxel; NaN: missing
@@ -34,7 +35,7 @@ std::size_t index_of(const TaxelSeries& series, int id) {
                                   series.taxel_ids.begin());
 }
 
-/// Those of `ids` that respond in both; where none does, those that respond in either.
+/// Returns the taxels of `ids` that respond in both signals, or, if there are none, those that respond in one of them.
 std::vector<int> responding(const TaxelSeries& a, const TaxelSeries& b, const std::vector<int>& ids) {
   const auto respond = [&](const TaxelSeries& series) {
     std::vector<int> out;
@@ -62,7 +63,7 @@ EvenSignals on_grid(const TaxelSeries& series, const std::vector<int>& ids, doub
   return grid;
 }
 
-/// Means of `times` values each; missing where one of them is.
+/// Returns the means of `times` successive values; a mean is missing if one of its values is.
 EvenSignals coarser(const EvenSignals& fine, std::size_t times) {
   if (times <= 1) return fine;
   const auto width = static_cast<double>(times);
@@ -80,11 +81,12 @@ EvenSignals coarser(const EvenSignals& fine, std::size_t times) {
 
 struct Correlation {
   double value = 0;
-  double points = 0;  // compared
+  double points = 0;  // number of compared points
 };
 
-/// Pearson's r = sum (x - mx)(y - my) / sqrt(sum (x - mx)^2 sum (y - my)^2) of run[i + lag] and real[i] over the points
-/// where both are there; none: fewer than `least`, or one is constant there.
+/// Returns Pearson's r = sum (x - mx)(y - my) / sqrt(sum (x - mx)^2 sum (y - my)^2) of x = run[i + lag] and y = real[i]
+/// over the points at which both have values. Returns nothing if there are fewer than `least` points or one signal is
+/// constant on them.
 std::optional<Correlation> correlation_at(const std::vector<double>& run, const std::vector<double>& real,
                                           std::ptrdiff_t lag, double least) {
   const auto n = static_cast<std::ptrdiff_t>(run.size()), m = static_cast<std::ptrdiff_t>(real.size());
@@ -98,12 +100,12 @@ std::optional<Correlation> correlation_at(const std::vector<double>& run, const 
   }
   if (count < std::max(least, 3.0)) return std::nullopt;
   const double vx = xx - sx * sx / count, vy = yy - sy * sy / count;
-  constexpr double kConstant = 1e-12;  // of its own square: what is left by rounding
+  constexpr double kConstant = 1e-12;  // rounding error of a constant signal, as a fraction of its square
   if (vx <= kConstant * xx || vy <= kConstant * yy) return std::nullopt;
   return Correlation{(xy - sx * sy / count) / std::sqrt(vx * vy), count};
 }
 
-/// The mean over all taxels, those that cannot be compared there as 0.
+/// Returns the mean correlation over all taxels. A taxel that cannot be compared at this lag counts as 0.
 std::optional<Correlation> correlation_at(const EvenSignals& run, const EvenSignals& real, std::ptrdiff_t lag,
                                           double least) {
   Correlation sum;
@@ -135,13 +137,14 @@ std::optional<BestLag> best_lag(const EvenSignals& run, const EvenSignals& real,
   return best;
 }
 
-/// Where the parabola through three even points is highest, in their distance from the middle one.
+/// Returns the position of the maximum of the parabola through three even points, from the middle point, in units of
+/// their distance.
 double parabola_peak(double before, double at, double after) {
   const double curvature = before - 2 * at + after;
   return curvature < 0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0;
 }
 
-/// Between the points of the grid.
+/// Returns the lag of the maximum between the points of the grid.
 double refined(const EvenSignals& run, const EvenSignals& real, const BestLag& best) {
   const double least = 0.5 * best.correlation.points;
   const std::optional<Correlation> before = correlation_at(run, real, best.lag - 1, least),
@@ -167,7 +170,7 @@ std::optional<Alignment> align(const TaxelSeries& run, const TaxelSeries& real) 
   const auto step = static_cast<std::ptrdiff_t>(times), around = times > 1 ? 2 * step : 0, middle = rough->lag * step;
   const std::optional<BestLag> best = best_lag(a, b, middle - around, middle + around);
   if (!best) return std::nullopt;
-  // run[i + lag] lies over real[i]: a.start + lag * interval is the time of real's first value on the run's clock
+  // run[i + lag] corresponds to real[i], so the time of the first real value in the run is a.start + lag * interval.
   return Alignment{a.start + refined(a, b, *best) * interval - b.start, best->correlation.value,
                    best->correlation.points * interval};
 }

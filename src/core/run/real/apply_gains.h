@@ -6,10 +6,10 @@
 
 namespace taxel {
 
-/// `before` with, for each taxel that has a gain, that gain and the tare that gives its offset: recording = gain *
-/// (reading - tare), so tare = -offset / gain; instead of what it had of these, and of a curve of its own. All else
-/// stays, and so do taxels without a gain. `unit`: of the recording; empty: as before. Throws Error where no taxel has
-/// a gain.
+/// Returns `before` with the fitted gains. For each taxel with a fitted gain, the gain and the tare replace the former
+/// gain, tare and curve of that taxel. The tare gives the fitted offset: recording = gain * (reading - tare), so tare =
+/// -offset / gain. All other values remain. `unit` is the unit of the recording; if empty, the former unit remains.
+/// Throws Error if no taxel has a gain.
 Calibration with_gains(const std::optional<Calibration>& before, const std::vector<TaxelFit>& fits,
                        const std::string& unit);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using MappingNode = JsonNode<Json>;
-constexpr std::array<const char*, 4> kTimeUnits{"s", "ms", "us", "ns"};  // as TimeUnit has them
+constexpr std::array<const char*, 4> kTimeUnits{"s", "ms", "us", "ns"};  // in the order of TimeUnit
 
 int whole(const MappingNode& node) {
   const double value = node.number();

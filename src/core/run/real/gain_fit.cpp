@@ -12,14 +12,14 @@
 namespace taxel {
 namespace {
 
-/// Pairs of one taxel's values, and its place in the run.
+/// Pairs of values of one taxel, and the index of the taxel in the run.
 struct Pairs {
   std::size_t in_run = 0;
   std::vector<double> x, y;  // run, real
 };
 
-/// Of y = gain x + offset by the normal equations: about the means, gain = sum (x-mx)(y-my) / sum (x-mx)^2; through 0,
-/// gain = sum xy / sum x^2. Nothing where x is constant.
+/// Fits y = gain x + offset by the normal equations. With an offset, gain = sum (x-mx)(y-my) / sum (x-mx)^2; without
+/// it, gain = sum xy / sum x^2. Does nothing if x is constant.
 struct Line {
   double gain = 0, offset = 0;
   bool there = false;
@@ -38,7 +38,7 @@ Line fit_line(const std::vector<const Pairs*>& all, bool with_offset) {
       scale += pairs->x[i] * pairs->x[i];
     }
   }
-  constexpr double kConstant = 1e-20;  // of its own square: what is left by rounding
+  constexpr double kConstant = 1e-20;  // rounding error of a constant, as a fraction of its square
   if (!(xx > kConstant * scale)) return {};
   return {xy / xx, my - xy / xx * mx, true};
 }
@@ -64,12 +64,12 @@ std::string why_not(const TaxelSeries& run, const Pairs& pairs, double largest) 
   if (pairs.x.size() < 3) return "has no values in the recording while the run lasts";
   double largest_value = 0;
   for (const double y : pairs.y) largest_value = std::max(largest_value, std::abs(y));
-  constexpr double kConstant = 1e-12;  // of its values: what is left by rounding
+  constexpr double kConstant = 1e-12;  // rounding error of a constant, as a fraction of its values
   if (range_of(pairs.y) <= kConstant * largest_value) return "is constant in the recording";
   return "";
 }
 
-/// The taxels that both have.
+/// Returns the pairs of the taxels that both series have.
 std::vector<Pairs> pair_up(const TaxelSeries& run, const TaxelSeries& real, double shift) {
   std::vector<Pairs> all;
   for (std::size_t k = 0; k < run.taxel_ids.size(); ++k) {

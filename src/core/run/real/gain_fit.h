@@ -1,5 +1,5 @@
-// Gain and offset between what a run reads and what a real sensor gave: least squares, taxel by taxel or for all at
-// once.
+// Least-squares fit of gain and offset between the readings of a run and those of a real sensor, for each taxel or for
+// all taxels together.
 #pragma once
 
 #include "core/run/real/taxel_series.h"
@@ -8,35 +8,37 @@ namespace taxel {
 
 struct FitOptions {
   bool common = false;  ///< one gain and one offset for all taxels
-  bool offset = true;   ///< else the line goes through 0
+  bool offset = true;   ///< fits an offset; if false, the line passes through 0
 };
 
-/// real = gain * run + offset.
+/// Result for one taxel: real = gain * run + offset.
 struct TaxelFit {
   int taxel = 0;
-  std::string refused;       ///< why there is no gain; empty: there is one
+  std::string refused;       ///< reason why there is no gain; empty if there is one
   double gain = 0;           ///< [unit of real / unit of run]
   double offset = 0;         ///< [unit of real]
-  double r2 = 0;             ///< 1 - residual squares / squares about the mean (through 0: about 0)
+  double r2 = 0;             ///< R^2 = 1 - residual squares / squares about the mean (about 0 without an offset)
   double residual = 0;       ///< root mean square of real - (gain run + offset) [unit of real]
-  double largest_error = 0;  ///< likewise the largest
-  std::size_t points = 0;    ///< pairs of values
+  double largest_error = 0;  ///< largest absolute value of real - (gain run + offset) [unit of real]
+  std::size_t points = 0;    ///< number of pairs of values
 };
 
-/// Below it the recording does not follow the run, and a gain would be chance.
+/// Smallest R^2 of a fit. Below it the recording does not follow the run, and the gain would be a matter of chance.
 inline constexpr double kFollows = 0.1;
 
-/// One fit for each taxel that both series have, in the run's order, over the run's times at which the recording, its
-/// times moved by `shift` [s], has a value. Closed form of the normal equations. Taxels that do not respond in the run,
-/// are constant in the recording or do not follow the run (R^2 below kFollows) have no gain but a reason.
+/// Returns one fit for each taxel that both series have, in the order of the run. `shift` [s] is added to the times of
+/// the recording. A fit uses the times of the run at which the recording has a value, and solves the normal equations
+/// in closed form. A taxel has a reason instead of a gain if it does not respond in the run, is constant in the
+/// recording, or does not follow the run (R^2 below kFollows).
 std::vector<TaxelFit> fit_gains(const TaxelSeries& run, const TaxelSeries& real, double shift,
                                 const FitOptions& options);
 
-/// The recording's values of a taxel at the run's times; NaN where there are none.
+/// Returns the recorded values of a taxel at the times of the run; NaN where the recording has no value.
 std::vector<double> on_run_times(const TaxelSeries& run, const TaxelSeries& real, int taxel, double shift);
 
-/// `time,taxel_<id>,real_<id>,fitted_<id>...` on the run's times: what was read, what the real sensor gave, and
-/// gain * read + offset (empty without a gain); empty fields where the recording has nothing.
+/// Returns a table `time,taxel_<id>,real_<id>,fitted_<id>...` with a row for each time of the run: the simulated
+/// reading, the recorded value, and gain * reading + offset. Fields are empty where the recording has no value;
+/// `fitted` is also empty without a gain.
 std::string aligned_csv(const TaxelSeries& run, const TaxelSeries& real, double shift,
                         const std::vector<TaxelFit>& fits);
 

@@ -1,4 +1,4 @@
-// What a table's names and first rows tell of its columns.
+// Guesses the mapping of columns from the names and the first rows of a table.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace taxel {
 namespace {
 
-constexpr std::size_t kLooked = 50;   // rows
-constexpr double kGuessedRate = 100;  // rows per second, where no column is a time
+constexpr std::size_t kLooked = 50;   // number of rows that are inspected
+constexpr double kGuessedRate = 100;  // rows per second, if no column is a time
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -23,7 +23,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// The first lines that hold something.
+/// Returns the first lines that are not empty.
 std::vector<std::string> first_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size() && lines.size() < kLooked;) {
@@ -36,7 +36,8 @@ std::vector<std::string> first_lines(const std::string& text) {
   return lines;
 }
 
-/// What stands in the last line; a comma last, which may be a decimal mark. Otherwise blanks.
+/// Returns the first separator that the last line contains, or a blank if it contains none. The comma is tried last,
+/// since it may be a decimal mark.
 std::string separator_in(const std::vector<std::string>& lines) {
   if (lines.empty()) return ",";
   for (const char* mark : {";", "\t", ","})
@@ -49,7 +50,7 @@ bool all_numbers(const CsvRow& row, char decimal) {
                      [&](const std::string& field) { return is_missing(field) || number_of(field, decimal); });
 }
 
-/// Lines before the first one that holds nothing but numbers.
+/// Returns the number of lines before the first line that has only numbers.
 int header_lines(const std::string& text, ColumnMapping mapping) {
   mapping.header_lines = 0;
   const std::vector<CsvRow> rows = split_table(text, mapping, "").rows;
@@ -64,7 +65,7 @@ bool names_time(const std::string& column) {
          name.starts_with("t_") || name.find("time") != std::string::npos || name.starts_with("secs");
 }
 
-/// By a unit in the name, else by how far the numbers go.
+/// Returns the unit in the name of the column of times, or guesses it from the interval of the rows.
 TimeUnit unit_of_time(const std::string& column, const std::vector<double>& times) {
   const std::string name = lower_case(column);
   const auto ends = [&](const std::string& unit) {
@@ -78,14 +79,14 @@ TimeUnit unit_of_time(const std::string& column, const std::vector<double>& time
   if (ends("ms") || ends("msec")) return TimeUnit::ms;
   if (ends("s") || ends("sec") || ends("secs")) return TimeUnit::s;
   if (times.size() < 2) return TimeUnit::s;
-  // Tactile sensors are read some ten to some thousand times a second: 1 and more between rows are no seconds.
+  // Tactile sensors give ten to some thousand readings per second, so an interval of 1 or more is not in seconds.
   const double interval = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   if (interval >= 1e5) return TimeUnit::ns;
   if (interval >= 500) return TimeUnit::us;
   return interval >= 1 ? TimeUnit::ms : TimeUnit::s;
 }
 
-/// The whole number at the end of a name.
+/// Returns the whole number at the end of a name, or nothing.
 std::optional<int> number_at_end(const std::string& name) {
   std::size_t begin = name.size();
   while (begin > 0 && std::isdigit(static_cast<unsigned char>(name[begin - 1])) != 0) --begin;
@@ -93,7 +94,7 @@ std::optional<int> number_at_end(const std::string& name) {
   return std::stoi(name.substr(begin));
 }
 
-/// Most of them: what is none is told when the table is read.
+/// Returns true if most fields of the column are numbers. A field that is not is reported when the table is read.
 bool numbers_in(const TableLook& look, std::size_t column, char decimal) {
   const auto numbers = std::count_if(look.rows.begin(), look.rows.end(), [&](const std::vector<std::string>& row) {
     return column < row.size() && (is_missing(row[column]) || number_of(row[column], decimal));
@@ -101,7 +102,7 @@ bool numbers_in(const TableLook& look, std::size_t column, char decimal) {
   return 2 * numbers > static_cast<std::ptrdiff_t>(look.rows.size());
 }
 
-/// A column as a mapping names it: by its number where the name is no name of its own.
+/// Returns the name by which a mapping refers to a column: its number if the name is empty or not unique.
 std::string name_of(const TableLook& look, std::size_t column) {
   const bool single = std::count(look.columns.begin(), look.columns.end(), look.columns[column]) == 1;
   return single ? look.columns[column] : fmt::format("#{}", column + 1);
@@ -115,7 +116,7 @@ std::vector<double> first_numbers(const TableLook& look, std::size_t column, cha
   return numbers;
 }
 
-/// A column of that name; else the first one, where it ascends all along.
+/// Returns the column with the name of a time, or else the first column if its values always ascend.
 void guess_time(const TableLook& look, ColumnMapping& mapping) {
   std::optional<std::size_t> found;
   for (std::size_t c = 0; c < look.columns.size() && !found; ++c)
@@ -162,7 +163,7 @@ ColumnMapping guess_mapping(const std::string& text, const std::vector<int>& tax
     const TableLook look = look_at_table(begin, mapping, "", kLooked);
     guess_time(look, mapping);
     guess_taxels(look, taxel_ids, mapping);
-  } catch (const Error&) {  // told when the table is read
+  } catch (const Error&) {  // the error is reported when the table is read
   }
   return mapping;
 }

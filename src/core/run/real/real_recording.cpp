@@ -14,9 +14,9 @@ namespace taxel {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array kSecondsOf{1.0, 1e-3, 1e-6, 1e-9};  // of one TimeUnit
+constexpr std::array kSecondsOf{1.0, 1e-3, 1e-6, 1e-9};  // in the order of TimeUnit
 
-/// Reads the numbers of a table, naming line and column of what is none.
+/// Reads the numbers of a table. An error names the line and the column of a field that is not a number.
 class NumberReader {
  public:
   NumberReader(const TextTable& table, const ColumnMapping& mapping, const std::string& file)

@@ -1,4 +1,4 @@
-// A recording from a real sensor: a table of numbers, read as a ColumnMapping says.
+// A recording from a real sensor, read from a table of numbers whose columns a ColumnMapping explains.
 #pragma once
 
 #include <string>
@@ -10,28 +10,29 @@
 namespace taxel {
 
 struct RealRecording {
-  TaxelSeries series;              ///< in the mapping's order of taxels; time as the table has it
-  std::vector<std::string> notes;  ///< what is missing in it, in words
+  TaxelSeries series;              ///< taxels in the order of the mapping; times of the table
+  std::vector<std::string> notes;  ///< sentences about missing values
 };
 
-/// Fields that hold nothing, "nan", "NA", "null" or "-" are missing values. Rows with the time of the row before are
-/// left out. Throws Error(file, "line 7, column \"p3\"", ...) for a field that is no number, a row of another length, a
-/// time that is missing or runs backwards, a column that is not there, a table without rows.
+/// Reads a recording from the text of a table. Empty fields and "nan", "NA", "null" and "-" are missing values. A row
+/// with the time of the previous row is left out. Throws Error(file, "line 7, column \"p3\"", ...) if a field is not a
+/// number, a row has another length, a time is missing or decreases, a column does not exist, or the table has no rows.
 RealRecording parse_real_recording(const std::string& text, const ColumnMapping& mapping, const std::string& file);
 RealRecording read_real_recording(const std::string& file, const ColumnMapping& mapping);
 
-/// What a table looks like, for a mapping to be made.
+/// Names and first rows of a table, shown to a user who writes a mapping.
 struct TableLook {
-  std::vector<std::string> columns;            ///< names, or "#1", "#2", ... where no line names them
-  std::vector<std::vector<std::string>> rows;  ///< the first ones, as text
+  std::vector<std::string> columns;            ///< names, or "#1", "#2", ... if the table has no header
+  std::vector<std::vector<std::string>> rows;  ///< fields of the first rows, as text
 };
+/// Returns the names and at most `most_rows` rows of a table. Throws Error as split_table() does.
 TableLook look_at_table(const std::string& text, const ColumnMapping& mapping, const std::string& file,
                         std::size_t most_rows);
 
-/// As good a mapping as names and first rows tell: what separates, which lines are no numbers, a column named like a
-/// time and its unit (by its name, "t [ms]", else by how far its rows are apart), columns that end in the id of one of
-/// the taxels
-/// ("taxel_3", "p3"); where none does, the columns that are left, in order. Never throws for what it cannot tell.
+/// Guesses the mapping from the names and the first rows of a table: the separator, the header lines, the column of
+/// times by its name, and the unit of time by the name ("t [ms]") or by the interval of the rows. A taxel gets the
+/// column whose name ends in its id ("taxel_3", "p3"); if no name does, the taxels get the remaining columns in order.
+/// Values that cannot be guessed keep their defaults; nothing is thrown.
 ColumnMapping guess_mapping(const std::string& text, const std::vector<int>& taxel_ids);
 
 }  // namespace taxel

@@ -16,7 +16,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
-/// Each run of blanks and tabs within a line as one tab, none at its ends: as parse_csv() takes tables apart.
+/// Replaces each run of blanks and tabs within a line by one tab, and removes those at its ends, for parse_csv().
 std::string with_tabs(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// Values of taxels over time, from wherever: a run, or a real sensor.
+// Values of taxels over time, from a simulated run or a real sensor.
 #pragma once
 
 #include <limits>
@@ -10,35 +10,35 @@
 namespace taxel {
 
 struct TaxelSeries {
-  std::string unit;                         ///< of the values; empty: unknown
-  std::vector<double> time;                 ///< ascending [s]
-  std::vector<int> taxel_ids;               ///< each once
-  std::vector<std::vector<double>> values;  ///< per taxel, parallel to time; NaN: missing
+  std::string unit;                         ///< unit of the values; empty if unknown
+  std::vector<double> time;                 ///< times of the rows, ascending [s]
+  std::vector<int> taxel_ids;               ///< ids of the taxels; no id appears twice
+  std::vector<std::vector<double>> values;  ///< for each taxel, one value per row; NaN if missing
 };
 
-/// Between rows that are farther apart than so many of the median interval nothing is interpolated: it is a gap.
+/// Smallest length of a gap, in median intervals. Values are not interpolated across a gap.
 inline constexpr double kGapIntervals = 5;
 
-/// What one taxel of a series is at any time.
+/// Linear interpolation of the values of one taxel.
 class Interpolated {
  public:
-  /// Borrows the series.
+  /// Copies the values of `series` that are not missing. `taxel` is an index in TaxelSeries::values.
   Interpolated(const TaxelSeries& series, std::size_t taxel);
-  /// Linear between the values before and after that are there; NaN outside of them and in a gap.
+  /// Returns the value at a time, linear between the previous and the next value; NaN outside the series and in a gap.
   [[nodiscard]] double at(double time) const;
 
  private:
-  std::vector<double> time_, value_;  // of the values that are there
-  double gap_;                        // [s]
+  std::vector<double> time_, value_;  // times [s] and values that are not missing
+  double gap_;                        // smallest length of a gap [s]
 };
 
-/// Of the rows' own distances; 0 where there are fewer than two.
+/// Returns the median interval between two rows [s]; 0 if there are fewer than two rows.
 double median_interval(const std::vector<double>& time);
 
-/// The readings of one sensor of a recording.
+/// Returns the readings of one sensor of a recording.
 TaxelSeries series_of(const Recording& recording, std::size_t sensor);
 
-/// Largest less smallest value that is there; 0 where none is.
+/// Returns the difference of the largest and the smallest value, without missing values; 0 if all are missing.
 double range_of(const std::vector<double>& values);
 
 }  // namespace taxel

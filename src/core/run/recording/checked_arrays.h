@@ -14,7 +14,7 @@
 
 namespace taxel {
 
-/// Numbers that are all finite.
+/// Reads numbers that must all be finite.
 inline std::vector<double> finite_doubles(const NpzReader& in, const std::string& name, const NpzReader::Shape& shape) {
   std::vector<double> values = in.doubles(name, shape);
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -23,7 +23,8 @@ inline std::vector<double> finite_doubles(const NpzReader& in, const std::string
   return values;
 }
 
-/// Quaternions w x y z as the rows of an array. Each has length 1 within 1e-3: MuJoCo normalises what a scene gives.
+/// Reads quaternions w x y z, the rows of an array. Each length must be 1 within 1e-3; MuJoCo normalises the
+/// quaternions of a scene.
 inline std::vector<double> unit_quaternions(const NpzReader& in, const std::string& name,
                                             const NpzReader::Shape& shape) {
   constexpr double kTolerance = 1e-3;
@@ -36,7 +37,7 @@ inline std::vector<double> unit_quaternions(const NpzReader& in, const std::stri
   return values;
 }
 
-/// Whole numbers from `least` to `most`.
+/// Reads whole numbers that must be from `least` to `most`.
 inline std::vector<std::int64_t> bounded_integers(const NpzReader& in, const std::string& name,
                                                   const NpzReader::Shape& shape, std::int64_t least,
                                                   std::int64_t most) {

@@ -11,7 +11,7 @@ namespace taxel {
 
 namespace {
 
-/// What heads the columns of a sensor before their own names.
+/// Returns the prefix of the column names of a sensor.
 std::string prefix_of(const Recording& recording, const RecordedSensor& sensor) {
   return recording.sensors.size() > 1 ? sensor.geom + "/" : "";
 }
@@ -22,7 +22,7 @@ void append_taxel_heads(std::string& text, const RecordedSensor& sensor, const s
     for (const char* part : parts) text.append(",").append(csv_field(fmt::format("{}taxel_{}{}", prefix, id, part)));
 }
 
-/// A table of the sensors that have something, in columns of their own behind time and travel; empty where none has.
+/// Returns a table with time, travel and the columns of each sensor that has such values; empty if no sensor has any.
 template <class Has, class AppendHeads, class AppendValues>
 std::string table_of(const Recording& recording, const Has& has, const AppendHeads& heads, const AppendValues& values) {
   if (std::none_of(recording.sensors.begin(), recording.sensors.end(), has)) return "";

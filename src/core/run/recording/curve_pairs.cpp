@@ -6,7 +6,7 @@
 namespace taxel {
 namespace {
 
-/// Returns the largest difference between two curves, or `limit` as soon as it reaches that.
+/// Returns the largest difference between two curves, or `limit` if the difference reaches it.
 double difference_below(std::span<const double> a, std::span<const double> b, double limit) {
   double largest = 0;
   for (std::size_t row = 0; row < a.size() && largest < limit; ++row)
@@ -24,7 +24,7 @@ std::vector<int> find_leaders(const std::vector<std::span<const double>>& curves
     const auto peak_row = static_cast<std::size_t>(std::max_element(curve.begin(), curve.end()) - curve.begin());
     double nearest = kPairDistance * curve[peak_row];
     for (std::size_t j = 0; j < i; ++j) {
-      // Most curves are already apart where this one is highest.
+      // Most pairs of curves already differ by `limit` at the peak of this curve.
       if (leaders[j] >= 0 || !(std::abs(curve[peak_row] - curves[j][peak_row]) < nearest)) continue;
       const double difference = difference_below(curve, curves[j], nearest);
       if (difference < nearest) nearest = difference, leaders[i] = static_cast<int>(j);

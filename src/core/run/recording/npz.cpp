@@ -15,7 +15,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
-/// Header of NPY 1.0: magic, version, length, a Python dictionary padded with blanks to a multiple of 64 bytes.
+/// Returns the header of NPY 1.0: magic, version, length, and a Python dictionary padded with blanks to a multiple of
+/// 64 bytes.
 std::string npy_header(const std::string& type, const NpzWriter::Shape& shape) {
   std::string tuple;
   for (const std::size_t n : shape) tuple += fmt::format("{},", n);
@@ -41,7 +42,7 @@ std::string npy(const std::string& type, const NpzWriter::Shape& shape, std::spa
   return bytes;
 }
 
-/// Code points of UTF-8 text; a broken byte becomes U+FFFD.
+/// Returns the code points of UTF-8 text. A byte that is not valid becomes U+FFFD.
 std::u32string code_points(const std::string& text) {
   std::u32string points;
   for (std::size_t i = 0; i < text.size();) {
@@ -92,7 +93,7 @@ std::string npy_text(const NpzWriter::Shape& shape, const std::vector<std::strin
   throw Error("", "npz", why);
 }
 
-/// Members stored uncompressed with the earliest date that a zip can hold, 1980-01-01 00:00.
+/// Stores the members uncompressed, with the earliest date that a zip can hold, 1980-01-01 00:00.
 void add_member(zip_t* archive, const std::string& name, const std::string& bytes) {
   zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
   if (source == nullptr) fail(archive);

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are read as they lie in memory");
 
-/// What stands behind `key` in the dictionary of an NPY header; empty where it does not.
+/// Returns the text after `key` in the dictionary of an NPY header; empty if the header has no such key.
 std::string_view after(std::string_view dictionary, std::string_view key) {
   const std::size_t at = dictionary.find(key);
   return at == std::string_view::npos ? std::string_view() : dictionary.substr(at + key.size());
@@ -32,7 +32,7 @@ void append_utf8(std::string& text, char32_t c) {
   }
 }
 
-/// Numbers separated by commas, up to the closing bracket.
+/// Reads numbers separated by commas, up to the closing bracket.
 bool parse_shape(std::string_view text, NpzReader::Shape& shape) {
   while (!text.empty() && text.front() != ')') {
     std::size_t n = 0;
@@ -45,7 +45,7 @@ bool parse_shape(std::string_view text, NpzReader::Shape& shape) {
   return !text.empty();
 }
 
-/// Bytes of one element; 0 for types that are not read.
+/// Returns the number of bytes of one element; 0 for types that are not supported.
 std::size_t element_size(const std::string& type) {
   if (type == "<f8" || type == "<i8") return 8;
   std::size_t length = 0;
@@ -62,7 +62,7 @@ std::string read_archive_member(const std::filesystem::path& path, const std::st
   return archive.has(name) ? archive.read(name) : "";
 }
 
-/// NPY 1.0 (NumPy enhancement proposal 1).
+/// Reads an array in the format NPY 1.0 (NumPy enhancement proposal 1).
 NpzReader::Array NpzReader::at(const std::string& name) const {
   const std::string& file = this->file();
   if (!has(name)) throw Error(file, name, "is missing");
@@ -88,7 +88,7 @@ NpzReader::Array NpzReader::at(const std::string& name) const {
   if (!parse_shape(after(dictionary, "'shape': ("), array.shape)) throw Error(file, name, "has no shape");
   bytes.erase(0, kPrefix + header);
   array.data = std::move(bytes);
-  std::size_t left = array.data.size() / element_size(array.type);  // no overflow for any shape
+  std::size_t left = array.data.size() / element_size(array.type);  // division cannot overflow, unlike a product
   for (const std::size_t n : array.shape) array.count = n == 0 || array.count <= left / n ? array.count * n : left + 1;
   if (array.count * element_size(array.type) != array.data.size())
     throw Error(file, name, "does not hold as many values as its shape says");

@@ -10,7 +10,8 @@
 namespace taxel {
 namespace {
 
-/// The unit of a sensor's readings. Of files of versions that did not write it what `units` (JSON text) says of all.
+/// Returns the unit of a sensor's readings. In files of versions without this array, `units` (JSON text) has one unit
+/// for all sensors.
 std::string unit_of_readings(const NpzReader& npz, const std::string& prefix) {
   if (npz.has(prefix + "readings_unit")) return npz.text(prefix + "readings_unit");
   const std::string units = npz.text("units"), key = "\"readings\": \"";
@@ -19,7 +20,7 @@ std::string unit_of_readings(const NpzReader& npz, const std::string& prefix) {
   return units.substr(at + key.size(), units.find('"', at + key.size()) - at - key.size());
 }
 
-/// Times of the rows, each later than the one before.
+/// Reads the times of the rows, which must ascend.
 std::vector<double> read_times(const NpzReader& npz) {
   std::vector<double> time = finite_doubles(npz, "time", {NpzReader::kAny});
   if (time.empty()) throw Error(npz.file(), "time", "has no rows");
@@ -30,7 +31,7 @@ std::vector<double> read_times(const NpzReader& npz) {
   return time;
 }
 
-/// Steps of the rows: ascending places in the mocap arrays.
+/// Reads the steps of the rows: ascending indices into the mocap arrays.
 std::vector<std::int64_t> read_steps(const NpzReader& npz, std::size_t rows, std::size_t steps) {
   std::vector<std::int64_t> step = bounded_integers(npz, "step", {rows}, 0, static_cast<std::int64_t>(steps) - 1);
   for (std::size_t r = 1; r < step.size(); ++r)

@@ -1,5 +1,4 @@
-// What a run leaves behind: rows of readings with the poses that belong to them. Plain values; csv.h and npz.h write
-// it.
+// The result of a run: rows of readings and poses. Plain values; csv.h and npz.h write them to files.
 #pragma once
 
 #include <cstdint>
@@ -11,47 +10,48 @@
 
 namespace taxel {
 
-/// One sensor of a recording: what its columns mean.
+/// Description of one sensor: the meaning of its values in the rows.
 struct RecordedSensor {
-  std::string geom;            ///< name of its geom in the scene
-  std::vector<int> taxel_ids;  ///< order of its columns
+  std::string geom;            ///< name of the sensor's geom in the scene
+  std::vector<int> taxel_ids;  ///< ids of the taxels, in the order of the readings
   std::vector<std::string> taxel_names;
-  std::string layout_json;   ///< the whole layout, as a layout file holds it
+  std::string layout_json;   ///< the whole layout, in the format of a layout file
   std::string reading_unit;  ///< "Pa" or "N"
-  std::uint64_t seed = 0;    ///< of its samples
-  /// Of its calibrated values; none: its layout has no calibration.
+  std::uint64_t seed = 0;    ///< seed of the samples
+  /// Unit of the calibrated values; not set if the layout has no calibration.
   std::optional<std::string> calibrated_unit = std::nullopt;
-  bool force = false;  ///< readings are forces: their Aggregate is force, and SensorRecord::uncovered_W counts
-  bool shear = false;  ///< SensorRecord::shear is there
-  std::vector<TangentFrame> tangents = {};  ///< of the shear, parallel to taxel_ids
+  bool force = false;  ///< readings are forces (Aggregate::force), and SensorRecord::uncovered_W is set
+  bool shear = false;  ///< SensorRecord::shear is set
+  std::vector<TangentFrame> tangents = {};  ///< tangent frames of the shear, parallel to taxel_ids
 };
 
-/// One sensor's values in one row.
+/// Values of one sensor in one row.
 struct SensorRecord {
   dvec3 force_W{0};  ///< contact force on the sensor [N]
-  double area = 0;   ///< of its contact surfaces [m^2]
+  double area = 0;   ///< area of the contact surfaces [m^2]
   int polygons = 0;
   std::vector<double> readings;         ///< parallel to RecordedSensor::taxel_ids
-  Pose X_WM;                            ///< of the frame of its mesh file
+  Pose X_WM;                            ///< pose of the frame of the mesh file
   std::vector<double> calibrated = {};  ///< parallel to `readings`; empty without a calibration
-  std::vector<dvec2> shear = {};        ///< parallel to `readings`, in their unit, along e1 and e2; empty without shear
+  std::vector<dvec2> shear = {};        ///< along e1 and e2, in the unit of `readings`; empty without shear
   dvec3 uncovered_W{0};                 ///< elastic normal force that no taxel reaches [N]; zero unless `force`
 };
 
-/// The state that was evaluated at `time`, before the step that follows it.
+/// The state at `time`, evaluated before the next step.
 struct RecordedRow {
-  std::int64_t step = 0;  ///< index into Recording::mocap: the step that evaluated this row
+  std::int64_t step = 0;  ///< index into Recording::mocap of the step that evaluated this row
   double time = 0;        ///< [s]
-  double travel = 0;      ///< of the mocap body [m]
+  double travel = 0;      ///< distance that the mocap body has moved [m]
   std::vector<SensorRecord> sensors;
   std::vector<Pose> objects;  ///< parallel to Recording::objects
 };
 
+/// A whole run.
 struct Recording {
   std::vector<RecordedSensor> sensors;
-  std::vector<std::string> objects;  ///< geoms that are no sensors
+  std::vector<std::string> objects;  ///< names of the geoms that are not sensors
   std::vector<RecordedRow> rows;
-  std::vector<Pose> mocap;  ///< per step: the mocap body's pose during it; replaying them repeats the run
+  std::vector<Pose> mocap;  ///< pose of the mocap body in each step; replaying the poses repeats the run
   double timestep = 0;      ///< [s]
 };
 

@@ -24,7 +24,7 @@ TaxelSummary summarize_taxel(const Recording& recording, std::size_t sensor, std
   return summary;
 }
 
-/// How far the sensor's pose relative to the mocap body has moved since the first row.
+/// Sets the largest changes of the sensor's pose relative to the mocap body since the first row.
 void add_deflection(const Recording& recording, std::size_t sensor, RecordedSensorSummary& summary) {
   const auto held = [&](const RecordedRow& row) {
     return recording.mocap[static_cast<std::size_t>(row.step)].inverse() * row.sensors[sensor].X_WM;

@@ -1,4 +1,4 @@
-// What a recording says at a glance: who responded, how strongly, how smoothly.
+// Summary of a recording: for each taxel whether it responds, how strongly, and how smoothly.
 #pragma once
 
 #include <string>
@@ -8,30 +8,35 @@
 
 namespace taxel {
 
+/// Summary of one taxel.
 struct TaxelSummary {
   int id = 0;
   std::string name;
-  double peak = 0;          ///< largest reading [Pa], or [N] for Aggregate::force
-  double mean = 0;          ///< of the rows, in the same unit
-  double peak_travel = 0;   ///< where it was [m]
-  double largest_step = 0;  ///< largest change between two rows, as a part of the own peak; 0 where nothing was read
-  bool responds = false;    ///< peak above 5 % of the largest of the sensor
+  double peak = 0;         ///< largest reading [Pa], or [N] for Aggregate::force
+  double mean = 0;         ///< mean reading over the rows, in the unit of `peak`
+  double peak_travel = 0;  ///< travel of the mocap body at the peak [m]
+  /// Largest change between two successive rows, as a fraction of `peak`; 0 if the taxel never responds.
+  double largest_step = 0;
+  bool responds = false;  ///< true if the peak is above kResponds of the largest peak of the sensor
 };
 
+/// Summary of one sensor.
 struct RecordedSensorSummary {
   std::string geom;
   std::vector<TaxelSummary> taxels;
-  double largest_force = 0;  ///< length of the contact force [N]
-  double largest_area = 0;   ///< [m^2]
-  double largest_uncovered =
-      0;  ///< length of the elastic normal force that no taxel reaches; 0 unless RecordedSensor::force [N]
-  double deflection = 0;  ///< largest way by which the sensor's frame lagged its mocap body, against the first row [m]
-  double deflection_deg = 0;  ///< the same as an angle
+  double largest_force = 0;  ///< largest length of the contact force [N]
+  double largest_area = 0;   ///< largest area of the contact surfaces [m^2]
+  /// Largest length of the elastic normal force that no taxel reaches [N]; 0 unless RecordedSensor::force.
+  double largest_uncovered = 0;
+  /// Largest displacement of the sensor's frame relative to the mocap body since the first row [m].
+  double deflection = 0;
+  double deflection_deg = 0;  ///< largest rotation of the frame relative to the mocap body since the first row
 };
 
-/// Fraction of the sensor's largest peak above which a taxel counts as responding.
+/// Smallest peak of a taxel that responds, as a fraction of the sensor's largest peak.
 inline constexpr double kResponds = 0.05;
 
+/// Returns the summary of each sensor of a recording.
 std::vector<RecordedSensorSummary> summarize(const Recording& recording);
 
 }  // namespace taxel

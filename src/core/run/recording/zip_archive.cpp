@@ -27,8 +27,8 @@ ZipArchive::ZipArchive(std::string file, std::string bytes)
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes_->data(), bytes_->size(), 0, &error);
   if (source == nullptr) fail(file_, error);
-  // ZIP_CHECKCONS compares each member's own head with the archive's directory: a name that a flipped bit changed in
-  // one of them would otherwise hide an array.
+  // ZIP_CHECKCONS compares the header of each member with the directory of the archive. Without it, a flipped bit in a
+  // name would hide an array.
   zip_t* const archive = zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error);
   if (archive == nullptr) {
     zip_source_free(source);
@@ -69,7 +69,7 @@ std::string ZipArchive::read(const std::string& name) const {
   char beyond = 0;
   const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> in(zip_fopen_index(archive_.get(), member.index, 0),
                                                               &zip_fclose);
-  // Libzip compares the checksum when a read meets the member's end: one read more than the bytes need.
+  // Libzip compares the checksum when a read reaches the end of the member, so one more read is needed after the bytes.
   if (in == nullptr || zip_fread(in.get(), bytes.data(), bytes.size()) != static_cast<zip_int64_t>(bytes.size()) ||
       zip_fread(in.get(), &beyond, 1) != 0)
     throw Error(file_, name, "is broken off or damaged: its content differs from its checksum");

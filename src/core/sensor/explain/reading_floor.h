@@ -1,4 +1,4 @@
-// Least value of the largest reading when a change is measured as a fraction of it.
+// Lower limit of the largest reading, used when a change is expressed as a fraction of the largest reading.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace taxel {
 
-/// Returns 1e-4 of the modulus, which is less than any contact of a sensor reads, so that rounding is not a jump. For
-/// readings that are forces: that pressure times the largest receptive field. 0 for a rigid sensor. [unit of the
-/// reading]
+/// Returns the limit, in the unit of the readings: 1e-4 of the modulus, or, if readings are forces, this pressure times
+/// the area of the largest receptive field. 0 for a rigid sensor. Every contact gives larger readings, so rounding
+/// errors are not reported as jumps.
 inline double reading_floor(const SensorModel& model) {
   constexpr double kFraction = 1e-4;
   const double pressure = kFraction * model.layout.material.modulus;

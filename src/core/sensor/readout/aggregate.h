@@ -1,4 +1,5 @@
-// How the hits of a taxel's rays become its reading: one file of this folder and one row per aggregate.
+// Aggregates: functions that compute a taxel's reading from the hits of its rays. Each aggregate has one file in this
+// folder and one row in the table.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The contact of one step read by other models of a taxel. Nothing of it reaches the simulation.
+// Readings of one step by other models of a taxel, for comparison. They have no influence on the simulation.
 #pragma once
 
 #include <memory>
@@ -13,11 +13,11 @@ namespace taxel {
 
 class MujocoSensors;
 
-/// Of one sensor of a scene. Belongs to one thread at a time.
+/// Comparison of the models for one sensor of a scene. May be used by one thread at a time.
 class ModelComparison {
  public:
-  /// Compiles the sensor's layout with a star field, and its bodies for MuJoCo; what of it cannot be is told in the
-  /// readings. Throws Error for a sensor that the scene does not have, and Cancelled.
+  /// Compiles the sensor's layout with a star-shaped field, and its bodies for MuJoCo. If a model cannot be built, its
+  /// readings have the reason. Throws Error if the scene has no such sensor, and throws Cancelled.
   ModelComparison(std::shared_ptr<const SimScene> scene, std::size_t sensor, Progress* progress = nullptr);
   ~ModelComparison();
   ModelComparison(const ModelComparison&) = delete;
@@ -26,7 +26,8 @@ class ModelComparison {
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const { return scene_; }
   [[nodiscard]] std::size_t sensor() const { return sensor_; }
 
-  /// A step as it was recorded or computed: all sensors of the scene, X_WG of all its geoms. A pure function of these.
+  /// Returns the readings of one step. `sensors` has all sensors of the scene, `X_WG` the poses of all its geoms. The
+  /// result depends on these arguments only.
   [[nodiscard]] ModelReadings read(std::span<const SensorStep> sensors, std::span<const Pose> X_WG);
 
  private:
@@ -38,7 +39,7 @@ class ModelComparison {
   std::shared_ptr<const SimScene> scene_;
   std::size_t sensor_;
   SensorModelPtr star_;
-  std::string no_star_, no_mujoco_;  // why not
+  std::string no_star_, no_mujoco_;  // reasons why a model could not be built; empty if it was
   std::unique_ptr<MujocoSensors> mujoco_;
 };
 

@@ -9,7 +9,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kFullImpedance = 0.9999;  // the most that MuJoCo takes: a ten-thousandth of the force is lost
+constexpr double kFullImpedance = 0.9999;  // largest value that MuJoCo accepts; a ten-thousandth of the force is lost
 
 void set(double* to, const dvec3& v) {
   for (int i = 0; i < 3; ++i) to[i] = v[i];
@@ -26,7 +26,7 @@ void fill_mesh(mjsMesh* mesh, const std::vector<dvec3>& vertices, const std::vec
   for (const ivec3& f : faces) corners.insert(corners.end(), {f.x, f.y, f.z});
   mjs_setFloat(mesh->uservert, points.data(), static_cast<int>(points.size()));
   mjs_setInt(mesh->userface, corners.data(), static_cast<int>(corners.size()));
-  mesh->inertia = mjMESH_INERTIA_SHELL;  // any mesh has it
+  mesh->inertia = mjMESH_INERTIA_SHELL;  // is defined for every mesh, even an open one
 }
 
 mjsMesh* add_mesh(mjSpec* spec, const std::string& name, const TriMesh& mesh) {
@@ -40,7 +40,7 @@ mjsGeom* add_contact_geom(mjsBody* body) {
   mjsGeom* geom = mjs_addGeom(body, nullptr);
   geom->condim = 1;  // no friction
   geom->contype = geom->conaffinity = 1;
-  // Negative: direct stiffness and damping, here next to none: a contact neither pushes apart nor gives way.
+  // Negative values are stiffness and damping. Both are almost 0, so the contact has no compliance of its own.
   geom->solref[0] = geom->solref[1] = -1e-9;
   geom->solimp[0] = geom->solimp[1] = kFullImpedance;
   return geom;
@@ -81,7 +81,7 @@ void add_object(mjSpec* spec, const std::string& name, const Shape* shape, const
   if (geom->type == mjGEOM_PLANE) set(geom->size, dvec3(0, 0, 1));  // without bounds
 }
 
-/// The skin on three slides, with the taxels' spheres; "taxels" is a mesh already.
+/// Adds the skin on three slide joints, with the spheres of the taxels. The mesh "taxels" must exist.
 void add_sensor_body(mjSpec* spec, const SensorModel& model) {
   mjsBody* body = mjs_addBody(mjs_findBody(spec, "world"), nullptr);
   mjs_setName(body->element, "sensor");
@@ -131,7 +131,8 @@ std::string object_name(std::size_t number) {
 
 }  // namespace
 
-/// MuJoCo asks a mesh for a volume as well, which a tetrahedron in the midst of the vertices is.
+/// Adds the mesh of the tactile sensor. MuJoCo requires a mesh with a volume, so a tetrahedron in the middle of the
+/// vertices is added.
 void MujocoSensors::add_taxel_mesh(mjSpec* spec, const SensorModel& model) {
   const ReceptiveFields& fields = model.fields;
   for (std::size_t k = 0; k < taxels_; ++k) {
@@ -193,7 +194,7 @@ MujocoSensors::MujocoSensors(const SensorModel& model, const std::vector<Touched
 }
 
 void MujocoSensors::place(const Pose& X_WM, const std::vector<Pose>& X_WB) {
-  mj_resetData(model_.get(), data_.get());  // nothing of the step before, not even where the solver begins
+  mj_resetData(model_.get(), data_.get());  // clears the previous step, also the warm start of the solver
   set(model_->body_pos + 3 * sensor_body_, X_WM.p);
   set(model_->body_quat + 4 * sensor_body_, X_WM.q);
   for (std::size_t i = 0; i < mocaps_.size(); ++i) {

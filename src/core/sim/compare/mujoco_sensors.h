@@ -1,5 +1,5 @@
-// What MuJoCo's own tactile sensors say of a contact: the same bodies in a small model of their own, which shares
-// nothing with the scene that runs.
+// Readings of MuJoCo's own tactile sensors for a contact. The bodies are copied into a small separate model, which
+// shares nothing with the running scene.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,32 @@
 
 namespace taxel {
 
-/// Of each taxel, in layout order.
+/// Readings of all taxels, in layout order.
 struct MujocoReadings {
-  std::vector<double> depth;  ///< `<tactile>`, mean over the taxel's field [m]
-  std::vector<double> touch;  ///< `<touch>`, one sphere for each taxel, at its centre and of its radius [N]
+  std::vector<double> depth;  ///< `<tactile>`: mean depth over the taxel's field [m]
+  std::vector<double> touch;  ///< `<touch>`: force in a sphere at the taxel's centre, of the taxel's radius [N]
 };
 
-/// A sensor's skin, which MuJoCo takes for its convex hull, on a body that slides but does not turn; the bodies that it
-/// touches, each of them where it is put.
+/// A MuJoCo model of one sensor and the bodies that it touches. The sensor's skin is on a body that slides but does not
+/// turn, and MuJoCo uses the convex hull of the skin. The touched bodies are mocap bodies.
 ///
-/// Depth: MuJoCo's signed distance of the other body, of the deepest body, at the vertices of a mesh; 0 where MuJoCo
-/// finds no contact. The vertices are samples of the taxel, up to kMostVertices of them, and its value is their mean by
-/// the weights of its field; its centre where it has no samples. Meshes get an octree of distances (mjsMesh.needsdf).
+/// Depth: MuJoCo's signed distance to the other body, at the vertices of a mesh; 0 where MuJoCo finds no contact. If
+/// there are several bodies, the deepest counts. The vertices are samples of the taxel, at most kMostVertices, or its
+/// centre if it has no samples. The reading is the mean over the vertices, with the weights of the taxel's field.
+/// Meshes get an octree of distances (mjsMesh.needsdf).
 ///
-/// Touch: the poses are those of the hydroelastic contact, so MuJoCo's own compliance (solref) has no say: of each pair
-/// its constraints carry, without friction and at rest (solref -0 -0), the force of the contact's elastic pressure.
-/// What is MuJoCo's is where it finds contact points, and how its solver shares the force among them.
+/// Touch: the poses are those of the hydroelastic contact, so MuJoCo's own compliance (solref) has no influence. The
+/// constraints of each pair carry, without friction and at rest (solref -0 -0), the force of the contact's elastic
+/// pressure. MuJoCo decides where the contact points are, and its solver how the force is shared among them.
 class MujocoSensors {
  public:
-  /// Throws Error with MuJoCo's reason where a shape cannot be compiled.
+  /// Builds the model. Throws Error with MuJoCo's reason if a shape cannot be compiled.
   MujocoSensors(const SensorModel& model, const std::vector<TouchedBody>& touched,
                 const std::vector<SensorModelPtr>& sensors);
 
-  /// The contact where the sensor's mesh frame lies at X_WM and the bodies at X_WB, parallel to `touched`. `load_W`:
-  /// the force with which each pushes the sensor, zero without contact. A pure function of these.
+  /// Returns the readings for the pose X_WM of the sensor's mesh frame and the poses X_WB of the bodies, parallel to
+  /// `touched`. `load_W` has the force of each body on the sensor [N], zero without contact. The result depends on
+  /// these arguments only.
   [[nodiscard]] MujocoReadings read(const Pose& X_WM, const std::vector<Pose>& X_WB, const std::vector<dvec3>& load_W);
 
  private:
@@ -43,7 +45,7 @@ class MujocoSensors {
   struct Vertex {
     dvec3 at{0};
     std::size_t taxel = 0;
-    double share = 0;  // of the taxel's weights
+    double share = 0;  // fraction of the taxel's weights
   };
   void add_taxel_mesh(mjSpec* spec, const SensorModel& model);
   void place(const Pose& X_WM, const std::vector<Pose>& X_WB);
@@ -54,8 +56,8 @@ class MujocoSensors {
   ModelHandle model_;
   DataHandle data_;
   int sensor_body_ = 0;
-  std::vector<int> geoms_, mocaps_;  // parallel to touched; -1: a body that cannot be touched
-  int depths_ = 0, touches_ = 0;     // where their values begin
+  std::vector<int> geoms_, mocaps_;  // parallel to `touched`; -1 for a body that cannot be touched
+  int depths_ = 0, touches_ = 0;     // index of their first values in sensordata
 };
 
 }  // namespace taxel

@@ -27,10 +27,10 @@ class Pacing {
     while (history_.size() > 2 && now - history_.front().clock > kWindow) history_.pop_front();
   }
 
-  /// Returns the time until the next step is due; 0 or less if the step is due.
+  /// Returns the time until the next step is due [s]; 0 or less if the step is due.
   [[nodiscard]] double wait(double now) const { return begin_ + simulated_ / speed_ - now; }
 
-  /// Returns simulated time divided by clock time, over the last kWindow seconds.
+  /// Returns the simulated time divided by the real time, over the last kWindow seconds.
   [[nodiscard]] double measured_speed(double now) const {
     if (history_.empty() || !(now > history_.front().clock)) return 0.0;
     return (simulated_ - history_.front().simulated) / (now - history_.front().clock);

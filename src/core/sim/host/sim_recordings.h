@@ -19,7 +19,8 @@ class SimRecordings {
   /// Sets the folder for the journals of later recordings; empty for recordings in memory only.
   void set_journal_folder(const std::string& folder) { journal_folder_ = folder; }
 
-  /// Begins a recording for `file`. Does nothing while a recording is being made.
+  /// Begins a recording for `file`. Does nothing while a recording is being made. Never throws: a recording without a
+  /// journal gets a warning instead.
   void begin(const std::string& file, const Simulator* simulator);
   /// Adds the latest step to the recording, if there is one. Ends the recording at kMaxRecordedBytes.
   void follow(const StepView& view, const Simulator& simulator);
@@ -29,7 +30,7 @@ class SimRecordings {
   void end(const std::string& reason, const Simulator* simulator);
   /// Writes the recording that could not be written, if there is one, to another file.
   void write_again(const std::string& file, const Simulator* simulator);
-  /// Writes recorded steps of the history.
+  /// Writes recorded steps of the history. Never throws: fill_frame() reports an error.
   void export_history(const ExportHistoryCommand& command, const StepHistory& history, const Simulator* simulator);
 
   /// Sets the recording and the latest result of a frame, and adds a warning if the recording has no journal.

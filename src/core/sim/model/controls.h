@@ -16,7 +16,7 @@ ControlValues control_values(const mjModel& m, std::span<const mjtNum> integrati
 ControlValues control_values(const mjModel& m, const mjData& d);
 
 // The functions below ignore indices that the model does not have and values that are not finite, and clamp controls
-// to their range. They return whether geoms may have moved.
+// to their range. They return true if geoms may have moved.
 bool set_control(const mjModel& m, mjData& d, const SetControl& edit);
 bool set_joint(const mjModel& m, mjData& d, const SetJoint& edit);
 bool set_mocap(const mjModel& m, mjData& d, const SetMocap& edit);

@@ -1,4 +1,4 @@
-// What a compiled MuJoCo model says about its geoms: names, poses, shapes.
+// Functions that read names, poses and shapes of geoms from a compiled MuJoCo model.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,40 +11,44 @@
 
 namespace taxel {
 
-/// The name of any object, or "KIND 7" for one without.
+/// Returns the name of any object, or "KIND 7" for an object without a name.
 std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind);
-/// The geom's name, or "geom 7" for one without.
+/// Returns the name of a geom, or "geom 7" for a geom without a name.
 std::string geom_name(const mjModel& m, int geom);
 std::string body_name(const mjModel& m, int body);
 
-/// X_WB of a body in the state last evaluated.
+/// Returns X_WB of a body in the state that was evaluated last.
 Pose body_pose(const mjData& d, int body);
 
-/// X_WG in the state last evaluated, from the quaternions of body and geom. The contact is computed from exactly these
-/// numbers, so whoever records them can compute it again, bit for bit.
+/// Returns X_WG in the state that was evaluated last, from the quaternions of body and geom. The contact is computed
+/// from exactly these numbers, so a recorded pose gives the same contact again, bit for bit.
 Pose geom_pose(const mjModel& m, const mjData& d, int geom);
 
-/// X_GM: from the frame of the mesh file (after scaling) to that of the compiled geom. MuJoCo moves meshes to their
-/// centre and principal axes: R(mesh_quat) v + mesh_pos = scale * file, v being the compiled vertex. Identity for a
-/// geom without a mesh. `refpos` and `refquat` of an asset are not in the model and must be left at their defaults.
+/// Returns X_GM, the pose of the frame of the mesh file (after scaling) in the frame of the compiled geom. MuJoCo moves
+/// meshes to their centre and principal axes: R(mesh_quat) v + mesh_pos = scale * file, where v is the compiled vertex.
+/// Identity for a geom without a mesh. `refpos` and `refquat` of an asset are not in the model, so they must have their
+/// default values.
 Pose mesh_file_pose(const mjModel& m, int geom);
 
-/// The triangles of a mesh asset, in the frame that it was compiled to; as compiled_mesh().
+/// Returns the triangles of a mesh asset, in the frame of the compiled asset, cleaned as by compiled_mesh().
 TriMesh mesh_triangles(const mjModel& m, int mesh);
 
-/// The triangles of a mesh geom, frame G; vertices at one place welded, faces without area dropped.
+/// Returns the triangles of a mesh geom, frame G. Vertices at the same place are welded, and faces without area are
+/// dropped.
 TriMesh compiled_mesh(const mjModel& m, int geom);
 
-/// The surface of a height field geom, frame G.
+/// Returns the surface of a height field geom, frame G.
 TriMesh height_field_mesh(const mjModel& m, int geom);
 
-/// The shape of a geom, frame G. Height fields and signed distance functions become meshes that can only be rigid:
-/// the former exactly what MuJoCo collides with, the latter where the function of the geom's plugin is zero, with edges
-/// of `resolution` (0: a fortieth of the largest extent; see sdf_mesh.h). Throws Error naming the geom.
+/// Returns the shape of a geom, frame G. Height fields and signed distance functions become meshes that can only be
+/// rigid. The mesh of a height field is exactly the surface with which MuJoCo collides. The mesh of a signed distance
+/// function is its zero level, with edges of `resolution` [m] (0 means a fortieth of the largest extent; see
+/// sdf_mesh.h). Throws Error naming the geom.
 Shape geom_shape(const mjModel& m, int geom, double resolution = 0);
 
-/// MuJoCo's own rules of which geoms collide, but for `<exclude>` and `<pair>`: masks meet; not one body, not welded
-/// together, not parent and child (unless the parent is the world or the filter is off).
+/// Returns true if two geoms collide by MuJoCo's rules, without `<exclude>` and `<pair>`: their masks match, and their
+/// bodies are neither the same, nor welded together, nor parent and child (unless the parent is the world or the filter
+/// is off).
 bool would_collide(const mjModel& m, int a, int b);
 
 }  // namespace taxel

@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-/// What the number that a warning tells belongs to, in words.
+/// Returns the name of the body or actuator to which the index in a warning belongs.
 std::string culprit(const mjModel& m, int warning, int number) {
   const auto named = [&m](int type, int id, const char* word) {
     const char* name = id >= 0 ? mj_id2name(&m, type, id) : nullptr;

@@ -48,7 +48,7 @@ SceneOverview scene_overview(const mjModel& m) {
   SceneOverview overview;
   overview.center_W = vec3(m.stat.center);
   overview.extent = m.stat.extent;
-  // MuJoCo tells where the camera looks to, not where it is.
+  // MuJoCo's angles are the direction in which the camera looks; ours are the direction from the centre to the camera.
   overview.azimuth_deg = static_cast<double>(m.vis.global.azimuth) + 180;
   overview.elevation_deg = -static_cast<double>(m.vis.global.elevation);
   if (m.vis.global.orthographic == 0) overview.fov_deg = static_cast<double>(m.vis.global.fovy);

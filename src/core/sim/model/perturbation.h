@@ -9,12 +9,12 @@
 
 namespace taxel {
 
-/// The body that the user drags, or none.
+/// State of dragging one body, or of dragging none.
 class Perturbation {
  public:
   /// Sets the requested position of the grabbed body. `body` and `point_B` are the model's values for request.geom and
   /// request.point_G. A mocap body moves at once, and a free body does so while the simulation is paused. A body that
-  /// is fixed to the world does not move. Returns whether geoms may have moved.
+  /// is fixed to the world does not move. Returns true if geoms may have moved.
   bool follow(const mjModel& m, mjData& d, const Perturb& request, int body, const dvec3& point_B);
   void end() { *this = {}; }
 

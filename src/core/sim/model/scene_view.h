@@ -1,4 +1,4 @@
-// The geoms of a model as a viewer draws them.
+// The geoms of a model for drawing: their meshes, colours and groups.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -10,7 +10,7 @@
 namespace taxel {
 
 /// Returns the triangles of a geom's surface, frame G, fine enough to appear smooth; null for a geom that is not drawn.
-/// A signed distance function has the mesh that MuJoCo made of it.
+/// A signed distance function has the mesh that MuJoCo built for it.
 TriMeshPtr drawn_mesh(const mjModel& m, int geom);
 
 /// Returns the triangles of a sphere, capsule, cylinder, ellipsoid or box (mjtGeom), frame G; null for other types.

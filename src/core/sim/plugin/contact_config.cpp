@@ -18,7 +18,7 @@ GeomPair ordered(int a, int b) {
   return a < b ? GeomPair{a, b} : GeomPair{b, a};
 }
 
-/// Geoms that carry a sensor of the model: soft by their layout, or rigid.
+/// Returns the geoms that have a sensor of the model. They are soft or rigid, as their layout says.
 std::vector<int> geoms_with_sensor(const mjModel& m) {
   std::vector<int> geoms;
   for (const int i : sensor_instances(m)) {
@@ -41,7 +41,7 @@ bool contains(const std::vector<int>& geoms, int geom) {
   return std::find(geoms.begin(), geoms.end(), geom) != geoms.end();
 }
 
-/// "ball floor, ball box": two geoms between commas.
+/// Reads pairs of geoms such as "ball floor, ball box".
 std::vector<GeomPair> read_pairs(const mjModel& m, const std::string& value, const std::vector<int>& soft) {
   std::vector<GeomPair> pairs;
   std::istringstream list(value);
@@ -61,7 +61,7 @@ std::vector<GeomPair> read_pairs(const mjModel& m, const std::string& value, con
   return pairs;
 }
 
-/// Every two of the named geoms of which one is soft and which lie on different bodies.
+/// Returns all pairs of the named geoms that are on different bodies and of which at least one is soft.
 std::vector<GeomPair> read_geoms(const mjModel& m, const std::string& value, const std::vector<int>& soft) {
   std::vector<int> geoms;
   for (const std::string& name : split_words(value)) {

@@ -6,7 +6,7 @@
 namespace taxel {
 namespace {
 
-/// Bounds of a body in its own frame; empty for a half-space.
+/// Returns the bounds of a body in its own frame; empty for a half-space.
 Aabb bounds_of(const HydroBody& body) {
   Aabb box;
   if (const auto* soft = std::get_if<SoftBody>(&body.geometry))

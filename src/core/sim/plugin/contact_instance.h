@@ -1,4 +1,4 @@
-// One `taxel.contact` of one mjData: the soft geoms that it declares, with their contacts. A sensor without taxels.
+// One `taxel.contact` instance of one mjData: the soft geoms that it declares, with their contacts but without taxels.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,7 +11,7 @@ namespace taxel {
 
 class ContactInstance {
  public:
-  /// Reads the configuration and makes the bodies. Throws Error.
+  /// Reads the configuration and builds the bodies. Throws Error if a key is not valid.
   ContactInstance(const mjModel& m, int instance);
 
   [[nodiscard]] const ContactConfig& config() const { return config_; }

@@ -14,7 +14,7 @@
 namespace taxel {
 namespace {
 
-/// How far the vertices of each mesh lie from the other one, at most [m].
+/// Returns the largest distance of a vertex of either mesh from the other mesh [m].
 double distance_apart(const TriMesh& of_geom, const TriMesh& of_layout, const Pose& X_GM) {
   const auto farthest = [](const TriMesh& from, const TriMesh& to, const Pose& X_to_from) {
     const MeshIndex index(std::make_shared<const TriMesh>(to));
@@ -26,7 +26,7 @@ double distance_apart(const TriMesh& of_geom, const TriMesh& of_layout, const Po
   return std::max(farthest(of_geom, of_layout, X_GM.inverse()), farthest(of_layout, of_geom, X_GM));
 }
 
-/// Whether the file of the geom's mesh has another hash than this, where both are known.
+/// Returns true if the file of the geom's mesh has another hash than `sha256`, and both hashes are known.
 bool another_file(const mjModel& m, int geom, const std::string& sha256) {
   const int path = m.mesh_pathadr[m.geom_dataid[geom]];
   std::error_code ignored;
@@ -86,9 +86,9 @@ void HydroInstance::compare_with_model(const mjModel& m, const Pose& X_GM) {
     return;
   }
   double apart = distance_apart(*shown, *model_->mesh, X_GM);
-  // A scene may hold the mesh file itself or the mesh that was made of it by a repair.
+  // A scene may have the mesh file itself or the mesh that a repair built from it.
   if (model_->mesh != model_->loaded) apart = std::min(apart, distance_apart(*shown, *model_->loaded, X_GM));
-  // Single precision and re-centring stay below 1e-6.
+  // Errors of single precision and of moving the mesh to its centre are below 1e-6 of the diagonal.
   if (apart <= 1e-5 * model_->mesh->bounds().diagonal()) return;
   const std::string lie = fmt::format("the surfaces lie up to {:.3g} mm apart (the layout's mesh counts)", 1e3 * apart);
   if (m.geom_type[geom] != mjGEOM_MESH) {

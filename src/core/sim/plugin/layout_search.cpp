@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// folder/relative in the first folder that has it. Throws Error naming them all.
+/// Returns the path in the first folder that has the file `relative`. Throws Error naming all folders if none has it.
 fs::path find_file(const fs::path& relative, const std::vector<fs::path>& folders, const std::string& what) {
   std::error_code ignored;
   if (relative.is_absolute()) return relative;

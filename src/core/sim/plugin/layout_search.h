@@ -1,4 +1,4 @@
-// Where the plugin finds the layout: MuJoCo does not tell a plugin where the scene file lies.
+// The search for the layout of a sensor: MuJoCo does not give a plugin the folder of the scene file.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,19 @@
 
 namespace taxel {
 
-/// A layout and the place from which its mesh file is looked for.
+/// A layout, and the file relative to which its mesh is searched.
 struct FoundLayout {
   Layout layout;
-  std::filesystem::path file;  ///< of the layout; for a layout given as text, a name in `folders` beside its mesh
+  /// File of the layout. For a layout given as text, a file name in the folder of its mesh.
+  std::filesystem::path file;
 };
 
-/// `value` is an absolute path, a path relative to one of `folders` (the first that has it), or the layout's JSON text
-/// itself (begins with '{'), whose mesh is then looked for in `folders`. Throws Error that lists the folders tried.
+/// Reads a layout. `value` is an absolute path, a path relative to one of `folders` (the first one that has the file),
+/// or the JSON text of the layout (begins with '{'), whose mesh is then searched in `folders`. Throws Error that lists
+/// the searched folders.
 FoundLayout find_layout(const std::string& value, const std::vector<std::filesystem::path>& folders);
 
-/// Reads the mesh and compiles the sensor.
+/// Reads the mesh and compiles the sensor. Throws Error if either fails.
 SensorModelPtr compile_layout(const FoundLayout& found);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// The key `materials` of the plugin: geom name -> material.
+// Parsing of the plugin key `materials`, which gives materials to geoms by name.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
-// Plugins of others: actuators, sensors, signed distance functions.
+// Loading of MuJoCo plugins that are not part of this project: actuators, sensors, signed distance functions.
 #pragma once
 
 #include <filesystem>
 
 namespace taxel {
 
-/// Loads every plugin library of a folder into MuJoCo, for scenes that name them: the folder `plugin` of MuJoCo itself,
-/// or one of your own. Throws Error naming the folder: there is none, or it holds no plugin.
+/// Loads every plugin library of a folder into MuJoCo, so that scenes can use the plugins. The folder is `plugin` of
+/// MuJoCo itself or one of the user's. Throws Error naming the folder if it does not exist or has no plugin.
 void load_plugin_folder(const std::filesystem::path& folder);
 
 }  // namespace taxel

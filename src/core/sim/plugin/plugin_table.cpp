@@ -16,14 +16,13 @@ namespace {
 constexpr const char* kSensorKeys[] = {"layout", "geom", "others", "materials", "force", "output", "taxels"};
 constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output"};
 
-/// The instance behind one plugin_data entry: a sensor, or a contact. Aligned, so that a wrong pointer shows (see
-/// unseal).
+/// The instance of one plugin_data entry: a sensor or a contact. The alignment lets unseal() detect a wrong pointer.
 struct alignas(64) Slot {
   std::optional<HydroInstance> sensor;
   std::optional<ContactInstance> contact;
-  ContactForceWorkspace work;                  // used by the first applying instance, for all
-  std::vector<BodyContacts*> bodies_of_all;    // scratch
-  std::vector<std::size_t> reported_warnings;  // by body
+  ContactForceWorkspace work;                  // used only in the first instance that applies forces
+  std::vector<BodyContacts*> bodies_of_all;    // scratch memory
+  std::vector<std::size_t> reported_warnings;  // number of reported warnings of each body
   Slot(const mjModel& m, int instance) {
     if (is_plugin(m.plugin[instance], kContactPluginName)) {
       contact.emplace(m, instance);
@@ -42,9 +41,9 @@ struct alignas(64) Slot {
   [[nodiscard]] bool applies() const { return sensor ? sensor->config().apply : contact->config().apply; }
 };
 
-/// plugin_data holds the pointer mixed with the address of its mjData. A bitwise copy of an mjData (Python's pickle)
-/// carries the entry of the original: read through another address it gives no aligned user-space pointer, and the
-/// copy neither uses nor frees what is not its own.
+/// Returns the key with which pointers in plugin_data are encoded: it depends on the address of the mjData. A bitwise
+/// copy of an mjData (as Python's pickle makes) has the entry of the original. Decoded with the address of the copy,
+/// the entry is not an aligned user-space pointer, so the copy neither uses nor frees an instance of the original.
 std::uintptr_t seal_key(const mjData& d) {
   return mix64(reinterpret_cast<std::uintptr_t>(&d));
 }
@@ -70,7 +69,7 @@ void warn(const mjModel& m, int instance, const std::string& message) {
   mju_warning("%s \"%s\": %s", plugin->name, instance_name(m, instance).c_str(), message.c_str());
 }
 
-/// Reports the warnings that are new since the last call.
+/// Reports the warnings that were added since the last call.
 void warn_of_new(const mjModel& m, int instance, Slot& slot) {
   for (std::size_t k = 0; k < slot.bodies().size(); ++k) {
     const std::vector<std::string>& warnings = slot.bodies()[k].warnings;
@@ -78,7 +77,8 @@ void warn_of_new(const mjModel& m, int instance, Slot& slot) {
   }
 }
 
-/// Runs a callback's body: no exception may cross into MuJoCo. Returns whether it went well.
+/// Runs the body of a callback and catches its exceptions, since no exception may reach MuJoCo. Returns true on
+/// success.
 bool guarded(const mjModel& m, int instance, const std::function<void()>& body) {
   try {
     body();
@@ -98,7 +98,7 @@ int count_states(const mjModel* m, int instance) {
 
 int count_sensor_values(const mjModel* m, int instance, int) {
   int count = 0;
-  // An error is left to init, which follows: MuJoCo makes the error of init the compile error.
+  // An error is ignored here: `init` is called next, and MuJoCo reports its error as the compile error.
   try {
     const bool contact = is_plugin(m->plugin[instance], kContactPluginName);
     count = contact ? contact_dimension(*m, instance) : sensor_dimension(*m, instance);
@@ -108,7 +108,7 @@ int count_sensor_values(const mjModel* m, int instance, int) {
   return count;
 }
 
-/// Makes the instance of a new mjData, or of one that came as a bitwise copy.
+/// Builds the instance for a new mjData, or for one that is a bitwise copy.
 Slot* make_slot(const mjModel& m, mjData& d, int instance) {
   auto slot = std::make_unique<Slot>(m, instance);
   const std::span<BodyContacts> bodies = slot->bodies();
@@ -118,7 +118,7 @@ Slot* make_slot(const mjModel& m, mjData& d, int instance) {
   };
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) link_both(bodies[i], bodies[j]);
-  for (int i = 0; i < instance; ++i) {  // those after it are not made yet, or know it when they are asked
+  for (int i = 0; i < instance; ++i) {  // later instances are built later, and then find this one
     Slot* before = find_slot(d, i);
     if (before == nullptr) continue;
     for (BodyContacts& body : bodies)
@@ -155,16 +155,16 @@ void copy(mjData* dest, const mjModel* m, const mjData* src, int instance) {
 void reset(const mjModel* m, mjtNum* plugin_state, void* plugin_data, int instance) {
   if (plugin_state != nullptr)
     for (int i = 0; i < m->plugin_statenum[instance]; ++i) plugin_state[i] = 0;
-  static_cast<void>(plugin_data);  // sealed; whatever state the sensor holds is checked against the poses when used
+  static_cast<void>(plugin_data);  // encoded; the state of the sensor is checked against the poses at its next use
 }
 
-/// The slot of this mjData; a bitwise copy gets one of its own first.
+/// Returns the slot of this mjData, and builds it first if `d` is a bitwise copy.
 Slot& own_slot(const mjModel& m, mjData& d, int instance) {
   Slot* slot = find_slot(d, instance);
   return slot != nullptr ? *slot : *make_slot(m, d, instance);
 }
 
-/// The first instance that applies forces does so for all.
+/// Returns true for the first instance that applies forces. It applies the forces of all instances.
 bool leads(const mjModel& m, mjData& d, int instance) {
   for (int i = 0; i < instance; ++i)
     if (is_ours(d, i) && own_slot(m, d, i).applies()) return false;
@@ -211,7 +211,7 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
   }
 }
 
-/// Remembers, as plugin state, the forces that the next PASSIVE stage needs before MuJoCo has computed them.
+/// Saves the forces of this step as plugin state. The next PASSIVE stage needs them before MuJoCo computes them.
 void advance(const mjModel* m, mjData* d, int instance) {
   mjtNum* state = d->plugin_state + m->plugin_stateadr[instance];
   for (int i = 0; i < m->plugin_statenum[instance]; ++i) state[i] = d->qfrc_constraint[i] + d->qfrc_actuator[i];

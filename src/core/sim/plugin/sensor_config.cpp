@@ -36,7 +36,7 @@ int read_count(const std::string& value, const char* key) {
   return count;
 }
 
-/// Geom, layout and output: what the size of the output depends on.
+/// Reads the keys on which the size of the output depends: geom, layout and output.
 SensorConfig read_basics(const mjModel& m, int instance) {
   SensorConfig config;
   config.name = instance_name(m, instance);

@@ -1,4 +1,4 @@
-// The configuration of one `taxel.sensor` instance, as the MJCF says it (docs/plugin.md lists the keys).
+// The configuration of one `taxel.sensor` instance, read from its MJCF keys (docs/plugin.md).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -14,60 +14,67 @@ namespace taxel {
 
 /// Blocks of values in `sensordata`.
 enum class Output {
-  readings,  ///< one per taxel, the layout's aggregate of the elastic pressure
-  wrench,    ///< 6: force [N], then torque [N m] about the origin of the mesh-file frame, on the sensor, world axes
-  area       ///< 1: of the contact surfaces [m^2]
+  readings,  ///< one value per taxel: the layout's aggregate of the elastic pressure
+  /// Six values: force [N], then torque [N m] about the origin of the mesh-file frame; on the sensor, world axes.
+  wrench,
+  area  ///< one value: area of the contact surfaces [m^2]
 };
 
-/// What the key `materials` says of one touched geom.
+/// Material of one touched geom in the key `materials`.
 struct OtherMaterial {
   Material material;          ///< rigid unless `modulus` is given
-  bool has_friction = false;  ///< otherwise the geom's own sliding friction counts
-  bool has_field = false;     ///< otherwise medial axis for primitives, pad for meshes
-  double resolution = 0;      ///< of the tessellation [m]; 0: chosen
+  bool has_friction = false;  ///< if false, the geom's own sliding friction is used
+  bool has_field = false;     ///< if false, the field is the medial axis for primitives, the pad for meshes
+  double resolution = 0;      ///< edge length of the tessellation [m]; chosen automatically if 0
   bool operator==(const OtherMaterial&) const = default;
 };
 using OtherMaterials = std::map<std::string, OtherMaterial>;
 
-/// The part of a configuration that says which contacts of a geom are computed: that of a sensor, or that of a soft
-/// geom of a `taxel.contact`.
+/// The part of a configuration that selects the computed contacts of one geom: the geom of a sensor, or a soft geom of
+/// a `taxel.contact`.
 struct ContactSettings {
   std::string name;           ///< name of the instance, for messages
   int geom = -1;              ///< geom whose contacts are computed
-  std::string geom_name;      ///< its name
-  std::vector<int> others;    ///< geoms it touches, ascending
-  bool others_named = false;  ///< the configuration names `others`: one that cannot be touched is an error
-  OtherMaterials materials;   ///< by geom name
+  std::string geom_name;      ///< name of `geom`
+  std::vector<int> others;    ///< geoms that `geom` touches, ascending
+  bool others_named = false;  ///< the configuration names `others`, so one that cannot be touched is an error
+  OtherMaterials materials;   ///< materials of touched geoms, by geom name
   bool apply = true;          ///< forces move bodies; otherwise they are sensed only
 };
 
+/// All keys of one sensor.
 struct SensorConfig : ContactSettings {
-  std::string layout;     ///< value of the key `layout`; empty when the program hands the sensor over
-  int handed_taxels = 0;  ///< value of the key `taxels`: how many taxels the handed-over sensor has
+  std::string layout;     ///< value of the key `layout`; empty if the program hands the sensor over
+  int handed_taxels = 0;  ///< value of the key `taxels`: number of taxels of the handed-over sensor
   std::vector<Output> output{Output::readings};
 };
 
-/// Reading configuration keys, for all plugins of this folder. All throw Error whose place is the key.
-std::string config_value(const mjModel& m, int instance, const char* key);  ///< empty if not given
-std::vector<std::string> split_words(std::string text);                     ///< at spaces and commas
+// Functions that read configuration keys, for all plugins of this folder.
+
+std::string config_value(const mjModel& m, int instance, const char* key);  ///< value of a key; empty if not given
+std::vector<std::string> split_words(std::string text);                     ///< words between spaces and commas
+/// Returns the number of the geom with this name. Throws Error whose place is `key` if there is no such geom.
 int geom_by_name(const mjModel& m, const std::string& name, const char* key);
+/// Reads the key `output`. Throws Error whose place is the key unless each word is in `allowed`.
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed);
-bool read_force(const mjModel& m, int instance);  ///< true for "apply", which is the default
+/// Reads the key `force`. Returns true for "apply", which is the default. Throws Error whose place is the key.
+bool read_force(const mjModel& m, int instance);
+/// Reads the key `materials`. Throws Error whose place is the key.
 OtherMaterials read_materials(const mjModel& m, int instance);
 
-/// Name of the instance for messages.
+/// Returns the name of the instance for messages.
 std::string instance_name(const mjModel& m, int instance);
 
-/// Reads and checks all keys but the layout's content. Throws Error whose place is the key.
+/// Reads and checks all keys, but not the content of the layout. Throws Error whose place is the key.
 SensorConfig read_sensor_config(const mjModel& m, int instance);
 
-/// Length of the instance's part of `sensordata`. Callable while the model is being built, when only names, bodies,
-/// geoms, configuration and asset paths are there. Throws Error.
+/// Returns the length of the instance's part of `sensordata`. It can be called while the model is being built, when
+/// only names, bodies, geoms, configuration and asset paths exist. Throws Error if a key is not valid.
 int sensor_dimension(const mjModel& m, int instance);
 int sensor_dimension(const std::vector<Output>& output, int taxels);
 
-/// Folders in which a layout named by a relative path is looked for: that of the geom's mesh file, which stands beside
-/// the scene as a rule, those of the scene's other mesh files, then the working directory.
+/// Returns the folders in which a layout with a relative path is searched, in this order: the folder of the geom's mesh
+/// file, which is usually next to the scene, the folders of the scene's other mesh files, and the working directory.
 std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom);
 
 /// Parses the key `materials`. Throws Error(file, JSON pointer, message).

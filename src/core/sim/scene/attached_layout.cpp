@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-constexpr std::size_t kMaxNames = 20;  ///< geoms that an error lists
+constexpr std::size_t kMaxNames = 20;  ///< largest number of geoms that an error lists
 
 int find_geom(const mjModel& m, const std::string& name) {
   for (int geom = 0; geom < m.ngeom; ++geom)
@@ -34,7 +34,7 @@ dvec3 box_half(const mjModel& m, int geom) {
   return vec3(m.geom_size + 3 * geom);
 }
 
-/// Sets the material that the fields of the scene give the geom. The pad of a box is as thick as it can be.
+/// Sets the material that the fields of the scene give the geom. The pad of a box gets the largest possible thickness.
 void take_material(const mjModel& m, int geom, ImportedLayout& imported) {
   Material& material = imported.layout.material;
   if (m.geom_type[geom] == mjGEOM_BOX) {
@@ -53,7 +53,7 @@ void take_material(const mjModel& m, int geom, ImportedLayout& imported) {
       field->first, material.modulus, material.dissipation, material.friction, material.thickness));
 }
 
-/// The layout on the surface of the geom itself.
+/// Returns the layout on the surface of the geom itself.
 ImportedSource put_on_geom(const mjModel& m, int geom, ImportedLayout imported, const std::string& file) {
   if (m.geom_type[geom] == mjGEOM_BOX) {
     LoadedMesh box;

@@ -1,4 +1,4 @@
-// Layouts of other programs on the geoms of a scene: the file names the geom, the geom gives mesh and material.
+// Layouts of other programs on the geoms of a scene. The file names the geom; the geom gives the mesh and the material.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,13 +12,13 @@
 
 namespace taxel {
 
-/// Reads the layout of an attachment: the sensor that is asked for, otherwise the one on the attachment's geom,
-/// otherwise the first. Throws Error naming file and place.
+/// Reads the layout of an attachment. If the file has several sensors, it is the requested one, otherwise the one on
+/// the geom of the attachment, otherwise the first. Throws Error naming file and place.
 ImportedLayout read_attached_layout(const SceneAttachment& attachment);
 
-/// Puts the layout on the mesh that is chosen, otherwise on that of the geom, and compiles it. A field "cs::GEOM" of
-/// the scene gives the material. Adds values that were not in the file to `notes`. Throws Error naming file and place:
-/// no such geom, or one whose shape is neither a mesh file nor a box.
+/// Places the layout on the mesh of the attachment, or on the mesh of the geom if the attachment has none, and compiles
+/// the layout. A field "cs::GEOM" of the scene gives the material. Adds a note for each value that is not in the file.
+/// Throws Error naming file and place if there is no such geom, or its shape is neither a mesh file nor a box.
 SensorModelPtr compile_attached_layout(const SceneAttachment& attachment, ImportedLayout imported,
                                        const std::string& geom, const mjModel& scene, std::vector<std::string>& notes);
 

@@ -18,11 +18,11 @@ namespace {
 
 /// An attribute that MuJoCo dropped.
 struct Dropped {
-  std::string_view parent;   ///< element around the attribute's element; empty: any
+  std::string_view parent;   ///< element around the attribute's element; empty for any element
   std::string_view element;  ///< element that had the attribute
   std::string_view name;     ///< name of the attribute
-  std::string_view renamed;  ///< attributes that took over its value, separated by spaces; empty: none did
-  std::string_view reason;   ///< for the note
+  std::string_view renamed;  ///< attributes that now have the value, separated by spaces; empty if there are none
+  std::string_view reason;   ///< reason in the note
 };
 
 constexpr std::array kDropped{
@@ -44,26 +44,28 @@ constexpr std::array kDropped{
 
 constexpr std::string_view kSpaces = " \t\r\n";
 
-/// An attribute in the text: [name, name_end) = "[value, value_end)", quotes up to end.
+/// Position of an attribute in the text: the name is at [name, name_end), the value at [value, value_end), and the
+/// closing quote ends at `end`.
 struct Attribute {
   std::size_t name = 0, name_end = 0, value = 0, value_end = 0, end = 0;
 };
 
-/// A tag in the text.
+/// Position of a tag in the text.
 struct Tag {
   std::string_view name;
   std::vector<Attribute> attributes;
-  bool closes = false;  ///< "</name>"
-  bool empty = false;   ///< "<name/>"
-  std::size_t end = 0;  ///< behind it
+  bool closes = false;  ///< true for "</name>"
+  bool empty = false;   ///< true for "<name/>"
+  std::size_t end = 0;  ///< position after the tag
 };
 
-/// Reads the tags of XML one after another. Stops at text that is no XML.
+/// Reads the tags of XML one after another. Stops at text that is not XML.
 class Tags {
  public:
   explicit Tags(std::string_view text) : text_(text) {}
 
-  /// False at the end of the text, or where it is not well formed: then well_formed() is false.
+  /// Reads the next tag. Returns false at the end of the text, or if the text is not well formed; then well_formed() is
+  /// false.
   bool next(Tag& tag) {
     while (true) {
       at_ = text_.find('<', at_);
@@ -131,7 +133,7 @@ class Tags {
   bool well_formed_ = true;
 };
 
-/// What takes the place of [begin, end).
+/// Replacement of [begin, end) by a text.
 struct Change {
   std::size_t begin = 0, end = 0;
   std::string text;
@@ -147,7 +149,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// As many lines as `text` has, of spaces alone.
+/// Returns `text` with all characters except line breaks replaced by spaces.
 std::string blank(std::string_view text) {
   std::string out(text);
   std::replace_if(
@@ -155,7 +157,7 @@ std::string blank(std::string_view text) {
   return out;
 }
 
-/// The search for dropped attributes in one file.
+/// Search for dropped attributes in one file.
 class Search {
  public:
   Search(const std::string& xml, const std::string& file, std::vector<std::string>& notes)

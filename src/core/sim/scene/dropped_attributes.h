@@ -1,4 +1,4 @@
-// Attributes of MJCF that MuJoCo has dropped since version 2.2: scenes that were written for it load unmodified.
+// Removal of MJCF attributes that MuJoCo has dropped since version 2.2, so that old scenes load without changes.
 #pragma once
 
 #include <filesystem>
@@ -7,23 +7,24 @@
 
 namespace taxel {
 
-/// Returns the MJCF text without the attributes that MuJoCo 4 no longer knows and whose meaning it kept elsewhere or
-/// gave up: a renamed attribute gets its new name, any other is replaced by spaces. Lines keep their numbers, so that
-/// MuJoCo's own errors still name them. Adds a note for each attribute, which begins with `file` and the line. Text
-/// that is not well formed comes back as it is: MuJoCo says why.
+/// Returns the MJCF text without the attributes that MuJoCo 4 no longer accepts. A renamed attribute gets its new name;
+/// all others are replaced by spaces. Lines keep their numbers, so the line numbers in MuJoCo's own errors remain
+/// correct. Adds a note for each attribute, which begins with `file` and the line. A text that is not well formed is
+/// returned unchanged; MuJoCo then reports the reason.
 ///
-/// What cannot be left out without changing the model (the element `composite`, global coordinates) stays: MuJoCo
-/// refuses it.
+/// Parts that cannot be removed without changing the model (the element `composite`, global coordinates) remain, and
+/// MuJoCo refuses them.
 std::string without_dropped_attributes(const std::string& xml, const std::string& file,
                                        std::vector<std::string>& notes);
 
-/// A file of a scene with other text than on disk.
+/// A file of a scene whose text is replaced in memory.
 struct CurrentMjcf {
   std::filesystem::path file;  ///< path under which MuJoCo opens it
   std::string text;
 };
 
-/// The scene and the files that it includes, as far as they hold dropped attributes. The files are only read.
+/// Returns the scene and its included files without dropped attributes; files that have none are omitted. The files on
+/// disk are only read.
 std::vector<CurrentMjcf> current_mjcf(const std::filesystem::path& scene, std::vector<std::string>& notes);
 
 }  // namespace taxel

@@ -17,8 +17,8 @@ Inertia box_inertia(const Aabb& box, double mass) {
 
 Inertia solid_inertia(const TriMesh& mesh, double mass) {
   if (!mesh.closed() || !(mesh.volume() > 0)) return box_inertia(mesh.bounds(), mass);
-  // Integral of x x^T over the tet of a face (a, b, c) and the centroid as origin:
-  // det/120 (s s^T + a a^T + b b^T + c c^T), det = a . (b x c), s = a + b + c.
+  // The integral of x x^T over the tet of a face (a, b, c) and the origin, which is the centroid, is
+  // det/120 (s s^T + a a^T + b b^T + c c^T) with det = a . (b x c) and s = a + b + c.
   const dvec3 center = mesh.centroid();
   dmat3 second(0);
   for (int f = 0; f < mesh.face_count(); ++f) {

@@ -1,4 +1,4 @@
-// Mass properties of a solid body of even density.
+// Mass properties of a solid body of uniform density.
 #pragma once
 
 #include "core/mesh/tri_mesh.h"
@@ -7,11 +7,12 @@ namespace taxel {
 
 struct Inertia {
   double mass = 0;  ///< [kg]
-  dvec3 center{0};  ///< of mass, frame of the mesh [m]
-  dmat3 moment{0};  ///< about the centre, axes of the mesh [kg m^2]
+  dvec3 center{0};  ///< centre of mass, frame of the mesh [m]
+  dmat3 moment{0};  ///< moment of inertia about the centre of mass, axes of the mesh [kg m^2]
 };
 
-/// The space inside a closed mesh, filled evenly to `mass`; of a mesh that encloses no volume, its bounding box.
+/// Returns the mass properties of a closed mesh filled uniformly to `mass`. A mesh without volume is replaced by its
+/// bounding box.
 Inertia solid_inertia(const TriMesh& mesh, double mass);
 
 }  // namespace taxel

@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// MuJoCo's message on one line: a plugin's reason comes twice, and line breaks would break our own messages.
+/// Returns MuJoCo's message on one line. MuJoCo repeats a plugin's reason, and line breaks would spoil our own
+/// messages.
 std::string one_line(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
@@ -36,8 +37,8 @@ std::string one_line(const std::string& text) {
   return joined;
 }
 
-/// Without what MuJoCo says before a plugin's own reason, which names the instance and the key. MuJoCo repeats the
-/// reason, cut to its own limit.
+/// Returns the plugin's own reason, which names the instance and the key, without the text that MuJoCo puts before it.
+/// MuJoCo also repeats the reason, cut to a limit.
 std::string reason_of(const std::string& text) {
   for (const char* plugin : {kPluginName, kContactPluginName}) {
     const std::string begin = std::string(plugin) + " \"";
@@ -69,8 +70,8 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
   return scene;
 }
 
-/// Throws Error if a mesh, height field, skin or texture of the scene is a pipe or a device: MuJoCo, which opens them
-/// itself, would wait for ever. Files that are missing are left to MuJoCo's message.
+/// Throws Error if a mesh, height field, skin or texture of the scene is a pipe or a device, since MuJoCo opens the
+/// files itself and would wait for ever. MuJoCo reports missing files.
 void expect_regular_assets(mjSpec* spec, const fs::path& folder, const std::string& name) {
   const fs::path meshes = folder / mjs_getString(spec->compiler.meshdir),
                  textures = folder / mjs_getString(spec->compiler.texturedir);
@@ -87,7 +88,7 @@ void expect_regular_assets(mjSpec* spec, const fs::path& folder, const std::stri
     check(meshes, mjs_getString(mjs_asHField(e)->file));
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_SKIN); e != nullptr; e = mjs_nextElement(spec, e))
     check(meshes, mjs_getString(mjs_asSkin(e)->file));
-  constexpr int kSides = 6;  // of a cube, a file for each
+  constexpr int kSides = 6;  // number of sides of a cube, each with a file
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_TEXTURE); e != nullptr; e = mjs_nextElement(spec, e)) {
     check(textures, mjs_getString(mjs_asTexture(e)->file));
     for (int side = 0; side < kSides; ++side) check(textures, mjs_getInStringVec(mjs_asTexture(e)->cubefiles, side));
@@ -109,7 +110,7 @@ IntPair ordered(int a, int b) {
   return a < b ? IntPair{a, b} : IntPair{b, a};
 }
 
-/// Takes MuJoCo's own contact away from two bodies if all that MuJoCo would make between them are of these geom pairs.
+/// Excludes MuJoCo's own contact between two bodies if all colliding geoms of the two bodies are in `pairs`.
 void exclude_contacts(CompiledScene& scene, const std::set<IntPair>& pairs) {
   const mjModel& m = *scene.model;
   std::set<IntPair> bodies;
@@ -131,12 +132,12 @@ void exclude_contacts(CompiledScene& scene, const std::set<IntPair>& pairs) {
   }
 }
 
-/// Name of the `taxel.contact` that replaces the fields of a scene of the predecessor's.
+/// Name of the `taxel.contact` that replaces the `cs::` fields of a scene of the predecessor.
 constexpr const char* kOldContact = "contacts of the scene";
 
-/// A sensor to be added to a scene.
+/// A sensor that is added to a scene.
 struct AddedSensor {
-  std::string instance, geom, keys;          ///< keys: further ones, as MJCF
+  std::string instance, geom, keys;          ///< `keys` are more plugin keys, as MJCF
   SensorModelPtr model;                      ///< model; null until the scene is known, for layouts of other programs
   const SceneAttachment* foreign = nullptr;  ///< request for a layout of another program, or null
   ImportedLayout imported = {};
@@ -146,7 +147,7 @@ std::string instance_on(const std::string& geom) {
   return "taxels of " + geom;
 }
 
-/// Layouts are read and compiled once each, however many geoms they are attached to.
+/// Returns the sensors of the attachments. A layout that is attached to several geoms is read and compiled once.
 std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::vector<SceneAttachment>& attachments) {
   std::vector<AddedSensor> added;
   std::map<std::string, SensorModelPtr> models;
@@ -178,7 +179,7 @@ bool any_foreign(const std::vector<AddedSensor>& added) {
   return std::any_of(added.begin(), added.end(), [](const AddedSensor& one) { return one.foreign != nullptr; });
 }
 
-/// Compiles the layouts of other programs, which take mesh and material from the compiled scene.
+/// Compiles the layouts of other programs, whose mesh and material come from the compiled scene.
 void compile_foreign(std::vector<AddedSensor>& added, CompiledScene& scene) {
   for (AddedSensor& one : added)
     if (one.foreign != nullptr)
@@ -205,7 +206,7 @@ std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& ad
                      xml_escaped(file.filename().string()), plugins, sensors);
 }
 
-/// The number in "geom 7"; -1: it is no such name.
+/// Returns the number in a name like "geom 7", or -1 for other names.
 int unnamed_geom(const std::string& name) {
   const std::string word = "geom ";
   const bool number = name.starts_with(word) && name.size() > word.size() && name.size() < word.size() + 8 &&
@@ -213,8 +214,8 @@ int unnamed_geom(const std::string& name) {
   return number ? std::stoi(name.substr(word.size())) : -1;
 }
 
-/// Names the geoms that have none, so that a sensor can say which one it is on. Bodies stand in a model as they do in
-/// the scene, depth first, and so do their geoms.
+/// Gives a name to the geoms without one that get a sensor, so that the sensor can name its geom. Bodies and geoms are
+/// in a model in the same order as in the scene, depth first.
 void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
   std::vector<mjsElement*> geoms;
   mjsBody* world = mjs_findBody(spec, "world");
@@ -228,9 +229,9 @@ void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
   }
 }
 
-/// Two on one geom would push it twice, and have the same name in recordings.
+/// Throws Error if a geom has two sensors: both would push it, and they would have the same name in recordings.
 void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>& added, const std::string& name) {
-  std::map<std::string, std::string> sensor_on;  // by the geom's name
+  std::map<std::string, std::string> sensor_on;  // sensor on a geom, by the geom's name
   for (const int i : sensor_instances(m)) {
     const SensorConfig config = read_sensor_config(m, i);
     const auto [first, only] = sensor_on.emplace(config.geom_name, config.name);
@@ -244,8 +245,8 @@ void check_one_sensor_per_geom(const mjModel& m, const std::vector<AddedSensor>&
   }
 }
 
-/// Adds the sensors that the fields of a scene of the predecessor's request, and the values of its fields to the
-/// sensors added before. Returns the keys of a `taxel.contact` for all other soft geoms; empty if there are none.
+/// Adds the sensors that the `cs::` fields of a scene request, and adds the values of the fields to the sensors added
+/// before. Returns the keys of a `taxel.contact` for all other soft geoms; empty if there are none.
 std::string add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, CompiledScene& scene) {
   const OldFields fields = old_fields(m);
   scene.notes.insert(scene.notes.end(), fields.notes.begin(), fields.notes.end());
@@ -262,7 +263,7 @@ std::string add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, C
     added.push_back({instance_on(name), name, old_keys(m, fields, name), std::move(model)});
     sensing.push_back(name);
   }
-  if (!contact_instances(m).empty()) return "";  // a scene that was written by us declares them already
+  if (!contact_instances(m).empty()) return "";  // a scene that this program wrote already declares the contacts
   std::string contact = old_contact_keys(m, fields, sensing);
   for (const auto& [name, field] : fields.geoms)
     if (contact.empty() && sensing.empty() && field.modulus > 0)
@@ -272,7 +273,7 @@ std::string add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, C
   return contact;
 }
 
-/// Hands the added sensors over and takes MuJoCo's own contact away from the pairs that were added.
+/// Hands the added sensors over and excludes MuJoCo's own contact of the added pairs.
 void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added, const std::string& name) {
   const mjModel& m = *scene.model;
   std::set<IntPair> pairs;

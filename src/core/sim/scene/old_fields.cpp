@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::string_view kPrefix = "cs::";
 constexpr double kPitch = 0.025;            // [m]
-constexpr double kSamplesPerTaxel = 100.0;  // in a square of the pitch
+constexpr double kSamplesPerTaxel = 100.0;  // samples in a square whose side is the pitch
 
-/// Taxels of one box. Each takes kSamplesPerTaxel samples.
+/// Largest number of taxels on one box. Each taxel has kSamplesPerTaxel samples.
 constexpr int kMaxFieldTaxels = 4096;
 
-/// What a numeric says, the rest zero.
+/// Returns the numbers of a numeric, at least five; missing numbers are 0.
 std::vector<double> numbers_of(const mjModel& m, int numeric) {
   const mjtNum* first = m.numeric_data + m.numeric_adr[numeric];
   std::vector<double> numbers(first, first + m.numeric_size[numeric]);
@@ -29,7 +29,7 @@ std::vector<double> numbers_of(const mjModel& m, int numeric) {
   return numbers;
 }
 
-/// Middles of as many equal parts as fit best.
+/// Divides [-half, half] into equal parts whose length is closest to the pitch, and returns the middles of the parts.
 std::vector<double> places(double half) {
   const int count = std::max(1, static_cast<int>(std::lround(2 * half / kPitch)));
   std::vector<double> middles;
@@ -37,7 +37,7 @@ std::vector<double> places(double half) {
   return middles;
 }
 
-/// What can only be rigid, in words; null for any other type.
+/// Returns the name of a type of geom that can only be rigid, or null for other types.
 const char* rigid_only(int type) {
   switch (type) {
     case mjGEOM_PLANE:
@@ -51,8 +51,8 @@ const char* rigid_only(int type) {
   }
 }
 
-/// Edges of a round geom: as the field hints where that is finer than our own choice of a tenth of the smallest extent,
-/// down to a quarter of it; 0 for our own choice.
+/// Returns the edge length of a round geom [m], or 0 for the automatic choice, a tenth of the smallest extent. The hint
+/// of the field is used if it is finer than this choice, but not below a quarter of it.
 double resolution_of(const mjModel& m, int geom, const OldField& field) {
   const mjtNum* size = m.geom_size + 3 * geom;
   double radius = 0;
@@ -63,7 +63,7 @@ double resolution_of(const mjModel& m, int geom, const OldField& field) {
   return field.resolution > 0 && field.resolution < ours ? std::max(field.resolution, 0.25 * ours) : 0;
 }
 
-/// "name": {material}, as the key "materials" has it.
+/// Returns `"name": {material}` in the format of the key "materials".
 std::string material_json(const mjModel& m, const std::string& name, const OldField& field) {
   return fmt::format(R"("{}": {{"modulus": {}, "dissipation": {}, "friction": {}, "resolution": {}}})", name,
                      field.modulus, field.modulus > 0 ? field.dissipation : 0.0, field.friction,

@@ -1,4 +1,4 @@
-// A loaded scene as a folder of its own: every asset and layout copied beside scene.xml under a plain name.
+// Writes a loaded scene as a folder: every asset and layout is copied next to scene.xml under a simple name.
 #include <fmt/format.h>
 
 #include <array>
@@ -15,10 +15,10 @@
 namespace taxel {
 namespace {
 
-/// Element name and file as the scene says it -> name of the copy.
+/// Names of the copies, by the element and the file name in the scene.
 using Renamed = std::map<std::pair<std::string, std::string>, std::string>;
 
-/// Reads the files of all assets of one kind. `addresses`: of their resolved paths in the model.
+/// Reads the files of all assets of one kind. `addresses` are the addresses of their resolved paths in the model.
 void copy_assets(const CompiledScene& scene, mjtObj type, const std::string& tag, const int* addresses,
                  const std::function<const mjString*(mjsElement*)>& file_of, const std::string& beside, SceneFiles& out,
                  Renamed& renamed) {
@@ -63,13 +63,15 @@ std::string saved_xml(const mjSpec* spec) {
   }
 }
 
-/// Of the layouts that were written.
+/// The layouts that were written.
 struct CopiedLayouts {
-  std::map<std::string, std::string> files;  ///< name of an instance -> layout
-  std::string assets;  ///< MJCF: meshes that stand there only to lead from the scene to the layouts beside them
+  std::map<std::string, std::string> files;  ///< file of the layout, by name of the plugin instance
+  /// More mesh assets, as MJCF. They only tell the plugin the folder of the layouts.
+  std::string assets;
 };
 
-/// Writes the layouts with their meshes. The plugin looks for layouts beside meshes, of which a primitive has none.
+/// Writes the layouts with their meshes. The plugin searches layouts in the folders of meshes, and a primitive has no
+/// mesh, so its sensor's mesh becomes an asset.
 CopiedLayouts copy_layouts(const CompiledScene& scene, const mjData& data, const std::string& beside, SceneFiles& out) {
   CopiedLayouts copied;
   std::map<std::pair<std::string, const SensorModel*>, std::string> known;
@@ -95,7 +97,7 @@ CopiedLayouts copy_layouts(const CompiledScene& scene, const mjData& data, const
   return copied;
 }
 
-/// The text with more assets.
+/// Returns the MJCF text with more assets.
 std::string with_assets(std::string xml, const std::string& assets) {
   const std::string end = "</asset>";
   const std::size_t at = xml.find(end);
@@ -111,7 +113,7 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const 
   const std::string beside = folder.empty() ? "" : folder + "/";
   const Renamed renamed = copy_all_assets(scene, beside, out);
   const CopiedLayouts layouts = copy_layouts(scene, data, beside, out);
-  std::string instance;  // in which the text is
+  std::string instance;  // plugin instance of the present position in the text
   const auto change = [&](const XmlAttribute& a) -> std::optional<std::string> {
     if (a.tag == "compiler" && (a.name == "meshdir" || a.name == "texturedir" || a.name == "assetdir")) return "";
     if (a.tag == "texture" && a.name.starts_with("file") && a.name != "file")
@@ -123,7 +125,7 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const 
     if (a.tag == "instance" && a.name == "name") instance = a.value;
     const auto layout = layouts.files.find(instance);
     if (a.tag == "config" && layout != layouts.files.end()) {
-      if (a.name == "key" && a.value == "taxels") return "layout";  // that was handed over
+      if (a.name == "key" && a.value == "taxels") return "layout";  // the layout was handed over
       if (a.name == "value" && (a.previous == "layout" || a.previous == "taxels")) return layout->second;
     }
     return std::nullopt;

@@ -18,8 +18,8 @@ namespace {
 constexpr const char* kFingerMesh = "finger.obj";
 constexpr const char* kLayoutFile = "finger.taxels.json";
 constexpr const char* kObjectMesh = "object.obj";
-constexpr double kPlateThickness = 0.1;  // of its sides
-constexpr double kFriction = 0.5;        // of all objects but the demo's box
+constexpr double kPlateThickness = 0.1;  // fraction of the plate's side
+constexpr double kFriction = 0.5;        // Coulomb's coefficient of all objects except the demo's box
 
 std::string text(const dvec3& v) {
   return fmt::format("{} {} {}", v.x, v.y, v.z);
@@ -28,13 +28,13 @@ std::string text(const dquat& q) {
   return fmt::format("{} {} {} {}", q.w, q.x, q.y, q.z);
 }
 
-/// The object as MJCF (asset, geom), and its bounds in the world.
+/// The object as MJCF (asset and geom), with its bounds in the world.
 struct Object {
   std::string asset, geom;
   Aabb bounds;
 };
 
-/// Attributes that all objects have; `friction` is Coulomb's coefficient.
+/// Returns the attributes that all objects have. `friction` is Coulomb's coefficient.
 std::string common_attributes(double friction) {
   return fmt::format(R"(contype="0" conaffinity="0" friction="{} 0.005 0.0001" rgba="0.55 0.6 0.68 1"/>)", friction);
 }
@@ -46,7 +46,7 @@ Object primitive_object(const char* type, const std::string& size, const Aabb& b
           bounds};
 }
 
-/// `offset` moves the mesh to its place in the world.
+/// Returns an object with a mesh. `offset` moves the mesh to its place in the world.
 Object mesh_object(const TriMesh& mesh, const dvec3& offset, std::vector<SceneFile>& files) {
   files.push_back({kObjectMesh, write_obj(mesh)});
   return {fmt::format("\n    <mesh name=\"{}\" file=\"{}\" inertia=\"shell\"/>", kObjectGeom, kObjectMesh),
@@ -55,7 +55,7 @@ Object mesh_object(const TriMesh& mesh, const dvec3& offset, std::vector<SceneFi
           {mesh.bounds().lo + offset, mesh.bounds().hi + offset}};
 }
 
-/// Bounds of the shapes that are no mesh: they begin at x = 0 and z = 0, with y = 0 in the middle.
+/// Returns the bounds of an object without a mesh file: it begins at x = 0 and at z = 0, and y = 0 is its middle.
 Aabb bounds_of(const dvec3& extent) {
   return {{0, -0.5 * extent.y, 0}, {extent.x, 0.5 * extent.y, extent.z}};
 }
@@ -89,7 +89,8 @@ std::string inertial(const TriMesh& skin, double mass) {
                      I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]);
 }
 
-/// What leads the finger, on which no gravity acts then: the weld would sag. Or nothing: it falls.
+/// MJCF of the mocap body that leads the finger, or nothing if the finger falls. A led finger has no gravity, because
+/// the weld would sag.
 struct Lead {
   std::string body, weld, gravity;
 };
@@ -108,7 +109,7 @@ std::string title_of(ScenarioKind kind) {
   return "fingertip " + std::string(to_word(kind));
 }
 
-/// `sensor` is the key that says where the layout comes from.
+/// Returns the MJCF of the whole scene. `sensor` is the plugin key that gives the layout.
 std::string scene_xml(const SensorModel& model, const Scenario& s, const Motion& motion, const Object& object,
                       const std::string& sensor) {
   const Lead lead = make_lead(motion);

@@ -1,9 +1,9 @@
-// The scene of a scenario, built around any layout.
+// Builds the scene of a scenario around any layout.
 //
-// World: the object's edge is the line x = 0, z = top. A box fills x > 0, z < top; an `edge` lies on both sides of x =
-// 0. `distal` of the finger points forward (+x) and down, so that in a sweep the tip leads over the edge, and `pad`,
-// behind and below it, faces the edge. Its width axis (`distal` x `pad`) is +y. The demo of the paper has a world of
-// its own, see paper_demo.h.
+// World: the edge of the object is the line x = 0, z = top. A box fills x > 0, z < top; an `edge` is on both sides of x
+// = 0. The axis `distal` of the finger points forward (+x) and down, so the tip crosses the edge first in a sweep. The
+// axis `pad` points back and down, towards the edge. The width axis (`distal` x `pad`) is +y. The demo of the paper has
+// another world, see paper_demo.h.
 #pragma once
 
 #include "core/run/motion/motion.h"
@@ -13,8 +13,8 @@
 namespace taxel {
 
 struct ScenarioScene {
-  SceneFiles files;        ///< scene.xml names the layout file
-  std::string hosted_xml;  ///< the same, for a program that hands the compiled sensor over
+  SceneFiles files;        ///< scene that names the layout file
+  std::string hosted_xml;  ///< MJCF of the scene for a program that hands the compiled sensor over
   Motion motion;
 };
 
@@ -22,11 +22,11 @@ struct ScenarioScene {
 inline constexpr const char* kFingerGeom = "finger";
 inline constexpr const char* kObjectGeom = "box";
 
-/// Throws Error that names `file` if a model has no taxels, and says where taxels come from.
+/// Throws Error that names `file` if a model has no taxels. The message says how to add taxels.
 void check_has_taxels(const SensorModel& model, const std::string& file);
 
-/// Throws Error for a model without taxels, scenario values out of range, or an object mesh or recording that cannot be
-/// read.
+/// Builds the scene. Throws Error if the model has no taxels, a value of the scenario is out of range, or an object
+/// mesh or a recording cannot be read.
 ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& scenario);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// A scene as text with the files it names.
+// A scene in memory: its MJCF text and the files that the text names.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace taxel {
 
 struct SceneFile {
-  std::string name;  ///< relative to the scene's folder
+  std::string name;  ///< path relative to the scene's folder
   std::string bytes;
 };
 
@@ -17,8 +17,8 @@ struct SceneFiles {
   std::vector<SceneFile> files;
 };
 
-/// Writes the MJCF file and, beside it, its files; folders are made where they are missing. Throws Error naming the
-/// file.
+/// Writes the MJCF file, and its files relative to the same folder. Creates missing folders. Throws Error naming the
+/// file that cannot be written.
 void write_scene(const std::filesystem::path& xml_file, const SceneFiles& scene);
 
 }  // namespace taxel

@@ -44,7 +44,7 @@ void add_layouts(const mjModel& m, std::set<fs::path>& found) {
       const FoundLayout layout = find_layout(config.layout, layout_folders(m, config.geom));
       found.insert(fs::absolute(layout.file).lexically_normal());
       found.insert(fs::absolute(mesh_path(layout.layout, layout.file)).lexically_normal());
-    } catch (const Error&) {  // gone since it was read
+    } catch (const Error&) {  // the file was deleted after it was read
     }
   }
 }

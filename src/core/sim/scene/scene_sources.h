@@ -1,4 +1,4 @@
-// The files that a loaded scene was made from.
+// The list of the files from which a scene was loaded.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace taxel {
 
-/// Returns the files of a scene besides its own: MJCF that the scene includes or takes models from (included_files.h),
-/// meshes, height fields, skins, textures, and the layouts of its sensors with their meshes. Paths are absolute and
+/// Returns all files of a scene except its main file: MJCF files that are included or give models (included_files.h),
+/// meshes, height fields, skins, textures, and the layouts of the sensors with their meshes. Paths are absolute and
 /// sorted, each once. Missing files are omitted. Throws Error as included_files() does.
 std::vector<std::string> scene_sources(const std::filesystem::path& scene, const CompiledScene& compiled);
 

@@ -14,7 +14,7 @@ struct Entity {
 constexpr std::array<Entity, 5> kEntities{
     {{'&', "&amp;"}, {'"', "&quot;"}, {'\'', "&apos;"}, {'<', "&lt;"}, {'>', "&gt;"}}};
 
-/// "&#10;" or "&#xA;": a character by its number (ASCII only).
+/// Returns the character of an entity with a number, such as "&#10;" or "&#xA;" (ASCII only), or nothing.
 std::optional<char> numbered(std::string_view entity) {
   if (entity.size() < 4 || !entity.starts_with("&#") || entity.back() != ';') return std::nullopt;
   const bool hex = entity[2] == 'x';
@@ -74,7 +74,7 @@ std::string change_attributes(const std::string& xml,
   XmlAttribute attribute;
   std::size_t at = 0;
   while (at < xml.size()) {
-    if (xml[at] == '<') {  // a tag begins: its name
+    if (xml[at] == '<') {  // the name of a tag follows
       const std::size_t end = xml.find_first_of(" \t\n/>", at + 1);
       attribute = {xml.substr(at + 1, std::min(end, xml.size()) - at - 1), "", "", ""};
     }

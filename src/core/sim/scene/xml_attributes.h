@@ -1,4 +1,4 @@
-// Changing attribute values in MJCF text that MuJoCo itself has written: one tag at a time, no comments, double quotes.
+// Changes attribute values in MJCF text. The text must be in the form that MuJoCo writes: no comments, double quotes.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,17 @@ namespace taxel {
 
 struct XmlAttribute {
   std::string tag;       ///< element name
-  std::string name;      ///< of the attribute
-  std::string value;     ///< without escapes
-  std::string previous;  ///< value of the attribute before it in the same tag, or empty
+  std::string name;      ///< attribute name
+  std::string value;     ///< value without escapes
+  std::string previous;  ///< value of the previous attribute in the same tag, or empty
 };
 
-/// The text with every attribute value for which `change` returns one replaced by it.
+/// Calls `change` for each attribute of the text, and returns the text with the values that `change` returns. If
+/// `change` returns nothing, the attribute keeps its value.
 std::string change_attributes(const std::string& xml,
                               const std::function<std::optional<std::string>(const XmlAttribute&)>& change);
 
-/// A text as an XML attribute value, and back.
+/// Escape a text for use as an XML attribute value, and undo this.
 std::string xml_escaped(const std::string& text);
 std::string xml_unescaped(const std::string& text);
 

@@ -1,4 +1,4 @@
-// Many simulations at once.
+// Runs many simulations in parallel.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace taxel {
 
-/// Makes `count` simulators by make(i), one after the other, since MuJoCo's compiler is not to be called twice at once,
-/// and runs them by run(i, simulator) side by side, as many at a time as there are cores. What run() makes of i depends
-/// on nothing else, so the number of threads changes no result. Where make() returns none, nothing runs; what it throws
-/// goes on; run() must throw nothing but Cancelled.
+/// Builds `count` simulators by make(i) and runs each by run(i, simulator). make() is called one at a time, because
+/// MuJoCo's compiler must not run twice at once; run() is called in parallel, in as many threads as there are cores.
+/// The result of run() must depend on i only, so that the number of threads changes no result. If make() returns null,
+/// run() is not called for i. Exceptions of make() are passed on; run() may throw only Cancelled.
 void run_side_by_side(int count, const std::function<std::unique_ptr<Simulator>(int)>& make,
                       const std::function<void(int, Simulator&)>& run, Progress& progress);
 

@@ -21,9 +21,9 @@ bool same(const Twist& a, const Twist& b) {
   return a.linear == b.linear && a.angular == b.angular;
 }
 
-/// Velocity of a body at the world point p, world axes.
+/// Returns the velocity of a body at the world point p, world axes.
 Twist body_twist(const mjModel& m, const mjData& d, int body, const dvec3& p_W) {
-  mjtNum v[6];  // angular, linear, at the origin of the body frame
+  mjtNum v[6];  // angular, then linear velocity at the origin of the body frame
   mj_objectVelocity(&m, &d, mjOBJ_XBODY, body, v, 0);
   const dvec3 w(v[0], v[1], v[2]), origin(d.xpos[3 * body], d.xpos[3 * body + 1], d.xpos[3 * body + 2]);
   return {dvec3(v[3], v[4], v[5]) + glm::cross(w, p_W - origin), w};
@@ -35,7 +35,7 @@ void check_one_soft(const HydroBody& a, const HydroBody& b, bool sensor) {
                           sensor ? "sensor" : fmt::format("geom \"{}\"", a.name), b.name));
 }
 
-/// Half the diagonal of a body's bounds; 0 for a half-space.
+/// Returns half of the diagonal of a body's bounds; 0 for a half-space.
 double half_diagonal(const HydroBody& body) {
   Aabb box;
   if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
@@ -44,13 +44,14 @@ double half_diagonal(const HydroBody& body) {
   return 0.5 * box.diagonal();
 }
 
-/// The wrench on the other body, about the origin of its frame B and in B's axes, of a wrench on A.
+/// Returns the wrench on body B, about the origin and in the axes of B, that reacts to a wrench on body A.
 Wrench reaction(const Wrench& on_A, const RigidTransform& X_BA) {
   const dvec3 force = -(X_BA.R * on_A.force);
   return {force, -(X_BA.R * on_A.torque) + glm::cross(X_BA.p, force)};
 }
 
-/// The velocity of B relative to A at B's origin, in B's axes, as that of A relative to B at A's origin, in A's.
+/// Converts the velocity of B relative to A (at B's origin, in B's axes) into the velocity of A relative to B (at A's
+/// origin, in A's axes).
 Twist reversed(const Twist& of_B, const RigidTransform& X_AB) {
   const dvec3 A_in_B = X_AB.inverse_point(dvec3(0));
   return {-(X_AB.R * (of_B.linear + glm::cross(of_B.angular, A_in_B))), -(X_AB.R * of_B.angular)};
@@ -95,7 +96,7 @@ void BodyContacts::compile_others(const mjModel& m) {
     try {
       const TouchedGeom touched = compile_other(m, geom);
       if (touched.body != nullptr && body_->half_space() && touched.body->half_space()) {
-        if (!settings().others_named) continue;  // MuJoCo's planes do not collide either
+        if (!settings().others_named) continue;  // two planes do not collide in MuJoCo either
         throw Error(fmt::format("geoms \"{}\" and \"{}\" are both planes", settings().geom_name, geom_name(m, geom)));
       }
       broad_phase_.add(geom);
@@ -113,7 +114,7 @@ TouchedGeom BodyContacts::compile_other(const mjModel& m, int geom) {
   TouchedGeom touched;
   touched.geom = geom;
   touched.role = pair_role(declared_, declared_[self_], geom);
-  if (touched.role.partner.valid()) {  // its body comes with link()
+  if (touched.role.partner.valid()) {  // link() sets the body later
     const auto partner = std::find_if(declared_.begin(), declared_.end(),
                                       [&](const DeclaredBody& body) { return body.id == touched.role.partner; });
     if (partner->sensor && settings().materials.contains(geom_name(m, geom)))
@@ -144,7 +145,7 @@ void BodyContacts::link(const BodyContacts& other) {
     } catch (const Error& error) {
       if (settings().others_named) throw Error("", key_of_others(), error.what());
       if (!t.role.mirrored) warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
-      t.role.partner = {};  // not asked again
+      t.role.partner = {};  // the partner is not searched again
       continue;
     }
     t.body = other.body_;

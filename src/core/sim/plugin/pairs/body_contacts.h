@@ -1,8 +1,8 @@
-// The contacts of one body with the geoms that it touches: poses, twists, surfaces and wrenches of the state last
-// evaluated. A sensor has one such body, a `taxel.contact` one for each soft geom.
+// The contacts of one body with the geoms that it touches: poses, twists, surfaces and wrenches of the last evaluated
+// state. A sensor has one such body, a `taxel.contact` has one for each soft geom.
 //
-// Frame M is the body's: that of a sensor's mesh file, otherwise that of the geom. Wrenches act on the body, about M's
-// origin, in M's axes.
+// Frame M belongs to the body: it is the frame of a sensor's mesh file, or otherwise the frame of the geom. Wrenches
+// act on the body, about the origin of M, in the axes of M.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -22,43 +22,47 @@ namespace taxel {
 /// A geom that the body touches.
 struct TouchedGeom {
   int geom = -1;
-  HydroBodyPtr body;  ///< null: a partner that has no body yet, or none that can be touched
+  HydroBodyPtr body;  ///< touched body; null if it cannot be touched or a partner has not built it yet
   PairProperties properties;
-  Pose X_GB;                    ///< touched body's frame in the geom's; identity unless it is a sensor's
+  Pose X_GB;                    ///< pose of the touched body's frame in the geom; identity unless it is a sensor
   double half_diagonal = 0;     ///< half of the touched body's diagonal [m]; 0 unless this is a half-space
-  PairRole role;                ///< towards a declared body on the geom
-  bool mujoco_too = false;      ///< MuJoCo's own contact of the pair was seen: reported once
-  unsigned step_checks = 0;     ///< how often the time step was to be checked
-  bool step_too_large = false;  ///< the contact was seen to be too stiff for the time step: reported once
+  PairRole role;                ///< role of this body towards a declared body on the geom
+  bool mujoco_too = false;      ///< the warning about MuJoCo's own contact of this pair was given
+  unsigned step_checks = 0;     ///< number of calls of time_to_check_step()
+  bool step_too_large = false;  ///< the warning about a contact too stiff for the time step was given
 };
 
-/// A pair in one state.
+/// Contact of the body with one touched geom, in one state.
 struct PairState {
-  Pose X_WB;               ///< touched body's frame in the world
+  Pose X_WB;               ///< pose of the touched body's frame B in the world
   Twist V;                 ///< motion of the body relative to B, at M's origin, frame M
-  Twist V_rub;             ///< V for which `wrench` was found: of the step's end if that is implicit
-  ContactSurface surface;  ///< frame M
-  Wrench wrench;           ///< on the body
+  Twist V_rub;             ///< motion that gives `wrench`: V at the end of the step if the step is implicit
+  ContactSurface surface;  ///< contact surface, frame M
+  Wrench wrench;           ///< wrench on the body
 };
 
 /// All pairs of a body in one state.
 struct Evaluation {
   bool valid = false;
   Pose X_WM;
-  std::vector<PairState> pairs;   ///< parallel to touched(); entries not listed in `near` have only surface and wrench
-  std::vector<std::size_t> near;  ///< numbers of the pairs that may touch, ascending; all others are empty
+  /// States of the pairs, parallel to touched(). Pairs that are not in `near` have only `surface` and `wrench` set.
+  std::vector<PairState> pairs;
+  std::vector<std::size_t> near;  ///< indices of the pairs that may touch, ascending; all others are empty
 };
+
+/// The body of a sensor or of a soft geom, with all geoms that it touches.
 
 class BodyContacts {
  public:
-  /// `declared` has the body `id`. It touches nothing before set_body().
+  /// `declared` has the body `id`. The body touches nothing before set_body().
   BodyContacts(BodyId id, std::vector<DeclaredBody> declared);
-  /// For mj_copyData: the same body in the same state. Memory that only speeds up a step starts empty.
+  /// Copies a body with its state, for mj_copyData. Memory that only speeds up a step starts empty.
   BodyContacts(const BodyContacts& other);
   BodyContacts& operator=(const BodyContacts&) = delete;
 
-  /// Sets the body, with its bounds in M and the pose of M in the geom's frame, compiles the geoms that it touches and
-  /// forgets all states. Throws Error for a named geom that cannot be touched; of others a warning says so.
+  /// Sets the body, with its bounds in M and the pose of M in the geom's frame, compiles the geoms that it touches, and
+  /// forgets all states. If a geom cannot be touched, throws Error if the configuration names the geom, and otherwise
+  /// adds a warning.
   void set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bounds_M, const Pose& X_GM);
 
   [[nodiscard]] BodyId id() const { return declared_[self_].id; }
@@ -71,27 +75,29 @@ class BodyContacts {
     return body_->half_space() ? touched_[pair].half_diagonal : radius_;
   }
 
-  /// Poses, twists and surfaces of the present state of `d`; wrenches are zeroed.
-  /// Pairs that the partner computes stay empty: sense() takes them from there.
+  /// Computes poses, twists and surfaces of the present state of `d`, and sets wrenches to zero. Pairs that the partner
+  /// computes remain empty; sense() copies them from the partner.
   Evaluation& evaluate(const mjModel& m, mjData& d);
-  /// The state that evaluate() saw last.
+  /// State of the last evaluate().
   [[nodiscard]] Evaluation& latest() { return slots_[latest_]; }
-  /// latest() if it is of the present state, else that state evaluated, its wrenches without implicit step.
+  /// Returns latest() if it is the present state. Otherwise evaluates the present state, with wrenches at the present
+  /// velocities (no implicit step).
   Evaluation& present(const mjModel& m, mjData& d);
   /// Retains the present state, with the pairs that partners compute, as sensed().
   void sense(const mjModel& m, mjData& d);
-  /// The state that sense() saw last. Valid until the next step.
+  /// State of the last sense(). Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
-  /// Writes the wrench (6 values) or the area (1 value) of all pairs of sensed() to `out`; returns the place behind.
+  /// Writes the total wrench (6 values) or area (1 value) of sensed() to `out`. Returns the position after the values.
   mjtNum* write_output(Output block, mjtNum* out) const;
 
-  /// Takes the body of a partner; to be called again when the partner gets another. Throws Error if both are rigid and
-  /// the geom was named.
+  /// Uses the body of a partner; must be called again when the partner's body changes. Throws Error if both bodies are
+  /// rigid and the configuration names the geom.
   void link(const BodyContacts& other);
 
-  /// True at the first call for a pair and at every `every`th.
+  /// Returns true at the first call for a pair and then at every `every`th call.
   bool time_to_check_step(std::size_t pair, unsigned every) { return touched_[pair].step_checks++ % every == 0; }
-  /// Reports, once, that a pair's contact is stiffer than the time step bears; `largest` is the step it does [s].
+  /// Warns, once for each pair, that the contact is too stiff for the time step; `largest` is the largest stable time
+  /// step [s].
   void note_step_too_large(const mjModel& m, std::size_t pair, double largest);
 
   /// Forgets all states.
@@ -99,18 +105,18 @@ class BodyContacts {
 
   std::vector<std::string> warnings;  ///< warnings about the scene, for the user
   SensorTimes times;                  ///< time spent so far; a copy begins at 0
-  /// Set by the plugin when a callback failed: reported once, then the body has no contacts.
+  /// Error of a callback that failed, set by the plugin. It is reported once, and the body then has no contacts.
   std::string failure;
 
  private:
-  /// The key that names the touched geoms, for errors.
+  /// Returns the key that names the touched geoms, for errors.
   [[nodiscard]] const char* key_of_others() const { return declared_[self_].sensor ? "others" : "pairs"; }
-  void set_properties(TouchedGeom& touched) const;  ///< those that depend on both bodies
+  void set_properties(TouchedGeom& touched) const;  ///< sets the properties that depend on both bodies
   void compile_others(const mjModel& m);
   TouchedGeom compile_other(const mjModel& m, int geom);
   void link_all(const mjModel& m, mjData& d);
   void mirror_pairs(const mjModel& m, mjData& d);
-  /// Number of the pair with a geom; touched().size() if there is none.
+  /// Returns the index of the pair with a geom, or touched().size() if there is none.
   [[nodiscard]] std::size_t pair_with(int geom) const;
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
   void clear_pairs(Evaluation& e) const;
@@ -118,15 +124,15 @@ class BodyContacts {
   [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
 
   std::vector<DeclaredBody> declared_;
-  std::size_t self_ = 0;  // in declared_
+  std::size_t self_ = 0;  // index of this body in declared_
   HydroBodyPtr body_;
   Pose X_GM_;
-  dvec3 center_M_{0};                  // of the bounding sphere
-  double radius_ = 0;                  // of the bounding sphere; infinite for a half-space
+  dvec3 center_M_{0};                  // centre of the bounding sphere
+  double radius_ = 0;                  // radius of the bounding sphere; infinite for a half-space
   std::vector<TouchedGeom> touched_;   // ascending by geom
-  std::vector<std::size_t> partners_;  // numbers of those with a declared body
-  BroadPhase broad_phase_;             // numbers as touched_
-  std::array<Evaluation, 2> slots_;    // one may still be shown as sensed() while RK4 evaluates further
+  std::vector<std::size_t> partners_;  // indices in touched_ of geoms with a declared body
+  BroadPhase broad_phase_;             // uses the indices of touched_
+  std::array<Evaluation, 2> slots_;    // two, so that sensed() remains valid while RK4 evaluates more states
   std::size_t latest_ = 0, sensed_ = 0;
   Evaluation probe_;
   IntersectWorkspace workspace_;

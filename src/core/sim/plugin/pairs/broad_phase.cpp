@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kNothing = -kInfinite;
-/// Positions and bounds are rounded: a part of the bounds that is far above that.
+/// Factor that enlarges the bounds. The enlargement is far above the rounding errors of positions and bounds.
 constexpr double kSlack = 1 + 1e-9;
 
-/// Of the sphere about the geom's origin.
+/// Returns the radius of the bounding sphere about the geom's origin.
 double bounding_radius(std::span<const dvec3> vertices_B, const RigidTransform& X_GB) {
   double farthest = 0;
   for (const dvec3& v_B : vertices_B) {
@@ -21,7 +21,7 @@ double bounding_radius(std::span<const dvec3> vertices_B, const RigidTransform& 
   return kSlack * std::sqrt(farthest);
 }
 
-/// Whether a sphere reaches below the plane z = 0 of a geom.
+/// Returns true if a sphere reaches below the plane z = 0 of a geom.
 bool reaches(const mjData& d, int geom, const dvec3& center_W, double radius) {
   const mjtNum *p = d.geom_xpos + 3 * geom, *R = d.geom_xmat + 9 * geom;
   return glm::dot(center_W - dvec3(p[0], p[1], p[2]), dvec3(R[2], R[5], R[8])) <= radius;

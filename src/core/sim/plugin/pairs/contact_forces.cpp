@@ -30,15 +30,15 @@ bool asleep(const mjModel& m, const mjData& d, int body) {
   return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
 }
 
-/// Whether a body may move of itself: an awake one, or one that is fixed to a mocap body.
+/// Returns true if a body may move without our forces: it is awake, or fixed to a mocap body.
 bool may_move(const mjModel& m, const mjData& d, int body) {
   return m.body_mocapid[m.body_rootid[body]] >= 0 || (m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_AWAKE);
 }
 
-/// A tree falls asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. MuJoCo
-/// does not know of our contacts and would let a tree sleep while a moving body touches it. One that sleeps already is
-/// given a velocity that no number of the simulation feels: at the begin of the next step MuJoCo wakes what has one,
-/// with all trees that fell asleep with it.
+/// Keeps the tree of a body awake while a moving body touches it. MuJoCo does not know our contacts: a tree falls
+/// asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. A tree that already
+/// sleeps gets a velocity too small to change any number of the simulation. At the beginning of the next step MuJoCo
+/// wakes each tree that has a velocity, with all trees that fell asleep together with it.
 void keep_awake(const mjModel& m, mjData& d, int body, int toucher) {
   constexpr mjtNum kUnfelt = 1e-200;  // m/s or rad/s
   const int tree = m.body_treeid[body];
@@ -50,7 +50,7 @@ void keep_awake(const mjModel& m, mjData& d, int body, int toucher) {
   }
 }
 
-/// J of the relative twist, in frame M at M's origin; A = J M^-1 J^T (6 x 6).
+/// Computes the Jacobian J of the relative twist, in frame M at M's origin, and A = J M^-1 J^T (6 x 6).
 void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Active& a) {
   const std::size_t nv = size(m.nv);
   const Evaluation& e = a.body->latest();
@@ -80,7 +80,8 @@ void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Act
       a.inverse_inertia[i][j] = mju_dot(a.J.data() + i * nv, a.MinvJ.data() + j * nv, m.nv);
 }
 
-/// M^-1 of all forces but those of the pairs: passive so far, applied, bias, and what comes later in the step.
+/// Computes the acceleration M^-1 f without the pairs: f is the sum of the passive forces so far, the applied and bias
+/// forces, and `late_forces`.
 void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
   work.force.resize(size(m.nv));
   work.acceleration.resize(size(m.nv));
@@ -94,7 +95,7 @@ void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late
   mj_solveM(&m, &d, work.acceleration.data(), f, 1);
 }
 
-/// The pair's twist at the end of the step without the wrenches of the pairs.
+/// Returns the pair's twist at the end of the step without the wrenches of the pairs.
 Twist free_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a) {
   const PairState& pair = state_of(a);
   std::array<double, 6> rate{};
@@ -114,7 +115,7 @@ void keep(Active& a, const Wrench& wrench, const Twist& V_end) {
   a.V_rub = V_end;
 }
 
-/// J_i M^-1 J_j^T
+/// Returns J_i M^-1 J_j^T.
 Matrix6 response(const mjModel& m, const Active& i, const Active& j) {
   Matrix6 A{};
   const std::size_t nv = size(m.nv);
@@ -129,7 +130,8 @@ bool moves(const Matrix6& A) {
   });
 }
 
-/// Pairs whose wrenches move each other's bodies, directly or through others, get one group. Fills work.responses.
+/// Groups the pairs: pairs whose wrenches move each other's bodies, directly or through other pairs, are in one group.
+/// Fills work.responses.
 void group_pairs(const mjModel& m, ContactForceWorkspace& work) {
   const std::span<Active> active(work.active.data(), work.active_count);
   work.responses.resize(active.size() * active.size());
@@ -148,7 +150,7 @@ void group_pairs(const mjModel& m, ContactForceWorkspace& work) {
   }
 }
 
-/// The members of a group, at once. Wrenches of other groups do not move its bodies.
+/// Solves all members of a group together. Wrenches of other groups do not move the bodies of this group.
 void solve_group(const mjModel& m, ContactForceWorkspace& work) {
   const std::vector<std::size_t>& members = work.members;
   ImplicitWrenches& wrenches = work.wrenches;
@@ -178,8 +180,9 @@ void apply(const mjModel& m, mjData& d, Active& a) {
   keep_awake(m, d, other_body(m, a), first_body(m, a));
 }
 
-/// Friction and damping are implicit, stiffness is not. Looks at the first step of a pair and at every eighth: a look
-/// takes up to a fifth of a step's time. A bound that is quick to have spares most pairs the rest.
+/// Checks that the time step is stable: friction and damping are implicit, but the stiffness is explicit. Only the
+/// first step of a pair and every eighth step are checked, because a check takes up to a fifth of the time of a step.
+/// For most pairs a cheap bound is sufficient.
 void check_step(const mjModel& m, Active& a) {
   constexpr unsigned kEvery = 8;
   const TouchedGeom& touched = a.body->touched()[a.pair];
@@ -188,7 +191,7 @@ void check_step(const mjModel& m, Active& a) {
   const double h = m.opt.timestep, limit = m.opt.integrator == mjINT_RK4 ? kRungeKuttaLimit : kEulerLimit;
   const Matrix6& A = a.inverse_inertia;
   const StiffnessBound bound = stiffness_bound(pair.surface);
-  const double reach = bound.reach + a.length;  // corners lie farther out than centroids
+  const double reach = bound.reach + a.length;  // corners are farther out than centroids
   if (h * h * stiffest_mode_bound(A, bound.linear, reach) < limit) return;
   const Pose X_MB = a.body->latest().X_WM.inverse() * pair.X_WB;
   const Matrix6 K = contact_stiffness(pair.surface, *a.body->body(), *touched.body, RigidTransform(X_MB));
@@ -197,7 +200,7 @@ void check_step(const mjModel& m, Active& a) {
   if (largest < h) a.body->note_step_too_large(m, a.pair, largest);
 }
 
-/// All pairs that have a surface, with their dynamics.
+/// Collects all pairs that have a surface, with their dynamics.
 void collect(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies, ContactForceWorkspace& work) {
   work.active_count = 0;
   for (BodyContacts* body : bodies) {
@@ -228,7 +231,7 @@ void apply_contact_forces(const mjModel& m, mjData& d, std::span<BodyContacts* c
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
   collect(m, d, bodies, work);
   if (work.active_count == 0) return;
-  const Stopwatch watch(work.active.front().body->times.forces);  // all pairs are solved together
+  const Stopwatch watch(work.active.front().body->times.forces);  // the first body is charged for all pairs
   const std::span<Active> active(work.active.data(), work.active_count);
   free_acceleration(m, d, late_forces, work);
   group_pairs(m, work);

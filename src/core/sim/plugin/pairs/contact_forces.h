@@ -1,4 +1,4 @@
-// The forces of all hydroelastic pairs of one mjData, coupled through the bodies they share.
+// Computation of the forces of all hydroelastic pairs of one mjData, coupled through the bodies that the pairs share.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,7 +12,7 @@
 
 namespace taxel {
 
-/// Memory for apply_contact_forces, reused from step to step.
+/// Memory of apply_contact_forces(), reused from step to step.
 struct ContactForceWorkspace {
   /// One pair with a surface.
   struct Active {
@@ -20,28 +20,28 @@ struct ContactForceWorkspace {
     std::size_t pair = 0;
     TractionPoints points;
     double length = 1;          ///< size of the contact [m]
-    Twist V_rub;                ///< where the search begins, then what it found
+    Twist V_rub;                ///< start of the search for the twist of the wrench, then its result
     Matrix6 inverse_inertia{};  ///< J M^-1 J^T
     std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the body at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
-    std::size_t group = 0;      ///< pairs whose wrenches move each other's bodies have the same
+    std::size_t group = 0;      ///< number of the group; the wrenches of a group move each other's bodies
   };
-  TractionPoints felt_only;  ///< of a pair that is sensed and not applied
+  TractionPoints felt_only;  ///< traction points of a pair that is sensed and not applied
   std::vector<Active> active;
   std::size_t active_count = 0;
   std::vector<mjtNum> force, acceleration, jacobian;
-  std::vector<Matrix6> responses;    ///< J_i M^-1 J_j^T of active pairs, by rows of i
-  std::vector<std::size_t> members;  ///< of a group
+  std::vector<Matrix6> responses;    ///< J_i M^-1 J_j^T of active pairs i and j, row by row
+  std::vector<std::size_t> members;  ///< active pairs of one group
   ImplicitWrenches wrenches;
 };
 
-/// Evaluates the bodies that apply forces, solves for all wrenches with the velocities of the end of the step, keeps
-/// each in its PairState and adds it to qfrc_passive of both bodies. To be called once per PASSIVE stage; M is factored
-/// then. `late_forces` (nv values) are the generalized forces that MuJoCo computes only later, taken from the step
-/// before: constraints and actuators.
+/// Evaluates the bodies that apply forces, solves for all wrenches with the velocities at the end of the step, stores
+/// each wrench in its PairState, and adds it to qfrc_passive of both bodies. Must be called once in each PASSIVE stage;
+/// the inertia matrix M is already factored there. `late_forces` (nv values) are the generalized forces of constraints
+/// and actuators, which MuJoCo computes only later; their values are those of the previous step.
 ///
-/// Pairs whose wrenches move each other's bodies are solved together (implicit_wrenches.h).
-/// Bodies asleep get no force; bodies of touching pairs are kept from falling asleep.
+/// Pairs whose wrenches move each other's bodies are solved together (implicit_wrenches.h). Sleeping bodies get no
+/// force; bodies of touching pairs are prevented from falling asleep.
 void apply_contact_forces(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work);
 

@@ -21,7 +21,8 @@ const DeclaredBody* body_on(const std::vector<DeclaredBody>& bodies, int geom) {
   return found;
 }
 
-/// By name, so that neither the order of the bodies in the model nor that of the instances changes a bit of the result.
+/// Returns true if `a` computes the pair. The order is by name, so neither the order of the bodies in the model nor
+/// that of the instances changes a bit of the result.
 bool computes_before(const ContactSettings& a, const ContactSettings& b) {
   return a.apply != b.apply ? a.apply : a.geom_name < b.geom_name;
 }
@@ -32,13 +33,13 @@ void add_other(ContactSettings& settings, int geom) {
   if (place == settings.others.end() || *place != geom) settings.others.insert(place, geom);
 }
 
-/// A `taxel.contact` with its instance.
+/// A `taxel.contact` with the number of its instance.
 struct DeclaredContact {
   int instance = -1;
   ContactConfig config;
 };
 
-/// All that a model declares.
+/// All sensors and contacts that a model declares.
 struct Declared {
   std::vector<DeclaredBody> bodies;
   std::vector<DeclaredContact> contacts;
@@ -96,7 +97,7 @@ void check_materials(const Declared& all, int instance) {
   }
 }
 
-/// Named pairs of contacts with the geom of a sensor: the sensor computes them.
+/// Moves the pairs that a contact names with the geom of a sensor to the sensor, which computes them.
 void give_pairs_to_sensors(const mjModel& m, Declared& all, int instance) {
   for (const DeclaredContact& contact : all.contacts) {
     for (const auto& [a, b] : contact.config.pairs) {
@@ -115,7 +116,7 @@ void give_pairs_to_sensors(const mjModel& m, Declared& all, int instance) {
   }
 }
 
-/// Adds each named pair to both of its bodies, and the material that a contact gives a geom to all of them.
+/// Adds each named pair to both of its bodies, and each material that a contact gives to a geom to all bodies.
 void complete_settings(Declared& all) {
   for (const DeclaredContact& contact : all.contacts)
     for (DeclaredBody& body : all.bodies)

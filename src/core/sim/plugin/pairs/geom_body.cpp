@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// Material of a geom: as configured, else rigid with the geom's own friction.
+/// Returns the configured material of a geom. Without one, the geom is rigid with its own friction.
 OtherMaterial material_of(const mjModel& m, const OtherMaterials& materials, int geom, ShapeType type) {
   OtherMaterial other;
   const auto found = materials.find(geom_name(m, geom));

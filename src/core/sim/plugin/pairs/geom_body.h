@@ -1,4 +1,4 @@
-// A geom of a model as the contact kernel sees it.
+// Builds the body that the contact kernel uses for a geom of a model.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,9 +11,9 @@
 
 namespace taxel {
 
-/// The geom's body in the geom's own frame, made of the material that `materials` names it, otherwise rigid with the
-/// geom's own sliding friction. A soft mesh that is not closed is repaired as a layout's mesh is by default; A
-/// sentence on each change is added to `notes`. Throws Error that names the geom.
+/// Returns the body of a geom, in the geom's own frame. Its material is that of `materials`; a geom without one is
+/// rigid, with its own sliding friction. A soft mesh that is not closed is repaired with the default repair of layouts,
+/// and a sentence on each change is added to `notes`. Throws Error that names the geom.
 HydroBodyPtr geom_body(const mjModel& m, int geom, const OtherMaterials& materials, std::vector<std::string>& notes);
 
 }  // namespace taxel

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kMostEvaluations = 60;
 constexpr double kResidual = 1e-7;
-constexpr std::size_t kColumns = 6;     // columns of the Anderson mixing
-constexpr double kIndependent = 1e-12;  // of a column's square, that must be new
+constexpr std::size_t kColumns = 6;     // largest number of columns in the Anderson mixing
+constexpr double kIndependent = 1e-12;  // smallest independent fraction of a column's square
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -25,7 +25,7 @@ void subtract_into(std::vector<double>& out, const std::vector<double>& a, const
   for (std::size_t i = 0; i < a.size(); ++i) out[i] = a[i] - b[i];
 }
 
-/// In variables of one unit: (linear, length * angular).
+/// Writes a twist in variables of one unit: (linear, length * angular).
 void scale_into(double* out, const Twist& V, double length) {
   for (int i = 0; i < 3; ++i) {
     out[i] = V.linear[i];
@@ -59,8 +59,8 @@ void ImplicitWrenches::set_inverse_inertia(std::size_t i, std::size_t j, const M
   }
 }
 
-/// Solves M_ x = image_ in place, by elimination with row pivoting. M_ = I + h A S is never singular, for A and S are
-/// positive semi-definite.
+/// Solves M_ x = image_ in place, by elimination with row pivoting. M_ = I + h A S is never singular, because A and S
+/// are positive semi-definite.
 void ImplicitWrenches::eliminate() {
   const std::size_t n = image_.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -84,7 +84,7 @@ void ImplicitWrenches::eliminate() {
   }
 }
 
-/// One linear solve: (I + h A S) V = V_free + h A elastic, with S and elastic at `v`.
+/// Does one linear solve: (I + h A S) V = V_free + h A elastic, with S and elastic at `v`.
 void ImplicitWrenches::image_of(const Vector& v, const Law& law) {
   const std::size_t n = v.size();
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
@@ -109,9 +109,9 @@ void ImplicitWrenches::image_of(const Vector& v, const Law& law) {
   eliminate();
 }
 
-/// The next iterate (Walker, Ni 2011): image - sum gamma_i d_image_i, gamma minimising
-/// |residual - sum gamma_i d_residual_i|, by Gram-Schmidt with the newest columns first; a column that is nearly a
-/// combination of newer ones is left out.
+/// Computes the next iterate (Walker, Ni 2011): image - sum gamma_i d_image_i, where gamma minimises |residual - sum
+/// gamma_i d_residual_i|. Uses Gram-Schmidt with the newest columns first; a column that is nearly a combination of
+/// newer columns is left out.
 void ImplicitWrenches::mix(bool grew) {
   if (grew) columns_ = 0;
   if (columns_ == kColumns) {

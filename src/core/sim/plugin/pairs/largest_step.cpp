@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-constexpr int kMostSweeps = 30;  // Jacobi's method converges quadratically: about 6 are needed
+constexpr int kMostSweeps = 30;  // Jacobi's method converges quadratically and needs about 6 sweeps
 
 Matrix6 product(const Matrix6& a, const Matrix6& b) {
   Matrix6 c{};
@@ -18,7 +18,8 @@ Matrix6 product(const Matrix6& a, const Matrix6& b) {
   return c;
 }
 
-/// Turns rows and columns p and q of the symmetric m so that m[p][q] = 0, and the columns of `vectors` with them.
+/// Rotates rows and columns p and q of the symmetric matrix m so that m[p][q] = 0, and the columns p and q of `vectors`
+/// by the same rotation.
 void rotate(Matrix6& m, Matrix6& vectors, std::size_t p, std::size_t q) {
   if (m[p][q] == 0) return;
   const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
@@ -38,16 +39,17 @@ void rotate(Matrix6& m, Matrix6& vectors, std::size_t p, std::size_t q) {
   }
 }
 
-/// Whether what is off the diagonal is rounding.
+/// Returns true if the elements off the diagonal are rounding errors.
 bool diagonal(const Matrix6& m) {
-  constexpr double kRounding = 1e-30;  // of squares
+  constexpr double kRounding = 1e-30;  // largest rounding error, as a fraction of the sum of squares
   double on = 0, off = 0;
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) (i == j ? on : off) += m[i][j] * m[i][j];
   return !(off > kRounding * on);
 }
 
-/// Eigenvalues on the diagonal of m, eigenvectors in the columns of the result (Jacobi 1846).
+/// Diagonalises m: the eigenvalues are then on its diagonal, the eigenvectors in the columns of the result (Jacobi
+/// 1846).
 Matrix6 diagonalize(Matrix6& m) {
   Matrix6 vectors{};
   for (std::size_t i = 0; i < 6; ++i) vectors[i][i] = 1;
@@ -58,7 +60,7 @@ Matrix6 diagonalize(Matrix6& m) {
   return vectors;
 }
 
-/// L with L L^T = A.
+/// Returns L with L L^T = A.
 Matrix6 root_of(Matrix6 A) {
   Matrix6 L = diagonalize(A);
   for (std::size_t j = 0; j < 6; ++j) {
@@ -68,7 +70,7 @@ Matrix6 root_of(Matrix6 A) {
   return L;
 }
 
-/// Largest eigenvalue of a symmetric matrix.
+/// Returns the largest eigenvalue of a symmetric matrix.
 double largest_eigenvalue(Matrix6 m) {
   diagonalize(m);
   double largest = m[0][0];
@@ -88,7 +90,8 @@ double largest_stable_step(const ContactMode& mode, double limit, double timeste
     return largest_eigenvalue(m) < limit;
   };
   if (stable(timestep)) return timestep;
-  // The eigenvalue is a maximum of functions h^2 a - 2 h b with a, b >= 0: what is unstable stays so as h grows.
+  // The eigenvalue is a maximum of functions h^2 a - 2 h b with a, b >= 0, so all steps above an unstable h are
+  // unstable.
   double lo = 0, hi = timestep;
   for (int i = 0; i < 200 && hi - lo > 1e-9 * hi; ++i) {
     const double h = 0.5 * (lo + hi);
@@ -98,7 +101,7 @@ double largest_stable_step(const ContactMode& mode, double limit, double timeste
 }
 
 double stiffest_mode_bound(const Matrix6& A, double linear_stiffness, double reach) {
-  // u^T A u with |n| = 1 and |x cross n| <= reach, each block at most its Frobenius norm
+  // Bounds u^T A u for |n| = 1 and |x cross n| <= reach; each block is at most its Frobenius norm.
   double linear = 0, coupling = 0, angular = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

@@ -1,4 +1,4 @@
-// Of six by six numbers.
+// Functions of six by six matrices.
 #pragma once
 
 #include "core/hydro/traction.h"
