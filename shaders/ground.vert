@@ -2,9 +2,9 @@
 #include "frame.glsl"
 
 uniform mat4 world_from_ground;
-uniform vec2 center;   // of what is drawn, in the ground's frame [m]
-uniform vec2 reach;    // 1 / radius at which all has faded away [1/m]
-out vec2 p;            // in the ground's frame [m]
+uniform vec2 center;   // centre of the drawn scene, in the ground's frame [m]
+uniform vec2 reach;    // 1 / radius at which the grid is invisible [1/m]
+out vec2 p;            // position in the ground's frame [m]
 
 const float kSides = 24.0;
 

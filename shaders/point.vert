@@ -13,7 +13,7 @@ flat out vec4 tint;
 flat out float radius;                // [pixel]
 flat out float rim_width;             // [pixel]
 
-// Beside the view, where points are left out without being clipped.
+// A position outside the view, where points are dropped without being clipped.
 const vec4 kNowhere = vec4(1.5, 1.5, 0.0, 1.0);
 
 void main() {

@@ -14,8 +14,8 @@ uniform float facing;      // +1: segments that face the eye, -1: those that do 
 
 float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w * eye.w; }  // [pixel]
 
-// All four corners of what is not drawn: no area, and nothing to clip. By software one vertex outside the view sends its
-// whole batch through the slow path that clips.
+// Position of all four corners of a segment that is not drawn: it has no area and needs no clipping. In a software
+// renderer, one vertex outside the view makes its whole batch take the slow path that clips.
 const vec4 kNowhere = vec4(0.0, 0.0, 0.0, 1.0);
 
 // Ends of a segment in clip coordinates, cut at the near plane; false when all of it lies behind, or faces the wrong

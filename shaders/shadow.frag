@@ -1,5 +1,5 @@
 #version 450 core
-// How dark the ground is below this point: 1 on it, less the higher it stands.
+// Darkness of the ground below a body: 1 if the body touches the ground, and less with increasing height.
 in float height;
 uniform float shadow_height;  // height at which a shadow is a third as dark [m]
 out vec4 color;

@@ -1,5 +1,5 @@
 #version 450 core
-// A matte body, in the shadow of others and of itself, and darker beneath a sensor: what is near above it takes away the
+// A matte body with shadows of the key light. It is darker below a sensor, because a body close above it takes away the
 // light of the sky.
 #include "key_shadow.glsl"
 
@@ -12,7 +12,7 @@ uniform sampler2D heights;  // lowest point of the sensors, seen from above
 uniform vec4 heights_box;   // low corner and 1 / size [m], [1/m]
 uniform vec3 heights_scale; // height of 0 [m], range of 0..1 [m], 1 / (height at which it is a third as dark) [1/m]
 uniform float strength;
-uniform vec4 inside;        // sRGB; of what is seen from within where a plane cuts bodies open; a 0: none does
+uniform vec4 inside;        // colour of the inside of bodies that a plane cuts open, sRGB; alpha 0 without a plane
 out vec4 color;
 
 void main() {

@@ -1,4 +1,4 @@
-// Fields for what is chosen: one of a few words, yes or no.
+// Fields for a choice: one of a few words, or yes or no.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,12 @@
 
 namespace taxel::ui {
 
-/// Index of the choice that was made now; none: as it was.
+/// Draws a field for one of several choices. Returns the index of the choice that the user makes in this frame, or
+/// nothing. `chosen` is the index of the present choice.
 std::optional<std::size_t> choice_of(Ui& ui, const std::string& name, std::span<const std::string_view> choices,
                                      std::size_t chosen);
 
-/// One of the words that a layout file uses for E.
+/// Draws a field for the words that a layout file uses for the values of E. Returns the new value, or nothing.
 template <class E>
 std::optional<E> word_field(Ui& ui, const std::string& name, E value) {
   std::vector<std::string_view> choices;
@@ -29,7 +30,7 @@ std::optional<E> word_field(Ui& ui, const std::string& name, E value) {
   return made ? std::optional<E>(words_of(E{})[*made].value) : std::nullopt;
 }
 
-/// The new state where it was switched now.
+/// Draws a field for yes or no. Returns the new state if the user toggles it in this frame, or nothing.
 std::optional<bool> switch_field(Ui& ui, const std::string& name, bool on);
 
 }  // namespace taxel::ui

@@ -12,7 +12,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// A button whose face is given by the caller; ImGui keeps hover, focus and activation.
+/// Draws a button with colours of the caller. ImGui handles hover, focus and activation.
 bool colored_button(const char* label, const ImVec2& size, const ImVec4& face, const ImVec4& text) {
   const auto lifted = [&](float t) {
     return ImVec4(face.x + (1 - face.x) * t, face.y + (1 - face.y) * t, face.z + (1 - face.z) * t, 1);
@@ -58,15 +58,15 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
   }
 }
 
-/// Whether a panel was docked in the window itself, which is cleared to the colour of panels: filling it once more
-/// costs a software renderer a third of the picture.
+/// Returns true if a panel is docked in the main window. That window is already cleared to the colour of panels;
+/// filling it again would take a software renderer a third of the time of a frame.
 bool lies_on_its_color(const char* title) {
   const ImGuiWindow* window = ImGui::FindWindowByName(title);
   return window != nullptr && window->DockNode != nullptr &&
          ImGui::DockNodeGetRootNode(window->DockNode)->IsDockSpace();
 }
 
-/// What of a title is seen.
+/// Returns the visible part of a title.
 std::string_view shown_part(const char* title) {
   const std::string_view whole(title);
   return whole.substr(0, whole.find("##"));
@@ -76,10 +76,10 @@ std::string_view shown_part(const char* title) {
 
 bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
   if (lies_on_its_color(title)) ImGui::SetNextWindowBgAlpha(0);
-  // Keys belong to the table of bindings: Space plays, arrows step, wherever the last click was. Not while a field of
-  // the panel is typed in, or the keyboard walks through it: then Tab goes to the next one.
+  // Keys belong to the table of bindings: Space plays and arrows step, wherever the last click was. Exceptions are a
+  // field with text input and a panel with keyboard navigation, where Tab goes to the next widget.
   if (ui.fields.keyboard_panel != shown_part(title)) flags |= ImGuiWindowFlags_NoNavInputs;
-  if (open != nullptr && open == ui.opened_panel) {  // in a stack of tabs it would open behind another
+  if (open != nullptr && open == ui.opened_panel) {  // a new tab in a stack would otherwise be behind another tab
     ImGui::SetNextWindowFocus();
     ui.opened_panel = nullptr;
   }
@@ -102,7 +102,7 @@ bool checkbox(Ui& ui, const char* label, bool* value) {
 }
 
 void place_dialog(float width, float height) {
-  constexpr float kMost = 0.95f;  // of the room
+  constexpr float kMost = 0.95f;  // largest fraction of the available room
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImVec2 room = viewport->WorkSize;
   const float line = ImGui::GetFontSize();
@@ -119,7 +119,7 @@ bool menu_item(Ui& ui, const char* label, const std::string& shortcut, bool chec
 
 bool begin_menu(Ui& ui, const char* label) {
   const bool open = ImGui::BeginMenu(label);
-  if (!open) ui.widgets.note_item(label);  // while open, the last item is inside of the menu
+  if (!open) ui.widgets.note_item(label);  // while the menu is open, the last item is inside it
   return open;
 }
 

@@ -7,8 +7,8 @@
 namespace taxel::ui {
 
 CurvePoints dashes_of(const CurvePoints& curve, double x_scale, double y_scale, const DashLengths& lengths) {
-  constexpr double kMaxLength = 1e5;   // [pixels] of one part of a curve: longer ones lead far out of the plot
-  constexpr double kLeastStep = 0.05;  // [pixels]: rounding must not stop the loop
+  constexpr double kMaxLength = 1e5;   // longest dashed piece of a curve [pixels]; longer pieces leave the plot
+  constexpr double kLeastStep = 0.05;  // smallest step of the loop [pixels], so that rounding cannot stop it
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   CurvePoints dashes;
   const auto add = [&](double x, double y) { dashes.x.push_back(x), dashes.y.push_back(y); };

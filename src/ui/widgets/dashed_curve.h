@@ -1,4 +1,4 @@
-// Curves cut into dashes that are equally long on the screen.
+// Splits curves into dashes of equal length on the screen.
 #pragma once
 
 #include "ui/widgets/thin_curve.h"
@@ -10,8 +10,8 @@ struct DashLengths {
   double dash = 6, gap = 4;
 };
 
-/// Returns the dashes of a curve in the units of the curve, with a point of NaN after each dash. Dashes and gaps run on
-/// over the corners of the curve. `x_scale` and `y_scale` are the pixels per unit of x and y.
+/// Returns the dashes of a curve in the units of the curve, with a point of NaN after each dash. Dashes and gaps
+/// continue around the corners of the curve. `x_scale` and `y_scale` are the pixels per unit of x and y.
 CurvePoints dashes_of(const CurvePoints& curve, double x_scale, double y_scale, const DashLengths& lengths);
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// What fields of the interface remember between two pictures: what was refused in which, and who has the keyboard.
+// State of the interface's fields from frame to frame: the refused input, and the widget that has the keyboard.
 #pragma once
 
 #include <optional>
@@ -7,26 +7,28 @@
 
 namespace taxel::ui {
 
+/// Input of the user in one field.
 struct FieldInput {
-  std::string field;  ///< its name in the registry of widgets
-  std::string typed;  ///< empty for what is chosen, not typed
+  std::string field;  ///< name of the field in the registry of widgets
+  std::string typed;  ///< typed text; empty for a choice
 };
 
-/// What was typed and could not be: the field keeps it and says why, the document stays as it is.
+/// Typed text that is not valid. The field keeps the text and displays the reason, and the document does not change.
 struct Refusal {
   FieldInput input;
-  std::string words;
-  std::vector<int> selection;  ///< ids of the taxels that it was about
+  std::string words;           ///< reason, displayed below the field
+  std::vector<int> selection;  ///< ids of the taxels that were being edited
 };
 
+/// State of all fields.
 struct FieldState {
-  FieldInput last;             ///< taken over last
-  std::vector<int> selection;  ///< ids of the taxels that the fields are about
-  std::optional<Refusal> refused;
-  bool had_keys = false;       ///< a field or a popup had the keyboard when the picture before ended
-  std::string keyboard_panel;  ///< title of the panel whose widgets Tab, Space and the arrows work on; empty: none
-  std::string entered_panel;   ///< the keyboard goes there in the next picture
-  int entering = 0;            ///< pictures until it has arrived
+  FieldInput last;                 ///< last accepted input
+  std::vector<int> selection;      ///< ids of the taxels that the fields edit
+  std::optional<Refusal> refused;  ///< last refused input
+  bool had_keys = false;           ///< a field or a popup had the keyboard at the end of the previous frame
+  std::string keyboard_panel;      ///< title of the panel with keyboard navigation; empty if there is none
+  std::string entered_panel;       ///< title of the panel that gets keyboard navigation in the next frame
+  int entering = 0;                ///< frames until that panel has the keyboard
 };
 
 }  // namespace taxel::ui

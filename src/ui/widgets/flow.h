@@ -1,17 +1,18 @@
-// Items side by side, in as many rows as they need: a narrow window or large text cuts nothing off.
+// Flow layout: places items side by side and starts a new row if the window is too narrow, so nothing is cut off.
 #pragma once
 
 namespace taxel::ui {
 
-/// Of the current window, whose content it is.
+/// Flow layout of the current ImGui window.
 class Flow {
  public:
-  explicit Flow(float gap);  ///< between items [pixels]
+  explicit Flow(float gap);  ///< `gap` is the distance between items [pixels]
 
-  /// Before each item of so many pixels: the cursor goes on in this row, or to the next one.
+  /// Moves the cursor to the place of the next item, which is `width` pixels wide: in this row, or in a new one.
   void next(float width) { place(width, gap_); }
   void next(float width, float gap) { place(width, gap); }
-  /// Before the last item: to the right end of the row that has room for the most that it may ever need.
+  /// Moves the cursor to the place of the last item, at the right end of the row. The row is chosen so that it has room
+  /// for `most`, the largest width that the item may have.
   void last(float width, float most = 0);
   [[nodiscard]] int rows() const { return rows_; }
 

@@ -84,7 +84,7 @@ double shifted_decimal(double value, int exponent) {
   const auto written = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
   const std::string_view digits(text.data(), static_cast<std::size_t>(written.ptr - text.data()));
   const std::size_t e = digits.find('e');
-  if (e == std::string_view::npos) return value;  // no finite number
+  if (e == std::string_view::npos) return value;  // the value is not finite
   const std::string shifted =
       fmt::format("{}e{}", digits.substr(0, e), std::stoi(std::string(digits.substr(e + 1))) + exponent);
   double result = 0;
@@ -112,7 +112,7 @@ double nice_ceiling(double value) {
 }
 
 int tick_count(float length, float line) {
-  constexpr float kRoom = 1.15f;  // of each, in its height
+  constexpr float kRoom = 1.15f;  // room for each number, in heights of a line
   for (const int ticks : {4, 2})
     if (length >= static_cast<float>(ticks) * kRoom * line) return ticks;
   return 1;

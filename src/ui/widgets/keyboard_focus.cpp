@@ -9,7 +9,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// A request for the focus is carried out two pictures later.
+/// Number of frames until ImGui has executed a request for the focus, which takes two more frames.
 constexpr int kEnteringPictures = 3;
 
 bool is_typing(const ImGuiContext& g) {

@@ -1,4 +1,4 @@
-// Whether a key belongs to a widget or to the table of bindings.
+// Decides whether a key press belongs to a widget or to the table of key bindings.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace taxel::ui {
 
-/// Records at the end of a frame which widget has the keyboard, because ImGui closes a popup and leaves a field before
-/// the next frame asks. `selection`: ids of the selected taxels; another selection clears what a field had refused.
+/// Records at the end of a frame which widget has the keyboard, because ImGui closes popups and leaves fields before
+/// the next frame can inspect them. `selection` has the ids of the selected taxels; a change of the selection clears a
+/// refused input.
 void record_keyboard(Ui& ui, const std::vector<int>& selection);
 
-/// Whether the key is not for the table of bindings because the keyboard walks through a panel, and the key is one of
-/// those that do.
+/// Returns true if keyboard navigation in a panel uses this key. The key then has no effect in the table of bindings.
 bool widgets_take(const Ui& ui, int chord);
 
-/// The keyboard walks through the panel from its first widget on; Esc ends that.
+/// Starts keyboard navigation in a panel, at its first widget. Esc ends it.
 void enter_panel(Ui& ui, const char* title);
-/// For begin_panel: carries out enter_panel.
+/// Completes enter_panel(). Called by begin_panel().
 void focus_if_entered(Ui& ui, const char* title);
 
 }  // namespace taxel::ui

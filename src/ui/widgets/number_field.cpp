@@ -18,7 +18,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// The text of the field that is typed in now belongs to ImGui; others show what there is, or what was refused.
+/// Draws a text field and returns its text when the user accepts it. While the user types, ImGui has the text;
+/// otherwise the field displays the present value or the refused text.
 std::optional<std::string> edited_text(Ui& ui, const std::string& name, const std::string& shown, bool mixed,
                                        float width) {
   std::optional<Refusal>& refused = ui.fields.refused;
@@ -28,7 +29,7 @@ std::optional<std::string> edited_text(Ui& ui, const std::string& name, const st
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, kept ? 1.5f : 0.0f);
   ImGui::PushStyleColor(ImGuiCol_Border, palette(ui.dark).error);
-  const char* hint = !mixed ? "" : width < 0 ? "mixed" : "...";  // where there is no room for more
+  const char* hint = !mixed ? "" : width < 0 ? "mixed" : "...";  // narrow fields have no room for "mixed"
   ImGui::InputTextWithHint(("##" + name).c_str(), hint, &text, ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
@@ -41,7 +42,7 @@ std::optional<std::string> edited_text(Ui& ui, const std::string& name, const st
   return text;
 }
 
-/// In SI; what is no number is refused.
+/// Returns the typed number in SI. A text that is not a number is refused.
 std::optional<double> number_of(Ui& ui, const std::string& typed, const FieldUnit& unit) {
   try {
     return shifted_decimal(evaluate(typed, unit.name), unit.decimal);
@@ -93,7 +94,7 @@ std::optional<std::optional<double>> optional_field(Ui& ui, const std::string& n
 std::optional<AxisValue> vector_field(Ui& ui, const std::string& name, const std::vector<dvec3>& values,
                                       const FieldUnit& unit) {
   constexpr std::array kAxes = {"X", "Y", "Z"};
-  constexpr float kLeastWidth = 2.8f;  // of a field, in heights of text: in less room they stand below each other
+  constexpr float kLeastWidth = 2.8f;  // smallest width of a field in a row, in heights of text
   const float gap = 3, room = ImGui::GetContentRegionAvail().x, third = (room - 2 * gap) / 3;
   const bool in_row = third >= kLeastWidth * ImGui::GetFontSize();
   const float width = in_row ? third : room;

@@ -1,5 +1,5 @@
-// Fields for what is typed, not dragged: numbers exact to the last digit, with arithmetic, and with one look for
-// several values that differ. What cannot be taken over stays in the field, with the words why.
+// Text fields for exact numbers and texts. A number may be typed as an expression, and one field can edit several
+// values. Input that is not valid stays in the field, with the reason below it.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace taxel::ui {
 
-/// How a number is shown, and what is meant where no unit is typed.
+/// Unit in which a field displays a number, and in which a typed number without a unit is read.
 struct FieldUnit {
-  const char* name = "";  ///< as core/base/text/expression.h reads it
-  int decimal = 0;        ///< it is 10^decimal SI units
-  int digits = 2;         ///< behind the point; negative: as many as the number has
+  const char* name = "";  ///< name that core/base/text/expression.h accepts
+  int decimal = 0;        ///< the unit is 10^decimal SI units
+  int digits = 2;         ///< digits after the decimal point; all digits of the number if negative
 };
 
 inline constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2};
-/// With all digits of the number, for values that are stored as typed.
+/// Units that display all digits, for values that are stored as typed.
 inline constexpr FieldUnit kExactMillimetres{"mm", -3, -1}, kExactDegrees{"deg", 0, -1}, kExactNumber{"", 0, -1};
 
 /// Returns the unit in which fields display a quantity.
@@ -29,37 +29,38 @@ constexpr FieldUnit field_unit(FieldQuantity quantity, int digits = -1) {
   return {unit.typed, unit.decimal, digits};
 }
 
-/// `values`: of all that are edited, in SI; "mixed" is shown where they differ. The new value, in SI, when Enter or
-/// leaving the field takes over what was typed; none while it is typed, where nothing has changed, and where it is no
-/// number: then it is refused.
+/// Draws a field for a number. `values` are the edited values in SI; the field displays "mixed" if they differ. Returns
+/// the new value in SI when the user presses Enter or leaves the field. Returns nothing while the user types, if
+/// nothing has changed, and if the text is not a number; such a text is refused.
 std::optional<double> number_field(Ui& ui, const std::string& name, const std::vector<double>& values,
                                    const FieldUnit& unit, float width = -1);
 
-/// The same for a text.
+/// Draws a field for a text. Returns the new text like number_field().
 std::optional<std::string> text_field(Ui& ui, const std::string& name, const std::vector<std::string>& values,
                                       float width = -1);
 
-/// A whole number from 0 to `most`; refused where it is another one.
+/// Draws a field for a whole number from 0 to `most`. Other numbers are refused.
 std::optional<std::uint64_t> whole_field(Ui& ui, const std::string& name, std::uint64_t value, std::uint64_t most);
 
-/// A number that need not be there: an empty field is none.
+/// Draws a field for an optional number. An empty field means that there is no number.
 std::optional<std::optional<double>> optional_field(Ui& ui, const std::string& name, const std::optional<double>& value,
                                                     const FieldUnit& unit);
 
+/// A new value of one coordinate.
 struct AxisValue {
-  int axis = 0;
-  double value = 0;
+  int axis = 0;      ///< 0, 1 or 2 for x, y or z
+  double value = 0;  ///< new value in SI
 };
-/// Three fields in a row, "NAME X" and so on, with what was refused below; tells the one that was changed.
+/// Draws three fields in a row, named "NAME X" and so on, with a refusal below them. Returns the changed coordinate.
 std::optional<AxisValue> vector_field(Ui& ui, const std::string& name, const std::vector<dvec3>& values,
                                       const FieldUnit& unit);
 
-/// The number as the field shows it.
+/// Returns the text with which a field displays a number.
 std::string shown_number(double value, const FieldUnit& unit);
 
-/// The field drawn last cannot take what was typed, for a reason that the core does not know.
+/// Refuses the input of the last drawn field, for a reason that number_field() cannot check.
 void refuse(Ui& ui, const std::string& words);
-/// Why the field of that name was refused, or one of a vector_field: below it. Nothing where it was not.
+/// Draws the reason why a field, or one of the fields of a vector_field(), was refused. Draws nothing if it was not.
 void show_refusal(Ui& ui, const std::string& name);
 
 }  // namespace taxel::ui

@@ -9,7 +9,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// The swinging door: a line from the last point kept passes all later ones as long as one slope suits them all.
+/// Swinging-door algorithm: a line from the last retained point represents all later points as long as there is one
+/// slope that misses each of them by at most the tolerance.
 class Door {
  public:
   Door(double tolerance, CurvePoints& out) : tolerance_(tolerance), out_(out) {}
@@ -25,7 +26,7 @@ class Door {
     if (dx > 0) {
       least_ = std::max(least_, (dy - tolerance_) / dx), most_ = std::min(most_, (dy + tolerance_) / dx);
     } else if (std::abs(dy) > tolerance_) {
-      least_ = std::numeric_limits<double>::infinity(), most_ = -least_;  // no slope suits an upright piece
+      least_ = std::numeric_limits<double>::infinity(), most_ = -least_;  // a vertical piece has no slope
     }
     x_ = x, y_ = y;
     waiting_ = true;
@@ -35,10 +36,10 @@ class Door {
   }
 
  private:
-  /// Whether the line to this point passes all those since the last one kept.
+  /// Returns true if the line to this point represents all points since the last retained one.
   [[nodiscard]] bool suits(double x, double y) const {
     const double dx = x - out_.x.back();
-    if (!(dx > 0) || x == x_) return false;  // an upright piece keeps its ends
+    if (!(dx > 0) || x == x_) return false;  // both ends of a vertical piece are retained
     const double slope = (y - out_.y.back()) / dx;
     return slope >= least_ && slope <= most_;
   }

@@ -1,4 +1,4 @@
-// Curves of many points, reduced to what can be told apart on the screen.
+// Reduces curves of many points to the points that are visible on the screen.
 #pragma once
 
 #include <span>
@@ -6,15 +6,17 @@
 
 namespace taxel::ui {
 
-inline constexpr double kCurveTolerance = 0.2;  ///< [pixels]: less than can be told apart
+inline constexpr double kCurveTolerance = 0.2;  ///< invisible error of a curve [pixels]
 
+/// Points of a curve.
 struct CurvePoints {
   std::vector<double> x, y;
 };
 
-/// Of a curve with x that never falls: in each column of that width the first, the lowest, the highest and the last
-/// point (Jugel et al. 2014), and of those only the ones that straight lines between the others miss by more than
-/// `tolerance` (in y; Bristol 1990). Replaces `out`, keeps its memory. Units are those of x and y.
+/// Reduces a curve whose x never decreases, in two steps. In each column of width `column`, the first, the lowest, the
+/// highest and the last point remain (Jugel et al. 2014). Of these points, only those remain that are more than
+/// `tolerance` (in y) from straight lines between the others (Bristol 1990). `column` is in the unit of x, `tolerance`
+/// in the unit of y. Replaces `out` and reuses its memory.
 void thin_curve(std::span<const double> x, std::span<const double> y, double column, double tolerance,
                 CurvePoints& out);
 

@@ -6,12 +6,13 @@
 
 namespace taxel::ui {
 
+/// State of the widgets, passed to every function that draws one.
 struct Ui {
   WidgetRegistry widgets;
   FieldState fields;
   bool dark = true;                    ///< theme of this frame
-  double pixel_scale = 1;              ///< scale of the interface in this window: the user's times the screen's
-  const bool* opened_panel = nullptr;  ///< switch of the panel that comes to the front in the next frame, or null
+  double pixel_scale = 1;              ///< scale of the interface: the user's scale times the screen's
+  const bool* opened_panel = nullptr;  ///< open flag of the panel that gets to the front next frame, or null
 };
 
 }  // namespace taxel::ui

@@ -1,4 +1,5 @@
-// Where each labelled widget stood in the last frame, so that scripts and tests can point at "Run" instead of a pixel.
+// A registry of the labelled widgets of the last frame and their places. Scripts and tests use it to click "Run"
+// instead of a pixel.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ struct ImGuiWindow;
 
 namespace taxel::ui {
 
-/// Pixels of the window, from its top left corner.
+/// Rectangle in pixels of the window, from its top left corner.
 struct Rect {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   [[nodiscard]] float width() const { return x1 - x0; }
@@ -24,16 +25,16 @@ class WidgetRegistry {
   struct Entry {
     std::string panel, label;
     Rect rect;
-    bool field = false;  ///< something is typed or chosen in it
+    bool field = false;  ///< true for a field in which the user types or chooses a value
   };
 
   void begin_frame() { entries_.clear(); }
   void note(std::string_view panel, std::string_view label, const Rect& rect, bool field = false);
-  /// Notes ImGui's last item under `label` where any of it is visible.
+  /// Records ImGui's last item under `label` if any part of the item is visible.
   void note_item(std::string_view label, bool field = false);
 
-  /// "Run", or "Toolbar/Run" where a label stands in several panels. The one drawn last, hence on top; null: not
-  /// visible.
+  /// Returns the widget with a label such as "Run", or "Toolbar/Run" if several panels have the label. If there are
+  /// several, returns the one drawn last, which is on top. Returns null if no such widget is visible.
   [[nodiscard]] const Entry* find(std::string_view name) const;
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
@@ -41,7 +42,7 @@ class WidgetRegistry {
   std::vector<Entry> entries_;
 };
 
-/// Title of the panel that a window, or the child window of one, belongs to: without ImGui's id part.
+/// Returns the title, without ImGui's id part, of the panel to which a window or child window belongs.
 std::string panel_name(const ImGuiWindow* window);
 
 }  // namespace taxel::ui
