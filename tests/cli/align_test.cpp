@@ -87,8 +87,8 @@ TEST(Align, WhatItCannotReadIsNamed) {
   write_text(folder / "m.json", R"({"format": "column-mapping", "version": 1, "separator": ";", "time": "Time [ms]",
     "time_unit": "ms", "taxels": [{"taxel": 3, "column": "s_3"}]})");
   refused("Time [ms];s_3;s_4\n0;1;2\n1;1;2\n2;1;3\n",
-          "taxel: real.csv: cannot be aligned: no shift lays half of the shorter one over the other with readings that "
-          "change; give it by --shift");
+          "taxel: real.csv: cannot be aligned: no shift gives an overlap of half of the shorter signal with changing "
+          "readings; give it by --shift");
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(BadInput, Scenes) {
   EXPECT_NE(unknown.err.find("\"hand\""), std::string::npos) << unknown.err;
   EXPECT_EQ(std::count(unknown.err.begin(), unknown.err.end(), '\n'), 1) << unknown.err;
   expect_refusal(taxel({"run", "plain.xml", "--geom", "ball"}, folder),
-                 "taxel: run: --layout and --geom are given together, each as often as the other");
+                 "taxel: run: --layout and --geom must be given equally often");
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename().string());
   std::sort(left.begin(), left.end());
@@ -132,7 +132,7 @@ TEST(BadInput, ContactCases) {
   refused(replace("/a/shape", {{"type", "plane"}}), "/a: a soft plane needs a thickness > 0");
   refused(Json::array({{{"op", "replace"}, {"path", "/a/shape"}, {"value", {{"type", "plane"}}}},
                        {{"op", "add"}, {"path", "/a/material/thickness"}, {"value", 0.01}}}),
-          "a and b are both planes: their contact has no end");
+          "a and b are both planes: their contact is unbounded");
   refused(replace("/b", {{"pos", {0, 0, 0}}}), "/b: needs a shape or a layout");
   refused(replace("/a/shape/size/0", 0), "/a/shape/size/0: must be greater than 0, is 0");
   refused(replace("/version", 2), "/version: 2 is unknown, this program reads version 1");

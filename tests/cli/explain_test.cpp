@@ -110,7 +110,7 @@ TEST(Explain, TextSaysTheVerdictFirst) {
   EXPECT_EQ(out.status, 0);
   EXPECT_EQ(out.err, "");
   EXPECT_EQ(out.out.rfind("Sampling noise: ", 0), 0U) << out.out.substr(0, 200);
-  for (const char* part : {"polygons serve the taxel", "samples hit, now or before", "force on the sensor, world [N]"})
+  for (const char* part : {"polygons in its field", "samples hit, now or before", "force on the sensor, world [N]"})
     EXPECT_NE(out.out.find(part), std::string::npos) << part;
   // Nothing jumps by half of the largest reading.
   const Json calm = taxel_json({"explain", run.string(), "--taxel", std::to_string(jump.taxel), "--time",
@@ -132,7 +132,7 @@ TEST(Explain, RefusesWhatItCannotExplain) {
   refused(run, {"--taxel", "3", "--time", "1", "--sensor", "thumb"},
           "taxel: " + npz.string() + ": has no sensor \"thumb\", but finger");
   refused(run, {"--taxel", "3", "--time", "99"},
-          "taxel: " + npz.string() + ": ends at 1.4 s and begins at 0 s, asked for is 99 s");
+          "taxel: " + npz.string() + ": begins at 0 s and ends at 1.4 s, requested is 99 s");
   const fs::path folder = test_folder();
   refused(folder, {"--taxel", "3", "--time", "1"}, "taxel: " + (folder / "readings.npz").string() + ": no such file");
   fs::copy(npz, folder);

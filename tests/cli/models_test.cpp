@@ -51,7 +51,7 @@ TEST(Models, TextIsATable) {
   const Outcome out = taxel({"models", short_sweep().string(), "--every", "40"});
   EXPECT_EQ(out.status, 0) << out.err;
   EXPECT_EQ(out.err, "");
-  for (const char* part : {"taxel model", "weighted_sum", "tactile", "Pa m^2", "nothing is read by taxels 0, 1"})
+  for (const char* part : {"taxel model", "weighted_sum", "tactile", "Pa m^2", "no reading at taxels 0, 1"})
     EXPECT_NE(out.out.find(part), std::string::npos) << part << "\n" << out.out;
 }
 

@@ -88,7 +88,7 @@ TEST(ManySamples, AreAnnouncedBeforeTheyAreMade) {
   const Outcome many = samples("5e9");
   EXPECT_EQ(many.status, 124) << "it is ended while they are made";
   EXPECT_NE(
-      many.err.find("/sampling/density: 5000000000 per square metre makes up to 8.52e+06 samples, which take about "
+      many.err.find("/sampling/density: 5000000000 per square metre gives up to 8.52e+06 samples, which need about "
                     "12.7 GiB of memory"),
       std::string::npos)
       << many.err;

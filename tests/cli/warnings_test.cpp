@@ -43,7 +43,7 @@ TEST(Warnings, NameRunsWithoutContact) {
   miss["place"] = 1;
   write_text(folder / "miss.json", miss.dump());
   const Outcome outcome = taxel({"play", "miss.json", "--density", "1e5"}, folder);
-  EXPECT_NE(outcome.err.find("finger: touches nothing in all"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("finger: touches nothing in any"), std::string::npos) << outcome.err;
 }
 
 TEST(Limits, ModuliAreAtMostThoseOfMatter) {

@@ -118,7 +118,7 @@ CLI::App* add_command(CLI::App& parent, CommonOptions& common, const CommandSpec
   list.add("--threads", &common.threads, "At most this many threads (default: all cores); results do not depend on it",
            {.text = "N", .check = in_range(1, 4096)});
   app->footer(
-      fmt::format("Lengths in metres, forces in newtons, pressures in pascals, angles in degrees where said.\n"
+      fmt::format("Lengths in metres, forces in newtons, pressures in pascals, angles in degrees if stated.\n"
                   "Example: {}",
                   spec.example));
   return app;
@@ -157,8 +157,8 @@ ParsedCommandLine parse_command_line(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer(
       "`taxel COMMAND --help` shows a command's options, units and an example.\n"
-      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input; 128 + "
-      "N\nended by signal N, after writing what was computed.");
+      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input; 128 + N "
+      "ended\nby signal N, after writing the results so far.");
   CommonOptions common;
   std::vector<CLI::App*> apps;
   std::vector<Run> runs;

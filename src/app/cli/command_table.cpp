@@ -33,11 +33,11 @@ const std::vector<CommandSpec>& commands() {
       {"read", "The readings of a layout in one contact, with every aggregate and its samples",
        "taxel read finger.taxels.json finger_on_box.json --json", add_read},
       {"explain",
-       "Why a recorded reading is what it is: its samples and polygons, the exact integral, what changed since the row "
-       "before, and whether the contact or the method did it",
+       "Where a recorded reading comes from: its samples and polygons, the exact integral, the changes since the "
+       "previous row, and whether the contact or the method caused them",
        "taxel explain result --taxel 3 --time 1.25", add_explain},
       {"align",
-       "A recording of a real sensor laid over a run: the shift of its times, and gain and offset of each taxel by "
+       "Aligns a recording of a real sensor with a run: finds the time shift, and gain and offset of each taxel by "
        "least squares",
        "taxel align result real.csv --map real.recmap.json --out aligned.csv", add_align},
       {"models",
@@ -46,9 +46,9 @@ const std::vector<CommandSpec>& commands() {
        "taxel models result --every 4 --out models.csv", add_models},
       {"samples", "Samples and receptive fields of a layout",
        "taxel samples finger.taxels.json --out samples.csv --fields fields.csv", add_samples},
-      {"mesh", "What a mesh is and what was repaired", "taxel mesh finger.stl --scale 0.001 --out finger.obj",
-       add_mesh},
-      {"presets", "Layouts of known sensors, and where their numbers come from",
+      {"mesh", "Size, shells and problems of a mesh, and the changes by its repair",
+       "taxel mesh finger.stl --scale 0.001 --out finger.obj", add_mesh},
+      {"presets", "Layouts of known sensors, with the sources of their numbers",
        "taxel presets biotac --out biotac.taxels.json", add_presets},
       {"check", "Every problem of layouts, contact cases, sweeps, meshes and scenes, with its JSON pointer",
        "taxel check finger.taxels.json", add_check},

@@ -44,10 +44,9 @@ Source read_source(const std::string& layout_file, const SkinChoice& skin) {
 void announce_samples(const Source& source, Console& console) {
   const double count = source.layout.sampling.density * source.mesh.mesh->area();
   if (count > kManySamples && count <= kMaxSamples)
-    console.note(
-        fmt::format("{}: /sampling/density: {} per square metre makes up to {:.3g} samples, which take about "
-                    "{:.1f} GiB of memory",
-                    source.name, source.layout.sampling.density, count, count * kBytesPerSample / (1U << 30U)));
+    console.note(fmt::format(
+        "{}: /sampling/density: {} per square metre gives up to {:.3g} samples, which need about {:.1f} GiB of memory",
+        source.name, source.layout.sampling.density, count, count * kBytesPerSample / (1U << 30U)));
 }
 
 /// Builds the model in another thread while this thread updates the progress bar.

@@ -26,14 +26,14 @@ dvec3 parse_scale(const std::string& command, const std::string& text) {
 
 void add_skin(OptionList& list, SkinChoice& choice) {
   list.add("--mesh", &choice.mesh,
-           "Mesh of a layout that holds none (sensor .yaml, table .csv); replaces that of one that does",
+           "Mesh of a layout without one (sensor .yaml, table .csv); replaces the mesh of other layouts",
            {.unit = "FILE"});
   const auto read_scale = [command = list.command(), &choice](const std::string& text) {
     choice.scale = parse_scale(command, text);
   };
   list.add("--scale", read_scale,
-           "Multiply coordinates of --mesh by one number, or by three: X,Y,Z (0.001 for mm; default: the unit with "
-           "which the taxels are on the mesh)",
+           "Multiply coordinates of --mesh by one number, or by three: X,Y,Z (0.001 for mm; default: the unit in which "
+           "the taxels are on the mesh)",
            {.unit = "X"});
   list.add("--sensor", &choice.sensor, "Sensor of a .yaml file that holds several: its name, or that of its geom",
            {.unit = "NAME"});
@@ -48,8 +48,8 @@ void add_sampling(OptionList& list, LayoutOptions& options) {
 
 void add_tactile_state(OptionList& list, bool& is_wanted) {
   list.add("--tactile-state", &is_wanted,
-           "Also tactile_state.jsonl in the folder of --out: a line a row with the fields of ROS's "
-           "tactile_msgs/TactileState; a channel a sensor, calibrated where its layout has a calibration",
+           "Also tactile_state.jsonl in the folder of --out: a line for each row with the fields of ROS's "
+           "tactile_msgs/TactileState; a channel for each sensor, calibrated if its layout has a calibration",
            {.needs = {"--out"}});
 }
 

@@ -26,7 +26,7 @@ bool warn_of_depth(const Scenario& scenario, const SensorModel& model, Console& 
   const double pad = material.thickness > 0 ? material.thickness : 0.125 * smallest;
   const bool is_pad = material.compliant() && material.field == FieldKind::pad;
   if (*depth > smallest)
-    console.warn(fmt::format("/depth: {} m is deeper than the sensor is thick, {:.3g} m: the readings mean nothing",
+    console.warn(fmt::format("/depth: {} m is deeper than the sensor is thick, {:.3g} m: the readings are not valid",
                              *depth, smallest));
   else if (is_pad && *depth > pad)
     console.warn(

@@ -21,7 +21,7 @@ std::size_t sensor_of(const Recording& recording, const std::string& geom, const
     names += (with_taxels.empty() ? "" : ", ") + sensors[i].geom;
     with_taxels.push_back(i);
   }
-  if (with_taxels.empty()) throw Error(file, "has soft geoms without taxels alone");
+  if (with_taxels.empty()) throw Error(file, "has only soft geoms without taxels");
   if (geom.empty() && with_taxels.size() == 1) return with_taxels.front();
   throw Error(file, geom.empty() ? "has several sensors: name one by --sensor: " + names
                                  : fmt::format("has no sensor \"{}\", but {}", geom, names));
@@ -50,15 +50,15 @@ void load_scene(RecordedRun& run) {
     const RecordedSensor& recorded = run.recording.sensors[i];
     if (made.sensor_geoms[i] != recorded.geom)
       differs(
-          fmt::format("sensor {} lies on \"{}\", in the recording on \"{}\"", i, made.sensor_geoms[i], recorded.geom));
+          fmt::format("sensor {} is on \"{}\", in the recording on \"{}\"", i, made.sensor_geoms[i], recorded.geom));
     std::vector<int> ids;
     for (const Taxel& taxel : made.sensors[i]->layout.taxels) ids.push_back(taxel.id);
-    if (ids != recorded.taxel_ids) differs(fmt::format("the taxels of \"{}\" are others", recorded.geom));
+    if (ids != recorded.taxel_ids) differs(fmt::format("the taxels of \"{}\" differ", recorded.geom));
   }
   std::vector<std::string> objects;
   for (const SceneGeom& geom : made.geoms)
     if (geom.sensor < 0) objects.push_back(geom.name);
-  if (objects != run.recording.objects) differs("its geoms are others");
+  if (objects != run.recording.objects) differs("its geoms differ");
 }
 
 RowPoses poses_of(const RecordedRun& run, const RecordedRow& row) {

@@ -80,11 +80,10 @@ void warn_of_no_contact(const Recording& recording, Console& console) {
     });
     const std::string& geom = recording.sensors[s].geom;
     if (!touched)
-      console.warn(fmt::format("{}: touches nothing in all {} rows", geom, recording.rows.size()));
+      console.warn(fmt::format("{}: touches nothing in any of the {} rows", geom, recording.rows.size()));
     else if (!read && !recording.sensors[s].taxel_ids.empty())
       console.warn(
-          fmt::format("{}: is in contact, but every taxel reads 0 in all {} rows: no receptive field is where "
-                      "it touches",
+          fmt::format("{}: is in contact, but every taxel reads 0 in all {} rows: no receptive field is at the contact",
                       geom, recording.rows.size()));
   }
 }
@@ -114,7 +113,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   }
   console.progress(1);
   if (const int number = received_signal(); number != 0)
-    console.warn(fmt::format("ended by {} after {} steps, {:.6g} s: the result holds these only",
+    console.warn(fmt::format("ended by {} after {} steps, {:.6g} s: the result has only these steps",
                              name_of_signal(number), cost.steps, cost.simulated));
   cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SensorTimes after = simulator.sensor_times();

@@ -57,7 +57,7 @@ struct AlignReport {
 };
 
 std::string AlignReport::text() const {
-  std::string text = fmt::format("The recording lies on the run with its times moved by {:.6g} s", shift);
+  std::string text = fmt::format("The recording is aligned with the run if {:.6g} s is added to its times", shift);
   if (alignment) text += fmt::format(" (correlation {:.4f} over {:.4g} s)", alignment->correlation, alignment->overlap);
   const std::string unit = real_unit.empty() ? "its unit" : real_unit;
   text += fmt::format(".\nrecording = gain * reading{} ({} per {}; {}):\n", options.offset ? " + offset" : "", unit,
@@ -82,7 +82,7 @@ ColumnMapping mapping_of(const Options& options, const std::string& text, const 
     for (const TaxelColumn& taxel : mapping.taxels)
       guessed += fmt::format(", \"{}\" is taxel {}", taxel.column, taxel.taxel);
     console.note(fmt::format(
-        "{}: guessed: time is {}{}; --save-map writes it down to be corrected", options.real,
+        "{}: guessed: time is {}{}; --save-map writes the mapping to a file, to correct it", options.real,
         mapping.time.empty() ? fmt::format("even, {} rows a second", mapping.rate) : "\"" + mapping.time + "\"",
         guessed));
   }
@@ -115,8 +115,8 @@ int run(const Options& options, Console& console) {
     report.alignment = align(series, real.series);
     if (!report.alignment)
       throw Error(options.real,
-                  "cannot be aligned: no shift lays half of the shorter one over the other with readings "
-                  "that change; give it by --shift");
+                  "cannot be aligned: no shift gives an overlap of half of the shorter signal with changing readings; "
+                  "give it by --shift");
   }
   report.shift = options.shift ? *options.shift : report.alignment->shift;
   report.fits = fit_gains(series, real.series, report.shift, report.options);
@@ -132,12 +132,12 @@ Run add_align(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("RUN", &options->run, "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz", required());
   list.add("REAL", &options->real, "Table of the real sensor (CSV)", required());
-  list.add("--map", &options->map, "What its columns mean (*.recmap.json; default: guessed from their names, and told)",
-           {.unit = "FILE"});
+  list.add("--map", &options->map,
+           "Meaning of its columns (*.recmap.json; default: guessed from their names, and printed)", {.unit = "FILE"});
   list.add("--save-map", &options->save_map, "Write the mapping that was used", {.unit = "FILE"});
-  list.add("--sensor", &options->sensor, "Geom of the sensor, where the run has several", {.unit = "GEOM"});
+  list.add("--sensor", &options->sensor, "Geom of the sensor, if the run has several sensors", {.unit = "GEOM"});
   list.add("--shift", &options->shift,
-           "Add this to the recording's times instead of finding what maximises the cross-correlation [s]",
+           "Add this to the recording's times instead of the shift with the largest cross-correlation [s]",
            {.unit = "S", .check = finite()});
   list.add("--common", &options->common, "One gain and one offset for all taxels");
   list.add("--no-offset", &options->no_offset, "Lines through 0");

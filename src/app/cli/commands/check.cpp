@@ -74,7 +74,7 @@ int run(const Options& options, Console& console) {
 Run add_check(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("FILE", &options->files,
-           "Files to check; exit status 1 when one has an error or a warning, 2 when one cannot be read", required());
+           "Files to check; exit status 1 if one has an error or a warning, 2 if one cannot be read", required());
   add_skin(list, options->skin);
   return [options](Console& console) { return run(*options, console); };
 }

@@ -74,7 +74,7 @@ Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
   if (skin.mesh.empty()) {
     const ImportedLayout imported = import_layout(file, skin.sensor);
     add_notes(imported.notes);
-    problems.push_back({file, "", Severity::note, "import", "holds no mesh: only its values are checked",
+    problems.push_back({file, "", Severity::note, "import", "has no mesh: only its values are checked",
                         "name the mesh with --mesh FILE"});
     return problems;
   }
@@ -122,7 +122,7 @@ Problems check_case(const ContactCase& contact_case) {
     problems.push_back(
         {file, "", Severity::error, "both_rigid", "a and b are both rigid", "give a modulus to one of them"});
   if (a && b && a->half_space() && b->half_space()) {
-    problems.push_back({file, "", Severity::error, "both_planes", "a and b are both planes: their contact has no end",
+    problems.push_back({file, "", Severity::error, "both_planes", "a and b are both planes: their contact is unbounded",
                         "give one of them another shape"});
   }
   return problems;

@@ -205,7 +205,7 @@ int run(const Options& options, Console& console) {
   const MadeBody b = make_case_body(contact_case, contact_case.b, "b");
   if (!a.body->soft() && !b.body->soft()) throw Error(options.file, "a and b are both rigid; one must have a modulus");
   if (a.body->half_space() && b.body->half_space())
-    throw Error(options.file, "a and b are both planes: their contact has no end");
+    throw Error(options.file, "a and b are both planes: their contact is unbounded");
   ContactReport report{{}, contact_case.a.X_WB, a.warnings, {}, 0, options.repeat};
   report.warnings.insert(report.warnings.end(), b.warnings.begin(), b.warnings.end());
   report.microseconds = timed_contact(contact_case, *a.body, *b.body, options.repeat, report.result);
@@ -227,12 +227,12 @@ Run add_contact(OptionList& list) {
            required());
   list.add("--polygons", &options->polygons,
            "Write the contact surface: one polygon each with vertices [m], pressures [Pa], normal, area [m^2], "
-           "tet (of a where both are soft), tet_b, face; .json or .csv",
+           "tet (of a if both are soft), tet_b, face; .json or .csv",
            {.unit = "FILE"});
   list.add("--tets", &options->tets,
            "Write the pressure field of the soft body: tets and pressures [Pa], its own frame, legacy VTK (.vtk)",
            {.unit = "FILE"});
-  list.add("--repeat", &options->repeat, "Compute it this often; `microseconds` is the median",
+  list.add("--repeat", &options->repeat, "Compute the contact this many times; `microseconds` is the median",
            {.text = "N=1", .check = in_range(1, 1000000)});
   return [options](Console& console) { return run(*options, console); };
 }

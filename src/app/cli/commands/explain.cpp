@@ -49,8 +49,8 @@ std::size_t row_at(const ExplainedRun& run, double time) {
   };
   const double last = rows.back().time, step = run.recording.timestep;
   if (time < rows.front().time - step || time > last + step)
-    throw Error(run.file, fmt::format("ends at {:.6g} s and begins at {:.6g} s, asked for is {:.6g} s", last,
-                                      rows.front().time, time));
+    throw Error(run.file, fmt::format("begins at {:.6g} s and ends at {:.6g} s, requested is {:.6g} s",
+                                      rows.front().time, last, time));
   return static_cast<std::size_t>(std::min_element(rows.begin(), rows.end(), nearer) - rows.begin());
 }
 
@@ -72,8 +72,8 @@ void compare(const ExplainedRun& run, std::size_t row, const SensorStep& step, C
   const double now = step.readings[run.taxel];
   if (std::abs(recorded - now) > kMaxDifference * std::max(std::abs(recorded), std::abs(now)))
     console.warn(
-        fmt::format("{}: the row at {:.6g} s recorded {:.8g}, its contact reads {:.8g} now: the scene's files or "
-                    "the program are others than were recorded with",
+        fmt::format("{}: the row at {:.6g} s recorded {:.8g}, but its contact now gives {:.8g}: the scene's files or "
+                    "the program have changed since the recording",
                     run.file, run.recording.rows[row].time, recorded, now));
 }
 
@@ -111,19 +111,18 @@ int run(const Options& options, Console& console) {
 Run add_explain(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("RUN", &options->run,
-           "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must lie beside it",
+           "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must be next to it",
            required());
   list.add("--taxel", &options->taxel, "Id of the taxel", {.unit = "ID", .is_required = true});
   list.add("--time", &options->time, "The row nearest to this time [s]",
            {.unit = "S", .check = finite(), .is_required = true});
-  list.add("--sensor", &options->sensor, "Geom of the sensor, where the recording has several", {.unit = "GEOM"});
+  list.add("--sensor", &options->sensor, "Geom of the sensor, if the recording has several sensors", {.unit = "GEOM"});
   list.add("--jump", &options->limits.jump,
-           "A change from row to row is a jump above this part of the taxel's largest reading in the recording",
+           "A change from row to row is a jump above this fraction of the taxel's largest reading in the recording",
            {.check = positive(), .default_text = fmt::format("{}", options->limits.jump)});
-  list.add("--of-sensor", &options->limits.of_sensor,
-           "Measure against the largest reading of all taxels of the sensor instead");
+  list.add("--of-sensor", &options->limits.of_sensor, "Use the largest reading of all taxels of the sensor instead");
   list.add("--equal-force", &options->limits.equal_force,
-           "The force stays where it changes by at most this part of itself",
+           "The force is constant if it changes by at most this fraction",
            {.check = not_negative(), .default_text = fmt::format("{}", options->limits.equal_force)});
   list.add("--plugins", &options->plugins, "Load the plugin libraries of this folder first, as for `taxel run`",
            {.unit = "DIR"});

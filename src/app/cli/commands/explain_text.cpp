@@ -16,7 +16,7 @@ std::string vector_text(const dvec3& v) {
 }
 
 std::string change_text(const Explanation& e) {
-  if (!e.change) return "There is no row before: nothing to compare with.\n";
+  if (!e.change) return "There is no previous row to compare with.\n";
   const StepChange& c = *e.change;
   const Verdict& v = c.verdict;
   std::string text = v.text + "\n";
@@ -50,8 +50,8 @@ std::string budget_text(const ForceBudget& b) {
   text += fmt::format("{:>16} {}\n", "taxels", vector_text(b.taxels_W));
   text += fmt::format("{:>16} {}\n", "this taxel", vector_text(b.taxel_W));
   text += fmt::format("{:>16} {}\n", "as simulated", vector_text(b.net_W));
-  text += fmt::format("pressed {:.6g} N, of it over taxels {:.6g} N, over none {:.6g} N\n", b.pressed, b.covered,
-                      b.uncovered);
+  text += fmt::format("normal force {:.6g} N, of it inside fields {:.6g} N, outside fields {:.6g} N\n", b.pressed,
+                      b.covered, b.uncovered);
   return text;
 }
 
@@ -62,7 +62,7 @@ std::string polygons_text(const Explanation& e) {
   std::stable_sort(rows.begin(), rows.end(), [](auto* a, auto* b) {
     return std::pair(a->share, a->exact_share) > std::pair(b->share, b->exact_share);
   });
-  std::string text = fmt::format("\n{} of {} polygons serve the taxel\n", rows.size(), e.polygons.size());
+  std::string text = fmt::format("\n{} of {} polygons in its field\n", rows.size(), e.polygons.size());
   text +=
       fmt::format("{:>8} {:>8} {:>8} {:>8} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8}  {}\n", "polygon", "share %",
                   "exact %", "force %", "area mm^2", "lowest Pa", "mean Pa", "highest Pa", "samples", "tet", "taxels");

@@ -21,12 +21,13 @@ void visit_mesh(ReportWriter& w, const TriMesh& mesh) {
 
 void add_topology_options(OptionList& list, TopologyOptions& options) {
   list.add("--decimate", &options.decimate,
-           "Collapse edges until N triangles are left, those first that move the surface least", {.unit = "N"});
+           "Collapse edges until N triangles are left, beginning with the edges that move the surface least",
+           {.unit = "N"});
   list.add("--subdivide", &options.subdivide, "Split every triangle into four, N times",
            {.unit = "N", .excludes = {"--decimate"}});
   list.add(
       "--scheme", &options.scheme,
-      "Of --subdivide: midpoint keeps the surface, loop smooths and shrinks it (Loop 1987)",
+      "Scheme of --subdivide: midpoint does not move the surface, loop smooths and shrinks it (Loop 1987)",
       {.unit = "WORD", .check = one_of({"midpoint", "loop"}), .default_text = "midpoint", .needs = {"--subdivide"}});
 }
 
@@ -59,11 +60,11 @@ std::string TopologyReport::text() const {
                          : fmt::format("subdivided from {} to {} triangles by {}\n", before->face_count(),
                                        after->face_count(), options.scheme);
   if (options.decimate && after->face_count() > *options.decimate)
-    text += fmt::format("asked for were {}: no further edge can go without a fold or another topology\n",
+    text += fmt::format("{} were requested: removing another edge would fold the mesh or change its topology\n",
                         *options.decimate);
   text +=
       fmt::format("{} before, {} after\n", before->closed() ? "closed" : "open", after->closed() ? "closed" : "open");
-  text += fmt::format("surfaces apart by at most {:.4g} m, rms {:.4g} m\n", distance.largest, distance.rms);
+  text += fmt::format("largest distance of the surfaces {:.4g} m, rms {:.4g} m\n", distance.largest, distance.rms);
   text += fmt::format("area {:.6g} m^2 before, {:.6g} m^2 after; volume {:.6g} m^3 before, {:.6g} m^3 after\n",
                       before->area(), after->area(), before->volume(), after->volume());
   return text;

@@ -106,8 +106,7 @@ std::string ModelsReport::text() const {
     else
       without_reading.push_back(taxels()[k].id);
   }
-  if (!without_reading.empty())
-    text += fmt::format("\nnothing is read by taxels {}\n", fmt::join(without_reading, ", "));
+  if (!without_reading.empty()) text += fmt::format("\nno reading at taxels {}\n", fmt::join(without_reading, ", "));
   for (const ReadingModel by : kReadingModels)
     if (const std::string why = missing(by); !why.empty()) text += fmt::format("{}: {}\n", to_word(by), why);
   return text;
@@ -164,10 +163,10 @@ int run(const Options& options, Console& console) {
 Run add_models(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("RUN", &options->run,
-           "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must lie beside it",
+           "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must be next to it",
            required());
-  list.add("--sensor", &options->sensor, "Geom of the sensor, where the recording has several", {.unit = "GEOM"});
-  list.add("--every", &options->every, "Only every Nth row",
+  list.add("--sensor", &options->sensor, "Geom of the sensor, if the recording has several sensors", {.unit = "GEOM"});
+  list.add("--every", &options->every, "Evaluate only every Nth row",
            {.unit = "N", .check = positive_number(), .default_text = "1"});
   list.add("--out", &options->out, "Write the curves as CSV: a column for each model and taxel", {.unit = "FILE"});
   list.add("--plugins", &options->plugins, "Load the plugin libraries of this folder first, as for `taxel run`",

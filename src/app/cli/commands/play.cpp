@@ -18,8 +18,8 @@ struct Options {
 Run add_play(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("scenario", &options->scenario,
-           "Scenario file (docs/project_format.md), or a sweep.json or scenario.json; what it names is looked for "
-           "beside it",
+           "Scenario file (docs/project_format.md), or a sweep.json or scenario.json; relative file names in it are "
+           "relative to its folder",
            {.unit = "FILE", .is_required = true});
   list.add("--layout", &options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)",
            {.unit = "FILE"});

@@ -63,8 +63,8 @@ int run(const Options& options, Console& console) {
 
 Run add_presets(OptionList& list) {
   const auto options = std::make_shared<Options>();
-  list.add("NAME", &options->name, "One of them (default: all are listed)", {.text = "NAME"});
-  list.add("--out", &options->out, "Write its layout to this file, and its mesh beside it as NAME.obj",
+  list.add("NAME", &options->name, "Name of a preset (default: list all)", {.text = "NAME"});
+  list.add("--out", &options->out, "Write its layout to this file, and its mesh next to it as NAME.obj",
            {.unit = "FILE"});
   return [options](Console& console) { return run(*options, console); };
 }

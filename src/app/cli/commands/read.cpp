@@ -141,10 +141,10 @@ ContactCase case_of_layout(const Options& options) {
   const auto is_free = [](const CaseBody& body) { return !body.shape; };
   if (!is_free(contact_case.a) && !contact_case.b.layout.empty()) std::swap(contact_case.a, contact_case.b);
   if (!is_free(contact_case.a)) {
-    throw Error(options.file, "/a", "must be the layout (pos, quat and no shape), is a shape");
+    throw Error(options.file, "/a", "must be the layout (pos and quat, without a shape), is a shape");
   }
   if (!contact_case.b.layout.empty()) {
-    throw Error(options.file, "/b", "must be a shape: two layouts against each other cannot be read");
+    throw Error(options.file, "/b", "must be a shape: a contact of two layouts is not supported");
   }
   return contact_case;
 }
@@ -187,7 +187,7 @@ Run add_read(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("LAYOUT", &options->layout, "Layout file (*.taxels.json)", required());
   list.add("CASE", &options->file,
-           "Contact case (JSON); its `a` holds the pose of the layout's mesh-file frame, `b` what it touches",
+           "Contact case (JSON); `a` has the pose of the layout's mesh-file frame, `b` is the touched shape",
            required());
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);

@@ -33,13 +33,13 @@ std::vector<SceneAttachment> attachments_of(const Options& options) {
       options.geoms.empty() && std::all_of(options.layouts.begin(), options.layouts.end(),
                                            [](const std::string& file) { return is_foreign_layout(file); });
   if (options.layouts.size() != options.geoms.size() && !are_geoms_named)
-    throw Error("run", "--layout and --geom are given together, each as often as the other");
+    throw Error("run", "--layout and --geom must be given equally often");
   if (options.layouts.size() != 1 && options.skin != SkinChoice{})
     throw Error("run", "--mesh, --scale and --sensor go with one --layout");
   std::vector<SceneAttachment> attachments;
   for (std::size_t i = 0; i < options.layouts.size(); ++i) {
     if (options.skin != SkinChoice{} && !is_foreign_layout(options.layouts[i]))
-      throw Error(options.layouts[i], "has a mesh: --mesh, --scale and --sensor are for layouts without one");
+      throw Error(options.layouts[i], "has a mesh: --mesh, --scale and --sensor are only for layouts without a mesh");
     attachments.push_back({are_geoms_named ? "" : options.geoms[i], options.layouts[i], options.skin});
   }
   return attachments;
@@ -95,8 +95,8 @@ Run add_run(OptionList& list) {
   list.add("SCENE", &options->scene, "MuJoCo scene (.xml)", required());
   list.add("--layout", &options->layouts, "Attach this layout (*.taxels.json, .yaml, .csv) ...", {.unit = "FILE"});
   list.add("--geom", &options->geoms,
-           "... to the geom of this name; both may be given again, in pairs. A .yaml that names its geom needs none, "
-           "and takes the geom's mesh and scale if --mesh is not given",
+           "... to the geom of this name; both may be given again, in pairs. A .yaml that names its geom needs no "
+           "--geom, and uses the geom's mesh and scale if --mesh is not given",
            {.unit = "NAME"});
   add_skin(list, options->skin);
   add_aggregate(list, options->aggregate);

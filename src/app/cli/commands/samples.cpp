@@ -91,7 +91,7 @@ Run add_samples(OptionList& list) {
   list.add("LAYOUT", &options->layout, "Layout file (*.taxels.json)", required());
   list.add("--out", &options->out,
            "Write x,y,z,nx,ny,nz,face,area,id,used: position [m] and normal in the frame of the mesh file, triangle "
-           "of that file from 0 (-1: filled in by its repair), area the sample stands for [m^2], number, whether a "
+           "of that file from 0 (-1: filled in by its repair), area of the sample [m^2], number, whether a "
            "taxel uses it (default: stdout)",
            {.unit = "FILE"});
   list.add("--fields", &options->fields,
@@ -100,7 +100,7 @@ Run add_samples(OptionList& list) {
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
   list.add("--preview", &options->over.preview,
-           "Quick samples, not polished: the same number, less even, each standing for the same area");
+           "Quick samples, not polished: the same number, less even, each with the same area");
   return [options](Console& console) { return run(*options, console); };
 }
 

@@ -296,7 +296,8 @@ int run(const Options& options, Console& console) {
 
 Run add_study(OptionList& list) {
   const auto options = std::make_shared<Options>();
-  list.add("study", &options->study, "Study file (docs/project_format.md); what it names is looked for beside it",
+  list.add("study", &options->study,
+           "Study file (docs/project_format.md); relative file names in it are relative to its folder",
            {.unit = "FILE", .is_required = true});
   list.add("--layout", &options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)",
            {.unit = "FILE"});

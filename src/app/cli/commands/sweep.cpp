@@ -19,17 +19,16 @@ struct NumberFlag {
   const char* text;
 };
 constexpr std::array<NumberFlag, 10> kFlags{
-    {{"--depth", "depth", "M", positive,
-      "How far below the top of the object the lowest point of the finger is led [m]"},
-     {"--speed", "speed", "M/S", positive, "Of the mocap body that leads the finger [m/s]"},
+    {{"--depth", "depth", "M", positive, "Depth of the finger's lowest point below the top of the object [m]"},
+     {"--speed", "speed", "M/S", positive, "Speed of the mocap body that leads the finger [m/s]"},
      {"--before", "before", "M", not_negative,
       "Start: lowest point of the finger this far before the edge, 0.012 on a box; on an edge at least as far as the "
       "finger touches [m]"},
      {"--past", "past", "M", not_negative, "End: this far past the edge, as --before [m]"},
-     {"--tilt", "tilt_deg", "DEG", finite, "Of the finger's distal axis below the horizontal [degrees]"},
-     {"--record-every", "record_every", "M", positive, "A row per this travel [m]"},
-     {"--timestep", "timestep", "S", positive, "Of the simulation [s]"},
-     {"--mass", "finger_mass", "KG", positive, "Of the finger [kg]"},
+     {"--tilt", "tilt_deg", "DEG", finite, "Angle of the finger's distal axis below the horizontal [degrees]"},
+     {"--record-every", "record_every", "M", positive, "Travel between two recorded rows [m]"},
+     {"--timestep", "timestep", "S", positive, "Time step of the simulation [s]"},
+     {"--mass", "finger_mass", "KG", positive, "Mass of the finger [kg]"},
      {"--box", "box_size", "M", positive, "Edge length of the box [m]"},
      {"--edge-radius", "edge_radius", "M", positive, "Radius of the round on the edge [m]"}}};
 
@@ -79,11 +78,11 @@ Run add_sweep(OptionList& list) {
   list.add("--layout", &options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)",
            {.unit = "FILE"});
   list.add("--out", &options->out,
-           "Folder for readings.csv, readings.npz, calibrated.csv if the layout has a calibration, shear.csv if it "
-           "asks for shear, sweep.json, scene.xml with its mesh and layout",
+           "Folder for readings.csv, readings.npz, calibrated.csv if the layout has a calibration, shear.csv if it has "
+           "shear readings, sweep.json, scene.xml with its mesh and layout",
            {.unit = "DIR"});
   add_tactile_state(list, options->tactile_state);
-  list.add("--scenario", &options->scenario, "Take the parameters below from a sweep.json; options go over it",
+  list.add("--scenario", &options->scenario, "Read the parameters below from a sweep.json; options replace them",
            {.unit = "FILE"});
   const Scenario defaults;
   for (std::size_t i = 0; i < kFlags.size(); ++i)
@@ -91,10 +90,11 @@ Run add_sweep(OptionList& list) {
              {.unit = kFlags[i].unit,
               .check = kFlags[i].check(),
               .default_text = fmt::format("{}", *find_number(defaults, kFlags[i].key))});
-  list.add("--object", &options->object,
-           "edge (default: a box that stands on an edge), box (over its edge and onto its top), plate, sphere, or a "
-           "mesh file in metres",
-           {.unit = "NAME|FILE"});
+  list.add(
+      "--object", &options->object,
+      "edge (default: a box with an edge that points up), box (over its edge and onto its top), plate, sphere, or a "
+      "mesh file in metres",
+      {.unit = "NAME|FILE"});
   list.add("--as-in-the-paper", &options->over.as_in_the_paper,
            "The paper's released demo on this layout: its path over its box, star field, 1e6 samples per m^2 of equal "
            "weight, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3",

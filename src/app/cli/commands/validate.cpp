@@ -145,9 +145,9 @@ std::string validate_markdown(const ClosedFormChecks& checks) {
   std::string text =
       "# Validation\n"
       "\n"
-      "Contact and sensing against closed forms, relative errors; for an inequality by how much it is broken. "
-      "Written by `taxel validate --markdown`, through `scripts/validation`.\n"
-      "The same numbers are tested through the program in `tests/cli`. Beside Drake: "
+      "Relative errors of contact and sensing against closed forms; for an inequality, the amount by which it is "
+      "violated. Written by `taxel validate --markdown`, through `scripts/validation`.\n"
+      "The same numbers are tested through the program in `tests/cli`. Comparison with Drake: "
       "[bench/drake/results.md](../bench/drake/results.md).\n";
   for (const Formula& formula : kFormulas) {
     std::vector<std::string> settings;
@@ -192,7 +192,7 @@ Run add_validate(OptionList& list) {
   const auto options = std::make_shared<Options>();
   list.add("--markdown", &options->markdown, "The page docs/validation.md instead of a table");
   list.add("--samples", &options->samples,
-           "Only write the fingertip's samples of B1 and how even they are, as CSV: x,y,z [m],rho,area,quality",
+           "Write only the samples of the fingertip in B1 and how even they are, as CSV: x,y,z [m],rho,area,quality",
            {.unit = "FILE"});
   return [options](Console& console) { return run(*options, console); };
 }

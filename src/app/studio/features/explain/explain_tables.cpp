@@ -73,7 +73,7 @@ void draw_polygons(UiState& ui, const Explanation& e) {
   }
   std::stable_sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->share > b->share; });
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  caption(fmt::format("{} of {} polygons serve the taxel", rows.size(), e.polygons.size()).c_str());
+  caption(fmt::format("{} of {} polygons in its field", rows.size(), e.polygons.size()).c_str());
   if (selected != nullptr) draw_selected(*selected);
   constexpr std::array kHeads{"Polygon", "Share %", "mm\xc2\xb2", "kPa", "Force %"};
   if (!rows.empty() && begin_rows("polygons", kHeads, rows.size())) {

@@ -87,8 +87,8 @@ void RealOverlay::align(const TaxelSeries& run) {
   shown->alignment = taxel::align(run, shown->recording.series);
   if (!shown->alignment)
     throw Error(shown->file,
-                "cannot be aligned: no shift lays half of the shorter one over the other with readings that "
-                "change; run the simulation on, or type a shift");
+                "cannot be aligned: no shift gives an overlap of half of the shorter signal with changing readings; "
+                "run the simulation on, or type a shift");
   shown->shift = shown->alignment->shift;
   shown->fits.clear();
   shown_ = std::move(shown);
