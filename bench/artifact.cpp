@@ -1,9 +1,10 @@
-// The artifact of the paper, and its cure: the fingertip sweep read with few samples of equal weight in a star field,
-// with many samples, in a pad, and in a pad with Voronoi weights. Of each the largest change of a reading from row to
-// row that goes beyond what the exact integral of the same contact does, as a part of the largest reading.
+// The artifact of the paper, and its cure. The fingertip sweep is read with few samples of equal weight in a star
+// field, with many samples, in a pad, and in a pad with Voronoi weights. Each row of the result has the largest change
+// of a reading from step to step that exceeds the change of the exact integral of the same contact, as a fraction of
+// the largest reading.
 //
-//   bench_artifact [FILE.csv]   a section in Markdown, for docs/validation.md; FILE: travel, and sampled and exact
-//   reading of each taxel for each
+//   bench_artifact [FILE.csv]   prints a section in Markdown for docs/validation.md. FILE gets the travel, and for each
+//                               variant the sampled and the exact reading of each taxel.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -29,7 +30,7 @@ constexpr Variant kVariants[] = {{"star, few samples", FieldKind::star, 1e6, Sam
                                  {"pad, few samples", FieldKind::pad, 1e6, SampleWeights::equal},
                                  {"pad, default samples, Voronoi weights", FieldKind::pad, 1e7, SampleWeights::voronoi},
                                  {"pad, many samples, Voronoi weights", FieldKind::pad, 4e7, SampleWeights::voronoi}};
-constexpr int kTaxels[] = {3, 4, 9, 10};  // those that respond
+constexpr int kTaxels[] = {3, 4, 9, 10};  // taxels that respond
 
 /// One taxel over the sweep.
 struct Curve {
@@ -96,12 +97,12 @@ int main(int argc, char** argv) {
   std::vector<Sweep> all;
   fmt::print(
       "\n## The artifact of the paper\n\n"
-      "The fingertip sweep with the paper's star field and number of samples, and what cures it. Largest change of a "
-      "reading from row to row (0.1 mm), as a part of\nthe largest reading: all of it; what goes beyond the exact "
-      "integral "
-      "of the same contact; and beyond that of a field of even stiffness. Taxels 3, 4, 9 and 10.\n"
+      "The fingertip sweep with the paper's star field and number of samples, and its cures. The columns have the "
+      "largest change of a reading from row to row (0.1 mm), as a fraction of\nthe largest reading: the whole change; "
+      "its part beyond the exact integral of the same contact; and its part beyond the exact integral in a field of "
+      "uniform stiffness. Taxels 3, 4, 9 and 10.\n"
       "Written by `bench_artifact`, through `scripts/validation`.\n\n"
-      "| field, samples | per m^2 | largest step | beyond the exact integral | beyond even stiffness |\n"
+      "| field, samples | per m^2 | largest step | beyond the exact integral | beyond uniform stiffness |\n"
       "| --- | --- | --- | --- | --- |\n");
   for (const Variant& variant : kVariants) {
     const Sweep& s = all.emplace_back(sweep(source, variant));
@@ -110,9 +111,8 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
   }
   fmt::print(
-      "\nBeyond the exact integral the last steps {:.0f} times less than the first. The four taxels, before (first) "
-      "and "
-      "after (last):\n\n"
+      "\nThe largest step beyond the exact integral is {:.0f} times smaller in the last variant than in the first. The "
+      "four taxels, before (first) and after (last):\n\n"
       "![Readings of four taxels over the sweep, and their exact integrals](pictures/artifact.png)\n",
       all.front().beyond_exact / all.back().beyond_exact);
   if (argc < 2) return 0;

@@ -1,4 +1,5 @@
-// One contact surface: our kernel, and beside it the brute force of the tests, every tet against every triangle.
+// Time of one contact surface: our kernel, compared with the brute force of the tests, every tet against every
+// triangle.
 //
 // Each benchmark is a class of sizes on a path: `press` deeper and deeper, `slide` along the body, `roll` around it.
 // `ratio` is brute force over kernel, on the same poses in the same run.
@@ -15,7 +16,7 @@ using namespace taxel;
 constexpr double kRadius = 0.02, kHalf = 0.03, kOther = 0.016, kModulus = 5e4;  // two capsules [m], [Pa]
 constexpr int kPoses = 20;
 
-/// A capsule of about `faces` triangles, at most.
+/// Returns a capsule of at most about `faces` triangles.
 TriMesh capsule(double radius, int faces) {
   double fine = 0.01 * radius, coarse = 2 * radius;
   for (int i = 0; i < 40; ++i) {
@@ -33,7 +34,7 @@ HydroBodyPtr soft_capsule(int tets) {
 
 enum Path { press, slide, roll };
 
-/// The rigid capsule lies across the soft one, both turned a little.
+/// Returns the pose of the rigid capsule: across the soft one, and slightly rotated.
 Pose rigid_pose(Path path, double t) {
   const double depth = path == press ? 0.0002 + 0.0018 * t : 0.0015;
   const double along = path == press ? 0.003 : 0.02 * (t - 0.5);
@@ -59,7 +60,7 @@ struct Case {
         rigid(make_mesh_body(capsule(kOther, static_cast<int>(state.range(1))))),
         poses(poses_of(static_cast<Path>(state.range(2)))) {}
 
-  /// What the class really is.
+  /// Reports the actual sizes of the class.
   void describe(benchmark::State& state) const {
     constexpr const char* kNames[] = {"press", "slide", "roll"};
     state.SetLabel(kNames[state.range(2)]);
@@ -77,7 +78,7 @@ struct Case {
   }
 };
 
-/// Time of one surface, mean over the path.
+/// Measures the time of one surface, as the mean over the path.
 void contact_surface(benchmark::State& state) {
   Case c(state);
   state.counters["polygons"] = c.mean_polygons();
@@ -86,7 +87,7 @@ void contact_surface(benchmark::State& state) {
   for (auto _ : state) c.run(i++ % kPoses);
 }
 
-/// Time of one brute-force surface, at the middle of the path; the kernel's at the same pose beside it.
+/// Measures the time of one brute-force surface at the middle of the path, and that of the kernel at the same pose.
 void brute_force(benchmark::State& state) {
   Case c(state);
   const std::size_t middle = kPoses / 2;
@@ -126,7 +127,7 @@ void one_path(benchmark::internal::Benchmark* b) {
 BENCHMARK(contact_surface)->Apply(classes)->Unit(benchmark::kMicrosecond);
 BENCHMARK(brute_force)->Apply(one_path)->Iterations(1)->Unit(benchmark::kMicrosecond);
 
-/// Nothing touches: what a pair costs whose boxes are apart.
+/// Measures the cost of a pair without contact, whose boxes do not overlap.
 void no_contact(benchmark::State& state) {
   Case c(state);
   const Pose far{dquat(1, 0, 0, 0), dvec3(1, 0, 0)};

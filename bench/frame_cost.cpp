@@ -1,7 +1,7 @@
-// What a drawn frame costs the simulation: the program's own simulation thread steps as fast as it can while somebody
-// takes its frames 60 times a second, as the window does, in every second stretch, and nobody does in the others (it
-// then soon makes none). By the processor time of that thread, and by the time it stood still, waiting for a lock or
-// for memory; both are the kernel's own counts (schedstat), to which other programs add nothing. Linux only.
+// Cost of a drawn frame for the simulation. The program's own simulation thread steps as fast as it can. In every
+// second stretch of time, frames are taken 60 times a second, as by the window; in the other stretches none is taken,
+// and the thread soon makes none. Measured are the processor time of the thread, and the time that it waits for a lock
+// or for memory. Both are the kernel's own counts (schedstat), which other programs do not change. Linux only.
 //
 //   bench_frame_cost [STRETCHES]
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ using namespace std::chrono_literals;
 constexpr double kSamples = 16000;
 constexpr auto kFrame = 16'666us;
 constexpr auto kStretch = 700ms;
-constexpr auto kForgotten = 350ms;  // until a simulation whose frames nobody takes makes none
+constexpr auto kForgotten = 350ms;  // time until a simulation makes no more frames if none is taken
 
 std::set<std::string> threads() {
   std::set<std::string> all;
@@ -40,7 +40,7 @@ std::set<std::string> threads() {
   return all;
 }
 
-/// A simulation thread, and how the kernel calls it.
+/// A simulation thread, and its id in the kernel.
 class Watched {
  public:
   Watched() : before_(threads()), simulation_(std::make_unique<SimThread>()) {
@@ -64,7 +64,7 @@ class Watched {
       return *this;
     }
   };
-  /// So far; stood: of the time since some moment, what it neither ran nor waited for a processor.
+  /// Returns the times so far. `stood` is the time in which the thread neither ran nor waited for a processor.
   Count count() {
     const SimFramePtr frame = ask(SpeedCommand{1e6});
     if (!frame->error.empty() || !frame->playing) throw Error("it does not run: " + frame->error);
@@ -81,9 +81,9 @@ class Watched {
   std::string task_;
 };
 
-/// Lets it run, and takes its frames if it is to.
+/// Runs the simulation for one stretch, and takes its frames if `takes` is true.
 Watched::Count stretch(Watched& watched, bool takes) {
-  SimFramePtr shown;  // until there is another, as in the window
+  SimFramePtr shown;  // kept until the next frame, as in the window
   std::uint64_t frames = 0;
   const auto run = [&](Clock::duration length) {
     const Clock::time_point begin = Clock::now();
@@ -101,7 +101,8 @@ Watched::Count stretch(Watched& watched, bool takes) {
   return {after.processor - before.processor, after.stood - before.stood, after.steps - before.steps, frames};
 }
 
-/// After so many steps; `again`: all stretches go on from that one, for they differ.
+/// Measures stretches that begin after `steps_before` steps. If `again` is true, all stretches continue from this same
+/// step, because later steps have other costs.
 void measure(const char* what, int steps_before, bool again, const SimCommand& load, int stretches) {
   Watched watched;
   watched.simulation().set_clock_driven(false);

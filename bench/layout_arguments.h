@@ -1,4 +1,4 @@
-// What the benchmarks of layouts are told: [--threads N] and layout files beside our own fingertip's.
+// Arguments of the benchmarks of layouts: [--threads N], and layout files in addition to our own fingertip.
 #pragma once
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace taxel::bench {
 
 struct LayoutArguments {
   std::vector<std::filesystem::path> files{TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json"};
-  std::optional<tbb::global_control> threads;  ///< limits all threads while it lives
+  std::optional<tbb::global_control> threads;  ///< limit of all threads while it exists
 
   LayoutArguments(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {

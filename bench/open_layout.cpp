@@ -1,6 +1,6 @@
-// What a user waits for: from opening a layout to the first reading on preview samples, to the same on polished ones,
-// and from an edit of one taxel to the next model. Beside it the same without a preview and without anything kept. Our
-// own fingertip, and layouts named as arguments: a table in Markdown.
+// Waiting times of a user: from opening a layout to the first reading on preview samples and on polished samples, and
+// from an edit of one taxel to the next model. For comparison, the times without a preview and without a cache. Layouts
+// are our own fingertip and those in the arguments. Prints a table in Markdown.
 //
 //   bench_open_layout [--threads N] [LAYOUT.taxels.json ...]
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 using namespace taxel;
 using Clock = std::chrono::steady_clock;
 
-/// Time on the wall, and of all processors together, which other programs on the machine do not change [ms].
+/// Wall time, and processor time of all threads, which other programs on the machine do not change [ms].
 struct Times {
   std::vector<double> wall, processor;
   [[nodiscard]] static double middle(std::vector<double> values) {
@@ -92,7 +92,7 @@ void measure_once(const std::filesystem::path& file, Result& result) {
   watch.emplace();
   open(file, &cache, SampleQuality::preview);
   watch->stop(result.preview);
-  open(file, &cache, SampleQuality::polished);  // the same watch: since the file was opened
+  open(file, &cache, SampleQuality::polished);  // measured by the same watch, since the file was opened
   watch->stop(result.polished);
 
   Layout layout = read_layout(file);

@@ -1,5 +1,5 @@
-// Time of one picture of the 3-D view while one orbits around a layout, by the number of its taxels and samples, and
-// what its parts cost, with the labels beside the taxels. 704 x 474 pixels: the view in a window of 1280 x 800.
+// Time of one frame of the 3-D view while the camera orbits around a layout, by the numbers of taxels and samples, and
+// the cost of its parts, including the labels next to the taxels. 704 x 474 pixels: the view in a window of 1280 x 800.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kWidth = 704, kHeight = 474;
 
-/// Taxels along a helix around the fingertip, each with a field as large as its part of the skin three times over.
+/// Returns taxels along a helix around the fingertip. Each field has three times the area of the skin per taxel.
 SensorModelPtr make_model(int taxels, int samples) {
   const auto mesh = std::make_shared<const TriMesh>(make_fingertip());
   const MeshIndex skin(mesh);
@@ -51,7 +51,7 @@ void orbit(benchmark::State& state, const Change& change) {
     benchmark::DoNotOptimize(ui::scene_labels(input, camera, kWidth, kHeight));
     glFinish();
   };
-  for (int i = 0; i < 3; ++i) picture();  // shaders are compiled, buffers filled
+  for (int i = 0; i < 3; ++i) picture();  // compiles shaders and fills buffers
   for (auto _ : state) picture();
   state.SetLabel(context.renderer());
 }

@@ -1,4 +1,4 @@
-// Pads on the real meshes and on generated ones that are hard: time to build, and what the field is worth.
+// Pads on real meshes and on difficult generated meshes: time to build, and quality of the field.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -24,13 +24,13 @@ struct Row {
   double thickness;
 };
 
-std::string wanted;  // part of a name: measure only these
+std::string wanted;  // measures only meshes whose name contains this text
 
 struct Times {
   double best, median;  ///< [ms]
 };
 
-/// `clock`: milliseconds from any start.
+/// Measures the times of repeated calls of `work`. `clock` returns milliseconds from any start.
 template <class Work, class Clock>
 Times repeat(const Work& work, const Clock& clock) {
   constexpr int kRepeats = 15;
@@ -47,14 +47,14 @@ Times repeat(const Work& work, const Clock& clock) {
 void measure(const Row& row, const char* layers, PadLayering layering) {
   const auto mesh = std::make_shared<const TriMesh>(row.mesh);
   PressureFieldPtr field;
-  // Other layerings are for comparison: on the same skin.
+  // Other layerings are only for comparison and use the same skin.
   const double refine = layering == PadLayering::automatic ? kDefaultRefine : 0.0;
   const auto make = [&] { field = make_pad_field(mesh, 1e5, row.thickness, {}, layering, refine); };
   const Times waiting = repeat(make, [] {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
   });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  // Processor time: nothing else on the machine counts.
+  // Processor time, which other programs on the machine do not change.
   const Times times = repeat(make, [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; });
   const FieldReport& report = field->report();
   const Fidelity good = fidelity(*field, MeshIndex(mesh), 1e5, row.thickness);

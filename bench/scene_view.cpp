@@ -1,4 +1,4 @@
-// Time of one picture of the 3-D view while the contact moves, and what its parts cost: 800 x 560 pixels, 16000
+// Time of one frame of the 3-D view while the contact moves, and the cost of its parts: 800 x 560 pixels, 16000
 // samples.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>

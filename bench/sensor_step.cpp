@@ -1,5 +1,5 @@
-// What one evaluation of the fingertip sensor costs, part by part: contact surface, traction, reading; and the contact
-// surface against the brute force of the tests (every tet against every triangle) in the same run.
+// Time of one evaluation of the fingertip sensor, by its parts: contact surface, traction, reading. In the same run,
+// the time of the contact surface by the brute force of the tests (every tet against every triangle).
 #include <benchmark/benchmark.h>
 
 #include "core/hydro/hydro_body.h"

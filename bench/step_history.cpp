@@ -1,6 +1,7 @@
-// What the history of steps costs a step: the fingertip sweep (12 taxels, 16 000 samples), recorded in every second
-// stretch of 30 steps, and in the next round in the others, by the processor time of the thread that steps. Both sums
-// are of the same steps in the same seconds, which other programs on the machine change alike. And the memory it takes.
+// Cost of the history of steps: additional time of a step, and memory. The fingertip sweep (12 taxels, 16 000 samples)
+// is recorded in every second stretch of 30 steps, and in the next round in the other stretches. Measured is the
+// processor time of the thread that steps. The times with and without recording are of the same steps in the same
+// seconds, so other programs on the machine affect both equally.
 //
 //   bench_step_history [ROUNDS]
 #include <fmt/format.h>
@@ -18,11 +19,11 @@
 namespace {
 using namespace taxel;
 
-constexpr int kFirst = 900, kSteps = 1500;  // of the sweep, in contact
+constexpr int kFirst = 900, kSteps = 1500;  // steps of the sweep that are in contact
 constexpr int kStretch = 30;
 constexpr double kSamples = 16000;
 
-/// Of this thread, in the kernel too: page faults of fresh memory are a part of it [s].
+/// Returns the processor time of this thread, including the kernel's time, such as page faults of new memory [s].
 double processor_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -34,7 +35,7 @@ struct Cost {
   [[nodiscard]] double part() const { return recorded / plain - 1; }
 };
 
-/// Two rounds through the steps; what is recorded is numbered without gaps.
+/// Measures two rounds through the steps. The recorded steps are numbered without gaps.
 Cost measure(Simulator& simulator, StepHistory& history) {
   Cost cost;
   SimState state;

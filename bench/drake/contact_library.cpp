@@ -57,13 +57,13 @@ const PressureField* field_of(const HydroBody& body) {
   return soft == nullptr ? nullptr : soft->field.get();
 }
 
-/// Whether the angle of Drake's filter lies between a polygon's normal and the gradient of a body's pressure, both in
-/// one frame, the normal pointing into that body.
+/// Returns true if the angle between a polygon's normal and the gradient of a body's pressure is at least that of
+/// Drake's filter. Both vectors are in one frame, and the normal points into the body.
 bool drops(const dvec3& normal, const dvec3& gradient) {
   return glm::dot(normal, gradient) <= std::cos(kDrakeFilterAngle) * glm::length(gradient);
 }
 
-/// Whether Drake's filter would drop this polygon, which lies in frame A and whose normal pushes A.
+/// Returns true if Drake's filter would drop this polygon, which is in frame A and whose normal pushes A.
 bool drake_drops(const ContactPolygon& polygon, const PressureField* field_A, const PressureField* field_B,
                  const dmat3& R_AB) {
   const auto gradient = [](const PressureField& field, int tet) {
@@ -77,22 +77,22 @@ bool drake_drops(const ContactPolygon& polygon, const PressureField* field_A, co
 
 extern "C" {
 
-/// What one contact is, world frame; the force acts on A.
+/// Result of one contact, world frame. The force acts on A.
 struct TaxelContact {
-  double nanoseconds;  ///< of the fastest repetition
+  double nanoseconds;  ///< time of the fastest repetition
   double polygons, area, max_pressure;
   double force[3];
-  double centroid[3];  ///< of the area
+  double centroid[3];  ///< centroid of the area
   double pressure_centroid[3];
-  double dropped_by_drake;  ///< polygons
+  double dropped_by_drake;  ///< number of polygons that Drake's filter drops
 };
 
 TAXEL_EXPORT const char* taxel_last_error() {
   return error_text.c_str();
 }
 
-/// A primitive, or of a file: a mesh, or tets as legacy VTK (with their pressures, or Drake's field); modulus 0 is
-/// rigid.
+/// Builds a body from a primitive, or from a file with a mesh or with tets as legacy VTK (with their pressures, or with
+/// Drake's field). Modulus 0 means rigid.
 TAXEL_EXPORT Body* taxel_shape(int type, const double* size, const char* file, double resolution, int field,
                                double modulus, double thickness) {
   return guarded([&] {
@@ -110,7 +110,7 @@ TAXEL_EXPORT Body* taxel_shape(int type, const double* size, const char* file, d
   });
 }
 
-/// The soft body of a layout.
+/// Builds the soft body of a layout.
 TAXEL_EXPORT Body* taxel_layout(const char* file) {
   return guarded([&] { return load_sensor_model(file)->body; });
 }
@@ -119,7 +119,7 @@ TAXEL_EXPORT void taxel_free_body(Body* body) {
   delete body;
 }
 
-/// Numbers of vertices and tets of a soft body; false for any other.
+/// Sets the numbers of vertices and tets of a soft body. Returns false for other bodies.
 TAXEL_EXPORT bool taxel_field_size(const Body* body, int* vertex_count, int* tet_count) {
   const PressureField* field = field_of(*body->body);
   if (field == nullptr) return false;
@@ -147,7 +147,7 @@ TAXEL_EXPORT void taxel_free_pair(Pair* pair) {
   delete pair;
 }
 
-/// The surface of a pair, computed `repeat` times. 0, or -1 where the kernel refuses the pair.
+/// Computes the surface of a pair `repeat` times. Returns 0, or -1 if the kernel refuses the pair.
 TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* pose_b, int repeat, TaxelContact* out) {
   const Pose X_WA = pose_of(pose_a), X_WB = pose_of(pose_b);
   *out = {};
@@ -181,8 +181,8 @@ TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* p
   return 0;
 }
 
-/// The same by brute force, every tet against every triangle or tet, once: time, polygons, area and force. -1 where the
-/// pair is not a soft body of tets and a rigid mesh or another such body.
+/// Computes the surface once by brute force, every tet against every triangle or tet: time, polygons, area and force.
+/// Returns -1 unless the pair is a soft body of tets with a rigid mesh or with another soft body of tets.
 TAXEL_EXPORT int taxel_brute_force(const Pair* pair, const double* pose_a, const double* pose_b, TaxelContact* out) {
   const Pose X_WA = pose_of(pose_a), X_AB = X_WA.inverse() * pose_of(pose_b);
   const PressureField *field_A = field_of(*pair->a), *field_B = field_of(*pair->b);
@@ -203,8 +203,8 @@ TAXEL_EXPORT int taxel_brute_force(const Pair* pair, const double* pose_a, const
   return 0;
 }
 
-/// From here on the kernel uses the instruction set of this name ("AVX2", "AVX3", "SSE4", "EMU128"). False where the
-/// processor or this build has none.
+/// Makes the kernel use the instruction set of this name ("AVX2", "AVX3", "SSE4", "EMU128"). Returns false if the
+/// processor or this build does not have it.
 TAXEL_EXPORT bool taxel_use_instruction_set(const char* name) {
   for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
     const std::int64_t target = rest & -rest;

@@ -1,8 +1,8 @@
-// From an edit of the layout to the new reading of a probe pressed on it, as the window goes: apply the edit, compile
-// the model with what is kept of the last one, press the probe, read the taxels; once in a row, and once through the
-// window's workers: history, hand-over, and back to the thread that draws. 12 taxels on 16 000 samples; 200
-// different edits that move, resize, add and delete, each followed by the reading. Our own fingertip, and layouts named
-// as arguments: a table in Markdown.
+// Latency from an edit of the layout to the new reading of a pressed probe. As in the window, the edit is applied, the
+// model is compiled with the cache of the last model, the probe is pressed, and the taxels are read. This is measured
+// in one thread, and through the window's workers: history, hand-over, and back to the thread that draws. 12 taxels on
+// 16 000 samples; 200 different edits that move, resize, add and delete, each followed by the reading. Layouts are our
+// own fingertip and those in the arguments. Prints a table in Markdown.
 //
 //   bench_edit_latency [--threads N] [LAYOUT.taxels.json ...]
 #include <fmt/format.h>
@@ -35,12 +35,12 @@ constexpr std::size_t kTaxels = 12;
 constexpr double kSamples = 16000;
 constexpr double kMedianTarget = 50, kWorstTarget = 80;  // issue: median, 95 % [ms]
 
-/// The stages of one edit, and all of it.
+/// The stages of one edit, and the whole edit.
 enum Stage { kEdit, kModel, kPress, kAll, kWindow, kStages };
 constexpr std::array<const char*, kStages> kStageNames{"the edit", "the model", "press and reading", "all in a row",
                                                        "all through the window's workers"};
 
-/// Milliseconds on the wall, and of all processors together, which other programs on the machine change less.
+/// Wall time, and processor time of all threads, which other programs on the machine change less [ms].
 struct Time {
   double wall = 0, processor = 0;
   static Time now() {
@@ -59,7 +59,7 @@ double quantile(const std::vector<Time>& times, double Time::*which, double part
   return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
 }
 
-/// What is edited: the project and the mesh that stays under it.
+/// The edited project, and its mesh, which does not change.
 struct Document {
   Project project;
   LoadedMesh mesh;
@@ -147,7 +147,7 @@ Result measure(Document document) {
   return result;
 }
 
-/// What the drawing thread waits for.
+/// A signal for which the drawing thread waits.
 class Bell {
  public:
   void ring() {
@@ -169,7 +169,7 @@ class Bell {
   bool rung_ = false;
 };
 
-/// The same edits, each followed until model and reading are in the thread that asked.
+/// Measures the same edits, each until model and reading are in the thread that requested them.
 std::vector<Time> measure_hand_over(const Document& document) {
   Bell bell;
   SensorCache cache;
@@ -221,7 +221,7 @@ void print_result(const std::filesystem::path& file, Metric metric) {
   std::fflush(stdout);
 }
 
-/// How many programs wanted a processor lately, as the system counts them.
+/// Prints the number of programs that recently needed a processor, as counted by the system (load).
 void print_load(const char* when) {
   std::array<double, 3> load{};
   if (getloadavg(load.data(), 3) == 3) fmt::print("\nLoad {}: {:.1f} (one minute).\n", when, load[0]);

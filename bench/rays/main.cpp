@@ -1,4 +1,5 @@
-// Rays and readings beside Embree and the paper's scheme on recorded frames, on one core: a table in Markdown.
+// Time of rays and readings on recorded frames, compared with Embree and the paper's scheme, on one core. Prints a
+// table in Markdown.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,7 +21,7 @@ using namespace taxel::bench;
 constexpr int kRounds = 20;
 constexpr double kDepthTolerance = 1e-6;  // Embree works in single precision [m]
 
-/// Processor time of this thread: what other programs do on the machine does not count [us].
+/// Returns the processor time of this thread, which other programs do not change [us].
 double now() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -38,7 +39,7 @@ Times summary(std::vector<double> samples) {
   return {at(0.5), at(0.99)};
 }
 
-/// Reads all of a frame: a surface that was just computed is in the caches, too.
+/// Reads a whole frame, so that it is in the caches like a surface that was just computed.
 double touch(const std::vector<ContactSurface>& frame) {
   double sum = 0;
   for (const ContactSurface& surface : frame) {
@@ -50,7 +51,7 @@ double touch(const std::vector<ContactSurface>& frame) {
 
 using Way = std::function<void(const std::vector<const ContactSurface*>&)>;
 
-/// One after another in each round, so that the machine's moods meet all of them.
+/// Measures all ways one after another in each round, so that changes of the machine's speed affect all of them.
 std::vector<Times> time_ways(const Path& path, const std::vector<Way>& ways) {
   std::vector<std::vector<double>> samples(ways.size());
   double sum = 0;
@@ -75,10 +76,11 @@ Way casting(RayCaster& caster) {
   return [&caster](const auto& list) { caster.cast(list); };
 }
 
-/// Rays whose answer differs from brute force in double: in surface, polygon or any bit of the depth.
+/// Number of rays whose result differs from brute force in double precision: in surface, polygon or any bit of the
+/// depth.
 struct Differences {
-  long exact = 0;  ///< of both own paths
-  long peer = 0;   ///< hit or miss, or depth by more than the tolerance, of the peer
+  long exact = 0;  ///< differing rays of our own two paths
+  long peer = 0;   ///< differing rays of the peer: hit or miss, or depth by more than the tolerance
 };
 
 bool same(const RayHit& a, const RayHit& b) {
@@ -131,7 +133,7 @@ void print_class(const SensorModelPtr& sensor, Object object) {
   }
 }
 
-/// Flat arrays: raster beside tet table and trees.
+/// Prints the table of flat arrays: raster path, tet table and trees.
 void print_flat(const std::string& name, Object object) {
   const SensorModelPtr sensor = preset_sensor(name);
   const auto raster = make_own(*sensor, RayPath::raster), table = make_own(*sensor, RayPath::tet_table),
@@ -175,7 +177,7 @@ void print_flat_arrays() {
 
 }  // namespace
 
-/// bench_rays [flat|curved]: one of the two tables only.
+/// `bench_rays [flat|curved]` prints only one of the two tables.
 int main(int argc, char** argv) {
   const std::string only = argc > 1 ? argv[1] : "";
   if (only != "flat") print_curved();

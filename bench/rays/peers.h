@@ -1,4 +1,4 @@
-// Other ways to find the first hits of a sensor's rays: what the tet table is compared with.
+// Other methods to find the first hits of a sensor's rays, with which the tet table is compared.
 #pragma once
 
 #include <memory>
@@ -13,19 +13,19 @@ class RayCaster {
  public:
   virtual ~RayCaster() = default;
   [[nodiscard]] virtual std::string name() const = 0;
-  /// Everything that a step costs from the contact surfaces on: conversion, structures, rays.
+  /// Does the work of a step after the contact surfaces: conversion, building structures, casting rays.
   virtual void cast(const std::vector<const ContactSurface*>& surfaces) = 0;
-  /// By ray, of the last cast.
+  /// Returns the hits of the last cast, one for each ray.
   [[nodiscard]] virtual std::vector<RayHit> hits() const = 0;
 };
 
 std::unique_ptr<RayCaster> make_own(const SensorModel& sensor, RayPath path);
 
-/// The paper's scheme: polygons fanned about their centroids, a BLAS per surface built in each step, one ray after
-/// another through the TLAS.
+/// Returns the paper's scheme: polygons are split into fans about their centroids, each step builds a BLAS per surface,
+/// and rays are cast one after another through the TLAS.
 std::unique_ptr<RayCaster> make_paper(const SensorModel& sensor);
 
-/// Variants of Embree 3 with its scene reused and dynamic; empty where it was not there at build time.
+/// Returns variants of Embree 3 with a reused dynamic scene; empty if Embree was missing at build time.
 std::vector<std::unique_ptr<RayCaster>> make_embree(const SensorModel& sensor);
 
 }  // namespace taxel::bench

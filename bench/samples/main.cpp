@@ -1,9 +1,9 @@
-// Samples: time on one core and evenness, preview and polished, on smooth, creased and real meshes: a table in
-// Markdown. bench/samples/run puts other samplers beside it:
-//   bench_samples                 our rows
-//   bench_samples export FOLDER   writes the meshes there, for peer.py
-//   bench_samples table FOLDER    our rows, and those of the points that peer.py left there
-// A part of a name behind the folder leaves out the other meshes.
+// Samples: time on one core and evenness, preview and polished, on smooth, creased and real meshes. Prints a table in
+// Markdown. bench/samples/run compares it with other samplers:
+//   bench_samples                 prints our rows
+//   bench_samples export FOLDER   writes the meshes to the folder, for peer.py
+//   bench_samples table FOLDER    prints our rows, and those of the points that peer.py wrote to the folder
+// A part of a name after the folder selects the meshes whose names contain it.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -25,7 +25,7 @@
 namespace {
 using namespace taxel;
 
-/// Processor time of this thread: what other programs do on the machine does not count [ms].
+/// Returns the processor time of this thread, which other programs do not change [ms].
 double now() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -33,10 +33,10 @@ double now() {
 }
 
 constexpr std::array kCounts{1000, 10000, 100000};
-constexpr int kMost = 10000;                     // of each mesh, but
-constexpr const char* kLarge = "own fingertip";  // of this one
+constexpr int kMost = 10000;                     // largest number of samples of each mesh
+constexpr const char* kLarge = "own fingertip";  // mesh without this limit
 
-/// Points of the scorer's lattice.
+/// Returns the number of points of the scorer's lattice per sample.
 int per_sample(int count) {
   return count > 50000 ? 20 : 100;
 }
@@ -96,7 +96,8 @@ Row own_row(const Case& c, int count, SampleQuality quality) {
   return row;
 }
 
-/// A line of peers.txt is "mesh|count|method|milliseconds|file of points", with x y z in each line of that.
+/// Returns the rows of other samplers. A line of peers.txt is "mesh|count|method|milliseconds|file of points"; each
+/// line of the file of points has x y z.
 std::vector<Row> peer_rows(const Case& c, int count, const std::filesystem::path& folder) {
   std::vector<Row> rows;
   std::ifstream list(folder / "peers.txt");
@@ -118,7 +119,7 @@ std::vector<Row> peer_rows(const Case& c, int count, const std::filesystem::path
   return rows;
 }
 
-/// `polished` is the time that the others are measured by [ms].
+/// Prints a row. `polished` is our time for polished samples, to which all times are compared [ms].
 void print_row(const Case& c, int count, const Row& row, double polished) {
   const SampleScore& s = row.score;
   fmt::print("| {} | {} / {} | {} | {:.3g} | {:.2f} | {:.2f} / {:.2f} / {:.2f} | {:.3f} | {:.2f} |\n", c.name, count,
@@ -142,7 +143,7 @@ void print_table(const std::vector<Case>& all, const std::filesystem::path& peer
     }
 }
 
-/// NAME.vertices, NAME.faces, and in cases.txt what to sample: "mesh|count|file".
+/// Writes NAME.vertices and NAME.faces, and the list of cases to sample, cases.txt, with lines "mesh|count|file".
 void export_meshes(const std::vector<Case>& all, const std::filesystem::path& folder) {
   std::string list;
   for (std::size_t i = 0; i < all.size(); ++i) {
