@@ -131,7 +131,7 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
     for (const Json& widget : shown["widgets"])
       if (widget["panel"] == "Explain") parts.insert(widget["label"]);
   }
-  for (const char* part : {"Verdict", "Ghost of the step before", "Exact and sampled", "Change since the step before",
+  for (const char* part : {"Verdict", "Onion skin (previous step)", "Exact and sampled", "Change since the step before",
                            "Convergence plot", "Scatter", "Samples caption", "Force budget"})
     EXPECT_TRUE(parts.count(part) > 0) << part;
 }
@@ -194,7 +194,7 @@ TEST(Explain, ASwitchTakesTheGhostAway) {
   const StudioProgram studio;
   const auto shot = [](const char* name) { return std::string(R"({"do": "screenshot", "file": ")") + name + R"("})"; };
   studio.play(joined({kInContact,
-                      {shot("with.png"), press("Ghost of the step before"), kIdle, kIdle, dump("without.json"),
+                      {shot("with.png"), press("Onion skin (previous step)"), kIdle, kIdle, dump("without.json"),
                        shot("without.png")}}),
               coarse_layout(studio));
   const Json state = studio.state("without.json"), &view = state["view"]["rect"];

@@ -65,7 +65,7 @@ TEST(FieldOverlays, CoverageAddsUpAndPaintsWhatIsUncovered) {
 
 TEST(FieldOverlays, ComparisonOfMetricsIsWrittenAndPainted) {
   const StudioProgram studio;
-  studio.play(with_overlay("Fields, straight against geodesic", "comparison"));
+  studio.play(with_overlay("Receptive fields: Euclidean vs. geodesic", "comparison"));
   const Json state = studio.state("state.json");
   const Json& comparison = state["fields"]["comparison"];
   const double straight = comparison["euclidean"], geodesic = comparison["geodesic"],
@@ -77,7 +77,7 @@ TEST(FieldOverlays, ComparisonOfMetricsIsWrittenAndPainted) {
 
 TEST(FieldOverlays, NormalsOfTheFingertipStandWithinItsSmoothNormals) {
   const StudioProgram studio;
-  studio.play(with_overlay("Taxel normals against the skin's", "normals"));
+  studio.play(with_overlay("Normal deviation", "normals"));
   const Json normals = studio.state("state.json")["fields"]["normals"];
   EXPECT_GT(normals["largest_deg"], normals["mean_deg"]);
   EXPECT_LT(normals["largest_deg"], 8) << "smooth normals on facets";

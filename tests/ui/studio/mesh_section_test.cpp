@@ -65,8 +65,8 @@ TEST(MeshUnit, IsShownAndChangedAndUndone) {
 
 TEST(MeshFrame, TipAndPadAreChosen) {
   const StudioProgram studio;
-  studio.play({kIdle, press("Tip towards"), kIdle, press("Tip towards: +y"), kIdle, press("Touches with"), kIdle,
-               press("Touches with: +z"), kIdle, dump("state.json")},
+  studio.play({kIdle, press("Tip points to"), kIdle, press("Tip points to: +y"), kIdle, press("Pad faces"), kIdle,
+               press("Pad faces: +z"), kIdle, dump("state.json")},
               {kMeshFile});
   const Json frame = studio.state("state.json")["document"]["layout"]["frame"];
   EXPECT_EQ(frame["distal"], Json({0, 1, 0}));

@@ -44,10 +44,10 @@ Lines place_six(const std::string& mesh) {
   Lines script{kIdle, key("o", kCtrl),
                kIdle, type(mesh),
                kIdle, key("Enter"),
-               kIdle, press("Tip towards"),
-               kIdle, press("Tip towards: +y"),
-               kIdle, press("Touches with"),
-               kIdle, press("Touches with: +z"),
+               kIdle, press("Tip points to"),
+               kIdle, press("Tip points to: +y"),
+               kIdle, press("Pad faces"),
+               kIdle, press("Pad faces: +z"),
                kIdle};
   const Lines turned = drag(700, 150, 460, 180);
   script.insert(script.end(), turned.begin(), turned.end());

@@ -135,8 +135,8 @@ TEST(Time, RunGoesOnFromTheStepThatIsShown) {
 
 TEST(Time, PausesWhereSamplesAndSurfaceDisagree) {
   const StudioProgram studio;
-  studio.play(joined({{kIdle, key("Backspace"), kIdle, press("Samples off by"), key("a", kCtrl), type("2"),
-                       key("Enter"), kIdle, press("samples off"), kIdle, key("Space"), at_frame(170)},
+  studio.play(joined({{kIdle, key("Backspace"), kIdle, press("Sampling error"), key("a", kCtrl), type("2"),
+                       key("Enter"), kIdle, press("vs. exact integral"), kIdle, key("Space"), at_frame(170)},
                       {dump("state.json"), R"({"do": "screenshot", "file": "a.png"})"}}));
   const Json simulation = studio.state("state.json")["simulation"], stop = simulation["history"]["stop"];
   ASSERT_TRUE(stop.is_object()) << simulation["history"]["breakpoints"].dump();

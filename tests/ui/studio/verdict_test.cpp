@@ -17,7 +17,7 @@ Touch from_pose(std::ptrdiff_t pose, Touch touch) {
   return touch;
 }
 
-/// The state with the step explained at which these breakpoints ("Jumps", "at equal force") stopped the scene.
+/// The state with the step explained at which these breakpoints ("jump >", "at constant force") stopped the scene.
 Json explained_where(const std::vector<std::string>& breakpoints, Touch touch) {
   touch.layout.sampling.density = 1.5e6;  // samples are no matter in these
   const StudioProgram studio;
@@ -56,22 +56,22 @@ void expect_verdict(const Json& state, const std::string& cause, const std::stri
 }
 
 TEST(Verdict, ABallThatTapsAFingertipOnAStar) {
-  expect_verdict(explained_where({"Jumps"}, taps_on_fingertip(0.0045, 0.002)), "star_field", "Pressure field");
+  expect_verdict(explained_where({"jump >"}, taps_on_fingertip(0.0045, 0.002)), "star_field", "Pressure field");
 }
 
 TEST(Verdict, ABallThatTapsTheInsideOfABentFinger) {
-  expect_verdict(explained_where({"Jumps"}, taps_in_hook(0.9, 0.0035, 0.0018)), "inverted_tets", "Inverted tets");
+  expect_verdict(explained_where({"jump >"}, taps_in_hook(0.9, 0.0035, 0.0018)), "inverted_tets", "Inverted tets");
 }
 
 TEST(Verdict, ABallThatIsLedAlongAFinger) {
-  const Json state = explained_where({"of sensor", "at equal force"}, led_along(0.0035, 0.0005));
+  const Json state = explained_where({"of sensor", "at constant force"}, led_along(0.0035, 0.0005));
   expect_verdict(state, "redistribution", "Redistribution");
   EXPECT_TRUE(state["simulation"]["history"]["stop"]["at_equal_force"].get<bool>());
   EXPECT_TRUE(state["explain"]["verdict"]["force_stays"]);
 }
 
 TEST(Verdict, AnEdgeThatComesOverAnEgg) {
-  const Json state = explained_where({"of sensor", "Jumps"}, from_pose(3, edge_comes_over_egg(0.66)));
+  const Json state = explained_where({"of sensor", "jump >"}, from_pose(3, edge_comes_over_egg(0.66)));
   expect_verdict(state, "contact", "The contact itself");
   EXPECT_FALSE(state["explain"]["verdict"]["force_stays"]);
 }

@@ -83,9 +83,9 @@ void draw_change(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
   const auto samples = [&](const char* name, const SampleChange& s) {
     property(name, fmt::format("{} samples, {}", s.count, change_text(s.change, unit)));
   };
-  samples("Began to hit", c.began);
-  samples("Ceased", c.ceased);
-  samples("Stayed", c.stayed);
+  samples("Samples gained", c.began);
+  samples("Samples lost", c.ceased);
+  samples("Samples kept", c.stayed);
   constexpr int kForceDigits = 4;
   const NumberPair forces = number_pair(c.force.before, c.force.now, kForceDigits);
   property("Force", fmt::format("{} to {} N", forces.first, forces.second));
@@ -98,16 +98,16 @@ void draw_budget(UiState& ui, const ForceBudget& b) {
   property("Taxels together", newtons(b.taxels_W));
   property("This taxel", newtons(b.taxel_W));
   property("As simulated", newtons(b.net_W));
-  property("Pressed", newtons(b.pressed));
-  property("over taxels", newtons(b.covered));
-  property("over none", newtons(b.uncovered));
+  property("Normal force", newtons(b.pressed));
+  property("inside fields", newtons(b.covered));
+  property("outside fields", newtons(b.uncovered));
   end_properties();
 }
 
 void draw_found(UiState& ui, const UiInput& input, const Explanation& e) {
   const ReadingUnit unit = shown_unit(e.aggregate);
   draw_verdict(ui, input, e);
-  checkbox(ui, "Ghost of the step before", &ui.saved.overlays.ghost);
+  checkbox(ui, "Onion skin (previous step)", &ui.saved.overlays.ghost);
   tooltip("Its contact surfaces, as lines in the view");
   draw_exact(ui, e, unit);
   draw_change(ui, e, unit);

@@ -42,19 +42,19 @@ Legend coverage_legend(const CoverageNumbers& numbers) {
 }
 
 Legend comparison_legend(const FieldComparison& numbers) {
-  Legend legend{"Straight against geodesic distance", {}};
+  Legend legend{"Euclidean vs. geodesic distance", {}};
   const double all = numbers.geodesic + numbers.euclidean_only;
   legend.rows.push_back(
-      {euclidean_only_color(), "straight only",
+      {euclidean_only_color(), "Euclidean only",
        fmt::format("{}   {}", in_mm2(numbers.euclidean_only), per_cent(numbers.euclidean_only, all))});
-  legend.rows.push_back({std::nullopt, "sum of straight fields", in_mm2(numbers.euclidean)});
+  legend.rows.push_back({std::nullopt, "sum of Euclidean fields", in_mm2(numbers.euclidean)});
   legend.rows.push_back({std::nullopt, "sum of geodesic fields", in_mm2(numbers.geodesic)});
   legend.rows.push_back({std::nullopt, "fields that differ by over 1 %", fmt::format("{}", numbers.differing)});
   return legend;
 }
 
 Legend normals_legend(const NormalNumbers& numbers, const SensorModel& model) {
-  Legend legend{"Taxel normal to the skin's", {}};
+  Legend legend{"Normal deviation", {}};
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const double angle = part * numbers.limit_deg;
     legend.rows.push_back({normal_color(angle, numbers.limit_deg), fmt::format("{:.4g}°", angle), ""});

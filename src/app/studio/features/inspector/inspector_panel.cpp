@@ -42,8 +42,8 @@ void draw_found(const UiState& ui, const UiInput& input, const SensorModel& mode
     const double distance = ui.summary.distance_to_skin[i], angle = ui.summary.angle_to_skin_deg[i];
     property("Samples", grouped(ui.summary.samples_of_taxel[i]),
              ui.summary.samples_of_taxel[i] > 0 ? colors.text : colors.error);
-    property("Off the skin", in_mm(distance), distance < kFarFromSkin ? colors.text : colors.warning);
-    property("Off its normal", fmt::format("{:.1f}\u00b0", angle),
+    property("Distance to surface", in_mm(distance), distance < kFarFromSkin ? colors.text : colors.warning);
+    property("Normal deviation", fmt::format("{:.1f}\u00b0", angle),
              angle < kWideAngleDeg ? colors.text : colors.warning);
   }
   const SensorStep* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;

@@ -70,9 +70,9 @@ int property_choice(UiState& ui, const char* name, const std::string& now, const
 }
 
 void draw_frame_choices(UiState& ui, const SensorFrame& frame) {
-  const int tip = property_choice(ui, "Tip towards", axis_name(frame.distal), kAxes,
+  const int tip = property_choice(ui, "Tip points to", axis_name(frame.distal), kAxes,
                                   "Axis of the mesh file along which the finger points (frame/distal)");
-  const int pad = property_choice(ui, "Touches with", axis_name(frame.pad), kAxes,
+  const int pad = property_choice(ui, "Pad faces", axis_name(frame.pad), kAxes,
                                   "Axis of the mesh file on the side that touches (frame/pad)");
   SensorFrame chosen = frame;
   if (tip >= 0) chosen.distal = kAxes[static_cast<std::size_t>(tip)].direction;

@@ -161,7 +161,7 @@ std::string event_names(const StepMark& mark) {
   add(StepEvent::contact_begins, "contact begins");
   add(StepEvent::contact_ends, "contact ends");
   add(StepEvent::jump, "a taxel jumps");
-  add(StepEvent::jump_at_equal_force, "a taxel jumps at equal force");
+  add(StepEvent::jump_at_equal_force, "a taxel jumps at constant force");
   add(StepEvent::disagreement, "samples and surface disagree");
   add(StepEvent::other_layout, "read by another layout from here");
   return names;

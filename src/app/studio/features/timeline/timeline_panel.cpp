@@ -28,7 +28,7 @@ float button_width(const char* label) {
 /// Buttons as those of a film; in one row.
 float film_width() {
   float width = 4 * ImGui::GetFontSize() + 3;
-  for (const char* label : {"< Event", "Event >", "Newest", "Loop"}) width += 3 + button_width(label);
+  for (const char* label : {"< Event", "Event >", "Latest", "Loop"}) width += 3 + button_width(label);
   return width;
 }
 
@@ -49,7 +49,7 @@ void draw_film(UiState& ui, const UiInput& input) {
     ui.ask(ReplayHistory{forth ? 0 : 1});
   text_button("< Event", GoToEvent{-1}, "Previous event (Shift+Left)");
   text_button("Event >", GoToEvent{1}, "Next event (Shift+Right)");
-  text_button("Newest", GoToNewestStep{}, "The newest step (End)");
+  text_button("Latest", GoToNewestStep{}, "Go to the latest step (End)");
   ImGui::SameLine(0, 3);
   if (toggle(ui, "Loop", input.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
     perform(ToggleLoop{}, ui, input);
@@ -76,22 +76,22 @@ std::optional<double> draw_threshold(UiState& ui, const Threshold& what, bool& o
 void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
   const Breakpoints& now = input.frame->breakpoints;
   Breakpoints wanted = now;
-  constexpr Threshold kJumps{"Jumps", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
+  constexpr Threshold kJumps{"jump >", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
                              "A jump: from one step to the next, as part of the taxel's largest reading so far"};
-  flow.next(ImGui::CalcTextSize("Pause at").x + 5 + kJumps.width(), 1.1f * ImGui::GetFontSize());
+  flow.next(ImGui::CalcTextSize("Break on").x + 5 + kJumps.width(), 1.1f * ImGui::GetFontSize());
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("Pause at");
+  ImGui::TextDisabled("Break on");
   ImGui::SameLine(0, 5);
   if (const auto part = draw_threshold(ui, kJumps, wanted.on_jump, now.jump); part && *part > 0) wanted.jump = *part;
-  constexpr Threshold kEqual{"at equal force", "Pause when a taxel jumps while the force stays", "Force change",
+  constexpr Threshold kEqual{"at constant force", "Pause when a taxel jumps while the force stays", "Force change",
                              "The force stays where it changes by no more than this part of itself"};
   flow.next(kEqual.width());
   if (const auto part = draw_threshold(ui, kEqual, wanted.at_equal_force, now.equal_force); part && *part >= 0)
     wanted.equal_force = *part;
-  constexpr Threshold kOff{"samples off",
+  constexpr Threshold kOff{"vs. exact integral",
                            "Pause when samples and surface disagree: a taxel reads something else than the exact\n"
                            "integral over its field. Working that out in every step slows the simulation down",
-                           "Samples off by", "As part of the taxel's largest reading so far"};
+                           "Sampling error", "As part of the taxel's largest reading so far"};
   flow.next(kOff.width());
   if (const auto part = draw_threshold(ui, kOff, wanted.on_disagreement, now.disagreement); part && *part > 0)
     wanted.disagreement = *part;
