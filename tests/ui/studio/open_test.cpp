@@ -37,7 +37,8 @@ void expect_bare_mesh(const Json& state, const std::string& file) {
   EXPECT_GT(state["document"]["mesh"]["triangles"], 1000);
   EXPECT_TRUE(state["simulation"].is_null());
   ASSERT_FALSE(state["messages"].empty());
-  EXPECT_NE(state["messages"][0]["text"].get<std::string>().find("metres"), std::string::npos) << "the unit is said";
+  EXPECT_NE(state["messages"][0]["text"].get<std::string>().find("assumed unit: m;"), std::string::npos)
+      << "the unit is said";
 }
 
 void expect_layout(const Json& state, const std::string& file) {
@@ -108,7 +109,7 @@ TEST(Open, AMeshInMillimetresIsScaled) {
   studio.play({R"({"do": "wait_idle"})", kDump}, {"mm.obj"});
   const Json state = studio.state("state.json");
   EXPECT_EQ(state["document"]["layout"]["mesh"]["scale"], (std::vector<double>{0.001, 0.001, 0.001}));
-  EXPECT_NE(state["messages"].dump().find("millimetres"), std::string::npos);
+  EXPECT_NE(state["messages"].dump().find("assumed unit: mm"), std::string::npos);
 }
 
 /// A bad file, and what its message must name.

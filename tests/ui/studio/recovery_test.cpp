@@ -252,7 +252,7 @@ TEST(Recovery, ARecordingThatIsWrittenIsNotOffered) {
 TEST(Recovery, CanBeThrownAway) {
   const StudioProgram studio;
   edit_and_kill(studio);
-  studio.play({kIdle, press("Throw away"), kIdle}, kNextStart);
+  studio.play({kIdle, press("Discard"), kIdle}, kNextStart);
   studio.play({kIdle, dump("again.json")}, kNextStart);
   EXPECT_TRUE(studio.state("again.json")["recovery"].get<std::string>().empty());
 }

@@ -14,7 +14,7 @@ Lines video_of(const std::string& file) {
           kIdle,
           press("Export video..."),
           kIdle,
-          R"({"event": "double_click", "at": {"widget": "Steps per picture"}})",
+          R"({"event": "double_click", "at": {"widget": "Frame every N steps"}})",
           all,
           type("10"),
           kIdle,
@@ -55,7 +55,7 @@ TEST(Video, APictureOfEveryTenthStepWhateverThePace) {
   const Picture first = studio.picture("series/frame_000001.png"), fourth = studio.picture("series/frame_000004.png");
   EXPECT_EQ(first.width, studio.state("before.json")["view"]["width"]);
   EXPECT_NE(first.rgb, fourth.rgb) << "the finger moved";
-  EXPECT_NE(studio.state("after.json")["messages"].dump().find("pictures are in"), std::string::npos);
+  EXPECT_NE(studio.state("after.json")["messages"].dump().find("PNG frames are in"), std::string::npos);
 }
 
 /// A program named ffmpeg in a folder of its own, first in PATH.
@@ -101,7 +101,8 @@ TEST(Video, WithoutAnEncoderThePicturesStayAndItIsSaid) {
               coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "film.gif"));
   EXPECT_GE(pictures_in(studio.folder() / "film_frames"), 4U);
-  EXPECT_NE(studio.state("none.json")["messages"].dump().find("there is no ffmpeg on this machine"), std::string::npos);
+  EXPECT_NE(studio.state("none.json")["messages"].dump().find("ffmpeg not found: saved PNG frames instead of "),
+            std::string::npos);
 }
 
 TEST(Video, AnEncoderThatFailsIsQuotedAndThePicturesStay) {

@@ -196,8 +196,8 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   document.frame_is_guess = true;
   const std::string found = document.problem.empty() && !repaired ? findings_text(document.mesh->findings) : "";
   document.notes.push_back(fmt::format(
-      "{}: taken to be in {}: {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
-      unit.scale == 1.0 ? "metres" : "millimetres", size.x, size.y, size.z, found.empty() ? "" : "; ", found));
+      "{}: assumed unit: {}; size {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
+      unit.scale == 1.0 ? "m" : "mm", size.x, size.y, size.z, found.empty() ? "" : "; ", found));
   return document;
 }
 

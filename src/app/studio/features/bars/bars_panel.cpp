@@ -14,7 +14,7 @@ void draw_bars_panel(UiState& ui, const UiInput& input) {
     const SensorStep* sensor = probed ? input.shown_state(ui) : input.sensor(ui);
     if (sensor == nullptr || sensor->readings.empty()) {
       ui.bars.clear();
-      ImGui::TextDisabled(sensor == nullptr ? "No sensor is simulated, and no probe is pressed."
+      ImGui::TextDisabled(sensor == nullptr ? "Run the simulation, or press X to probe."
                                             : "The selected geom has no taxels.");
     } else {
       const SensorModel& model =

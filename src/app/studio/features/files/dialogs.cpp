@@ -120,7 +120,7 @@ void draw_recovery_card(UiState& ui) {
   std::optional<bool> recover;
   if (button(ui, "Recover", size)) recover = true;
   ImGui::SameLine();
-  if (button(ui, "Throw away", size)) recover = false;
+  if (button(ui, "Discard", size)) recover = false;
   if (recover) {
     ImGui::CloseCurrentPopup();
     ui.recovery.clear();

@@ -194,7 +194,7 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
 std::string status_text(const ComparedSteps& compared, const ComparedStep* step, int taxel) {
   std::string text;
   if (taxel >= 0)
-    text = fmt::format("Taxel {}, each curve as a part of its own peak",
+    text = fmt::format("Taxel {}, each curve normalised to its peak",
                        compared.model->layout.taxels[static_cast<std::size_t>(taxel)].id);
   if (compared.steps.size() < compared.due)
     text += fmt::format("; {} of {} steps", compared.steps.size(), compared.due);

@@ -138,7 +138,7 @@ void draw_columns(UiState& ui, const std::vector<Taxel>& taxels, float height) {
 }  // namespace
 
 void draw_real_dialog(UiState& ui, const UiInput& input) {
-  constexpr const char* kTitle = "What the columns mean";
+  constexpr const char* kTitle = "Map columns";
   if (ui.real.asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const float line = ImGui::GetFontSize();
   place_dialog(44, 40);

@@ -50,7 +50,7 @@ void draw_steps(UiState& ui) {
 }
 
 constexpr std::array<std::pair<const char*, float>, 5> kFitColumns{
-    {{"Taxel", 0.16f}, {"Gain", 0.24f}, {"Offset", 0.2f}, {"R^2", 0.18f}, {"Rest", 0.22f}}};
+    {{"Taxel", 0.16f}, {"Gain", 0.24f}, {"Offset", 0.2f}, {"R^2", 0.18f}, {"RMS residual", 0.22f}}};
 
 void draw_fits(const RealShown& real) {
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
@@ -73,7 +73,7 @@ void draw_fits(const RealShown& real) {
     cell(fmt::format("{:.3g}", fit.offset));
     cell(fmt::format("{:.3f}", fit.r2));
     cell(fmt::format("{:.2g}", fit.residual));
-    tooltip("Root mean square of what the line leaves");
+    tooltip("Root mean square of recording - (gain * reading + offset)");
   }
   ImGui::EndTable();
   for (const TaxelFit& fit : real.fits)

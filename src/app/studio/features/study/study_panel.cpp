@@ -135,7 +135,7 @@ void draw_result(UiState& ui, const UiInput& input, const Project& project) {
   } else if (curves) {
     draw_study_plots(ui, input, project, *curves);
   } else if (!ui.study.cancelled) {
-    caption("Runs the scenario once for each value. A click on a run makes its values the document's.");
+    caption("Runs the scenario once for each value. Click a run to apply its parameters.");
   }
 }
 

@@ -239,7 +239,7 @@ void draw_taxel_table(UiState& ui, const UiInput& input) {
       if (!table.edited) ui.table.cell.reset();
       leave_cell(ui, *layout);
     } else {
-      ImGui::TextDisabled(model ? "This layout has no taxels." : "Nothing is open.");
+      ImGui::TextDisabled(model ? "No taxels yet. Ctrl+click the surface to add one." : "Nothing is open.");
     }
   }
   ImGui::End();

@@ -28,12 +28,12 @@ void whole_number(UiState& ui, const char* label, int* value, int most, const ch
 }  // namespace
 
 void draw_video_settings(UiState& ui) {
-  whole_number(ui, "Steps per picture", &ui.video.every, kMostEvery, "Of the recorded steps, or of the loop");
+  whole_number(ui, "Frame every N steps", &ui.video.every, kMostEvery, "Number of steps between two frames");
   ImGui::SameLine();
-  whole_number(ui, "Pictures per second", &ui.video.rate, kMostRate, "Of the video");
+  whole_number(ui, "Frame rate (fps)", &ui.video.rate, kMostRate, "Frames per second of the video");
   ImGui::SameLine();
   checkbox(ui, "Whole window", &ui.video.window);
-  tooltip("Instead of the 3-D view alone");
+  tooltip("Record the whole window instead of the 3-D view");
 }
 
 void draw_video_card(UiState& ui, const UiInput& input) {
@@ -48,7 +48,7 @@ void draw_video_card(UiState& ui, const UiInput& input) {
                           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("Video", nullptr, kFlags);
   const std::string text =
-      video.encoding ? "Encoding the video" : fmt::format("Picture {} of {}", video.done, video.total);
+      video.encoding ? "Encoding the video" : fmt::format("Frame {} of {}", video.done, video.total);
   ImGui::TextUnformatted(text.c_str());
   const float done = video.total > 0 ? static_cast<float>(video.done) / static_cast<float>(video.total) : 0.0f;
   ImGui::ProgressBar(done, ImVec2(16 * ImGui::GetFontSize(), 0));

@@ -114,14 +114,14 @@ VideoMade VideoMaker::keep_pictures(const std::string& why) {
   }
   folder_->commit();
   const std::string where = fs::absolute(folder_name_).string();
-  return {fmt::format("{}{} pictures are in {}", why, taken_, where), why.empty()};
+  return {fmt::format("{}{} PNG frames are in {}", why, taken_, where), why.empty()};
 }
 
 std::optional<VideoMade> VideoMaker::finish() {
   if (!is_video(path_)) return keep_pictures("");
   if (encoder_ == 0) {
     if (start_encoder()) return std::nullopt;
-    return keep_pictures(path_ + " is not made, for there is no ffmpeg on this machine: ");
+    return keep_pictures("ffmpeg not found: saved PNG frames instead of " + path_ + ". ");
   }
   int status = 0;
   if (::waitpid(encoder_, &status, WNOHANG) == 0) return std::nullopt;
@@ -129,10 +129,10 @@ std::optional<VideoMade> VideoMaker::finish() {
   const fs::path made = folder_->staging() / (path_.ends_with(".gif") ? "video.gif" : "video.mp4");
   std::error_code failed;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !fs::exists(made, failed))
-    return keep_pictures(fmt::format("{} is not made, for ffmpeg failed ({}): ", path_, encoder_words()));
+    return keep_pictures(fmt::format("ffmpeg failed ({}): saved PNG frames instead of {}. ", encoder_words(), path_));
   fs::rename(made, path_, failed);
   if (failed) throw Error(path_, fmt::format("cannot be written: {}", failed.message()));
-  return VideoMade{fmt::format("Made {} of {} pictures", fs::absolute(path_).string(), taken_), true};
+  return VideoMade{fmt::format("Wrote {} with {} frames", fs::absolute(path_).string(), taken_), true};
 }
 
 }  // namespace taxel::studio
