@@ -172,7 +172,7 @@ void append_simulation_rows(Rows& rows) {
           {StepBack{}, kEverywhere, ImGuiKey_LeftArrow, "Step back", has_history, nullptr, true},
           {GoToEvent{1}, kEverywhere, kShift | ImGuiKey_RightArrow, "Next event", has_history, nullptr, true},
           {GoToEvent{-1}, kEverywhere, kShift | ImGuiKey_LeftArrow, "Previous event", has_history, nullptr, true},
-          {GoToNewestStep{}, kEverywhere, ImGuiKey_End, "Newest step", has_history},
+          {GoToNewestStep{}, kEverywhere, ImGuiKey_End, "Latest step", has_history},
           {TogglePlayBackwards{}, kEverywhere, kShift | ImGuiKey_Space, "Play backwards", has_history},
           {ToggleLoop{}, kEverywhere, 0, "Loop", has_history},
           {ToggleBreakOnJump{}, kSimulate, kShift | ImGuiKey_B, "Pause when a taxel jumps", has_history},
@@ -244,8 +244,8 @@ void append_window_rows(Rows& rows) {
           {ConstrainGesture{2}, kGesture, ImGuiKey_Z, "Along or about Z"},
           {AcceptGesture{}, kGesture, ImGuiKey_Enter, "Accept", nullptr, nullptr, false, ImGuiKey_KeypadEnter},
           {CancelTool{}, kGesture, ImGuiKey_Escape, "Cancel: all as it was"},
-          {EnterPanel{kInspectorTitle}, kEverywhere, ImGuiKey_Tab, "Into the inspector, by keyboard"},
-          {EnterPanel{kTaxelsTitle}, kEverywhere, kShift | ImGuiKey_Tab, "Into the taxel table, by keyboard"},
+          {EnterPanel{kInspectorTitle}, kEverywhere, ImGuiKey_Tab, "Focus the inspector"},
+          {EnterPanel{kTaxelsTitle}, kEverywhere, kShift | ImGuiKey_Tab, "Focus the taxel table"},
           {Escape{}, kEverywhere, ImGuiKey_Escape, "Cancel, then clear the selection, then free the camera"}});
 }
 

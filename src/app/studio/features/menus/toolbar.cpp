@@ -23,10 +23,10 @@ void draw_modes(UiState& ui, const UiInput& input, Flow& flow) {
   constexpr float kGap = 2;
   flow.next(button_width("LAYOUT") + kGap + button_width("SIMULATE"));
   if (small_choice(ui, "LAYOUT", ui.mode == Mode::layout)) perform(SetMode{Mode::layout}, ui, input);
-  tooltip("Look at the layout alone (Ctrl+1)");
+  tooltip("Edit layout (Ctrl+1)");
   ImGui::SameLine(0, kGap);
   if (small_choice(ui, "SIMULATE", ui.mode == Mode::simulate)) perform(SetMode{Mode::simulate}, ui, input);
-  tooltip("Look at the running simulation (Ctrl+2)");
+  tooltip("Run simulation (Ctrl+2)");
 }
 
 void draw_transport(UiState& ui, const UiInput& input, Flow& flow) {

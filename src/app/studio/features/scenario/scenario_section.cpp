@@ -121,9 +121,7 @@ void draw_recorder(UiState& ui, const UiInput& input) {
   const bool pressed =
       recording ? button(ui, stop.c_str(), ImVec2(-1, 0)) : button(ui, "Record a path###record path", ImVec2(-1, 0));
   ui.widgets.note_item("Record path");
-  tooltip(
-      "Keeps where the finger is, while a scenario leads it or you drag it, until this is pressed again or the run "
-      "ends: way points of a path");
+  tooltip("Record path (click again to stop): the positions of the finger become waypoints");
   if (pressed) toggle_path_recording(ui, input);
   if (!begin_properties("recorder")) return;
   begin_property("Way point every (ms)", "Of a recorded path; no more than one a picture");

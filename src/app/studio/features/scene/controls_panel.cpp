@@ -62,7 +62,7 @@ void draw_keyframes(UiState& ui, const SimFrame& frame) {
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     if (button(ui, fmt::format("{}##keyframe{}", keyframes[i].name, i).c_str()))
       ui.ask(SendCommand{LoadKeyframeCommand{static_cast<int>(i)}});
-    tooltip("Begin anew from here, paused");
+    tooltip("Reset to this keyframe and pause");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", fmt::format("at {:.4g} s", keyframes[i].time).c_str());
   }
@@ -121,7 +121,7 @@ void draw_controls_panel(UiState& ui, const UiInput& input) {
     const SimFrame& frame = *input.frame;
     if (input.is_scene) draw_attach_section(ui, input);
     const bool past = frame.recorded || input.replay != 0;
-    if (past) caption("A step of the past is shown: End goes on to the newest.");
+    if (past) caption("A recorded step is displayed: End goes to the latest.");
     ImGui::BeginDisabled(past);
     draw_actuators(ui, frame);
     draw_joints(ui, input, frame);

@@ -44,7 +44,7 @@ struct KindTraits {
   bool operator==(const KindTraits&) const = default;
 };
 
-inline constexpr FieldSpec kDepth{"depth", "Depth", "How far below first touch on the object's top it is led",
+inline constexpr FieldSpec kDepth{"depth", "Depth", "Indentation depth below first contact with the object's top",
                                   FieldQuantity::length, FieldRange::positive};
 inline constexpr FieldSpec kSpeed{"speed", "Path speed", "Along straight ways", FieldQuantity::speed,
                                   FieldRange::positive};
