@@ -7,18 +7,18 @@
 
 namespace taxel::ui {
 
-/// Colours with a meaning, for what panels draw themselves.
+/// Colours with a meaning, for the drawings of panels.
 struct Palette {
   ImVec4 background, panel, raised, field, line;  ///< from the back to the front
   ImVec4 text, dim, accent;
-  ImVec4 run, pause;                  ///< the big transport button
-  ImVec4 error, warning, note;        ///< messages
-  ImVec4 layout_mode, simulate_mode;  ///< the view's border
-  ImVec4 path;                        ///< red line, cursor of the plot
+  ImVec4 run, pause;                  ///< colours of the Run button
+  ImVec4 error, warning, note;        ///< colours of messages
+  ImVec4 layout_mode, simulate_mode;  ///< border of the view in each mode
+  ImVec4 path;                        ///< path of the finger, and cursor of the plot
 };
 const Palette& palette(bool dark);
 
-/// Sets ImGui's and ImPlot's styles. `scale` multiplies text and spacing alike.
+/// Sets ImGui's and ImPlot's styles. `scale` multiplies both text and spacing.
 void apply_theme(bool dark, float scale);
 
 ImU32 to_u32(const ImVec4& color, float alpha = 1.0f);

@@ -1,5 +1,5 @@
-// Content of a window, kept from frame to frame. The pixels are stored as in most windows, blue first and the top row
-// first, so that a software renderer displays them by a plain copy.
+// The content of a window, kept from frame to frame. The pixels are stored as in most windows, blue first and the top
+// row first, so that a software renderer displays them by a plain copy.
 #pragma once
 
 #include "ui/gl/texture.h"
@@ -8,13 +8,13 @@ namespace taxel::gl {
 
 class BackBuffer {
  public:
-  /// Throws Error when the driver cannot make it.
+  /// Throws Error if the driver cannot create the buffer.
   BackBuffer(int width, int height);
 
   /// Binds the buffer for drawing and sets its viewport. Row 0 of GL is the top row, so everything has to be drawn
   /// upside down.
   void bind() const;
-  /// Copies all into a framebuffer of GL (0: the window's) of the same size, the right way up.
+  /// Copies the content, the right way up, into a framebuffer of GL of the same size. 0 is the window's framebuffer.
   void copy_to(GLuint framebuffer) const;
   [[nodiscard]] int width() const { return color_.width(); }
   [[nodiscard]] int height() const { return color_.height(); }

@@ -9,14 +9,14 @@ namespace taxel::gl {
 
 class Buffer {
  public:
-  /// Replaces the whole content. `usage`: GL_STATIC_DRAW (written once) or GL_STREAM_DRAW (every frame).
+  /// Replaces the whole content. `usage` is GL_STATIC_DRAW (written once) or GL_STREAM_DRAW (written every frame).
   template <class T>
   void upload(std::span<const T> values, GLenum usage) {
     count_ = static_cast<GLsizei>(values.size());
     glNamedBufferData(handle_.id(), static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
   }
   [[nodiscard]] GLuint id() const { return handle_.id(); }
-  [[nodiscard]] GLsizei count() const { return count_; }  ///< elements of the last upload
+  [[nodiscard]] GLsizei count() const { return count_; }  ///< number of elements of the last upload
 
  private:
   BufferHandle handle_;
@@ -25,7 +25,7 @@ class Buffer {
 
 class VertexArray {
  public:
-  /// Attribute `location` takes `components` values of `type` at `offset` of every `stride` bytes of the buffer.
+  /// Connects attribute `location` with `components` values of `type` at `offset` in each `stride` bytes of the buffer.
   /// Integer types are normalised to [0, 1] or [-1, 1].
   void attribute(GLuint location, const Buffer& buffer, GLint components, GLenum type, std::size_t stride,
                  std::size_t offset) {

@@ -9,7 +9,7 @@
 namespace taxel::gl {
 namespace {
 
-/// Rows of `format`, top row first.
+/// Reads rows of pixels in `format`, top row first.
 std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, GLenum format, std::size_t channels) {
   const auto row = static_cast<std::size_t>(width) * channels;
   std::vector<unsigned char> bytes(row * static_cast<std::size_t>(height));

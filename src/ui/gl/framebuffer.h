@@ -1,4 +1,4 @@
-// An offscreen picture: RGBA8 colour with depth, read back as rows of RGB.
+// An offscreen framebuffer: RGBA8 colour with depth, read back as rows of RGB.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@ namespace taxel::gl {
 
 class Framebuffer {
  public:
-  /// `samples` > 0: drawn multisampled, resolved into texture() by resolve(). `stencil`: with 8 bits of it.
-  /// Throws Error when the driver cannot make it.
+  /// If `samples` > 0, the framebuffer is multisampled, and resolve() resolves it into texture(). If `stencil` is true,
+  /// it has 8 bits of stencil. Throws Error if the driver cannot create it.
   Framebuffer(int width, int height, int samples = 0, bool stencil = false);
 
-  void bind() const;     ///< for drawing, with its viewport
-  void resolve() const;  ///< after drawing; nothing to do without multisampling
-  /// Takes over the colour of a framebuffer of the same size; neither is multisampled.
+  void bind() const;     ///< binds the framebuffer for drawing and sets its viewport
+  void resolve() const;  ///< must be called after drawing; does nothing without multisampling
+  /// Copies the colour of a framebuffer of the same size. Neither may be multisampled.
   void copy_color(const Framebuffer& from) const;
-  /// Takes over the depth of a framebuffer of the same size, one sample of each pixel; both with a stencil, or neither.
+  /// Copies the depth of a framebuffer of the same size, one sample of each pixel. Both framebuffers must have a
+  /// stencil, or neither.
   void copy_depth(const Framebuffer& from) const;
   [[nodiscard]] GLuint texture() const { return color_.id(); }
   [[nodiscard]] GLuint depth_texture() const { return depth_.id(); }
@@ -27,7 +28,7 @@ class Framebuffer {
   [[nodiscard]] int samples() const { return samples_; }
   [[nodiscard]] bool stencil() const { return stencil_; }
   [[nodiscard]] RgbImage read() const;  ///< pixels of the resolved colour
-  /// The same with alpha, from premultiplied colours.
+  /// Reads the pixels with straight alpha from premultiplied colours.
   [[nodiscard]] RgbaImage read_with_alpha() const;
 
  private:
@@ -36,14 +37,14 @@ class Framebuffer {
   Texture color_;
   Texture depth_;
   std::optional<Texture> multisampled_;
-  FramebufferHandle target_;                   ///< drawn into
+  FramebufferHandle target_;                   ///< framebuffer for drawing
   std::optional<FramebufferHandle> resolved_;  ///< resolved copy of color_ if target_ is multisampled
 };
 
-/// Throws Error where GL cannot draw into the framebuffer.
+/// Throws Error if GL cannot draw into the framebuffer.
 void check_complete(GLuint framebuffer, int width, int height);
 
-/// Reads the colour of a framebuffer of GL (0: the window's).
+/// Reads the colour of a framebuffer of GL. 0 is the window's framebuffer.
 RgbImage read_pixels(GLuint framebuffer, int width, int height);
 
 }  // namespace taxel::gl

@@ -1,4 +1,5 @@
-// Owners of OpenGL names: deleted when they go out of scope, moved but never copied. All need a current context.
+// Owning handles of OpenGL names: the name is deleted with its handle; handles can be moved but not copied. All need a
+// current context.
 #pragma once
 
 #include <epoxy/gl.h>

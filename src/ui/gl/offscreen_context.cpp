@@ -11,13 +11,13 @@
 namespace taxel::gl {
 namespace {
 
-/// The display of Mesa's surfaceless platform, or none.
+/// Returns the display of Mesa's surfaceless platform, or EGL_NO_DISPLAY.
 EGLDisplay surfaceless_display() {
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
   return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
-/// The display of the first EGL device that works: how NVIDIA's driver draws without a display.
+/// Returns the display of the first EGL device that works. NVIDIA's driver draws offscreen in this way.
 EGLDisplay device_display() {
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return EGL_NO_DISPLAY;
   std::array<EGLDeviceEXT, 16> devices{};
@@ -52,7 +52,7 @@ struct OffscreenContext::Impl {
   ~Impl() {
     if (context == EGL_NO_CONTEXT) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(display, context);  // the display stays: others of this process may use it
+    eglDestroyContext(display, context);  // the display is not terminated, because others may use it
   }
 };
 

@@ -1,4 +1,4 @@
-// An OpenGL 4.5 core context without a window or a display: Mesa's surfaceless platform, else an EGL device.
+// An OpenGL 4.5 core context without a window or a display: Mesa's surfaceless platform, or otherwise an EGL device.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@ namespace taxel::gl {
 
 class OffscreenContext {
  public:
-  /// Makes the context and makes it current on this thread. Throws Error that names the missing part.
+  /// Creates the context and makes it current on this thread. Throws Error that names the missing part.
   OffscreenContext();
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
@@ -22,7 +22,7 @@ class OffscreenContext {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether the current context draws on the processor (llvmpipe, softpipe, SwiftShader).
+/// Returns true if the current context draws on the CPU (llvmpipe, softpipe, SwiftShader).
 bool software_renderer();
 
 }  // namespace taxel::gl

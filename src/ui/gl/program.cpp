@@ -7,7 +7,7 @@
 namespace taxel::gl {
 namespace {
 
-/// A shader object for the time of linking.
+/// A shader object that exists until the program is linked.
 class Shader {
  public:
   Shader(GLenum stage, const ShaderReader& read, const std::string& name) : id_(glCreateShader(stage)) {

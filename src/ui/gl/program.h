@@ -1,4 +1,4 @@
-// A vertex and a fragment shader, linked.
+// A shader program: a vertex and a fragment shader, linked.
 #pragma once
 
 #include <glm/glm.hpp>

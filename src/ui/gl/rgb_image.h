@@ -1,18 +1,18 @@
-// A picture in memory, as PNG writers want it.
+// Images in memory, in the layout that PNG writers use.
 #pragma once
 
 #include <vector>
 
 namespace taxel::gl {
 
-/// Top row first, 3 bytes a pixel (sRGB), no padding.
+/// An image without alpha: top row first, 3 bytes per pixel (sRGB), no padding.
 struct RgbImage {
   int width = 0, height = 0;
   std::vector<unsigned char> rgb;
   bool operator==(const RgbImage&) const = default;
 };
 
-/// Top row first, 4 bytes a pixel (sRGB, straight alpha), no padding.
+/// An image with alpha: top row first, 4 bytes per pixel (sRGB, straight alpha), no padding.
 struct RgbaImage {
   int width = 0, height = 0;
   std::vector<unsigned char> rgba;

@@ -1,4 +1,4 @@
-// GLSL text: where it comes from, and how `#include "file"` is put together so that messages keep file and line.
+// Loads GLSL text and inserts `#include "file"` so that compiler messages can be traced to file and line.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace taxel::gl {
 
-/// Returns the text of a shader by its name ("mesh.vert"). Throws Error when there is none.
+/// Returns the text of a shader by its name ("mesh.vert"). Throws Error if there is no such shader.
 using ShaderReader = std::function<std::string(const std::string& name)>;
 
 /// Reads the shaders that are built into the program. Throws Error if there is no shader of this name.
@@ -17,14 +17,15 @@ struct ShaderSource {
   std::string text;
   std::vector<std::string> files;  ///< line numbers of file i begin after i * kShaderFileLines
 };
-/// #line's own number of a source string gets lost in some of Mesa's messages; the line number never does.
+/// Range of line numbers for each file. The file is encoded in the line number, because some of Mesa's messages lose
+/// the source-string number of #line.
 inline constexpr int kShaderFileLines = 10000;
 
-/// Puts included files in place, once each. Throws Error for a missing file.
+/// Inserts included files, each once. Throws Error if a file is missing.
 ShaderSource assemble_shader(const ShaderReader& read, const std::string& name);
 
-/// A message of a GLSL compiler ("0:12(5): error: ..." or "0(12) : error ...") as FILE and "line 12"; the line is empty
-/// if the message has no number.
+/// A message of a GLSL compiler ("0:12(5): error: ..." or "0(12) : error ..."), with its file and "line 12". The line
+/// is empty if the message has no number.
 struct ShaderMessage {
   std::string file, where, text;
 };

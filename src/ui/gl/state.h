@@ -1,4 +1,4 @@
-// The fixed-function state of one draw, set as a whole so that no draw depends on the one before.
+// The fixed-function state of one draw. It is always set as a whole, so no draw depends on the previous one.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -6,10 +6,10 @@
 namespace taxel::gl {
 
 struct DrawState {
-  GLenum depth = GL_LEQUAL;  ///< test; GL_ALWAYS: none
+  GLenum depth = GL_LEQUAL;  ///< depth test; GL_ALWAYS for no test
   bool depth_write = true;
-  bool blend = false;     ///< premultiplied over
-  GLenum cull = GL_NONE;  ///< GL_BACK, GL_FRONT
+  bool blend = false;     ///< blends premultiplied colours over the framebuffer
+  GLenum cull = GL_NONE;  ///< culled side: GL_BACK or GL_FRONT, or GL_NONE
 };
 
 inline void enable(GLenum what, bool on) {

@@ -19,8 +19,8 @@ Texture::Texture(GLenum format, int width, int height, int samples) : width_(wid
   glTextureParameteri(id_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// Sized formats leave the order of the channels to the driver. A base format takes over that of the pixels given with
-/// it, as Mesa does.
+/// Allocates the texture with a base format. With a sized format the driver chooses the order of the channels; with a
+/// base format, Mesa uses the order of the given pixels.
 void Texture::store_blue_first() const {
   GLint bound = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);

@@ -7,14 +7,14 @@ namespace taxel::gl {
 
 class Texture {
  public:
-  /// Storage of one level; linear filter, clamped to its edge. With `samples` > 0 multisampled. GL_BGRA, not
-  /// multisampled: 8 bits a channel, in memory blue first where the driver can.
+  /// Allocates one level, with a linear filter and clamped to its edge; multisampled if `samples` > 0. GL_BGRA, which
+  /// cannot be multisampled, has 8 bits per channel, with blue first in memory if the driver supports it.
   Texture(GLenum format, int width, int height, int samples = 0);
   ~Texture() { glDeleteTextures(1, &id_); }
   Texture(const Texture&) = delete;
   Texture& operator=(const Texture&) = delete;
 
-  void upload(GLenum format, GLenum type, const void* pixels) const;  ///< the whole, rows without padding
+  void upload(GLenum format, GLenum type, const void* pixels) const;  ///< replaces the image; rows without padding
   void bind(GLuint unit) const { glBindTextureUnit(unit, id_); }
   [[nodiscard]] GLuint id() const { return id_; }
   [[nodiscard]] int width() const { return width_; }

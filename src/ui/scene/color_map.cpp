@@ -8,7 +8,7 @@
 namespace taxel::ui {
 namespace {
 
-// The eight colours of Okabe and Ito, then colours that differ under deuteranopia and protanopia too.
+// The eight colours of Okabe and Ito, then more colours that also differ for people with deuteranopia or protanopia.
 constexpr std::array<unsigned, 24> kTaxelPalette{0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442, 0x0072B2, 0xD55E00,
                                                  0xCC79A7, 0x6611FF, 0xAAEE99, 0x5577FF, 0xBB1133, 0xCCDDCC,
                                                  0x55EEFF, 0x665566, 0xBBAA55, 0x1155BB, 0x7799FF, 0xFF5577,

@@ -19,7 +19,7 @@ inline const char* to_word(LabelsShown shown) {
   return kLabelsWords.at(static_cast<std::size_t>(shown));
 }
 
-/// The next one, after the last the first.
+/// Returns the next selection; after the last selection, the first one.
 inline FramesShown next(FramesShown shown) {
   return static_cast<FramesShown>((static_cast<std::size_t>(shown) + 1) % kFramesWords.size());
 }

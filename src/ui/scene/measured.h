@@ -9,18 +9,18 @@
 
 namespace taxel::ui {
 
-/// Frame M.
+/// Request for the distance of two points, frame M.
 struct MeasureRequest {
   std::shared_ptr<const MeshIndex> skin;
-  dvec3 a{0}, b{0};  ///< the path begins and ends at the points of the skin nearest to them
+  dvec3 a{0}, b{0};  ///< the path connects the nearest points of the skin
   bool operator==(const MeasureRequest&) const = default;
 };
 
 struct Measured {
   MeasureRequest request;
-  double straight = 0;                                     ///< from a to b [m]
-  double along = std::numeric_limits<double>::infinity();  ///< the surface; infinite where no path leads [m]
-  std::vector<dvec3> path;                                 ///< on the surface; empty where none leads
+  double straight = 0;                                     ///< Euclidean distance from a to b [m]
+  double along = std::numeric_limits<double>::infinity();  ///< geodesic distance [m]; infinite without a path
+  std::vector<dvec3> path;                                 ///< path on the surface; empty if there is none
 };
 using MeasuredPtr = std::shared_ptr<const Measured>;
 

@@ -10,15 +10,15 @@
 namespace taxel::ui {
 
 struct PressedProbe {
-  SensorModelPtr model;  ///< pressed on; never null
+  SensorModelPtr model;  ///< model on which the probe is pressed; never null
   Probe probe;           ///< the requested probe; a ProbeMesh has its file only
-  std::string problem;   ///< why it cannot be pressed; then nothing below counts
-  TriMeshPtr mesh;       ///< the probe as drawn
+  std::string problem;   ///< reason why pressing failed, or empty; if set, the rest is not valid
+  TriMeshPtr mesh;       ///< mesh of the probe for drawing
   Pose X_MG;             ///< pose of the probe's mesh
   SensorStep state;      ///< state of the model at rest, with its frame M as the world
   double force = 0;      ///< force of the pressure on the sensor [N]
   double area = 0;       ///< area of the contact surface [m^2]
-  double largest = 0;    ///< pressure [Pa]
+  double largest = 0;    ///< largest pressure [Pa]
   int polygons = 0;
 };
 using PressedProbePtr = std::shared_ptr<const PressedProbe>;

@@ -8,7 +8,8 @@
 namespace taxel::ui {
 namespace {
 
-/// The normal that a sample at `p` is compared with: straight distances decide between subtaxels.
+/// Returns the normal with which a sample at `p` is compared: that of the taxel, or of the subtaxel with the smallest
+/// Euclidean distance.
 dvec3 normal_for(const Taxel& taxel, const dvec3& p) {
   const auto nearer = [&](const Subtaxel& a, const Subtaxel& b) {
     return glm::distance(a.center, p) < glm::distance(b.center, p);

@@ -1,4 +1,4 @@
-// A ray against the solid bodies of a picture.
+// Intersection of a ray with the solid bodies of a frame.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 namespace taxel::ui {
 
 struct GeomHit {
-  int geom = -1;  ///< in scene->geoms
-  double t = 0;   ///< along the ray [m]
+  int geom = -1;  ///< index in scene->geoms
+  double t = 0;   ///< distance along the ray [m]
 };
 
-/// First geom that the ray meets, sensors left out. Every triangle of the geoms whose box it meets is tested.
+/// Returns the first geom, except sensors, that the ray intersects. Tests every triangle of each geom whose box the ray
+/// intersects.
 std::optional<GeomHit> cast_geoms(const SceneInput& input, const Ray& ray_W);
 
-/// The same ray as seen from an inner frame.
+/// Returns a ray in an inner frame F.
 Ray in_frame(const Pose& X_WF, const Ray& ray_W);
 
 }  // namespace taxel::ui

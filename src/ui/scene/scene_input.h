@@ -38,21 +38,21 @@ struct Overlays {
   bool contact_edges = false;
   bool tractions = false;          // [V] pressure and friction of each polygon, as arrows
   bool readings_on_skin = false;   // [S] the taxels' readings, spread by the weights of their fields
-  bool ghost = true;               // of the step before's surface, while a reading is explained
+  bool ghost = true;               // contact surfaces of the previous step, while a reading is explained
   bool filtered_polygons = false;  // polygons of the overlap that the surface left out
   bool samples = true;             // [P]
   bool sample_normals = false;     // [N]
   bool taxels = true;              // centre and normal arrow
   bool taxel_labels = true;
   bool receptive_fields = true;  // ring on the surface
-  bool fields_filled = false;    // by the layout's metric
+  bool fields_filled = false;    // fields by the layout's metric
   bool fields_compared = false;  // areas that only the Euclidean distance reaches
-  bool coverage = false;         // how many taxels see each spot
-  bool normal_angles = false;    // taxel normals coloured by their angle to the skin's
-  bool path = true;              // red line
+  bool coverage = false;         // number of taxels at each spot
+  bool normal_angles = false;    // taxel normals coloured by their angle to the normals of the skin
+  bool path = true;              // path of the finger, red line
   bool grid = true;
   bool constraints = true;  // points that welds and connections hold together
-  bool all_rays = false;    // else only those of the selected taxel (of all responding ones when none is)
+  bool all_rays = false;    // if false, rays of the selected taxel, or of all responding ones
   GroupsShown geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
   GroupsShown site_groups{true, true, true, false, false, false};  // [Shift+0] to [Shift+5]
   FramesShown frames = FramesShown::none;                          // [F6]
@@ -60,7 +60,7 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
-/// Whether a geom is drawn. A sensor is, whatever the group of its geom.
+/// Returns true if a geom is drawn. A sensor is always drawn, whatever the group of its geom.
 [[nodiscard]] inline bool shows(const Overlays& show, const SceneGeom& geom) {
   return geom.sensor >= 0 || show.geom_groups.at(static_cast<std::size_t>(geom.group));
 }
@@ -68,7 +68,7 @@ struct Overlays {
   return site.mesh && show.site_groups.at(static_cast<std::size_t>(site.group));
 }
 
-/// Of the maps that are on, the one that says most.
+/// Returns the drawn map: the most specific one of the active maps.
 [[nodiscard]] inline FieldMap field_map(const Overlays& show) {
   if (show.coverage) return FieldMap::coverage;
   if (show.fields_compared) return FieldMap::compared;
@@ -77,15 +77,15 @@ struct Overlays {
 
 struct SceneInput {
   SimFramePtr frame;              ///< displayed step; if null only grid and background are drawn
-  SensorModelPtr document_model;  ///< when there is no simulation: the layout alone at the origin; may be null
-  PressedProbePtr probe;          ///< pressed on that; may be null
+  SensorModelPtr document_model;  ///< layout at the origin, if there is no simulation; may be null
+  PressedProbePtr probe;          ///< probe pressed on document_model; may be null
   Overlays overlays;
   PressureRange range;
-  PressureRange reading_range;  ///< range of the colours of readings: `range`, unless they are no pressures
+  PressureRange reading_range;  ///< colour range of readings: `range` if they are pressures
   int selected_sensor = 0;
   int selected_body = -1;            ///< index in SceneControls::bodies, or -1
-  int selected_taxel = -1;           ///< the active one: index in layout order, -1: none
-  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
+  int selected_taxel = -1;           ///< active taxel in layout order, or -1
+  std::vector<int> selected_taxels;  ///< all selected taxels, also the active one; ascending
   std::vector<int> hidden_taxels;    ///< indices in the document's layout, ascending; neither drawn nor picked
   FaceSet region;                    ///< painted faces of the document's mesh, ascending
   bool repair_changes = false;       ///< draws the changes by the repair of the document's mesh
@@ -93,12 +93,12 @@ struct SceneInput {
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
   StepPtr before;                                    ///< previous step, whose surfaces are drawn as ghosts; may be null
   int marked_surface = -1, marked_polygon = -1;      ///< outlined surface and polygon of the selected sensor, or -1
-  std::optional<ClipPlane> clip;                     ///< cuts bodies and what lies on them, not the contact
-  MeasuredPtr measured;                              ///< a line on the document's skin; may be null
-  std::vector<dvec3> measure_points;                 ///< ends of the measured line, and one that is pointed at
-  std::optional<ShownPath> path;                     ///< the edited path, replaces the frame's path
+  std::optional<ClipPlane> clip;                     ///< plane that cuts bodies and their marks, not the contact
+  MeasuredPtr measured;                              ///< measured line on the document's skin; may be null
+  std::vector<dvec3> measure_points;                 ///< ends of the measured line, and the point under the pointer
+  std::optional<ShownPath> path;                     ///< edited path, replaces the path of the frame
   bool dark = true;
-  double scale = 1;                                    ///< scale of lines, points and the gizmo, as of the interface
+  double scale = 1;                                    ///< scale of lines, points and the gizmo
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };
 

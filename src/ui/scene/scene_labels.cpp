@@ -15,12 +15,12 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kPastTip = 9;   // [pixel]
-constexpr int kManyTaxels = 60;  // more are labelled only where they face the eye
+constexpr int kManyTaxels = 60;  // if there are more taxels, only those that face the eye have labels
 constexpr std::size_t kMaxLabels = 250;
-constexpr double kLetterWidth = 0.62;  // of a digit, parts of its height
+constexpr double kLetterWidth = 0.62;  // width of a digit as a fraction of its height
 constexpr std::size_t kLettersOfTaxels = 4;
 constexpr dvec2 kAround(7, 3);       // background and gap around a label, both sides together [pixel]
-constexpr double kTolerance = 4e-3;  // of the distance: what lies on a body is not hidden by it
+constexpr double kTolerance = 4e-3;  // fraction of the distance within which a point on a body is not hidden by it
 
 bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W, const dvec3& p_W) {
   const double distance = glm::length(p_W - eye_W);
@@ -29,7 +29,8 @@ bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W,
   return !input.overlays.sensor_transparent && view.model->skin->cast(in_frame(view.X_WM, ray)).has_value();
 }
 
-/// False as well if the pixel is not finite: a pixel becomes an index (class Room), which only this check bounds.
+/// Returns true if a pixel is inside the view. Returns false for a pixel that is not finite: only this check bounds the
+/// index that class Room computes from a pixel.
 bool is_inside(const dvec2& pixel, const dvec2& size) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x <= size.x && pixel.y <= size.y;
 }
@@ -42,7 +43,8 @@ struct Candidate {
   dvec2 pixel{0};
   double depth = 0;
   bool facing = false, selected = false;
-  /// Spread over all numbers and always the same, so that labels do not jump while the view turns (Knuth 6.4).
+  /// Returns a number that spreads taxels evenly and is always the same, so that labels do not jump while the view
+  /// turns (Knuth 6.4).
   [[nodiscard]] std::uint32_t place() const { return static_cast<std::uint32_t>(taxel) * 2654435769u; }
   [[nodiscard]] auto rank() const { return std::tuple(!selected, !facing, place(), view->index); }
 };
@@ -64,7 +66,8 @@ std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, 
   return Candidate{&view, k, center, at, tip.z, facing, view.selected(k)};
 }
 
-/// Where labels stand already: cells as large as the longest label, so that only neighbours need be looked at.
+/// The places of existing labels, in a grid whose cells are as large as the longest label, so that only neighbouring
+/// cells must be searched.
 class Room {
  public:
   Room(dvec2 view, dvec2 cell) : cell_(cell), columns_(static_cast<int>(view.x / cell.x) + 3) {
@@ -111,7 +114,7 @@ std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Ca
   return found;
 }
 
-/// Labels of one picture, as long as there is room: those that come first have it.
+/// The placed labels of one frame. A label gets a place only if no earlier label is there.
 class Placed {
  public:
   Placed(dvec2 view, dvec2 letter, std::size_t longest)
@@ -136,14 +139,14 @@ class Placed {
   std::vector<std::pair<double, SceneLabel>> labels_;
 };
 
-/// A part of the scene in the picture.
+/// A part of the scene at a pixel of the frame.
 struct NamedPixel {
   const std::string* name = nullptr;
   dvec2 pixel{0};
   double depth = 0;
 };
 
-/// Nearest first.
+/// Returns the named parts, the nearest first.
 std::vector<NamedPixel> named_pixels(const SceneInput& input, const Camera& camera, const dvec2& size) {
   std::vector<NamedPixel> found;
   for (const NamedPlace& place : labelled_places(input)) {

@@ -5,7 +5,7 @@
 namespace taxel::ui {
 namespace {
 
-/// Calls visit(name, pose) for each part of one kind; the world's body is left out.
+/// Calls visit(name, pose) for each part of one kind, except the body of the world.
 template <class Visit>
 void visit_bodies(const SimFrame& frame, const Visit& visit) {
   const std::vector<SceneBody>& bodies = frame.scene->controls.bodies;

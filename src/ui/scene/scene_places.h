@@ -1,4 +1,4 @@
-// Frames and names of a scene's bodies, joints, geoms, sites and cameras, as the overlays want them.
+// Frames and names of a scene's bodies, joints, geoms, sites and cameras that the overlays draw.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace taxel::ui {
 
-/// X_WS in the step of a frame; none: a step that was saved without bodies.
+/// Returns X_WS in the step of a frame, or nothing if the step was saved without bodies.
 [[nodiscard]] std::optional<Pose> site_pose(const SimFrame& frame, const SceneSite& site);
 
-/// Those that overlays.frames asks for; geoms and sites of groups that are shown.
+/// Returns the frames that overlays.frames selects; geoms and sites only if their group is shown.
 [[nodiscard]] std::vector<Pose> shown_frames(const SceneInput& input);
 
 struct NamedPlace {
-  const std::string* name = nullptr;  ///< lives as long as the input's frame
+  const std::string* name = nullptr;  ///< name, valid as long as the input's frame
   dvec3 p_W{0};
 };
-/// Returns the places of the parts that overlays.labels asks for, in the same order. The world has no label.
+/// Returns the places of the parts that overlays.labels selects, in the order of the parts. The world has no label.
 [[nodiscard]] std::vector<NamedPlace> labelled_places(const SceneInput& input);
 
 }  // namespace taxel::ui

@@ -19,12 +19,12 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kHardwareSamples = 4;
-constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;  // of the key light's map
-constexpr int kMaxFacesInSoftware = 120'000;                // of a mesh, so that it turns fluently
+constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;  // texels along each side of the key light's map
+constexpr int kMaxFacesInSoftware = 120'000;                // largest number of faces of a mesh, for smooth orbiting
 
-constexpr double kOcclusionRadius = 0.05;  // of the object's size
+constexpr double kOcclusionRadius = 0.05;  // as a fraction of the object's size
 
-/// What decides how a picture looks.
+/// The input that decides the content of a frame.
 struct RenderKey {
   SceneInput input;
   Camera camera;
@@ -32,14 +32,14 @@ struct RenderKey {
   bool operator==(const RenderKey&) const = default;
 };
 
-/// What decides how shadows look: they stay while only the camera moves.
+/// The input that decides the shadows. They remain valid while only the camera moves.
 struct ShadowKey {
-  std::vector<PlacedMesh> places;  // of what casts them, and without a mesh the ground's
+  std::vector<PlacedMesh> places;  // places of the casters; the one without a mesh is the ground
   glm::vec3 light{0};
   bool operator==(const ShadowKey&) const = default;
 };
 
-/// Puts back the framebuffer and viewport that were bound.
+/// Restores the bound framebuffer and the viewport.
 class KeepTarget {
  public:
   KeepTarget() {
@@ -153,7 +153,7 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   set_clipped(false);
 }
 
-/// And what else pictures need of GL's state. Only cuts need a stencil.
+/// Creates the framebuffer and sets GL's state. Only cuts need a stencil.
 void SceneRenderer::Impl::make_target(int width, int height, bool clipped) {
   if (!target || target->width() != width || target->height() != height || target->stencil() != clipped) {
     target.reset();
@@ -177,13 +177,13 @@ void SceneRenderer::render(const SceneInput& input, const Camera& camera, int wi
   RenderKey key{input, camera, std::max(width, 1), std::max(height, 1)};
   if (impl_->last && *impl_->last == key) return;
   const KeepTarget keep;
-  impl_->last.reset();  // a picture that is not finished is none
+  impl_->last.reset();  // an unfinished frame must not be reused
   impl_->make_target(key.width, key.height, input.clip.has_value());
   const Look& colors = look(input.dark);
   impl_->draw_scene(input, camera, colors);
   impl_->draw_overlay(camera, colors, input.scale);
   impl_->target->resolve();
-  glFlush();  // a software renderer fills the picture while the panels are laid out
+  glFlush();  // a software renderer draws the frame while the panels are laid out
   impl_->end_frame();
   impl_->last = std::move(key);
 }

@@ -1,4 +1,4 @@
-// The 3-D view: draws one SimFrame into an offscreen texture. Knows no ImGui, no MuJoCo, no files.
+// The renderer of the 3-D view: draws one SimFrame into an offscreen texture. Independent of ImGui, MuJoCo and files.
 #pragma once
 
 #include <array>
@@ -17,24 +17,24 @@ namespace taxel::ui {
 
 class SceneRenderer {
  public:
-  /// Needs a current OpenGL 4.5 core context (epoxy). `shaders` gives GLSL by file name: those built into the program,
-  /// or the caller's own from a folder. Throws Error (file, line) when one does not compile.
+  /// Requires a current OpenGL 4.5 core context (epoxy). `shaders` returns GLSL by file name: the shaders in the
+  /// program, or other ones from a folder. Throws Error (file, line) if a shader does not compile.
   explicit SceneRenderer(const gl::ShaderReader& shaders = gl::read_embedded_shader);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-  /// Draws into an internal framebuffer of width x height pixels (sRGB values in RGBA8, top row last as GL has it).
-  /// Multisampled only on hardware renderers. Does nothing when input, camera and size are those of the last call.
-  /// Leaves the framebuffer that was bound, bound; other GL state as it happens to be.
+  /// Draws into an internal framebuffer of width x height pixels (sRGB values in RGBA8, top row last, as in GL), which
+  /// is multisampled only on hardware renderers. Does nothing if input, camera and size are those of the last call. The
+  /// bound framebuffer remains bound; other GL state may change.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
-  /// Bodies and marks alone, at any size, on a transparent background without grid, shadow on the ground and gizmo.
-  /// Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
+  /// Returns an image of any size with only bodies and marks, on a transparent background without grid, ground shadow
+  /// and gizmo. Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
   [[nodiscard]] gl::RgbaImage cut_out(const SceneInput& input, const Camera& camera, int width, int height);
   [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
   [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
   [[nodiscard]] FieldNumbers field_numbers() const;  ///< numbers of the overlays in the last render
-  [[nodiscard]] bool software() const;               ///< llvmpipe or the like
+  [[nodiscard]] bool software() const;               ///< true for a software renderer, such as llvmpipe
   /// Sets whether creases and corners of solid bodies get less light. Initially it is on for hardware renderers only,
   /// because of its cost.
   void set_ambient_occlusion(bool on);

@@ -11,14 +11,14 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kStub = 0.3;       // of the allowed depth: a miss
-constexpr double kSameSide = 1e-9;  // of the sensor's size
+constexpr double kStub = 0.3;       // length of a miss as a fraction of the allowed depth
+constexpr double kSameSide = 1e-9;  // tolerance as a fraction of the sensor's size
 constexpr double kMinSine = 0.2;    // two directions span a plane when they differ by more than some 12 degrees
 
-/// The way the sensor is led; along the finger where nothing is.
+/// Returns the direction in which the sensor travels, or the direction of the finger without a path.
 dvec3 travel_direction(const SceneInput& input, const SensorView& view) {
   if (input.frame && input.frame->scene && input.frame->scene->path_W.size() > 1) {
-    // To its farthest point: many end where they began
+    // The direction to the farthest point is used, because many paths end at their start.
     const std::vector<dvec3>& path = input.frame->scene->path_W;
     dvec3 d(0);
     for (const dvec3& p : path)
@@ -60,7 +60,7 @@ SectionPlane section_plane(const SceneInput& input, const SensorView& view) {
   return plane_through(view.X_WM * middle, width, travel);
 }
 
-/// Of a polygon, positive counter-clockwise (shoelace formula).
+/// Returns the area of a polygon, positive if it is counter-clockwise (shoelace formula).
 double enclosed_area(const std::vector<dvec2>& p) {
   double twice = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -71,8 +71,8 @@ double enclosed_area(const std::vector<dvec2>& p) {
   return 0.5 * twice;
 }
 
-/// A convex polygon's cut: where its outline changes sides. Corners within `tolerance` of the plane count as on it, so
-/// that neighbours, each with corners of its own, agree on which side they lie.
+/// Cuts a convex polygon by the plane at the points where its outline changes sides. Corners within `tolerance` of the
+/// plane count as on the plane, so that neighbouring polygons, whose corners are separate, agree on the side.
 void cut_polygon(const ContactSurface& surface, const ContactPolygon& polygon, const SectionPlane& plane,
                  const Pose& X_WM, double tolerance, std::vector<Section::ContactPiece>& out) {
   const auto height = [&](const dvec3& p) {
@@ -144,11 +144,12 @@ void add_objects(const SceneInput& input, Section& out) {
 
 std::vector<Section::Outline> join_outlines(std::vector<std::pair<dvec3, dvec3>> pieces, const SectionPlane& plane,
                                             const Pose& X_WG) {
-  std::erase_if(pieces, [](const auto& piece) { return piece.first == piece.second; });  // a corner on the plane
+  // Polygons that touch the plane with only one corner give pieces without length.
+  std::erase_if(pieces, [](const auto& piece) { return piece.first == piece.second; });
   const auto key = [](const dvec3& p) { return std::array<double, 3>{p.x, p.y, p.z}; };
   std::multimap<std::array<double, 3>, std::size_t> by_start;
   for (std::size_t i = 0; i < pieces.size(); ++i) by_start.emplace(key(pieces[i].first), i);
-  std::map<std::array<double, 3>, int> ends;  // open outlines begin where no piece ends
+  std::map<std::array<double, 3>, int> ends;  // pieces that end at a point; open outlines begin where this is 0
   for (const auto& piece : pieces) ++ends[key(piece.second)];
   std::vector<char> used(pieces.size(), 0);
   std::vector<Section::Outline> out;

@@ -24,9 +24,9 @@ struct Section {
     dvec2 a{0}, b{0};
   };
   struct Outline {
-    std::vector<dvec2> points;  ///< in order, the body on the left
+    std::vector<dvec2> points;  ///< corners in order, with the body on the left
     bool closed = false;
-    double area = 0;  ///< enclosed, negative around a hole [m^2]; 0 when open
+    double area = 0;  ///< enclosed area [m^2]; negative for a hole, 0 if open
   };
   struct ContactPiece {
     dvec2 a{0}, b{0};
@@ -48,18 +48,18 @@ struct Section {
   std::vector<ContactPiece> contact;
   std::vector<RayPiece> rays;  ///< rays of samples near the plane, projected into it
   std::vector<SamplePoint> samples;
-  std::vector<dvec2> path;     ///< two points or none
+  std::vector<dvec2> path;     ///< path of the finger: two points, or empty
   int color = 0;               ///< colour of the taxel
-  int taxel = -1;              ///< the plane goes through its centre; layout order
+  int taxel = -1;              ///< taxel whose centre is in the plane, in layout order, or -1
   dvec2 center{0}, normal{0};  ///< centre and normal of the taxel
   double radius = 0;           ///< radius of its receptive field [m]
   dvec2 focus{0};              ///< point to look at: the taxel, otherwise the contact or the skin's middle
-  double spacing = 0;          ///< between samples, about [m]
-  double size = 0;             ///< around the focus, half width [m]
+  double spacing = 0;          ///< approximate distance of samples [m]
+  double size = 0;             ///< half width of the section around the focus [m]
 };
 
-/// The cut of a sensor: through the selected taxel along its normal, else through the contact's pressure centroid along
-/// the finger. `slab`: how near to the plane rays and samples are taken along [m].
+/// Computes the section of a sensor: through the selected taxel along its normal, or, if none is selected, through the
+/// pressure centroid of the contact along the finger. Rays and samples within `slab` [m] of the plane are included.
 Section make_section(const SceneInput& input, const SensorView& view, double slab);
 
 /// Joins pieces whose ends are equal bit by bit into outlines; the pieces of a closed mesh's cut become closed ones.

@@ -1,4 +1,4 @@
-// The sensors of a picture, wherever they come from: a running simulation, or a layout alone at the origin.
+// The sensors in a frame: those of a running simulation, or a layout at the origin.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@ namespace taxel::ui {
 
 struct SensorView {
   int index = 0;                      ///< index of the sensor
-  SensorModelPtr model;               ///< never null
+  SensorModelPtr model;               ///< model; never null
   const SensorStep* state = nullptr;  ///< state in the step; null for a layout without a simulation
   Pose X_WM;
-  int selected_taxel = -1;           ///< the active one; -1: none, or in another sensor
-  std::vector<int> selected_taxels;  ///< all of them, the active one among them; ascending
-  std::vector<int> hidden_taxels;    ///< ascending
+  int selected_taxel = -1;           ///< active taxel; -1 if there is none in this sensor
+  std::vector<int> selected_taxels;  ///< all selected taxels, also the active one; ascending
+  std::vector<int> hidden_taxels;    ///< hidden taxels, ascending
 
   [[nodiscard]] bool hidden(int taxel) const {
     return std::binary_search(hidden_taxels.begin(), hidden_taxels.end(), taxel);
@@ -25,10 +25,10 @@ struct SensorView {
   }
 };
 
-/// The pointers live as long as `input.frame` and `input.probe`.
+/// Returns the sensors of a frame. The pointers are valid as long as `input.frame` and `input.probe`.
 std::vector<SensorView> sensor_views(const SceneInput& input);
 
-/// Where the contact pushes: centroid of the pressure over all polygons of a sensor, frame M. False without contact.
+/// Sets the centroid of the pressure over all polygons of a sensor, frame M. Returns false without contact.
 bool pressure_centroid(const SensorStep& state, dvec3& centroid);
 
 /// Returns the box around the sensors in the world [m].
@@ -37,7 +37,7 @@ Aabb sensor_bounds(const SceneInput& input);
 /// Returns the box around everything that is drawn except planes, in the world [m].
 Aabb scene_bounds(const SceneInput& input);
 
-/// The ground of a scene: its first plane geom, else z = 0, or lower where the scene begins lower.
+/// The ground of a scene: its first plane geom, or, without one, z = 0 or the lowest point of the scene if it is lower.
 struct SceneGround {
   Pose X_WP;
   bool plane = false;

@@ -1,4 +1,4 @@
-// A path of way points as it is drawn.
+// A path of waypoints for drawing.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace taxel::ui {
 
-/// Its line, and its way points: where the finger's lowest point is led.
+/// Line and waypoints of the path of the finger's lowest point.
 struct ShownPath {
   std::vector<dvec3> line_W, points_W;
   int selected = -1;  ///< index in points_W, or -1

@@ -7,15 +7,17 @@
 
 namespace taxel {
 
-/// One header line, one line a row, every number in the shortest form that reads back exactly. With several sensors all
-/// but time and travel are headed `<geom>/...`, sensor after sensor.
+/// Returns the recording as one header line and one line for each row. Every number is in the shortest form that reads
+/// back exactly. If there are several sensors, the names of all columns except time and travel begin with `<geom>/`,
+/// sensor after sensor.
 std::string recording_to_csv(const Recording& recording);
 
-/// `time,travel,taxel_<id>...` of the sensors that have a calibration, in their calibrated values; empty: none has one.
+/// Returns a table `time,travel,taxel_<id>...` of the calibrated values of the sensors that have a calibration; empty
+/// if no sensor has one.
 std::string calibrated_to_csv(const Recording& recording);
 
-/// `time,travel,taxel_<id>_e1,taxel_<id>_e2...` of the sensors whose layouts ask for shear, in the unit of their
-/// readings; empty: none does.
+/// Returns a table `time,travel,taxel_<id>_e1,taxel_<id>_e2...` of the sensors whose layouts have shear readings, in
+/// the unit of their readings; empty if no layout has them.
 std::string shear_to_csv(const Recording& recording);
 
 }  // namespace taxel

@@ -10,13 +10,13 @@
 namespace taxel::ui {
 namespace {
 
-/// A skin in small triangles. The triangles of one face follow each other.
+/// A skin divided into small triangles. The triangles of one face are successive.
 struct Pieces {
   std::vector<Coverage::Piece> all;
-  std::vector<int> first;  // of each face, and one more
+  std::vector<int> first;  // first triangle of each face, and the total number
 };
 
-/// n^2 equal triangles, wound like the face.
+/// Appends n^2 equal triangles with the winding of the face.
 void append_pieces(const TriMesh& mesh, int face, int n, std::vector<Coverage::Piece>& out) {
   const dvec3 o = mesh.vertex(face, 0), u = (mesh.vertex(face, 1) - o) / double(n),
               v = (mesh.vertex(face, 2) - o) / double(n);
@@ -40,7 +40,7 @@ Pieces cut_skin(const TriMesh& mesh, int pieces) {
   return out;
 }
 
-/// Which pieces a taxel sees; one per thread.
+/// Finds the pieces inside a taxel's field. Each thread has its own.
 class Seeing {
  public:
   Seeing(const SensorModel& model, const Pieces& pieces, std::shared_ptr<const UnfoldedMesh> unfolded)

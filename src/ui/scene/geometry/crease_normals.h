@@ -1,4 +1,4 @@
-// Normals for drawing: smooth over round parts, sharp at creases.
+// Computes normals for drawing: smooth over round parts, sharp at creases.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace taxel::ui {
 
-/// Vertices as drawn: one per mesh vertex and smooth neighbourhood.
+/// Mesh for drawing, with one vertex for each smooth neighbourhood of a vertex of the mesh.
 struct RenderMesh {
   struct Vertex {
     glm::vec3 position{0};  ///< [m], frame of the mesh
@@ -19,8 +19,9 @@ struct RenderMesh {
   std::vector<std::uint32_t> indices;  ///< three per face, in the mesh's face order
 };
 
-/// A corner's normal is the angle-weighted mean over the faces around its vertex that lie within `crease_deg` of its
-/// own face. Linear in the number of faces for meshes of bounded valence.
+/// Builds a mesh for drawing. The normal of a corner is the angle-weighted mean over the faces around its vertex whose
+/// normals are within `crease_deg` of the normal of the corner's face. Cost: linear in the number of faces if the
+/// valence is bounded.
 RenderMesh make_render_mesh(const TriMesh& mesh, double crease_deg = 40.0);
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// Faces from back to front: what blending needs.
+// Sorts faces from back to front for blending.
 #pragma once
 
 #include <cstdint>

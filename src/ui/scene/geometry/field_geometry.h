@@ -1,4 +1,4 @@
-// Geometry of the receptive fields of one sensor, of the newest model. After an edit only changed fields are computed.
+// Geometry of the receptive fields in the latest model of one sensor. After an edit only changed fields are computed.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace taxel::ui {
 
 class FieldGeometry {
  public:
-  /// Boundaries by the metric of the layout, by taxel.
+  /// Returns the boundaries of the fields by the metric of the layout, one list for each taxel.
   const std::vector<std::vector<RingPiece>>& rings(const SensorModel& model);
   const std::vector<FieldPatch>& patches(const SensorModel& model, FieldPart part);
   Coverage coverage(const SensorModel& model) { return make_coverage(model, coverage_); }
@@ -20,7 +20,7 @@ class FieldGeometry {
   const std::shared_ptr<const UnfoldedMesh>& unfolded(const SensorModel& model);
 
   PerTaxel<std::vector<RingPiece>> rings_;
-  std::array<PerTaxel<FieldPatch>, 3> patches_;  // by FieldPart
+  std::array<PerTaxel<FieldPatch>, 3> patches_;  // indexed by FieldPart
   std::shared_ptr<const UnfoldedMesh> unfolded_;
   CoverageMemory coverage_;
 };

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kFine = 8, kCoarse = 5, kManyTaxels = 200;
 
-/// The part of a convex polygon where a linear value is negative (Sutherland, Hodgman 1974), and where it was cut.
+/// Clips a convex polygon to the part where a linear value is negative (Sutherland, Hodgman 1974), and returns the
+/// clipping points.
 template <class Corner, class Value>
 std::vector<Corner> clipped(const std::vector<Corner>& polygon, const Value& value, std::vector<dvec3>& cuts) {
   std::vector<Corner> kept;
@@ -34,12 +35,12 @@ double squared_distance(const dvec3& p, const Aabb& box) {
 
 }  // namespace
 
-/// One field being cut out of one face.
+/// State of cutting one field out of one face.
 struct FieldCutter::Cut {
   const FieldDisc& disc;
   FieldPart part;
-  double reach;  ///< straight, from the centre: nothing beyond belongs to the field [m]
-  double edge;   ///< longest of a leaf [m]
+  double reach;  ///< largest Euclidean distance of the field from the centre [m]
+  double edge;   ///< longest edge of an undivided triangle [m]
   int face = -1;
 };
 

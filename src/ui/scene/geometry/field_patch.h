@@ -1,4 +1,4 @@
-// Receptive fields as pieces of the skin: filled, with their boundary and area, by straight or by geodesic distance.
+// Receptive fields as pieces of the skin, with their boundary and area, by Euclidean or by geodesic distance.
 #pragma once
 
 #include <memory>
@@ -26,9 +26,10 @@ struct FieldPatch {
   double area = 0;                  ///< [m^2]
 };
 
-/// Cuts fields out of a skin: faces are halved until their edges are 1 / `fineness` of the radius, and cut where the
-/// distance, linear between corners, is the radius. A circle of radius r in a plane comes out with its area to
-/// 1 / fineness^2. Keeps the memory of the geodesic propagation: one per thread.
+/// Cuts fields out of a skin. Faces are halved until their edges are at most 1 / `fineness` of the radius, and are
+/// clipped where the distance, linear between corners, equals the radius. The relative error of the area of a circle in
+/// a plane is about 1 / fineness^2. A cutter reuses the memory of the geodesic propagation, so each thread needs its
+/// own.
 class FieldCutter {
  public:
   FieldCutter(const MeshIndex& skin, std::shared_ptr<const UnfoldedMesh> unfolded, double min_cosine, int fineness);
@@ -38,7 +39,7 @@ class FieldCutter {
  private:
   struct Corner {
     dvec3 p{0};
-    double euclidean = 0, geodesic = 0;  ///< distance less the radius [m]
+    double euclidean = 0, geodesic = 0;  ///< distance minus the radius [m]
   };
   struct Cut;
   void halve(const Cut& cut, const std::array<dvec3, 3>& corners, FieldPatch& out);
@@ -53,15 +54,16 @@ class FieldCutter {
 /// The skin of a model prepared for geodesic distances.
 std::shared_ptr<const UnfoldedMesh> unfolded_skin(const SensorModel& model);
 
-/// Fills the patches of the taxels listed, of `patches` in layout order. `unfolded`: the model's skin. The same on any
-/// number of threads.
+/// Fills the patches of the listed taxels. `patches` is in layout order; `unfolded` is the skin of the model. The
+/// result does not depend on the number of threads.
 void cut_patches(const SensorModel& model, FieldPart part, const std::shared_ptr<const UnfoldedMesh>& unfolded,
                  const std::vector<int>& taxels, std::vector<FieldPatch>& patches);
 
-/// How finely fields are cut: by the number of taxels.
+/// Returns the fineness with which fields are cut; it depends on the number of taxels.
 int field_fineness(const SensorModel& model);
 
-/// The fields of all taxels in layout order; those of subtaxels lie over each other. The same on any number of threads.
+/// Returns the fields of all taxels in layout order. The fields of subtaxels overlap each other. The result does not
+/// depend on the number of threads.
 std::vector<FieldPatch> taxel_patches(const SensorModel& model, FieldPart part);
 
 }  // namespace taxel::ui

@@ -6,7 +6,7 @@
 namespace taxel::ui {
 namespace {
 
-/// A triangle in its own plane, seen from the foot of the perpendicular from the sphere's centre.
+/// A triangle in its own plane. The origin is the foot of the perpendicular from the sphere's centre.
 struct PlaneTriangle {
   dvec3 foot, x, y;
   std::array<dvec2, 3> corner;  // counter-clockwise
@@ -36,7 +36,7 @@ PlaneTriangle in_own_plane(const TriMesh& mesh, int face, const dvec3& center) {
   return t;
 }
 
-/// Angles at which the circle of radius r about the origin crosses the sides, ascending.
+/// Returns the angles at which the circle of radius r about the origin crosses the sides, ascending.
 std::vector<double> crossings(const PlaneTriangle& t, double r) {
   std::vector<double> angles;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -55,10 +55,10 @@ std::vector<double> crossings(const PlaneTriangle& t, double r) {
   return angles;
 }
 
-/// The pieces of the circle of radius r about the foot that lie within the triangle.
+/// Appends the pieces of the circle of radius r about the origin that are inside the triangle.
 void append_arcs(const PlaneTriangle& t, double r, int face, double step, std::vector<RingPiece>& out) {
   std::vector<double> angles = crossings(t, r);
-  if (angles.empty()) angles.push_back(-kPi);  // the whole circle or nothing
+  if (angles.empty()) angles.push_back(-kPi);  // the circle is entirely inside or outside
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const double from = angles[i];
     const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi;

@@ -1,4 +1,4 @@
-// The boundary of a receptive field on the skin: where the sphere around the taxel's centre cuts the mesh.
+// The boundary of a Euclidean receptive field: the intersection of the skin with the sphere around the taxel's centre.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,14 @@ struct RingPiece {
   int face = -1;
 };
 
-/// Intersection of the sphere |x - center| = radius with the faces whose normal is less than `max_angle_deg` from
-/// `normal`: circular arcs in each face's plane, cut into pieces of at most `step_deg` of their circle.
-/// Looks only at the faces near the sphere. Pieces in no useful order, the same each time.
+/// Returns the intersection of the sphere |x - center| = radius with the faces whose normal is less than
+/// `max_angle_deg` from `normal`. It consists of circular arcs in the planes of the faces, divided into pieces of at
+/// most `step_deg` of their circle. Only faces near the sphere are tested. The order of the pieces has no meaning but
+/// is always the same.
 std::vector<RingPiece> field_ring(const MeshIndex& skin, const dvec3& center, double radius, const dvec3& normal,
                                   double max_angle_deg, double step_deg = 6.0);
 
-/// The rings of a taxel: of itself, or of each of its subtaxels.
+/// Returns the rings of a taxel: its own ring, or the rings of its subtaxels.
 std::vector<RingPiece> taxel_rings(const MeshIndex& skin, const Taxel& taxel, const ReceptiveFieldRule& rule,
                                    double step_deg = 6.0);
 

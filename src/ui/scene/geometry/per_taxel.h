@@ -1,5 +1,5 @@
-// Results computed for each taxel alone, kept from one model of a layout to the next: an edit of one taxel costs one
-// computation.
+// A cache of results that are computed for each taxel alone. It is kept from one model of a layout to the next, so an
+// edit of one taxel costs one computation.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,9 @@ namespace taxel::ui {
 template <class Value>
 class PerTaxel {
  public:
-  /// Values in layout order. `make(missing, values)` fills those at the indices `missing`, ascending: of taxels that
-  /// were not there, or not the same, when the last one was made on the same skin, by the same rule and `variant`.
+  /// Returns the values in layout order. `make(missing, values)` computes the values at the ascending indices
+  /// `missing`: those of taxels that are new or have changed since the last call. If the skin, the rule or `variant`
+  /// has changed, all values are computed.
   template <class Make>
   const std::vector<Value>& update(const SensorModel& model, int variant, const Make& make) {
     const std::vector<Taxel>& taxels = model.layout.taxels;
@@ -34,7 +35,7 @@ class PerTaxel {
       }
     }
     made_ = static_cast<int>(missing.size());
-    skin_.reset();  // should make() throw, nothing is kept
+    skin_.reset();  // if make() throws, nothing is kept
     if (!missing.empty()) make(missing, values);
     skin_ = model.skin;
     rule_ = model.layout.receptive_field;
@@ -43,7 +44,7 @@ class PerTaxel {
     values_ = std::move(values);
     return values_;
   }
-  /// How many the last update() had to make.
+  /// Returns the number of values that the last update() computed.
   [[nodiscard]] int made() const { return made_; }
 
  private:

@@ -17,27 +17,27 @@ namespace taxel::ui {
 /// The map drawn on the skin, one at a time.
 enum class FieldMap {
   none,
-  filled,  ///< by the layout's metric, in the colours of the taxels
+  filled,  ///< fields by the layout's metric, in the colours of the taxels
   /// The area that both metrics reach in the colours of the taxels, and the area of the Euclidean distance alone in a
-  /// colour of its own.
+  /// separate colour.
   compared,
-  coverage  ///< every spot in the colour of the number of taxels that see it
+  coverage  ///< each spot in the colour of the number of taxels whose fields contain it
 };
 
 struct FieldsRequest {
   std::vector<SensorModelPtr> models;  ///< models of the sensors, in order
   FieldMap map = FieldMap::none;
-  bool weights = false;  ///< to spread readings over the skin
-  /// Whether anything of it takes long: straight rings alone do not.
+  bool weights = false;  ///< requests weights, which spread readings over the skin
+  /// Returns true if nothing of the request takes long. Euclidean rings alone do not.
   [[nodiscard]] bool empty() const;
   bool operator==(const FieldsRequest&) const = default;
 };
 
-using FieldRings = std::vector<std::vector<RingPiece>>;  ///< by taxel, in layout order
+using FieldRings = std::vector<std::vector<RingPiece>>;  ///< rings of each taxel, in layout order
 
-/// Of one sensor.
+/// Fields of one sensor.
 struct SensorFields {
-  std::shared_ptr<const FieldRings> rings;     ///< by the layout's metric; never null
+  std::shared_ptr<const FieldRings> rings;     ///< boundaries by the layout's metric; never null
   std::vector<PaintVertex> triangles;          ///< triangles of the map, frame M
   std::shared_ptr<const SkinWeights> weights;  ///< weights if requested, otherwise null
   std::optional<FieldComparison> comparison;
@@ -47,24 +47,24 @@ struct SensorFields {
 struct ShownFields {
   FieldsRequest request;
   std::vector<SensorFields> sensors;  ///< parallel to the requested models
-  /// Null where it is not one of the models.
+  /// Returns the fields of a model, or null if the model was not requested.
   [[nodiscard]] const SensorFields* of(const SensorModelPtr& model) const;
 };
 using ShownFieldsPtr = std::shared_ptr<const ShownFields>;
 
-/// Retains the fields of each taxel for the next request, which after an edit is much the same. Belongs to one thread
-/// at a time.
+/// Computes fields, and retains the fields of each taxel for the next request, since after an edit most fields are
+/// unchanged. May be used by one thread at a time.
 class FieldMaker {
  public:
   void make(const FieldsRequest& request, ShownFields& out);
 
  private:
-  std::map<std::size_t, FieldGeometry> fields_;  ///< by sensor
+  std::map<std::size_t, FieldGeometry> fields_;  ///< keyed by sensor
   struct Weights {
     SensorModelPtr model;
     std::shared_ptr<const SkinWeights> weights;
   };
-  std::map<std::size_t, Weights> weights_;  ///< by sensor
+  std::map<std::size_t, Weights> weights_;  ///< keyed by sensor
 };
 
 }  // namespace taxel::ui

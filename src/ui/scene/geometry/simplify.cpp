@@ -8,7 +8,8 @@
 namespace taxel::ui {
 namespace {
 
-/// The cell of each vertex as a new vertex number, numbered by their first vertex; their means into `vertices`.
+/// Returns the cell of each vertex as the index of a new vertex; cells are numbered by their first vertex. Sets
+/// `vertices` to the means of the cells.
 std::vector<int> cluster(const TriMesh& mesh, double cell, std::vector<dvec3>& vertices) {
   using Key = std::array<std::int64_t, 4>;  // cell, vertex
   std::vector<Key> keys;
@@ -32,7 +33,7 @@ std::vector<int> cluster(const TriMesh& mesh, double cell, std::vector<dvec3>& v
   return cluster_of;
 }
 
-/// The same face, its lowest corner first.
+/// Returns the face with its lowest corner first.
 ivec3 turned(const ivec3& f) {
   if (f.x < f.y && f.x < f.z) return f;
   return f.y < f.z ? ivec3(f.y, f.z, f.x) : ivec3(f.z, f.x, f.y);
@@ -51,7 +52,7 @@ TriMeshPtr simplify(const TriMeshPtr& mesh, int faces) {
     ivec3 g(cluster_of[at(f.x)], cluster_of[at(f.y)], cluster_of[at(f.z)]);
     if (g.x == g.y || g.y == g.z || g.z == g.x) continue;
     const dvec3 normal = glm::cross(vertices[at(g.y)] - vertices[at(g.x)], vertices[at(g.z)] - vertices[at(g.x)]);
-    if (glm::dot(normal, mesh->face_normals()[at(i)]) < 0) std::swap(g.y, g.z);  // it folded over
+    if (glm::dot(normal, mesh->face_normals()[at(i)]) < 0) std::swap(g.y, g.z);  // the face was flipped by the move
     if (glm::length(normal) > 0) kept.push_back(turned(g));
   }
   const auto before = [](const ivec3& a, const ivec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };

@@ -1,14 +1,15 @@
-// A coarser mesh of about the same shape, where drawing every triangle would take too long.
+// Simplifies a mesh for drawing if drawing every triangle would take too long.
 #pragma once
 
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel::ui {
 
-/// All vertices within a cell of a grid become one, their mean; faces that lose a corner vanish, of equal ones the
-/// first stays, and all look the way they did (Rossignac, Borrel 1993, "Multi-resolution 3D approximations for
-/// rendering complex scenes"). The cells are chosen for about `faces` triangles on an evenly meshed surface; no point
-/// moves further than a cell's diagonal. The mesh itself where nothing would be left. O(faces log faces).
+/// Returns a coarser mesh (Rossignac, Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes").
+/// All vertices within a cell of a grid are replaced by their mean. Faces that lose a corner are removed, only the
+/// first of equal faces remains, and the orientation of faces is preserved. The size of the cells gives about `faces`
+/// triangles on an evenly meshed surface; no point moves farther than the diagonal of a cell. Returns the mesh itself
+/// if no face would remain. Cost: O(faces log faces).
 TriMeshPtr simplify(const TriMeshPtr& mesh, int faces);
 
 }  // namespace taxel::ui

@@ -9,9 +9,9 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kFineness = 6;                       // edges to the smallest radius
-constexpr double kMinPieces = 4e3, kMaxPieces = 6e4;  // of the whole skin
-constexpr double kInside = 0.02;  // how far within the edge a cut is weighed, of the edge that is cut
+constexpr double kFineness = 6;                       // smallest radius divided by the length of edges
+constexpr double kMinPieces = 4e3, kMaxPieces = 6e4;  // number of pieces of the whole skin
+constexpr double kInside = 0.02;                      // weights at a cut are computed this fraction of the edge inside
 
 double pieces_of(const SensorModel& model) {
   double radius = std::numeric_limits<double>::infinity();
@@ -51,8 +51,8 @@ class Spreader {
  private:
   struct Corner {
     dvec3 p{0};
-    double margin = 0;  // from the edge of all fields together; negative outside [m]
-    int point = -1;     // of the output; -1: outside
+    double margin = 0;  // distance inside the union of all fields; negative outside [m]
+    int point = -1;     // index in the output, or -1 outside
   };
 
   Corner weigh(const dvec3& p, SkinWeights& out) {
@@ -72,7 +72,8 @@ class Spreader {
     return corner;
   }
 
-  /// Where the fields end between a corner within and one outside, margins taken as linear.
+  /// Adds the point where the fields end between a corner inside and a corner outside, with linear margins. Returns its
+  /// index.
   int cut(const Corner& within, const Corner& outside, SkinWeights& out) {
     const double span = within.margin - outside.margin;
     const double t = std::isfinite(span) && span > 0 ? std::clamp(within.margin / span, 0.0, 1.0) : 0.0;

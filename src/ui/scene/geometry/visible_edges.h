@@ -1,4 +1,4 @@
-// The edges of a mesh that a drawing shows: creases, and the outline as seen from a point.
+// Finds the edges of a mesh that a drawing shows: creases, and the outline as seen from a point.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,12 @@ struct MeshEdge {
   bool crease = false;        ///< a border, or the faces meet at more than the crease angle
 };
 
-/// Every edge once, ordered by (a, b). An edge of more than two faces keeps its first two and is a crease.
+/// Returns every edge once, ordered by (a, b). An edge of more than two faces has the first two of them and is a
+/// crease.
 std::vector<MeshEdge> mesh_edges(const TriMesh& mesh, double crease_deg = 30.0);
 
-/// Which edges separate faces that look towards `eye` from faces that look away, and which creases touch a face that
-/// looks towards it. Indices into `edges`, ascending. `eye` in the frame of the mesh.
+/// The visible edges as ascending indices: outline edges separate faces that look towards `eye` from faces that look
+/// away, and visible creases touch a face that looks towards `eye`. `eye` is in the frame of the mesh.
 struct VisibleEdges {
   std::vector<int> outline, creases;
 };

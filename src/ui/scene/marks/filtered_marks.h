@@ -1,4 +1,4 @@
-// Polygons that were left out of contact surfaces: outlines in the colour of the reason.
+// Marks of the polygons that were left out of contact surfaces, in the colour of the reason.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace taxel::ui {
 
-/// The outline of each polygon, and a dot in its middle: many have hardly an area. Frame M.
+/// The outline of each polygon, and a dot at its centre, because many of them have almost no area. Frame M.
 struct FilteredMarks {
   Segments edges;
   std::vector<PointMark> dots;

@@ -7,7 +7,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kAxisWidth = 2.6f, kTowardEye = 0.002f, kHiddenDim = 0.6f;
-constexpr double kPartOfScene = 0.1;  // where the scene does not tell how large its bodies are
+constexpr double kPartOfScene = 0.1;  // fraction of the scene's size, if the size of bodies is unknown
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Axes of the frames that a scene consists of.
+// Draws the axes of the frames of a scene.
 #pragma once
 
 #include "ui/scene/paint/segments.h"
@@ -7,7 +7,8 @@
 
 namespace taxel::ui {
 
-/// x red, y green, z blue, as long as MuJoCo draws them; those of the world twice that. Dimmed within bodies.
+/// Draws x red, y green and z blue, with the lengths that MuJoCo uses and twice this length for the world. Axes inside
+/// bodies are dimmed.
 void draw_frame_marks(const SceneInput& input, const Look& look, SegmentPass& segments);
 
 }  // namespace taxel::ui

@@ -3,7 +3,7 @@
 namespace taxel::ui {
 namespace {
 
-/// Strokes of X, Y and Z in a box of -1..1, y up.
+/// A stroke of the letters X, Y and Z, in a box of -1..1 with y up.
 struct Stroke {
   int letter;
   dvec2 a, b;

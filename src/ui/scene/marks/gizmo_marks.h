@@ -1,4 +1,4 @@
-// The gizmo as flat marks on the screen.
+// Draws the gizmo as flat marks on the screen.
 #pragma once
 
 #include "ui/scene/paint/points.h"

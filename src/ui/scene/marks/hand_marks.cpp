@@ -8,10 +8,10 @@ namespace {
 
 constexpr float kHandWidth = 3.0f, kHeldWidth = 2.0f, kGrabbedDiameter = 8, kHeldDiameter = 6;
 constexpr float kTowardEye = 0.006f, kHiddenDim = 0.5f;
-constexpr double kArcPart = 0.12;  // of the distance to the eye
+constexpr double kArcPart = 0.12;  // radius as a fraction of the distance to the eye
 constexpr int kArcPieces = 24;
 
-/// Arc from the orientation of a grabbed body to the orientation of the pointer, around the grabbed point.
+/// Returns an arc around the grabbed point, from the orientation of the grabbed body to that of the pointer.
 Segments arc(const PerturbShown& hand, double radius, std::uint32_t color) {
   const dquat q = hand.target_turn_W.w < 0 ? -hand.target_turn_W : hand.target_turn_W;
   const dvec3 sine(q.x, q.y, q.z);

@@ -1,4 +1,4 @@
-// Marks of a grabbed body, and of the constraints between bodies.
+// Draws the marks of a grabbed body, and of the constraints between bodies.
 #pragma once
 
 #include "ui/scene/paint/points.h"

@@ -12,7 +12,7 @@
 
 namespace taxel::ui {
 
-/// A unit normal in 127ths, zero: seen from everywhere; and one number more, 0 to 1.
+/// A unit normal in 127ths, or zero if the mark is visible from everywhere; and one more number, 0 to 1 in 127ths.
 using MarkNormal = std::array<std::int8_t, 4>;
 
 inline MarkNormal pack_normal(const dvec3& normal, double last) {
@@ -20,27 +20,27 @@ inline MarkNormal pack_normal(const dvec3& normal, double last) {
   return {part(normal.x), part(normal.y), part(normal.z), part(std::clamp(last, 0.0, 1.0))};
 }
 
-/// Of marks with a normal: which are drawn.
+/// The marks with a normal that are drawn: all, those that face the eye, or those that face away.
 enum class Facing { all, eye, away };
 
 /// How a batch of marks is drawn.
 struct MarkState {
   glm::mat4 world_from_model{1};
-  float toward_eye = 0;  ///< drawn nearer by this part of its depth, at the same pixel
+  float toward_eye = 0;  ///< moves marks towards the eye by this fraction of their depth
   bool depth_test = true;
-  bool hidden = false;  ///< only if something nearer hides it
+  bool hidden = false;  ///< draws only marks that are hidden by something nearer
   bool depth_write = false;
-  float dim = 1;  ///< multiplies alpha
+  float dim = 1;  ///< factor of alpha
   Facing facing = Facing::all;
-  bool clipped = false;  ///< by the frame's plane
+  bool clipped = false;  ///< clips by the frame's plane
 };
 
-/// Whether the frame's plane clips the following draw calls.
+/// Sets whether the frame's plane clips the following draw calls.
 inline void set_clipped(bool clipped) {
   (clipped ? glEnable : glDisable)(GL_CLIP_DISTANCE0);
 }
 
-/// Sends the uniforms that all their shaders share, and sets depth and blending.
+/// Sends the uniforms that the shaders of all marks share, and sets depth and blending.
 inline void set_mark_state(const gl::Program& program, const MarkState& state) {
   program.set("world_from_model", state.world_from_model);
   program.set("toward_eye", state.toward_eye);
@@ -52,7 +52,8 @@ inline void set_mark_state(const gl::Program& program, const MarkState& state) {
   gl::apply({.depth = state.depth_test ? test : GL_ALWAYS, .depth_write = state.depth_write, .blend = true});
 }
 
-/// Of marks spread evenly over a surface, `spacing` apart on the screen, the part that can stand `least` apart [pixel].
+/// Returns the largest fraction of marks, spread evenly over a surface with a distance of `spacing` [pixel] on the
+/// screen, that can be drawn with a distance of at least `least` [pixel].
 inline double part_apart(double spacing, double least) {
   return std::min(1.0, spacing * spacing / (least * least));
 }

@@ -8,15 +8,16 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // of a sample of the selected taxel
+constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // sizes relative to a sample of the selected taxel
 constexpr float kRingWidth = 1.6f, kThinRingWidth = 1.1f, kSelectedRingWidth = 2.8f, kHaloWidth = 5.4f,
                 kArrowWidth = 2.6f, kSelectedArrowWidth = 4.0f;
-constexpr double kArrowPart = 0.11;      // of the mesh's diagonal
-constexpr double kArrowOfSpacing = 1.2;  // of the distance between taxels that are spread evenly
-constexpr double kNormalPart = 0.8;      // of the distance between samples
-constexpr int kManyTaxels = 200;         // from which on rings are thin
+constexpr double kArrowPart = 0.11;      // fraction of the mesh's diagonal
+constexpr double kArrowOfSpacing = 1.2;  // multiple of the distance between evenly spread taxels
+constexpr double kNormalPart = 0.8;      // fraction of the distance between samples
+constexpr int kManyTaxels = 200;         // with more taxels rings are thin
 
-/// Numbers 0 ... count - 1, those that are near each other far apart: by multiplicative hashing (Knuth 6.4).
+/// Returns the numbers 0 ... count - 1 in an order in which near numbers are far apart, by multiplicative hashing
+/// (Knuth 6.4).
 std::vector<std::uint32_t> spread_order(std::size_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
@@ -25,7 +26,7 @@ std::vector<std::uint32_t> spread_order(std::size_t count) {
   return order;
 }
 
-/// Whether two lists share a value, `sorted` ascending.
+/// Returns true if two lists share a value. `sorted` is ascending.
 bool share(const std::vector<int>& values, const std::vector<int>& sorted) {
   return std::any_of(values.begin(), values.end(),
                      [&](int v) { return std::binary_search(sorted.begin(), sorted.end(), v); });

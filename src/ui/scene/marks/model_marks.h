@@ -12,29 +12,30 @@
 
 namespace taxel::ui {
 
-/// Samples coloured by their nearest taxel; unused ones grey and small, those of selected taxels largest. In an order
-/// of which the first of any number are spread over all.
+/// Returns marks of the samples, coloured by their nearest taxel; unused samples are grey and small, those of selected
+/// taxels largest. Their order is such that the first n marks are spread over the whole skin for any n.
 std::vector<PointMark> sample_marks(const SensorModel& model, const std::vector<int>& selected, const Look& look);
 
-/// Lies on the card; built once for a model, and for selected taxels what shows the selection.
+/// Marks in GPU memory, built once for a model; marks that show the selection are rebuilt when it changes.
 class ModelMarks {
  public:
-  /// `hidden`: taxels that are left out, ascending. `rings`, by taxel: null where they are not known.
+  /// `hidden` has the taxels that are left out, ascending. `rings` has the boundary of each taxel's field, or is null
+  /// if unknown.
   ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look& look, std::shared_ptr<const FieldRings> rings);
   [[nodiscard]] bool is_for(const SensorModelPtr& model, const std::vector<int>& hidden, const Look& look,
                             const std::shared_ptr<const FieldRings>& rings) const {
     return model == model_ && hidden == hidden_ && &look == look_ && rings == ring_pieces_;
   }
-  /// Ascending.
+  /// Sets the selected taxels, ascending.
   void select(const std::vector<int>& taxels);
 
   [[nodiscard]] SurfacePoints& samples() { return samples_; }
   [[nodiscard]] int sample_count() const { return static_cast<int>(model_->samples.size()); }
-  [[nodiscard]] double sample_spacing() const { return spacing_; }  ///< between neighbours on the skin, about [m]
-  /// Normals of the samples as short lines; made when first asked for.
+  [[nodiscard]] double sample_spacing() const { return spacing_; }  ///< approximate distance of samples [m]
+  /// Returns the normals of the samples as short lines. They are built at the first call.
   const gl::Buffer& sample_normals();
 
-  // With the normals of faces and taxels, so that those that look away can be drawn apart.
+  // The marks have the normals of faces and taxels, so that marks that look away can be drawn separately.
   [[nodiscard]] const gl::Buffer& rings() const { return rings_; }
   [[nodiscard]] const gl::Buffer& arrows() const { return arrows_; }
   [[nodiscard]] const PointBuffer& centers() const { return centers_; }

@@ -4,8 +4,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kMaxHits = 700, kMaxSelectedHits = 350, kMaxMisses = 250;
-constexpr double kMinSpacing = 1.0;  // [pixel]: closer ones cover each other
-constexpr double kStub = 0.3;        // of the allowed depth
+constexpr double kMinSpacing = 1.0;  // smallest distance of rays [pixel]; closer rays cover each other
+constexpr double kStub = 0.3;        // length of a miss as a fraction of the allowed depth
 constexpr float kHitWidth = 1.1f, kMissWidth = 1.0f;
 
 /// Spreads ray numbers evenly over 32 bits, so that the rays below a power of two are a spread-out subset
@@ -14,14 +14,14 @@ std::uint32_t spread(int ray) {
   return (static_cast<std::uint32_t>(ray) * 2654435769u) >> 8;
 }
 
-/// Smallest power of two by which `count` rays must be thinned to stay below `most`, as a mask.
+/// Returns the smallest power of two by which `count` rays must be thinned to stay below `most`, as a mask.
 std::uint32_t thinning_mask(int count, int most) {
   std::uint32_t step = 1;
   while (count / static_cast<int>(step) > most) step *= 2;
   return step - 1;
 }
 
-/// How many of `count` stand far enough apart, `most` at most.
+/// Returns how many of `count` rays are far enough apart, at most `most`.
 int most_shown(int count, double spacing, int most) {
   return std::clamp(static_cast<int>(std::ceil(part_apart(spacing, kMinSpacing) * count)), 1, most);
 }

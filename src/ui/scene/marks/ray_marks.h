@@ -1,4 +1,4 @@
-// The rays that a reading is made of: at true length with a dot where they hit, misses as faint stubs.
+// Marks of the rays of a reading: hits at full length with a dot at the hit, misses as faint stubs.
 #pragma once
 
 #include "ui/scene/color_map.h"
@@ -10,12 +10,13 @@
 namespace taxel::ui {
 
 struct RayMarks {
-  Segments hits, misses;        ///< frame M
-  std::vector<PointMark> dots;  ///< at the hits, coloured by pressure
+  Segments hits, misses;        ///< lines in frame M
+  std::vector<PointMark> dots;  ///< dots at the hits, coloured by pressure
 };
 
-/// Rays of the selected taxel, or of all whose reading is above 0 when none is selected, or all; thinned evenly and
-/// repeatably where there are more than a picture can show. `spacing`: of samples on the screen [pixel].
+/// Returns the rays of the selected taxel, or of all taxels with readings above 0 if none is selected, or all rays if
+/// `all` is true. If there are too many to distinguish, they are thinned evenly and always in the same way. `spacing`
+/// is the distance of samples on the screen [pixel].
 RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range, const Look& look, double spacing);
 
 }  // namespace taxel::ui

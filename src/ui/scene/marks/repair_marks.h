@@ -1,4 +1,5 @@
-// Changes of a mesh by its repair, drawn over its skin: filled faces, removed faces, parted edges, distances of a wrap.
+// Changes of a mesh by its repair, drawn over its skin: filled faces, removed faces, separated edges, distances of a
+// wrap.
 #pragma once
 
 #include "core/mesh/repair/repair.h"

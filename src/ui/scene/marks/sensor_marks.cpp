@@ -25,12 +25,13 @@ constexpr float kTractionOutline = 0.25f;
 constexpr double kForceScale = 0.012;  // [m/N]
 constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
-/// Whether marks on the far side are drawn: a solid skin hides them, and among many they are indistinguishable.
+/// Returns true if marks on the far side are drawn. A solid skin hides them, and if there are many taxels they would be
+/// indistinguishable.
 bool far_side_seen(const SceneInput& input, const SensorView& view) {
   return input.overlays.sensor_transparent && view.model->taxel_count() <= kMaxSeenThrough;
 }
 
-/// Null: no map is on, or it is not worked out yet.
+/// Returns the drawn map, or null if no map is active or the map is not computed yet.
 const SensorFields* shown_map(const SceneInput& input, const SensorView& view) {
   const FieldMap map = field_map(input.overlays);
   if (map == FieldMap::none || !input.fields || input.fields->request.map != map) return nullptr;
@@ -39,7 +40,7 @@ const SensorFields* shown_map(const SceneInput& input, const SensorView& view) {
 
 }  // namespace
 
-/// Those by geodesic distance come from outside; null: not yet.
+/// Returns the rings of a sensor, or null if they are not computed yet. Geodesic rings are computed elsewhere.
 std::shared_ptr<const FieldRings> SensorMarks::rings_of(const SceneInput& input, const SensorView& view) {
   if (const SensorFields* fields = input.fields ? input.fields->of(view.model) : nullptr) return fields->rings;
   if (view.model->layout.receptive_field.metric == Metric::geodesic) return nullptr;
@@ -154,7 +155,7 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
   draw_rings(scene, view, false);
   if (scene.input.overlays.samples) {
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
-    // Where they crowd, the eye cannot tell them apart: fewer and larger ones, spread evenly, look the same.
+    // Crowded samples are indistinguishable; fewer and larger samples, spread evenly, look the same.
     const double diameter = std::clamp(kSamplePart * std::max(spacing, kMinSpacing), kSmallestSample, kLargestSample);
     const double part = part_apart(spacing, kMinSpacing);
     state.facing = Facing::eye;
@@ -183,7 +184,8 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
   scene.segments.draw_lines(edges, state);
 }
 
-/// The surfaces of the step before as thin lines, where they were; the marked polygon of now boldly.
+/// Draws the surfaces of the previous step as thin lines at their former places, and the marked polygon of the
+/// displayed step with a thick outline.
 void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
   const SceneInput& input = scene.input;
   if (const Step* before = input.before.get();
@@ -206,7 +208,7 @@ void SensorMarks::draw_explained(const Scene& scene, const SensorView& view) {
   scene.segments.draw_lines(outline, state);
 }
 
-/// In the colours of the bars, looked up per fragment.
+/// Draws the readings in the colours of the bars, which are looked up for each fragment.
 void SensorMarks::draw_skin_readings(const Scene& scene, const SensorView& view) {
   const SensorFields* fields = scene.input.fields ? scene.input.fields->of(view.model) : nullptr;
   if (fields == nullptr || !fields->weights) return;
@@ -225,7 +227,8 @@ void SensorMarks::draw_skin_readings(const Scene& scene, const SensorView& view)
   surfaces_.draw(triangles, scene.input.reading_range, state, Seen::front);
 }
 
-/// What bodies hide of them is dimmed: they begin on the contact surface, and reach into the sensor.
+/// Draws the tractions. Parts that bodies hide are dimmed, because arrows begin on the contact surface and reach into
+/// the sensor.
 void SensorMarks::draw_tractions(const Scene& scene, const SensorView& view) {
   const TractionMarks marks = traction_marks(view, scene.input.range, scene.look);
   if (view.index == scene.input.selected_sensor) tractions_ = marks.numbers;
@@ -240,7 +243,8 @@ void SensorMarks::draw_tractions(const Scene& scene, const SensorView& view) {
   }
 }
 
-/// Drawn before everything else, because polygons that were left out are in the skin or are slivers.
+/// Draws the polygons that were left out. They are in front of all other marks, because they are inside the skin or are
+/// slivers.
 void SensorMarks::draw_filtered(const Scene& scene, const SensorView& view) {
   const FilteredMarks marks = filtered_marks(view.state->surfaces);
   const MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kBeforeSkin};
@@ -332,7 +336,7 @@ void SensorMarks::draw_path(const Scene& scene) {
   if (edited) draw_way_points(scene, *edited);
 }
 
-/// Before all else, so that a hand finds them.
+/// Draws the waypoints in front of everything else, so that the user can find them.
 void SensorMarks::draw_way_points(const Scene& scene, const ShownPath& path) {
   std::vector<PointMark> marks;
   for (std::size_t i = 0; i < path.points_W.size(); ++i) {
@@ -345,7 +349,7 @@ void SensorMarks::draw_way_points(const Scene& scene, const ShownPath& path) {
   scene.points.draw(marks, dots, {.toward_eye = kBeforeContact});
 }
 
-/// Along the surface boldly, straight thinly.
+/// Draws the geodesic path as a thick line and the Euclidean distance as a thin line.
 void SensorMarks::draw_measure(const Scene& scene) {
   const std::uint32_t color = pack(scene.look.measure);
   Segments lines;

@@ -1,4 +1,4 @@
-// Everything that a sensor shows beyond its skin: samples, receptive fields, contact surface, rays, taxels, force.
+// Draws all marks of a sensor in addition to its skin: samples, receptive fields, contact surface, rays, taxels, force.
 #pragma once
 
 #include <map>
@@ -19,18 +19,18 @@ class SensorMarks {
  public:
   explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read), paint_(read) {}
 
-  /// Exact colours over the lit picture of `height` pixels; the frame's perspective must be bound.
+  /// Draws marks in exact colours over the lit frame of `height` pixels. The frame's perspective must be bound.
   void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
             PointPass& points);
   /// Numbers of the overlays of the last frame.
   [[nodiscard]] const FieldNumbers& numbers() const { return numbers_; }
 
  private:
-  struct Scene {  // of one picture
+  struct Scene {  // input of one frame
     const SceneInput& input;
     const Camera& camera;
     const Look& look;
-    double pixels_per_metre;  // of marks, at the camera's target
+    double pixels_per_metre;  // pixels of marks per metre, at the camera's target
     SegmentPass& segments;
     PointPass& points;
   };
@@ -56,14 +56,14 @@ class SensorMarks {
   void draw_measure(const Scene& scene);
 
   SurfacePass surfaces_;
-  std::optional<TractionNumbers> tractions_;  // of the last picture
+  std::optional<TractionNumbers> tractions_;  // numbers of the last frame
   PaintPass paint_;
-  struct StraightRings {  // which nobody has to wait for
+  struct StraightRings {  // rings by Euclidean distance, computed at once
     SensorModelPtr model;
     FieldGeometry geometry;
     std::shared_ptr<const FieldRings> rings;
   };
-  std::map<int, StraightRings> straight_;  // by sensor, as all of these
+  std::map<int, StraightRings> straight_;  // keyed by sensor, like all maps here
   std::map<int, std::unique_ptr<FieldPaint>> field_paint_;
   RegionPaint region_;
   RepairMarks repair_;

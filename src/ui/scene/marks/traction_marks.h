@@ -1,4 +1,4 @@
-// Tractions of contact surfaces as arrows.
+// Marks of the tractions of contact surfaces, as arrows.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,14 @@
 
 namespace taxel::ui {
 
-/// Of each polygon, from its centroid: p n, the pressure with damping along the normal that pushes the sensor, and the
-/// friction t in its plane, as traction() has them. Frame M.
+/// Two arrows from the centroid of each polygon, with the values of traction(): p n, the pressure with damping along
+/// the normal that pushes the sensor, and the friction t in the plane of the polygon. Frame M.
 struct TractionMarks {
   Segments normal, friction;
   TractionNumbers numbers;
 };
-/// An arrow of the largest pressure of the range is a seventh of the sensor's diagonal long.
+/// Builds the arrows. The length of an arrow for the largest pressure of the range is a seventh of the sensor's
+/// diagonal.
 TractionMarks traction_marks(const SensorView& view, const PressureRange& range, const Look& look);
 
 }  // namespace taxel::ui

@@ -16,7 +16,7 @@ class FieldPaint {
   explicit FieldPaint(SensorModelPtr model) : model_(std::move(model)) {}
   [[nodiscard]] const SensorModelPtr& model() const { return model_; }
 
-  /// The map of `fields`, which holds this model.
+  /// Returns the map of the model in `fields`.
   const PaintBuffer& map(const ShownFieldsPtr& fields);
   /// Taxel normals in the colour of their angle to the skin's normals, and the skin's normals.
   struct Normals {
@@ -29,7 +29,7 @@ class FieldPaint {
  private:
   SensorModelPtr model_;
   ShownFieldsPtr fields_;
-  PaintBuffer map_;  // of those
+  PaintBuffer map_;  // fields of `map_`
   std::optional<Normals> normals_;
   std::uint32_t normals_rgba_ = 0;
   std::optional<NormalNumbers> normal_numbers_;

@@ -1,4 +1,4 @@
-// A mesh on the graphics card, with its triangles and edges. Made once per TriMesh.
+// A mesh in GPU memory, with its triangles and edges. Built once for each TriMesh.
 #pragma once
 
 #include <map>
@@ -14,28 +14,30 @@ namespace taxel::ui {
 
 class GpuMesh {
  public:
-  /// With `most_faces` > 0 a mesh of more is drawn simplified to about that.
+  /// If `most_faces` > 0, a mesh with more faces is simplified to about this number for drawing.
   explicit GpuMesh(TriMeshPtr mesh, int most_faces = 0);
 
   [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }  ///< the mesh that is drawn
   [[nodiscard]] const TriMeshPtr& shared_mesh() const { return mesh_; }
-  const std::vector<MeshEdge>& edges();  ///< made when first asked for
-  /// Whether it is small enough to look at each edge in each picture.
+  const std::vector<MeshEdge>& edges();  ///< edges, computed at the first call
+  /// Returns true if the mesh is small enough to test each edge in each frame.
   [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMaxOutlined; }
 
   void draw() const;
-  /// Without the faces of `hidden` (GL_FRONT, GL_BACK) where others of a closed body always lie before them.
+  /// Draws the mesh. If the body is closed, the faces of the side `hidden` (GL_FRONT, GL_BACK) are left out, because
+  /// other faces always hide them.
   void draw_without(GLenum hidden) const;
-  /// Faces from back to front as seen along `direction` (frame of the mesh); of a large mesh those that look away, then
-  /// those that look towards the eye, which is the same for convex shapes.
+  /// Draws the faces from back to front as seen along `direction` (frame of the mesh). A large mesh is drawn in two
+  /// groups, first the faces that look away, then those that look towards the eye; for convex shapes the result is the
+  /// same.
   void draw_blended(const glm::vec3& direction);
-  /// All edges as segments of that colour; made when first asked for.
+  /// Returns all edges as segments of one colour. They are built at the first call.
   const gl::Buffer& wires(float width, std::uint32_t rgba);
 
  private:
   TriMeshPtr mesh_;
-  bool outward_;                                                     ///< closed, faces look outwards
-  static constexpr int kMaxSorted = 60'000, kMaxOutlined = 300'000;  // faces
+  bool outward_;                                                     ///< true for a closed mesh with outward faces
+  static constexpr int kMaxSorted = 60'000, kMaxOutlined = 300'000;  // largest numbers of faces
   std::optional<std::vector<MeshEdge>> edges_;
   std::vector<glm::vec3> centroids_;
   std::vector<std::uint32_t> indices_, sorted_;
@@ -45,10 +47,10 @@ class GpuMesh {
   std::uint32_t wire_rgba_ = 0;
 };
 
-/// Keeps the meshes drawn recently; a mesh that a whole frame does not use is dropped.
+/// A cache of the recently drawn meshes. A mesh that is not used for a whole frame is dropped.
 class MeshCache {
  public:
-  /// `most_faces` as of GpuMesh.
+  /// `most_faces` is the limit of GpuMesh.
   explicit MeshCache(int most_faces) : most_faces_(most_faces) {}
   GpuMesh& get(const TriMeshPtr& mesh);
   void end_frame();

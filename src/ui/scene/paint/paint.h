@@ -1,4 +1,4 @@
-// Triangles on a skin in flat colours, seen from the side that they face.
+// Draws triangles on a skin in flat colours, visible from their front side.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace taxel::ui {
 
-/// Triangles that stay on the card.
+/// Triangles in GPU memory.
 class PaintBuffer {
  public:
   PaintBuffer();

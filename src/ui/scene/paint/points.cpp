@@ -14,7 +14,7 @@ void read_marks(gl::VertexArray& array, const gl::Buffer& buffer) {
   array.attribute(2, buffer, 4, GL_UNSIGNED_BYTE, sizeof(PointMark), offsetof(PointMark, rgba));
 }
 
-/// False only where point.vert leaves it out as well, whatever it rounds.
+/// Returns false only if point.vert also drops the point, whatever its rounding errors.
 bool may_face(const PointMark& mark, const glm::vec3& eye) {
   const glm::vec3 normal(mark.normal[0], mark.normal[1], mark.normal[2]), toward = eye - mark.position;
   return glm::dot(normal, toward) >= -1e-4f * 127 * glm::length(toward);

@@ -1,4 +1,4 @@
-// Round points of constant pixel size.
+// Draws round points of constant size in pixels.
 #pragma once
 
 #include <array>
@@ -13,24 +13,24 @@ namespace taxel::ui {
 
 struct PointMark {
   glm::vec3 position{0};
-  MarkNormal normal{0, 0, 0, 127};  ///< last: part of the size
+  MarkNormal normal{0, 0, 0, 127};  ///< normal; the last number is a fraction of the size
   std::uint32_t rgba = 0;           ///< sRGB, straight alpha, red in the lowest byte
 };
 
 PointMark point_mark(const dvec3& position, const dvec3& normal, double size, std::uint32_t rgba);
 
 struct PointStyle {
-  float diameter = 4;  ///< [pixel]; of a point of size 1
+  float diameter = 4;  ///< diameter of a point of size 1 [pixel]
   glm::vec4 outline{0, 0, 0, 0};
-  float outline_width = 0;  ///< [pixel], inside the diameter
+  float outline_width = 0;  ///< width of the outline, inside the diameter [pixel]
 };
 
-/// Points that stay on the card.
+/// Points in GPU memory.
 class PointBuffer {
  public:
   PointBuffer();
   void upload(std::span<const PointMark> points, GLenum usage) { buffer_.upload(points, usage); }
-  /// The first `most` of them.
+  /// Draws the first `most` points.
   void draw(int most = std::numeric_limits<int>::max()) const;
 
  private:
@@ -38,13 +38,13 @@ class PointBuffer {
   gl::VertexArray array_;
 };
 
-/// Very many points on a surface, each seen from one side: those that look away do not get as far as the card.
+/// Very many points on a surface, each visible from one side. Points that look away are not sent to the GPU.
 class SurfacePoints {
  public:
   SurfacePoints();
   void upload(std::vector<PointMark> points);
-  /// Those of the first `most` that face an eye (frame of the points), in their order; about grazing ones the shader
-  /// decides.
+  /// Draws those of the first `most` points that face the eye (frame of the points), in their order. For points that
+  /// are seen at a grazing angle the shader decides.
   void draw(const dvec3& eye, int most);
 
  private:

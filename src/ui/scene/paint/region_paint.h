@@ -1,4 +1,4 @@
-// The painted region as a tint on the skin; kept on the card.
+// The painted region as a tint on the skin, in GPU memory.
 #pragma once
 
 #include "core/base/shared_value.h"
@@ -9,8 +9,8 @@ namespace taxel::ui {
 
 class RegionPaint {
  public:
-  /// Made again if mesh or region are others than last time. `region`: faces of the mesh as loaded; those that the mesh
-  /// does not have are left out.
+  /// Returns the triangles of the region, and rebuilds them if the mesh or the region has changed since the last call.
+  /// `region` has faces of the loaded mesh; faces that the mesh does not have are left out.
   const PaintBuffer& take(const RepairedMeshPtr& mesh, const FaceSet& region);
 
  private:

@@ -1,4 +1,4 @@
-// Lines and arrows of constant pixel width, gathered on the processor and drawn in one go.
+// Lines and arrows of constant width in pixels, collected by the CPU and drawn by one call.
 #pragma once
 
 #include <span>
@@ -12,17 +12,17 @@
 
 namespace taxel::ui {
 
-/// As `Segment` in shaders/segment.glsl (std430).
+/// A line segment, with the layout of `Segment` in shaders/segment.glsl (std430).
 struct Segment {
-  static constexpr double kWidest = 12.7;  ///< [pixel]
+  static constexpr double kWidest = 12.7;  ///< largest width [pixel]
   glm::vec3 a{0};
-  MarkNormal normal{0, 0, 0, 10};  ///< last: part of the widest width
+  MarkNormal normal{0, 0, 0, 10};  ///< normal; the last number is a fraction of kWidest
   glm::vec3 b{0};
   std::uint32_t rgba = 0;  ///< sRGB, straight alpha, red in the lowest byte
 };
 using Segments = std::vector<Segment>;
 
-/// `width` [pixel] in steps of a tenth.
+/// Builds a segment. `width` [pixel] is rounded to a tenth.
 inline Segment segment(const dvec3& a, const dvec3& b, float width, std::uint32_t rgba,
                        const dvec3& normal = dvec3(0)) {
   return {glm::vec3(a), pack_normal(normal, static_cast<double>(width) / Segment::kWidest), glm::vec3(b), rgba};
@@ -35,7 +35,7 @@ class SegmentPass {
   void draw_lines(std::span<const Segment> segments, const MarkState& state);
   void draw_lines(const gl::Buffer& segments, const MarkState& state) const;
   void draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline);
-  /// `scale` multiplies the widths.
+  /// Draws arrows. `scale` multiplies the widths.
   void draw_arrows(const gl::Buffer& segments, const MarkState& state, const glm::vec4& outline, float scale) const;
 
  private:
@@ -43,7 +43,7 @@ class SegmentPass {
   void make_quads(GLsizei count) const;
   gl::Program lines_, arrows_;
   gl::Buffer stream_;
-  mutable gl::Buffer corners_;  // of as many quads as were ever asked for: four vertices each, six indices
+  mutable gl::Buffer corners_;  // indices of the quads, six for each; grows to the largest number used
   mutable gl::VertexArray quads_;
 };
 

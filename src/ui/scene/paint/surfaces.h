@@ -1,4 +1,4 @@
-// Contact surfaces coloured by pressure: exact colours, looked up per fragment.
+// Draws contact surfaces coloured by pressure. Colours are exact, because they are looked up for each fragment.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace taxel::ui {
 
-/// From which side triangles are seen.
+/// The sides from which triangles are visible.
 enum class Seen { both, front };
 
 struct SurfaceVertex {
@@ -21,14 +21,14 @@ struct SurfaceVertex {
   float pressure = 0;  ///< [Pa]
 };
 
-/// Fans of all polygons as plain triangles; the pressure, linear on each polygon, stays exact under interpolation.
+/// Appends all polygons as triangle fans. The pressure is linear on each polygon, so its interpolation is exact.
 void append_triangles(const ContactSurface& surface, std::vector<SurfaceVertex>& out);
-/// The outline of one polygon, or of each.
+/// Appends the outline of one polygon, or of all polygons.
 void append_edges(const ContactSurface& surface, const ContactPolygon& polygon, float width, std::uint32_t rgba,
                   Segments& out);
 void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba, Segments& out);
-/// The rim, where a soft body's pressure ends at nothing, as lines in the colours of their pressures: drawn before the
-/// triangles, which cover their inner half, they smooth its steps.
+/// Appends the rim, where the pressure of a soft body ends at 0, as lines in the colours of their pressures. They must
+/// be drawn before the triangles, which cover their inner half; the outer half smooths the steps of the rim.
 void append_rim(const ContactSurface& surface, const PressureRange& range, Segments& out);
 
 class SurfacePass {

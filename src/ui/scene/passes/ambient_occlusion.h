@@ -18,7 +18,7 @@ class AmbientOcclusion {
   void draw(const gl::Framebuffer& target, double radius);
 
  private:
-  /// Colour alone, of a format that holds a distance.
+  /// A colour layer in a format that stores a distance.
   struct Layer {
     Layer(int width, int height) : texture(GL_RG32F, width, height) {
       glNamedFramebufferTexture(target.id(), GL_COLOR_ATTACHMENT0, texture.id(), 0);
@@ -30,7 +30,7 @@ class AmbientOcclusion {
 
   gl::Program occlusion_, blur_, apply_;
   gl::VertexArray empty_;
-  std::optional<gl::Framebuffer> depth_;  // copy of the depth, because the buffer that is drawn to may not be read
+  std::optional<gl::Framebuffer> depth_;  // copy of the depth, because a bound buffer may not be read
   std::optional<Layer> rough_, smooth_;
 };
 

@@ -4,7 +4,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// Whether it had to be made.
+/// Makes `picture` of the given size. Returns true if it had to be created.
 bool fit(std::optional<gl::Framebuffer>& picture, int width, int height) {
   if (picture && picture->width() == width && picture->height() == height) return false;
   picture.reset();
@@ -35,7 +35,7 @@ void Backdrop::fill(const gl::Framebuffer& target, const GroundPass& pass, const
   const Key key{ground.X_WP.p, ground.X_WP.q, camera, &look, grid, scale, target.width(), target.height()};
   const bool rests = key == last_;
   last_ = key;
-  if (!rests) {  // while the camera moves, a picture of it would be of use only once
+  if (!rests) {  // while the camera moves, an image of the grid would be used only once
     fill_background(target, pass, look);
     pass.draw(ground, camera, look, grid, segments);
     return;

@@ -1,4 +1,5 @@
-// Background and grid, kept as pictures where drawing is dear: the background always, both while the camera rests.
+// Background and grid, cached as images for software renderers: the background always, and both while the camera does
+// not move.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,8 @@ namespace taxel::ui {
 
 class Backdrop {
  public:
-  /// Fills the colour of `target` (bound, of a single sample per pixel) with background and grid. Draws only what
-  /// changed; else copies, which costs a software renderer a tenth.
+  /// Fills the colour of `target` (bound, with a single sample per pixel) with background and grid. Draws only changed
+  /// parts and copies the others, which costs a software renderer a tenth of drawing.
   void fill(const gl::Framebuffer& target, const GroundPass& pass, const Ground& ground, const Camera& camera,
             const Look& look, bool grid, double scale, SegmentPass& segments);
 

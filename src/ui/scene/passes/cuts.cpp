@@ -29,7 +29,7 @@ glm::mat4 matrix(const SectionPlane& plane) {
           glm::vec4(glm::vec3(plane.origin_W), 1)};
 }
 
-/// Triangles from one point of each closed outline to all its edges.
+/// Returns triangles from one point of each closed outline to all its edges.
 std::vector<glm::vec2> fans_of(const std::vector<Section::Outline>& outlines) {
   std::vector<glm::vec2> out;
   for (const Section::Outline& outline : outlines) {
@@ -41,7 +41,8 @@ std::vector<glm::vec2> fans_of(const std::vector<Section::Outline>& outlines) {
   return out;
 }
 
-/// By powers of two, so that lines stay where they are while one zooms, and only each second one comes or goes.
+/// Returns the distance of hatch lines, rounded to a power of two: while the user zooms, lines do not move, and only
+/// every second line appears or disappears.
 double hatch_distance(const Camera& camera) {
   return std::exp2(std::floor(std::log2(kHatchOfDistance * camera.distance)));
 }
@@ -87,7 +88,7 @@ void CutPass::draw_cap(const Cut& cut) const {
   glDrawArrays(GL_TRIANGLES, 0, cut.fans.count());
   gl::apply({.depth_write = false, .blend = true});
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
-  glStencilOp(GL_ZERO, GL_ZERO, GL_ZERO);  // so that each pixel is filled once
+  glStencilOp(GL_ZERO, GL_ZERO, GL_ZERO);  // resets the stencil, so that each pixel is filled once
   glDrawArrays(GL_TRIANGLES, 0, cut.fans.count());
   glDisable(GL_STENCIL_TEST);
 }
@@ -108,7 +109,7 @@ void CutPass::draw(const std::vector<MeshItem>& items, float alpha, const ClipPl
     program_.set("alpha", alpha);
     program_.use();
     draw_cap(cut);
-    side = -side;  // bodies side by side are hatched in different directions
+    side = -side;  // successive bodies are hatched in different directions
     segments.draw_lines(cut.rim, {.world_from_model = ui::matrix(item.X_WM), .toward_eye = kRimTowardEye});
   }
 }

@@ -1,5 +1,5 @@
-// The faces that the clip plane cuts through bodies: closed by a hatched cap, with a line around, so that nobody looks
-// into a hollow mesh.
+// Draws the cut of the clip plane through bodies: a hatched cap with a line around it, so that a mesh does not look
+// hollow.
 #pragma once
 
 #include <vector>
@@ -18,8 +18,9 @@ class CutPass {
  public:
   explicit CutPass(const gl::ShaderReader& read);
 
-  /// Caps and rims of bodies that are drawn already, into a framebuffer whose stencil is 0 and stays so. Caps hide by
-  /// depth nothing that is drawn later: the contact inside stays whole. Outlines that are not closed have a rim alone.
+  /// Draws caps and rims of bodies that are already drawn, into a framebuffer whose stencil is 0 before and after. Caps
+  /// do not write depth, so the contact inside remains completely visible. An outline that is not closed has only a
+  /// rim.
   void draw(const std::vector<MeshItem>& items, float alpha, const ClipPlane& clip, const Camera& camera,
             const Look& look, SegmentPass& segments);
   void end_frame();  ///< drops cuts that this frame did not draw
@@ -29,11 +30,11 @@ class CutPass {
     PlacedMesh body;
     ClipPlane clip;
     bool used = true;
-    Segments rim;     // in the mesh's frame
-    gl::Buffer fans;  // triangles in the plane: they wind around each point as often as the outlines do
+    Segments rim;     // outline of the cut, in the frame of the mesh
+    gl::Buffer fans;  // triangles in the plane, with the winding numbers of the outlines
     gl::VertexArray array;
   };
-  /// Stays while neither the body nor the plane moves.
+  /// Returns the cut of a body. It is computed again if the body or the plane has moved.
   Cut& cut_of(const MeshItem& item, const ClipPlane& clip);
   void draw_cap(const Cut& cut) const;
 

@@ -35,7 +35,7 @@ FrameUniforms pixel_frame(int width, int height, double scale) {
   u.clip_from_view = glm::mat4(glm::ortho(0.0, width / scale, 0.0, height / scale, -1.0, 1.0));
   u.eye.w = static_cast<float>(scale);
   u.viewport = viewport_of(width, height);
-  u.ground_light.w = -2;  // nothing is cut
+  u.ground_light.w = -2;  // nothing is clipped
   return u;
 }
 

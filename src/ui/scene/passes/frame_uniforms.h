@@ -11,7 +11,7 @@ namespace taxel::ui {
 
 struct Look;
 
-/// As `Frame` in shaders/frame.glsl (std140).
+/// Uniforms with the layout of `Frame` in shaders/frame.glsl (std140).
 struct FrameUniforms {
   glm::mat4 view_from_world{1};
   glm::mat4 clip_from_view{1};
@@ -23,16 +23,17 @@ struct FrameUniforms {
   glm::vec4 clip_plane{0, 0, 0, 1};
 };
 
-/// Widths and diameters of marks are multiplied by `scale`.
+/// Returns the uniforms of a perspective view. `scale` multiplies widths and diameters of marks.
 FrameUniforms perspective_frame(const Camera& camera, const Look& look, int width, int height, double scale,
                                 const std::optional<ClipPlane>& clip);
-/// Pixels of marks in a view of width x height pixels, y up, z from -1 to 1: for what lies on the screen.
+/// Returns the uniforms for flat drawings on the screen: coordinates are pixels of marks in a view of width x height
+/// pixels, with y up and z from -1 to 1.
 FrameUniforms pixel_frame(int width, int height, double scale);
 
 /// Sends the uniforms and makes all following draws use them.
 void bind_frame(gl::Buffer& buffer, const FrameUniforms& uniforms);
 
-/// A pose as the shaders take it.
+/// Returns a pose as a matrix for the shaders.
 glm::mat4 matrix(const Pose& pose);
 
 }  // namespace taxel::ui

@@ -51,7 +51,7 @@ void GroundPass::make_shadow(const Ground& ground, const Aabb& box_W,
   caster_.set("plane", glm::vec4(glm::vec3(up), -glm::dot(up, ground.X_WP.p)));
   caster_.set("shadow_height", static_cast<float>(kShadowHeight * shadow_.casters().diagonal()));
   gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
-  glBlendEquation(GL_MAX);  // the lowest caster above each point decides
+  glBlendEquation(GL_MAX);  // keeps the lowest caster above each point
   caster_.use();
   draw_casters(caster_);
   shadow_.blur();

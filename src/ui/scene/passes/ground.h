@@ -10,7 +10,8 @@
 
 namespace taxel::ui {
 
-/// The plane z = 0 of `X_WP`; a scene's own plane is filled and hides what lies below, else only the grid is drawn.
+/// The ground, which is the plane z = 0 of `X_WP`. A plane geom of the scene is filled and hides bodies below it;
+/// without one, only the grid is drawn.
 struct Ground {
   Pose X_WP;
   bool filled = false;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kMargin = 0.02;               // margin around the scene as a fraction of its size, for a soft edge
 constexpr float kSlopeBias = 2.5f, kBias = 2;  // of glPolygonOffset
 
-/// Its z axis points towards the light.
+/// Returns a pose whose z axis points towards the light.
 Pose facing(const dvec3& light) {
   const dvec3 x = any_perpendicular(light);
   return {glm::quat_cast(dmat3(x, glm::cross(light, x), light)), dvec3(0)};

@@ -11,16 +11,15 @@ namespace taxel::ui {
 
 class KeyShadow {
  public:
-  /// `texels` along each side.
+  /// The map has `texels` texels along each side.
   KeyShadow(const gl::ShaderReader& read, int texels);
 
-  /// Draws the map of whatever `draw_casters(program)` draws with the given
-  /// program (uniform world_from_mesh). It shows what lies in `shown_W`;
-  /// `casters_W` bounds all that casts. `light`: towards it. Leaves another
-  /// framebuffer and frame bound.
+  /// Draws the map of the bodies that `draw_casters(program)` draws with the given program (uniform world_from_mesh).
+  /// `shown_W` is the box that the map covers, `casters_W` bounds all casters, and `light` is the direction towards the
+  /// light. Leaves another framebuffer and frame bound.
   void make(const Aabb& shown_W, const Aabb& casters_W, const glm::vec3& light,
             const std::function<void(const gl::Program&)>& draw_casters);
-  /// For programs with key_shadow.glsl.
+  /// Binds the map for a program that includes key_shadow.glsl.
   void use(const gl::Program& program, GLuint unit) const;
 
  private:
@@ -29,7 +28,7 @@ class KeyShadow {
   gl::FramebufferHandle target_;
   gl::Buffer frame_;
   glm::mat4 map_from_world_{1};
-  float texel_ = 0;  // [m]; 0: nothing casts
+  float texel_ = 0;  // size of a texel [m]; 0 if there are no casters
 };
 
 }  // namespace taxel::ui

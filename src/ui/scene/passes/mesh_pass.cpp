@@ -14,25 +14,25 @@ constexpr double kGrazing = 0.03;        // of the skin's size: how far before i
 constexpr float kTowardEye = 0.004f;     // edges in front of their faces
 constexpr double kShadowHeight = 0.14;   // of the sensors' size, at which their shadow is a third as dark
 
-/// Whether the skin clearly hides a point of its own outline.
+/// Returns true if the skin clearly hides a point of its own outline.
 bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
   const double distance = glm::length(p - eye), nearer = distance - kGrazing * skin.mesh().bounds().diagonal();
   return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
 }
 
-/// Whether the near plane may cut the item open.
+/// Returns true if the near plane may cut the item open.
 bool may_be_within(const MeshItem& item, const Camera& camera) {
   const dvec3 eye = item.X_WM.inverse() * camera.eye(), around(2 * camera.near_plane());  // its corners lie farther
   return item.mesh->mesh().bounds().overlaps({eye - around, eye + around});
 }
 
-/// Outlines the item where it is of the selected body.
+/// Outlines the item if it belongs to the selected body.
 void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& input, const Look& look) {
   item.selected = input.selected_body >= 0 && geom.body_index == input.selected_body;
   if (item.selected) item.outline = look.selection;
 }
 
-/// Sites mark places: they cast no shadow, and those that MJCF has transparent hide nothing.
+/// Adds the sites. They only mark places, so they cast no shadow, and transparent sites hide nothing.
 void add_sites(const SceneInput& input, const Look& look, MeshCache& cache, MeshList& list) {
   for (const SceneSite& site : input.frame->scene->marks.sites) {
     const std::optional<Pose> X_WS = site_pose(*input.frame, site);
@@ -107,7 +107,7 @@ void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
   gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
   glBlendEquation(GL_MIN);
   caster_.use();
-  draw_casters(caster_, sensors, GL_FRONT);  // the lowest counts
+  draw_casters(caster_, sensors, GL_FRONT);  // the lowest sensor decides
   shadow_.blur();
   solid_.set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
   solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kShadowHeight * range)));

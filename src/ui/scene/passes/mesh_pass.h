@@ -1,4 +1,4 @@
-// The lit bodies of a scene: solid geoms, and the skin of the sensors, solid or transparent.
+// Draws the lit bodies of a scene: solid geoms, and the skins of the sensors, solid or transparent.
 #pragma once
 
 #include "ui/scene/paint/gpu_mesh.h"
@@ -14,15 +14,15 @@ namespace taxel::ui {
 struct MeshItem {
   GpuMesh* mesh = nullptr;
   Pose X_WM;
-  glm::vec3 albedo{0.5f};                  ///< linear
-  glm::vec4 outline{0};                    ///< sRGB
-  bool sensor = false;                     ///< casts the sensors' shadow, so does not receive it
-  const MeshIndex* transparent = nullptr;  ///< the skin itself where it is; null: solid
-  bool casts = true;                       ///< shadows at all
+  glm::vec3 albedo{0.5f};                  ///< base colour, linear
+  glm::vec4 outline{0};                    ///< colour of the outline, sRGB
+  bool sensor = false;                     ///< a sensor, which casts the sensors' shadow and does not receive it
+  const MeshIndex* transparent = nullptr;  ///< skin that is drawn transparent; null for a solid body
+  bool casts = true;                       ///< casts shadows
   bool selected = false;                   ///< its outline is bolder
 };
 
-/// What decides where a body is, for what stays while it rests.
+/// A body and its pose. If both are unchanged, cached drawings of the body remain valid.
 struct PlacedMesh {
   TriMeshPtr mesh;
   Pose X_WM;
@@ -32,30 +32,33 @@ struct PlacedMesh {
 };
 
 struct MeshList {
-  std::vector<MeshItem> solids, skins;  ///< skins only while they are transparent
+  std::vector<MeshItem> solids, skins;  ///< `skins` only has transparent skins
 };
 
-/// All meshes of a picture; a sensor's geom is drawn from its model. Planes are the ground's.
+/// Returns all meshes of a frame. The geom of a sensor has the mesh of its model. Planes are left out, because the
+/// ground draws them.
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache);
-/// Which of them cast shadows, and where.
+/// Returns the meshes that cast shadows, with their poses.
 std::vector<PlacedMesh> casters_of(const MeshList& list);
-/// Of these, the sensors alone.
+/// Returns only the meshes of the sensors.
 MeshList sensors_of(const SceneInput& input, MeshCache& cache);
 
 class MeshPass {
  public:
-  /// `key_texels`: along each side of the key light's map.
+  /// `key_texels` is the number of texels along each side of the key light's map.
   MeshPass(const gl::ShaderReader& read, int key_texels);
-  /// `hidden`: the side of closed bodies that others of their faces hide (GL_FRONT, GL_BACK).
+  /// Draws the casters. `hidden` is the side of closed bodies that need not be drawn (GL_FRONT, GL_BACK).
   void draw_casters(const gl::Program& program, const MeshList& list, GLenum hidden) const;
   /// Computes how much of the sky the sensors, within `box_W`, hide from the other bodies.
   void make_shadow(const MeshList& sensors, const Aabb& box_W);
-  /// What all of them, within `box_W`, take away of the key light, finest around `sensors_W`.
+  /// Computes the shadow of all meshes within `box_W` from the key light, with the finest resolution around
+  /// `sensors_W`.
   void make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look);
-  // `clipped`: cut by the frame's plane; then the inside of solids that no cap closes is seen in one plain colour.
+  // If `clipped` is true, solids are cut by the frame's plane, and the inside of a solid without a cap has one plain
+  // colour.
   void draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   void draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
-  /// Creases and silhouettes.
+  /// Draws creases and silhouettes.
   void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments,
                      bool clipped) const;
   void draw_wires(const MeshList& list, const Look& look, SegmentPass& segments, bool clipped) const;

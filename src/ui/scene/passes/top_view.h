@@ -1,4 +1,4 @@
-// A small picture of something seen from above, blurred: what soft shadows are made of.
+// A small blurred image of bodies seen from above, used for soft shadows.
 #pragma once
 
 #include "ui/gl/framebuffer.h"
@@ -11,14 +11,14 @@ class TopView {
  public:
   explicit TopView(const gl::ShaderReader& read);
 
-  /// Clears to `empty` and makes all that follows be drawn as seen along -z of P, a margin around `box_W`.
-  /// False when there is nothing to see. Leaves other targets and frames to be bound again by the caller.
+  /// Clears the image to `empty`, and sets up the view along -z of P, with a margin around `box_W`, for the following
+  /// draws. Returns false if there is nothing to draw. The caller must bind its target and frame again.
   bool begin(const Pose& X_WP, const Aabb& box_W, float empty);
   void blur() const;
 
   void bind(GLuint unit) const { map_.bind(unit); }
-  [[nodiscard]] const glm::vec4& box() const { return box_; }     ///< low corner and size in P [m]; size 0: nothing
-  [[nodiscard]] const Aabb& casters() const { return casters_; }  ///< in P [m]
+  [[nodiscard]] const glm::vec4& box() const { return box_; }     ///< lower corner and size in P [m]; size 0 if empty
+  [[nodiscard]] const Aabb& casters() const { return casters_; }  ///< box of the casters in P [m]
 
  private:
   void blur(const gl::Texture& from, GLuint to, const glm::vec2& step) const;
@@ -32,7 +32,7 @@ class TopView {
   Aabb casters_;
 };
 
-/// The box of a box in an inner frame.
+/// Returns the bounding box, in an inner frame, of a box.
 Aabb box_in(const Pose& X_PW, const Aabb& box_W);
 
 }  // namespace taxel::ui

@@ -13,7 +13,7 @@ constexpr double kNearPart = 0.02, kFarPart = 50;   // of `distance`: near and f
 constexpr double kFrameMargin = 1.1;
 constexpr double kStraightDown = 1e-13;  // a shorter horizontal part of a unit vector has no direction
 
-/// Right, up and backward of the view: an orthonormal right-handed basis.
+/// The directions right, up and backward of the view: an orthonormal right-handed basis.
 struct Basis {
   dvec3 right, up, back;
 };

@@ -1,4 +1,4 @@
-// An orbit camera, z up: looks from around a target. Pure values and maths, tested without GL.
+// An orbit camera with z up, which looks at a target. Pure values and maths, tested without GL.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,28 +9,29 @@
 namespace taxel::ui {
 
 struct Camera {
-  dvec3 target{0, 0, 0};      ///< [m], world
-  double azimuth_deg = 135;   ///< direction from target to eye, about +z from +x
-  double elevation_deg = 25;  ///< above the horizon, (-90, 90)
-  double distance = 0.15;     ///< eye to target [m]
-  double fov_deg = 40;        ///< vertical
+  dvec3 target{0, 0, 0};      ///< target in the world [m]
+  double azimuth_deg = 135;   ///< direction from target to eye, angle about +z from +x
+  double elevation_deg = 25;  ///< angle of the eye above the horizon, in (-90, 90)
+  double distance = 0.15;     ///< distance from eye to target [m]
+  double fov_deg = 40;        ///< vertical field of view
   double roll_deg = 0;        ///< rotation of the image about the line of sight, to the left
 
   [[nodiscard]] dvec3 eye() const;
   [[nodiscard]] glm::dmat4 view() const;
-  [[nodiscard]] glm::dmat4 projection(double aspect) const;  ///< near and far follow the distance
-  [[nodiscard]] double near_plane() const;                   ///< distance [m]
-  /// Pixel (from the top left corner of a w x h view) of a world point; z is the depth in front of the eye, <= 0 behind
-  /// it.
+  /// Returns the projection, whose near and far planes scale with the distance.
+  [[nodiscard]] glm::dmat4 projection(double aspect) const;
+  [[nodiscard]] double near_plane() const;  ///< distance of the near plane [m]
+  /// Returns the pixel of a world point, from the top left corner of the view; z is the depth in front of the eye, <= 0
+  /// behind it.
   [[nodiscard]] dvec3 project(const dvec3& p_W, int width, int height) const;
-  /// The world ray through a pixel.
+  /// Returns the world ray through a pixel.
   [[nodiscard]] Ray pixel_ray(double x, double y, int width, int height) const;
 
   void orbit(double dx_pixels, double dy_pixels);
   void pan(double dx_pixels, double dy_pixels, int height, bool horizontal = false);
   void zoom(double wheel_notches);
   void frame(const Aabb& box_W);
-  /// Looks from a pose along its -z, with y up, at a target at distance `depth`.
+  /// Sets the camera to look from a pose along its -z, with y up, at a target at distance `depth`.
   void look_from(const Pose& X_WC, double depth);
 
   bool operator==(const Camera&) const = default;

@@ -7,9 +7,9 @@
 
 namespace taxel::ui {
 
-/// What lies beyond, dot(normal, p) > offset, is not shown. World.
+/// A clip plane in the world. Points with dot(normal, p) > offset are hidden.
 struct ClipPlane {
-  dvec3 normal{0, 0, 1};  ///< unit
+  dvec3 normal{0, 0, 1};  ///< unit normal
   double offset = 0;      ///< [m]
   bool operator==(const ClipPlane&) const = default;
 
@@ -18,7 +18,7 @@ struct ClipPlane {
   [[nodiscard]] ClipPlane flipped() const { return {-normal, -offset}; }
 };
 
-/// The part of a ray that is not clipped, and how far its origin moved; empty if all of the ray is clipped.
+/// The part of a ray that is not clipped, and the distance that its origin moved; empty if the whole ray is clipped.
 struct ShownRay {
   Ray ray;
   double moved = 0;

@@ -7,9 +7,9 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kTolerance = 4e-3;  // of the distance: what lies on a body is drawn before it
+constexpr double kTolerance = 4e-3;  // fraction of the distance; marks on a body are drawn in front of it
 
-/// The pointer in one picture.
+/// The pointer in one frame.
 struct Pointer {
   const SceneInput& input;
   const Camera& camera;
@@ -20,7 +20,7 @@ struct Pointer {
   double solid;  ///< distance at which solid bodies end the ray [m]
 };
 
-/// The nearest taxel centre that faces the eye and is not behind a solid body.
+/// Picks the nearest taxel centre that faces the eye and is not behind a solid body.
 void pick_taxel(const Pointer& p, const SensorView& view, double& nearest, Pick& out) {
   for (int k = 0; k < view.model->taxel_count(); ++k) {
     if (view.hidden(k)) continue;
@@ -39,7 +39,7 @@ void pick_taxel(const Pointer& p, const SensorView& view, double& nearest, Pick&
   }
 }
 
-/// The nearest contact polygon of a sensor before `t_max`. True when there is one.
+/// Picks the nearest contact polygon of a sensor before `t_max`. Returns true if there is one.
 bool pick_polygon(const SensorView& view, const Ray& ray_M, double t_max, Pick& out) {
   if (view.state == nullptr) return false;
   const RayTriangleTest test(ray_M);
@@ -66,7 +66,7 @@ bool pick_polygon(const SensorView& view, const Ray& ray_M, double t_max, Pick& 
   return found;
 }
 
-/// The skin under the pointer and its nearest sample. True when the skin is nearer than `t_max`.
+/// Picks the skin under the pointer and its nearest sample. Returns true if the skin is nearer than `t_max`.
 bool pick_skin(const Pointer& p, const SensorView& view, const Ray& ray_M, double t_max, Pick& out) {
   const auto hit = view.model->skin->cast(ray_M);
   if (!hit || hit->t > t_max) return false;
