@@ -7,11 +7,12 @@
 
 namespace taxel {
 
-/// The wrench on A answers a small motion of A relative to B by -K of it (both about A's origin, frame A):
-/// K = integral of the symmetric part of l r^T dA, each of l and r taken as a force at x, with its moment. Where A
-/// moves by dx, the place where pA(x - dx) = pB(x) moves along n by gA . dx/|gA - gB|, and with it what pushes of B: l
-/// = -gB, r = gA/|gA - gB|; two slabs are springs in series. Against a rigid body l = n, r = g. That the surface turns
-/// with the bodies is left out. The surface is that of `a` and `b`, with B's pose X_AB in A.
+/// Returns the stiffness K: a small motion dX of A relative to B changes the wrench on A by -K dX (both about A's
+/// origin, frame A). K is the integral of the symmetric part of l r^T dA, where l and r are treated as forces at x,
+/// with their moments. If A moves by dx, the surface pA(x - dx) = pB(x) moves along n by gA . dx/|gA - gB|, and with it
+/// the pressure of B, so l = -gB and r = gA/|gA - gB|; two slabs are springs in series. Against a rigid body l = n and
+/// r = g. The rotation of the surface with the bodies is neglected. `surface` is the contact surface of `a` and `b`,
+/// and X_AB is the pose of B in A.
 Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
                           const RigidTransform& X_AB);
 

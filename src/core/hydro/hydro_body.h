@@ -1,4 +1,4 @@
-// One body as the contact kernel sees it: geometry in its own frame, with a material. Immutable.
+// A body for the contact kernel: geometry in its own frame, with a material. Immutable.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct SoftBody {
         index(std::make_shared<const FieldIndex>(field, depth ? depth->skin().get() : nullptr)) {}
   PressureFieldPtr field;
   DepthFieldPtr depth;  ///< the field of a pad beyond its tets; null if the field ends with its tets
-  FieldIndexPtr index;  ///< the field as the kernel reads it
+  FieldIndexPtr index;  ///< field in the form that the kernel reads
 };
 /// The half-space z <= 0 with the pressure p = stiffness * depth.
 struct SoftHalfSpace {
@@ -31,15 +31,15 @@ struct SoftHalfSpace {
 struct RigidMesh {
   explicit RigidMesh(std::shared_ptr<const MeshIndex> i)
       : index(std::move(i)), tree(std::make_shared<const TriangleTree>(index->mesh())) {}
-  std::shared_ptr<const MeshIndex> index;  ///< closed, outward
+  std::shared_ptr<const MeshIndex> index;  ///< closed mesh with outward faces
   std::shared_ptr<const TriangleTree> tree;
 };
-struct RigidHalfSpace {};  ///< z <= 0
+struct RigidHalfSpace {};  ///< half-space z <= 0
 
 struct HydroBody {
   std::variant<RigidHalfSpace, SoftHalfSpace, SoftBody, RigidMesh> geometry;
   Material material;
-  std::string name;  ///< for messages
+  std::string name;  ///< name for messages
   [[nodiscard]] bool soft() const { return geometry.index() == 1 || geometry.index() == 2; }
   [[nodiscard]] bool half_space() const { return geometry.index() < 2; }
 };
@@ -52,17 +52,17 @@ struct Shape {
   ShapeType type = ShapeType::sphere;
   dvec3 size{0};              ///< sphere [r], capsule and cylinder [r, half length], box and ellipsoid half sizes
   TriMeshPtr mesh = nullptr;  ///< for type mesh
-  double resolution = 0;      ///< target edge length of the tessellation [m]; 0: a tenth of the smallest extent
+  double resolution = 0;      ///< edge length of the tessellation [m]; 0: a tenth of the smallest extent
   TetMeshPtr tets = nullptr;  ///< for type tets
   const char* rigid_only = nullptr;    ///< name of a shape that can only be rigid, such as "a height field", or null
   std::vector<int> face_numbers = {};  ///< the user's numbers of the faces; empty if the mesh has its own
   double refine = kDefaultRefine;      ///< longest edge of a soft mesh's skin, in thicknesses of its pad
 };
 
-/// Makes the body of a shape, soft if material.modulus > 0. Rigid planes and boxes are exact; round shapes are
-/// tessellated and scaled to their true volume. A soft mesh gets a pad on its outer shells (thickness 0: an eighth of
-/// the smallest extent) or a star. A soft primitive gets its medial-axis field, or a pad if the material names pad and
-/// a thickness. Soft tets get their own field, rigid tets become their boundary. Throws Error that names the
+/// Builds the body of a shape, which is soft if material.modulus > 0. Rigid planes and boxes are exact; round shapes
+/// are tessellated and scaled to their true volume. A soft mesh gets a pad on its outer shells (thickness 0: an eighth
+/// of the smallest extent) or a star. A soft primitive gets its medial-axis field, or a pad if the material names pad
+/// and a thickness. Soft tets get their own field, rigid tets become their boundary. Throws Error that names the
 /// unsupported combination or the value out of range (size <= 0, pad on an open mesh, ...).
 HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name);
 

@@ -1,4 +1,4 @@
-// The contact surface of two bodies at given poses.
+// Computes the contact surface of two bodies at given poses.
 #pragma once
 
 #include "core/hydro/contact_surface.h"
@@ -7,9 +7,9 @@
 
 namespace taxel {
 
-/// Fills `out` (frame of A; normals push A), with at least one soft body; both may be. Half-open faces: what lies
-/// exactly between two tets is counted once. Throws Error naming the bodies when both are rigid, or both half-spaces,
-/// or a pose is not finite or has no unit quaternion.
+/// Fills `out` (frame of A; normals push A). At least one body must be soft. Faces of tets are half-open, so a point
+/// exactly between two tets counts once. Throws Error naming the bodies if both are rigid or both are half-spaces, or
+/// if a pose is not finite or its quaternion is not of unit length.
 void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const Pose& X_WB, ContactSurface& out,
                IntersectWorkspace& workspace);
 

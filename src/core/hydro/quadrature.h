@@ -7,17 +7,19 @@
 
 namespace taxel {
 
-/// Barycentric weights (the third is 1 - u - v) and the part of the area that a point stands for.
+/// A point of a quadrature rule: barycentric weights (the third is 1 - u - v), and its weight as a fraction of the
+/// area.
 struct QuadraturePoint {
   double u = 0, v = 0, weight = 0;
 };
 
-/// Exact for polynomials of degree 2, three points inside the triangle, all weights equal (Strang, Fix 1973).
+/// Rule that is exact for polynomials of degree 2: three points inside the triangle with equal weights (Strang, Fix
+/// 1973).
 inline constexpr std::array<QuadraturePoint, 3> kTriangleDegree2{
     {{1.0 / 6, 1.0 / 6, 1.0 / 3}, {1.0 / 6, 2.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 6, 1.0 / 3}}};
 
-/// Exact for polynomials of degree 4, six points inside the triangle, all weights positive (Dunavant 1985):
-/// a = (8 - sqrt(10) +- sqrt(38 - 44 sqrt(2/5)))/18, w = (620 +- sqrt(213125 - 53320 sqrt(10)))/3720.
+/// Rule that is exact for polynomials of degree 4: six points inside the triangle with positive weights (Dunavant
+/// 1985), a = (8 - sqrt(10) +- sqrt(38 - 44 sqrt(2/5)))/18, w = (620 +- sqrt(213125 - 53320 sqrt(10)))/3720.
 inline constexpr std::array<QuadraturePoint, 6> kTriangleDegree4 = [] {
   constexpr double a = 0.44594849091596489, wa = 0.22338158967801147;
   constexpr double b = 0.09157621350977074, wb = 0.10995174365532187;
@@ -30,10 +32,10 @@ struct EmbeddedPoint {
   double u = 0, v = 0, weight = 0, coarse = 0;
 };
 
-/// Exact for polynomials of degree 5, seven points inside the triangle, the centroid first (Radon 1948): orbits a = (6
-/// -+ sqrt(15))/21, w = (155 -+ sqrt(15))/1200, and 9/40 at the centroid. Coarse: the centroid and the outer orbit with
-/// the weights that make them exact for degree 2, 1/(12 (1 - 3a)^2) each; the difference is a measure of the third
-/// derivatives.
+/// Rule that is exact for polynomials of degree 5: seven points inside the triangle, the centroid first (Radon 1948),
+/// with orbits a = (6 -+ sqrt(15))/21, w = (155 -+ sqrt(15))/1200, and 9/40 at the centroid. The coarser rule has the
+/// centroid and the outer orbit, with the weights 1/(12 (1 - 3a)^2) that make it exact for degree 2. The difference of
+/// both rules is a measure of the third derivatives.
 inline constexpr std::array<EmbeddedPoint, 7> kTriangleDegree5 = [] {
   constexpr double a = 0.10128650732345634, wa = 0.12593918054482715, ca = 1 / (12 * (1 - 3 * a) * (1 - 3 * a));
   constexpr double b = 0.47014206410511509, wb = 0.13239415278850618;
@@ -46,8 +48,9 @@ inline constexpr std::array<EmbeddedPoint, 7> kTriangleDegree5 = [] {
                                        {1 - 2 * b, b, wb, 0}}};
 }();
 
-/// Calls f(a, b, c, area) for the triangles of a polygon, fanned out from its first corner. Merging may have moved
-/// corners a little: the areas are scaled to add up to the polygon's. No call where the corners span no area.
+/// Calls f(a, b, c, area) for the triangles of a polygon, which form a fan about its first corner. Merging may have
+/// moved corners slightly, so the areas are scaled to add up to the polygon's area. There is no call if the corners
+/// span no area.
 template <class F>
 void for_each_triangle(const ContactSurface& surface, const ContactPolygon& polygon, F&& f) {
   const dvec3* corners = surface.vertices.data() + polygon.first;

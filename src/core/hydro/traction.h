@@ -1,4 +1,4 @@
-// From surface to wrench: pressure with Hunt-Crossley damping, and regularised Coulomb friction.
+// Computes the wrench of a contact surface: pressure with Hunt-Crossley damping, and regularised Coulomb friction.
 #pragma once
 
 #include <array>
@@ -21,18 +21,19 @@ using Matrix6 = std::array<std::array<double, 6>, 6>;
 /// Regularisation speed of friction [m/s]: |t| = (2/pi) mu p atan(v/vs).
 inline constexpr double kSlipSpeed = 1.0e-4;
 
-/// (2/pi) atan(v/vs)/v, with its limit 2/(pi vs) at rest [s/m].
+/// Returns (2/pi) atan(v/vs)/v, with its limit 2/(pi vs) at rest [s/m].
 double slip_factor(double speed);
 
 struct PairProperties {
   double dissipation = 0;  ///< d* [s/m]
   double friction = 0;     ///< mu
 };
-/// d* = (Eb da + Ea db)/(Ea + Eb); against a rigid body the soft one's. mu = 2 mu1 mu2/(mu1 + mu2), 0 if both are 0.
+/// Returns the properties of a pair: d* = (Eb da + Ea db)/(Ea + Eb), or the dissipation of the soft body if the other
+/// one is rigid; mu = 2 mu1 mu2/(mu1 + mu2), or 0 if both are 0.
 PairProperties combine(const Material& a, const Material& b);
 
-/// Friction on A [Pa] at a point of normal n and elastic pressure p0, where A moves with v relative to B:
-/// t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|, p = p0 (1 - d vn)+.
+/// Returns the friction on A [Pa] at a point with normal n and elastic pressure p0, if A moves with v relative to B: t
+/// = -(2/pi) mu p atan(|vt|/vs) vt/|vt|, p = p0 (1 - d vn)+.
 dvec3 friction_traction(double p0, const dvec3& n, const dvec3& v, const PairProperties& pair);
 
 /// The wrench on A about A's origin, frame A, for A moving with `V_BA` relative to B (frame A, at A's origin):
@@ -46,12 +47,13 @@ struct Traction {
 };
 Traction traction(const ContactSurface& surface, const PairProperties& pair, const Twist& V_BA);
 
-/// elastic - S V.
+/// Returns elastic - S V.
 Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V);
 
-/// Pressure alone (no velocity): wrench of p0 n, and the point where the force acts.
+/// Returns the wrench of the elastic pressure p0 n, without velocities.
 Wrench pressure_wrench(const ContactSurface& surface);
-/// Centroid of the pressure, integral of p x dA / integral of p dA; the area's centroid where the pressure is zero.
+/// Returns the centroid of the pressure, integral of p x dA / integral of p dA, or the centroid of the area if the
+/// pressure is zero.
 dvec3 pressure_centroid(const ContactSurface& surface);
 
 }  // namespace taxel

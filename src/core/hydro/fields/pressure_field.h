@@ -14,7 +14,7 @@
 
 namespace taxel {
 
-/// One tetrahedron with all that the kernel needs, in the frame of the body.
+/// One tetrahedron with all values that the kernel needs, in the frame of the body.
 struct Tet {
   ivec4 vertices{0};               ///< positively oriented
   std::array<dvec3, 4> normal;     ///< inward unit normal of the face opposite to vertex i
@@ -25,13 +25,13 @@ struct Tet {
   double size = 0;                 ///< longest edge: the scale of tolerances [m]
 };
 
-/// Some faces of the skin, and where they lie.
+/// A set of faces of the skin, and the place of its worst face.
 struct SkinPart {
   int faces = 0;
   double area = 0;  ///< [m^2]
   Aabb bounds;
-  int worst_face = -1;   ///< in the numbers of the mesh that the user gave
-  dvec3 worst_place{0};  ///< middle of that face [m]
+  int worst_face = -1;   ///< index in the user's mesh, or -1
+  dvec3 worst_place{0};  ///< middle of the worst face [m]
 };
 
 /// Quality of a field, displayed and tested. Stiffness is |g| at the skin, weighted by area [Pa/m].
@@ -39,25 +39,25 @@ struct FieldReport {
   int tets = 0;
   int inverted = 0;  ///< tets of negative volume before orientation, or of a fold
   int zero_gradient = 0;
-  double thickness_limited_fraction = 0;  ///< part of the skin area where H had to shrink
-  double stiffness_cv = 0;                ///< standard deviation over mean
+  double thickness_limited_fraction = 0;  ///< fraction of the skin area with less than H
+  double stiffness_cv = 0;                ///< standard deviation divided by mean
   double stiffness_mean = 0, stiffness_min = 0, stiffness_max = 0;
   double skin_area = 0;     ///< area of the mesh, with and without tets below it [m^2]
-  double thickness = 0;     ///< H that was asked for (pads) [m]
-  double deepest = 0;       ///< half of the body's smallest extent: no point lies deeper (pads) [m]
-  double least_part = 1;    ///< the shortest offset over what H asks for, where a pad was made at all
-  SkinPart limited;         ///< faces at which H had to shrink; worst: where the least is left
-  SkinPart bare;            ///< faces without a pad; worst: the largest
-  int two_layer_faces = 0;  ///< faces below which the prism has two layers (pads)
+  double thickness = 0;     ///< requested H (pads) [m]
+  double deepest = 0;       ///< half of the body's smallest extent, an upper bound of the depth (pads) [m]
+  double least_part = 1;    ///< smallest ratio of an offset to the offset required by H
+  SkinPart limited;         ///< faces with less than H; the worst one has the smallest ratio
+  SkinPart bare;            ///< faces without prism; the worst one is the largest
+  int two_layer_faces = 0;  ///< number of faces whose prism has two layers (pads)
   double depth_error_mean = 0, depth_error_rms = 0;  ///< error p/E - min(depth, H)/H over the pad (pad_error.h)
-  int refined_faces = 0;                             ///< faces that refinement of the skin added (pads)
-  int tents = 0;  ///< faces with a tent: a vertex above them, or a tet of their own (pads)
-  /// How a press of part of the thickness is felt over the skin (pads).
+  int refined_faces = 0;                             ///< number of faces added by refinement of the skin (pads)
+  int tents = 0;                                     ///< number of faces with a tent (pads, pad_tents.h)
+  /// Error of a press of a fraction of the thickness, over the skin (pads).
   struct PressError {
-    double part = 0;          ///< depth of the press over the thickness
+    double part = 0;          ///< depth of the press divided by the thickness
     double mean = 1;          ///< area-weighted mean of p H/(E d), over skin with tets at this depth
-    double deviation = 0;     ///< its standard deviation
-    double without_tets = 0;  ///< fraction of the skin where no tet reaches this depth: depth pieces serve it
+    double deviation = 0;     ///< standard deviation of p H/(E d)
+    double without_tets = 0;  ///< fraction of the skin without tets at this depth (uses depth pieces)
   };
   std::vector<PressError> press_errors;
   bool core = false;  ///< the field ends on a rigid core (pads)
@@ -66,25 +66,28 @@ struct FieldReport {
 
 class PressureField {
  public:
-  /// Faces shared by two tets get one plane, negated exactly for the second, so that no point between them is lost or
-  /// counted twice. Tets of negative volume are turned round and counted in the report, whose `inverted` and `notes`
-  /// the maker may have begun; the rest of the report is measured here. Throws Error naming the tet or vertex: no
-  /// volume, index out of range, pressure negative or not finite, a face of three tets.
+  /// Builds the field. A face shared by two tets has one plane, negated exactly for the second tet, so no point between
+  /// them is lost or counted twice. Tets of negative volume are reversed and counted in the report; `inverted` and
+  /// `notes` of the report may already have values of the caller, and the rest of the report is measured here. Throws
+  /// Error naming the tet or vertex if a tet has no volume, an index is out of range, a pressure is negative or not
+  /// finite, or three tets share a face.
   PressureField(std::vector<dvec3> vertices, std::vector<ivec4> tets, std::vector<double> vertex_pressure,
                 FieldReport report);
 
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<double>& vertex_pressure() const { return vertex_pressure_; }
   [[nodiscard]] const std::vector<Tet>& tets() const { return tets_; }
-  /// Of each tet, close together: for those that need nothing else of many tets here and there [Pa/m].
+  /// Returns the gradients of all tets [Pa/m], contiguous in memory for code that needs only the gradients of scattered
+  /// tets.
   [[nodiscard]] const std::vector<dvec3>& gradients() const { return gradients_; }
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] double max_pressure() const { return max_pressure_; }
   [[nodiscard]] double size() const { return size_; }  ///< diagonal of the bounds: the scale of tolerances [m]
   [[nodiscard]] const FieldReport& report() const { return report_; }
-  /// Whether the face opposite to this corner lies on the skin: at the boundary, with no pressure at its vertices.
+  /// Returns true if the face opposite to this corner is on the skin: it is at the boundary, and the pressure at its
+  /// vertices is 0.
   [[nodiscard]] bool is_skin(const Tet& tet, int corner) const;
-  /// Completes the report of a pad, by its maker alone: the errors need the finished field.
+  /// Completes the report of a pad. Called only by make_pad_field(), because the errors need the finished field.
   void set_press_errors(std::vector<FieldReport::PressError> errors) { report_.press_errors = std::move(errors); }
 
  private:
@@ -101,31 +104,31 @@ class PressureField {
 
 using PressureFieldPtr = std::shared_ptr<const PressureField>;
 
-/// A tree over the tets, one per leaf.
+/// Returns a tree over the tets, with one tet per leaf.
 Bvh tree_of_tets(const PressureField& field);
 
-/// How many layers of prisms a pad has.
+/// Number of layers of prisms in a pad.
 enum class PadLayering {
-  automatic,  ///< two where the skin's normals diverge (pad_pressures.h), one elsewhere
+  automatic,  ///< two layers where the skin's normals diverge (pad_pressures.h), otherwise one
   one,
-  two  ///< wherever prisms stay well shaped
+  two  ///< two layers wherever prisms are well shaped
 };
 
-/// Pad of thickness H and modulus E over a rigid core, on any closed mesh: skin prisms offset inward, three tets per
-/// prism and layer. H is limited by the local thickness. `face_numbers` are the user's numbers of the faces, for the
-/// report; if empty, the faces have their own numbers. `refine` is the longest edge, in H, of faces whose pad would be
-/// uneven (pad_refine.h); with 0 the skin is not refined. Throws Error for an open mesh (naming the places), H <= 0, E
-/// <= 0 or refine < 0.
+/// Builds a pad of thickness H and modulus E over a rigid core, on any closed mesh. It consists of prisms from the skin
+/// inward, with three tets per prism and layer. H is limited by the local thickness of the body. `face_numbers` are the
+/// user's numbers of the faces, for the report; if empty, the faces have their own numbers. `refine` is the longest
+/// edge, in H, of faces whose pad would be uneven (pad_refine.h); with 0 the skin is not refined. Throws Error for an
+/// open mesh (naming the places), H <= 0, E <= 0 or refine < 0.
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
                                 const std::vector<int>& face_numbers = {},
                                 PadLayering layering = PadLayering::automatic, double refine = kDefaultRefine);
 
-/// Tets from the volume centroid to every face, with p = E at the centroid, as in the paper's code. Inverted tets are
-/// reported.
+/// Builds tets from the volume centroid to every face, with p = E at the centroid, as in the paper's code. Inverted
+/// tets are reported.
 PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
 
-/// Sphere with its medial-axis field p = E (1 - r/R) (A1 of contact.md), from an icosphere whose edges are at most
-/// edge_length, scaled to the true volume.
+/// Builds a sphere with its medial-axis field p = E (1 - r/R) (A1 of contact.md), from an icosphere whose edges are at
+/// most edge_length, scaled to the true volume.
 PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_length);
 
 }  // namespace taxel

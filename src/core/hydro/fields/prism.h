@@ -1,4 +1,4 @@
-// Tets between a triangle and its image further inside.
+// Splits the prism between a triangle and its image farther inside into tets.
 #pragma once
 
 #include <array>
@@ -8,13 +8,14 @@
 
 namespace taxel {
 
-/// Six times the volume, positive where the last corner lies on the side from which the others go counter-clockwise.
+/// Returns six times the volume of a tet. It is positive if the last corner is on the side from which the other corners
+/// appear counter-clockwise.
 double six_volumes(const std::array<dvec3, 4>& tet);
 
-/// Of no or negative volume, but for rounding.
+/// Returns true if the volume is zero or negative, up to rounding.
 bool is_flat(const std::array<dvec3, 4>& tet);
 
-/// A tet of a pad is well shaped when its volume is at least this part of the third of a straight prism's.
+/// Smallest volume of a well-shaped tet of a pad, as a fraction of a third of the volume of a straight prism.
 inline constexpr double kMinVolume = 0.05;
 
 struct PrismTets {
@@ -22,20 +23,20 @@ struct PrismTets {
   int count = 0;
 };
 
-/// Cuts the prism between a triangle, counter-clockwise seen from outside, and the inner vertex of each corner, into
-/// three tets of positive volume. The diagonal of a side goes from the skin vertex of the lower rank to the inner
-/// vertex of the higher one, so that neighbours cut the side between them alike. Ranks are the corners' own numbers, or
-/// where several corners share inner vertices those of the latter, so that all sides that end on one inner edge are cut
-/// alike: they may lie in one plane. Equal ranks are ordered by the corners' numbers. Where inner vertices coincide
-/// with each other or with the corner, the tets that this flattens are left out.
+/// Splits the prism between a triangle, counter-clockwise seen from outside, and the inner vertices of its corners into
+/// three tets of positive volume. The diagonal of a side leads from the skin vertex of lower rank to the inner vertex
+/// of higher rank, so neighbouring prisms split their common side in the same way. Ranks are the indices of the
+/// corners. If several corners share inner vertices, ranks are the indices of the inner vertices, so that all sides at
+/// one inner edge, which may be in one plane, are split in the same way. Equal ranks are ordered by the indices of the
+/// corners. If inner vertices coincide with each other or with a corner, the flat tets are left out.
 PrismTets split_prism(const ivec3& corners, const ivec3& inner, const ivec3& ranks);
 
-/// Cuts the gap between two such prisms, of faces that hold the edge u -> v and v -> u but have different inner
-/// vertices there, into tets of positive volume, ranked by the corners' numbers. at_u and at_v go from the first face's
-/// inner vertex to the second one's. Appends to `tets`.
+/// Splits the gap between the prisms of two faces, with half-edges u -> v and v -> u but different inner vertices
+/// there, into tets of positive volume, ranked by the indices of the corners. at_u and at_v lead from the inner
+/// vertices of the first face to those of the second face. Appends to `tets`.
 void split_wedge(int u, int v, std::vector<int> at_u, std::vector<int> at_v, std::vector<ivec4>& tets);
 
-/// The triangles of inner vertices that close such a gap further inside, counter-clockwise seen from outside.
+/// Returns the triangles of inner vertices that close such a gap at its inner end, counter-clockwise seen from outside.
 std::vector<ivec3> wedge_floor(int u, int v, std::vector<int> at_u, std::vector<int> at_v);
 
 }  // namespace taxel

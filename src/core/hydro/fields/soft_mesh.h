@@ -1,4 +1,4 @@
-// Repair of the mesh of a soft body that is no sensor, which may come from any file.
+// Repair of the mesh of a soft body that is not a sensor.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace taxel {
 
-/// Repairs the mesh of a shape that is to be soft, by the default recipe. face_numbers remain those of the faces before
-/// the repair, -1 for faces that were filled in. Rigid shapes and shapes that are no mesh stay as they are. Returns the
-/// repaired mesh with its report, or null if nothing was changed. Throws Error as repair_mesh() does.
+/// Repairs the mesh of a soft shape by the default recipe. face_numbers remain those of the faces before the repair,
+/// with -1 for filled faces. Rigid shapes and shapes that are not a mesh do not change. Returns the repaired mesh with
+/// its report, or null if nothing was changed. Throws Error as repair_mesh() does.
 RepairedMeshPtr repair_soft_mesh(Shape& shape, const Material& material);
 
 }  // namespace taxel

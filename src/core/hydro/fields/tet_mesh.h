@@ -1,4 +1,4 @@
-// A tetrahedral mesh that somebody else made, and the pressure field on it.
+// A given tetrahedral mesh, and the pressure field on it.
 #pragma once
 
 #include <memory>
@@ -9,19 +9,19 @@
 namespace taxel {
 
 struct TetMesh {
-  std::vector<dvec3> vertices;   ///< [m]
+  std::vector<dvec3> vertices;   ///< positions [m]
   std::vector<ivec4> tets;       ///< four vertices each, in any orientation
-  std::vector<double> pressure;  ///< at the vertices [Pa], where the maker gave one; else empty
+  std::vector<double> pressure;  ///< pressures at the vertices [Pa]; empty if the mesh has none
 };
 using TetMeshPtr = std::shared_ptr<const TetMesh>;
 
-/// The faces that belong to one tet only, outward, over the vertices that they use. Throws Error naming the tet: an
-/// index out of range, a face of three tets, no volume; or where there is no tet.
+/// Returns the faces that belong to only one tet, outward, with the vertices that they use. Throws Error naming the tet
+/// if an index is out of range, three tets share a face, or a tet has no volume; throws Error if there is no tet.
 TriMesh boundary_of(const TetMesh& mesh);
 
-/// Its own pressures; where it has none p = E min(depth, H)/H, the depth being the distance of a vertex to the boundary
-/// and H `thickness`, or where that is 0 the depth of the deepest vertex (Drake's field of a mesh). Throws Error: as
-/// boundary_of, no vertex inside, modulus not positive.
+/// Builds the field with the pressures of the mesh. Without them p = E min(depth, H)/H, where the depth is the distance
+/// of a vertex to the boundary, and H is `thickness`, or the depth of the deepest vertex if `thickness` is 0 (Drake's
+/// field of a mesh). Throws Error as boundary_of(), and if no vertex is inside or the modulus is not positive.
 PressureFieldPtr make_tet_field(const TetMesh& mesh, double modulus, double thickness);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Whether two tetrahedra share volume.
+// Tests whether two tetrahedra share volume.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace taxel {
 
-/// By separating axes: two convex bodies are apart if and only if their projections are apart on the normal of a face
-/// of one or on the cross product of an edge of each. Tets that touch, or whose common part is thinner than 1e-9 of
-/// their size, count as apart.
+/// Returns true if two tets share volume, by separating axes: two convex bodies are disjoint if and only if their
+/// projections are disjoint on the normal of a face of one of them, or on the cross product of an edge of each. Tets
+/// that only touch, or whose common part is thinner than 1e-9 of their size, count as disjoint.
 inline bool tets_overlap(const std::array<dvec3, 4>& a, const std::array<dvec3, 4>& b) {
   constexpr double kTouching = 1e-9, kParallel = 1e-12;
   constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};

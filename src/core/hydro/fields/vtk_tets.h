@@ -1,4 +1,4 @@
-// Tetrahedral meshes as legacy VTK files, ASCII: what Drake, Gmsh and PyVista write and read.
+// Reads and writes tetrahedral meshes as legacy VTK files (ASCII), the format of Drake, Gmsh and PyVista.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,15 @@
 
 namespace taxel {
 
-/// Reads an unstructured grid whose cells are tets (type 10); point data of one component named `pressure` become the
-/// mesh's pressures [Pa], other data are passed over. Points are multiplied by `scale`. Throws Error naming file and
-/// line: not such a file, binary, another data set or cell, an index out of range, a number that is none or not finite,
-/// cut off.
+/// Reads an unstructured grid whose cells are tets (type 10). Point data of one component named `pressure` are the
+/// mesh's pressures [Pa]; other data are ignored. Points are multiplied by `scale`. Throws Error naming file and line
+/// if the file is of another format, binary or truncated, has another data set or cell, or if an index is out of range
+/// or a number is not valid or not finite.
 TetMesh read_vtk_tets(std::string_view text, const std::string& file, const dvec3& scale = dvec3(1.0));
 TetMesh load_vtk_tets(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0));
 
-/// A field as such a file, with its pressures; shortest numbers that read back exactly.
+/// Returns a field as the text of such a file, with its pressures. Numbers are in the shortest form that reads back
+/// exactly.
 std::string vtk_text(const PressureField& field);
 
 }  // namespace taxel

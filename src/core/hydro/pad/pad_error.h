@@ -8,14 +8,15 @@
 
 namespace taxel {
 
-/// p/E - min(depth, H)/H over the tets' volume, the depth being the distance to the skin.
+/// Error p/E - min(depth, H)/H over the volume of the tets. The depth is the distance to the skin.
 struct PadError {
   double mean = 0;  ///< mean of its magnitude
   double rms = 0;
 };
 
-/// By 1024 points, each at random in its own share of the volume: two digits where the error is spread, one where it
-/// sits in some hundredth of the pad. Deterministic. Cost: as many closest-point queries, 2 ms.
+/// Estimates the error from 1024 points, each at a random place in its own part of the volume. The result has two
+/// correct digits if the error is spread, and one if it is concentrated in about a hundredth of the pad. Deterministic.
+/// Cost: 1024 closest-point queries, 2 ms.
 PadError pad_error(const MeshIndex& index, const std::vector<dvec3>& vertices, const std::vector<ivec4>& tets,
                    const std::vector<double>& vertex_pressure, double modulus, double thickness);
 

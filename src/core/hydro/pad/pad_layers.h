@@ -8,30 +8,30 @@
 
 namespace taxel {
 
-/// Where a leg has a middle vertex, the prisms around it are cut there: an outer one from the skin to the middle
-/// vertices, an inner one from these to the inner vertices. At a leg without one the inner prism ends in a point, on
-/// the inner vertex itself: so a prism of one layer and one of two, or two of them, share their sides. The same holds
-/// for the gaps between faces that part.
+/// The layers of a pad. If an offset vector (leg) has a middle vertex, the prisms around it are divided into an outer
+/// prism, from the skin to the middle vertices, and an inner prism, from the middle vertices to the inner vertices. At
+/// a leg without a middle vertex, the inner prism ends in a point at the inner vertex, so adjacent prisms share their
+/// sides whether they have one layer or two. Gaps between faces whose normals diverge are divided in the same way.
 class PadLayers {
  public:
-  /// A leg that is `asked` for (one flag per leg) gets a middle vertex at a part of its length. Around it the middle
-  /// vertices go down to the inner ones, at 45 degrees or less, so that prisms stay well shaped; where they would not,
-  /// their legs have none. Cost: a closest-point query per middle vertex.
+  /// Each leg whose flag in `asked` is set gets a middle vertex at a fraction of its length. Around it, the middle
+  /// vertices descend to the inner vertices at 45 degrees or less, so that prisms are well shaped; legs whose prisms
+  /// would not be have no middle vertex. Cost: a closest-point query per middle vertex.
   PadLayers(const PadShape& shape, const MeshIndex& index, const std::vector<char>& asked);
 
-  /// Number of a leg's middle vertex, after those of the skin and the inner ones; -1 where it has none.
+  /// Returns the index of a leg's middle vertex, or -1. The indices follow those of the skin and of the inner vertices.
   [[nodiscard]] int middle(int leg) const { return middle_[at(leg)]; }
-  /// Of the middle vertices, in the order of their numbers.
+  /// Returns the legs of the middle vertices, in the order of their indices.
   [[nodiscard]] const std::vector<int>& legs() const { return legs_; }
-  /// How far along its leg the middle vertex lies [m].
+  /// Returns the distance of the middle vertex along its leg [m].
   [[nodiscard]] double height(int leg) const { return height_[at(leg)]; }
-  /// Distance of the middle vertex to the skin [m].
+  /// Returns the distance of the middle vertex to the skin [m].
   [[nodiscard]] double depth(int leg) const { return depth_[at(leg)]; }
-  /// All tets of the pad, of positive volume.
+  /// Returns all tets of the pad. Their volumes are positive.
   [[nodiscard]] const std::vector<ivec4>& tets() const { return tets_; }
-  /// Whether nothing lies below a face.
+  /// Returns true if a face has no prism below it.
   [[nodiscard]] bool bare(int face) const { return single_[at(face)].count == 0; }
-  /// Faces below which the prism has two layers, at one of its legs or more.
+  /// Returns the number of faces whose prism has two layers at one leg or more.
   [[nodiscard]] int two_layer_faces() const { return two_layer_faces_; }
 
  private:
@@ -48,7 +48,7 @@ class PadLayers {
 
   const PadShape& shape_;
   const TriMesh& mesh_;
-  std::vector<PrismTets> single_;  ///< per face: its prism in one layer
+  std::vector<PrismTets> single_;  ///< for each face, its prism with one layer
   std::vector<double> height_, depth_;
   std::vector<int> middle_;
   std::vector<int> legs_;

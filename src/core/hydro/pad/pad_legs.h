@@ -8,52 +8,53 @@
 
 namespace taxel {
 
-/// The gap below a skin edge whose two faces go different ways: legs of u and of v, from the face that holds u -> v to
-/// the one that holds v -> u, at least one at each end.
+/// The gap below a skin edge u, v whose two faces have different offset directions. It has legs of u and of v, at least
+/// one at each end, ordered from the face with the half-edge u -> v to the face with v -> u.
 struct PadWedge {
   int u, v;
   std::vector<int> at_u, at_v;
 };
 
-/// The gap below a skin vertex where three or more ways part: legs around it, counter-clockwise seen from outside, and
-/// one in the middle.
+/// The gap below a skin vertex with three or more offset directions: legs around the vertex, counter-clockwise seen
+/// from outside, and one leg in the middle.
 struct PadCone {
   int v, center;
   std::vector<int> rim;
 };
 
-/// A leg goes from a skin vertex to an inner one. Most vertices have one leg, of their own number. Where faces around a
-/// vertex part at sharp concave edges (split normals), each group of faces between two of them has its own leg, and
-/// further legs fan out between: below such an edge the points of one depth lie on a round, not on two planes. A crease
-/// that ends at a vertex parts its faces too, where the faces opposite to it are flat enough to be parted.
+/// The offset vectors ("legs") of a pad. A leg leads from a skin vertex to an inner vertex. Most vertices have one leg,
+/// with the index of the vertex. If sharp concave edges (split normals) meet at a vertex, each group of faces between
+/// two such edges has its own leg, and more legs fan out in between, because the points of one depth below such an edge
+/// are on a round surface, not on two planes. A crease that ends at a vertex also divides the faces of the vertex, if
+/// the faces opposite to the crease are flat enough to be divided.
 struct PadLegs {
-  std::vector<int> skin;             ///< per leg: its skin vertex
-  std::vector<PadDirection> inward;  ///< per leg
-  std::vector<ivec3> of_face;        ///< per face: the legs of its corners
+  std::vector<int> skin;             ///< skin vertex of each leg
+  std::vector<PadDirection> inward;  ///< direction of each leg
+  std::vector<ivec3> of_face;        ///< legs of the corners of each face
   std::vector<PadWedge> wedges;
   std::vector<PadCone> cones;
 };
 
 /// The creases of a mesh: sharp concave edges.
 struct PadCreases {
-  std::map<int, std::vector<int>> ends;    ///< vertex -> other ends of its creases
-  std::map<int, std::vector<int>> around;  ///< the same vertices -> faces around them
+  std::map<int, std::vector<int>> ends;    ///< other ends of the creases of a vertex
+  std::map<int, std::vector<int>> around;  ///< faces around a vertex with creases
 };
 
-/// Leaves out vertices at which a crease is shorter than `shortest` [m]: there is hardly a gap. `directions`: of the
-/// whole vertices (pad_directions).
+/// Returns the creases, without vertices at which a crease is shorter than `shortest` [m], because there is almost no
+/// gap. `directions` are the directions of undivided vertices (pad_directions).
 PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>& directions, double shortest);
 
-/// `whole`: vertices that must not be split.
+/// Builds the legs. `whole` has the vertices that must not be divided.
 PadLegs make_pad_legs(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
                       const std::vector<char>& whole);
 
-/// Tets of positive volume in a gap between the skin and the vertices at which the legs end, one per leg; where one
-/// ends on the skin those that this flattens are left out.
+/// Returns the tets in a gap between the skin and the end vertices of the legs, `ends`. Tets that are flat because a
+/// leg ends on the skin are left out, so all volumes are positive.
 std::vector<ivec4> gap_tets(const PadWedge& wedge, const std::vector<int>& ends);
 std::vector<ivec4> gap_tets(const PadCone& cone, const std::vector<int>& ends);
 
-/// The triangles that close a gap further inside, in numbers of legs, counter-clockwise seen from outside.
+/// Returns the triangles that close a gap at its inner end, as indices of legs, counter-clockwise seen from outside.
 std::vector<ivec3> gap_floor(const PadWedge& wedge);
 std::vector<ivec3> gap_floor(const PadCone& cone);
 

@@ -1,4 +1,4 @@
-// Pressures at the vertices of a pad.
+// Computes the pressures at the vertices of a pad.
 #pragma once
 
 #include <vector>
@@ -7,31 +7,32 @@
 
 namespace taxel {
 
-/// min(depth, most) of a point inside the mesh: cheap, since only the skin that near is looked at.
+/// Returns min(depth, most) of a point inside the mesh. Fast, since only skin within the distance `most` is tested.
 double depth_inside(const MeshIndex& index, const dvec3& x, double most);
 
-/// Whether the skin nearest to a point inside the mesh is the one at this distance [m] from it, but for three percent:
-/// no other part of the skin is nearer.
+/// Returns true if, within three percent, `distance` [m] is the distance of a point inside the mesh to the nearest
+/// skin, so that no other part of the skin is nearer.
 bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance);
 
-/// Two readings of how deep the inner vertices lie, per leg [m], at most the thickness. They agree but where the skin
-/// is concave: there the distance to the skin exceeds the depth below the planes of the faces around.
+/// Two measures of the depth of the inner vertices, one value per leg [m], at most the thickness. They only differ
+/// where the skin is concave: there the distance to the skin exceeds the depth below the planes of the faces around the
+/// vertex.
 struct PadDepths {
   std::vector<double> below_skin;
-  std::vector<double> below_planes;  ///< area-weighted mean over the faces around, at most below_skin
-  std::vector<double> planes;        ///< the same without any limit; the thickness for a leg without faces
+  std::vector<double> below_planes;  ///< area-weighted mean over the faces of the leg, at most below_skin
+  std::vector<double> planes;        ///< unlimited area-weighted mean; the thickness for a leg without faces
 };
 
 PadDepths pad_depths(const TriMesh& mesh, const PadShape& shape, double thickness);
 
-/// Legs at which the skin's normals diverge so much that one layer cannot follow: the two depths differ by more than a
+/// Flags the legs at which the normals of the skin diverge too much for one layer: the two depths differ by more than a
 /// tenth of the thickness.
 std::vector<char> diverging_legs(const PadDepths& depths, double thickness);
 
-/// p = E depth/H at all vertices of a pad: none on the skin. At middle vertices, and at inner ones of legs that have no
-/// middle vertex, the depth is that below the planes where this is less: the stiffness at the skin is then E/H. Inner
-/// vertices behind a middle one are free of that and take a depth between the two, by which the prisms around hold the
-/// distance to the skin best. Cost: a closest-point query per face around these.
+/// Returns p = E depth/H at all vertices of a pad; 0 on the skin. At middle vertices, and at inner vertices of legs
+/// without a middle vertex, the depth is the smaller of the two measures, so that the stiffness at the skin is E/H. At
+/// inner vertices of legs with a middle vertex, the depth is the value between the two measures with which the prisms
+/// around the leg approximate the distance to the skin best. Cost: a closest-point query per face around these legs.
 std::vector<double> pad_pressures(const MeshIndex& index, const PadShape& shape, const PadLayers& layers,
                                   const PadDepths& depths, double modulus, double thickness);
 

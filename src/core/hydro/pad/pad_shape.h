@@ -10,51 +10,53 @@
 
 namespace taxel {
 
-/// Every leg (pad_legs.h) ends at an inner vertex, offset along it by the pad's thickness, or by less if the body is
-/// too thin. Vertices of the skin have their numbers in the mesh; inner ones follow: leg + vertex_count().
+/// The inner vertices of a pad. Each offset vector (leg, pad_legs.h) ends at an inner vertex. Its length is the pad's
+/// thickness, or less if the body is too thin. Vertices of the skin have their indices in the mesh; the inner vertex of
+/// a leg has the index leg + vertex_count().
 class PadShape {
  public:
-  /// Cost: some closest-point queries per vertex. `coarse`: a shape of the same surface and thickness whose vertices
-  /// come first in this mesh, with their numbers; offset vectors of the same direction take their lengths from there.
+  /// `coarse`, if given, is a shape of the same surface and thickness whose vertices come first in this mesh; offset
+  /// vectors with the direction of a coarse one have its length. Cost: some closest-point queries per vertex.
   PadShape(const MeshIndex& index, double thickness, const PadShape* coarse = nullptr);
 
   [[nodiscard]] int leg_count() const { return static_cast<int>(legs_.skin.size()); }
   [[nodiscard]] const PadLegs& legs() const { return legs_; }
   [[nodiscard]] int leg(int face, int corner) const { return legs_.of_face[at(face)][corner]; }
-  /// The point this far along a leg.
+  /// Returns the point at the distance h along a leg.
   [[nodiscard]] dvec3 moved(int leg, double h) const { return skin(leg) + h * legs_.inward[at(leg)].direction; }
   [[nodiscard]] dvec3 inner_position(int leg) const { return moved(leg, offset_[at(leg)]); }
-  /// Number of the inner vertex; where the leg is pinched, of the skin's own.
+  /// Returns the index of the inner vertex, or of the skin vertex if the leg is collapsed.
   [[nodiscard]] int inner(int leg) const {
     return pinched_[at(leg)] ? legs_.skin[at(leg)] : leg + mesh_.vertex_count();
   }
   [[nodiscard]] bool pinched(int leg) const { return pinched_[at(leg)] != 0; }
   [[nodiscard]] double offset(int leg) const { return offset_[at(leg)]; }
   [[nodiscard]] const PadDirection& direction(int leg) const { return legs_.inward[at(leg)]; }
-  /// Distance of the inner vertex to the skin, not negative [m].
+  /// Returns the distance of the inner vertex to the skin, not negative [m].
   [[nodiscard]] double depth(int leg) const { return depth_[at(leg)]; }
-  /// Whether the offset is shorter than the thickness asks for.
+  /// Returns true if the offset is shorter than required by the thickness.
   [[nodiscard]] bool limited(int leg) const { return offset_[at(leg)] < 0.999 * own_[at(leg)].full; }
-  /// The offset divided by the offset that the thickness asks for, 0 to 1.
+  /// Returns the offset divided by the offset that the thickness requires, 0 to 1.
   [[nodiscard]] double part_left(int leg) const { return offset_[at(leg)] / own_[at(leg)].full; }
-  /// Tets of positive volume below a face, in skin and inner vertex numbers: three; fewer where corners are pinched,
-  /// none where the face has no pad.
+  /// Returns the tets below a face, as indices of skin and inner vertices. There are three; fewer if corners are
+  /// collapsed, and none if the face has no prism. All volumes are positive.
   [[nodiscard]] PrismTets tets(int face) const;
-  /// inner() of every leg.
+  /// Returns inner() of every leg.
   [[nodiscard]] std::vector<int> ends() const;
 
  private:
-  /// A face this nearly edge on to the direction of one of its corners folds back however short the offset.
+  /// Cosine below which a face is almost edge-on to the direction of one of its corners, so that its prism would be
+  /// inverted for any offset.
   static constexpr double kEdgeOn = 0.1;
-  /// Largest length of a leg, without regard to other legs.
+  /// Largest length of a leg, without the limits by other legs.
   struct OwnOffset {
     bool known = false;
     char pinched = 0;
-    double offset = 0, full = 0;  ///< `full`: the offset without limits [m]
-    double depth = 0;             ///< there [m]; negative: unknown
+    double offset = 0, full = 0;  ///< `full` is the offset without limits [m]
+    double depth = 0;             ///< depth at the end [m]; negative if unknown
   };
-  /// An inner vertex counts as beyond the medial axis, thus as owned by another part of the skin, where its distance to
-  /// the skin is less than this part of the depth that the faces around its own vertex promise.
+  /// An inner vertex is treated as beyond the medial axis, so that it belongs to another part of the skin, if its
+  /// distance to the skin is less than this fraction of its depth below the faces around its own vertex.
   static constexpr double kOwnDepth = 0.95;
   [[nodiscard]] const dvec3& skin(int leg) const { return mesh_.vertices()[at(legs_.skin[at(leg)])]; }
   [[nodiscard]] dvec3 position(int vertex) const;
@@ -84,14 +86,14 @@ class PadShape {
   const TriMesh& mesh_;
   double thickness_;
   PadLegs legs_;
-  int vertices_of_legs_ = 0;  ///< number of vertices of the mesh that legs_ belongs to
+  int vertices_of_legs_ = 0;  ///< number of vertices of the mesh of legs_
   std::vector<OwnOffset> own_;
-  std::vector<double> offset_;              ///< per leg: its length [m]
-  std::vector<double> depth_;               ///< per leg; negative where the offset changed since
-  std::vector<char> pinched_;               ///< per leg: its inner vertex is the skin's own
+  std::vector<double> offset_;              ///< length of each leg [m]
+  std::vector<double> depth_;               ///< depth of each leg; negative if the offset has changed since
+  std::vector<char> pinched_;               ///< for each leg, 1 if its inner vertex is the skin vertex
   std::vector<int> first_face_, faces_at_;  ///< faces of a leg: faces_at_ from first_face_[leg] to first_face_[leg + 1]
-  std::vector<double> steepest_;            ///< at 3 face + c: how much offsets may differ along the edge from corner c
-  std::vector<int> shortened_;              ///< legs whose neighbours' offsets are still to be compared
+  std::vector<double> steepest_;  ///< largest difference of offsets along the edge from corner c, at 3 face + c
+  std::vector<int> shortened_;    ///< legs whose neighbours' offsets must still be compared
 };
 
 }  // namespace taxel
