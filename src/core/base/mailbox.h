@@ -1,4 +1,4 @@
-// One slot between two threads: the writer never waits, the reader gets the newest value or nothing.
+// A mailbox of one value between two threads: the writer never waits, and the reader gets the latest value or nothing.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace taxel {
 
-/// Holds the newest immutable T. The lock is held for a swap of pointers only.
+/// Contains the latest immutable T. The mutex is locked only while pointers are swapped.
 template <class T>
 class Mailbox {
  public:
@@ -15,14 +15,14 @@ class Mailbox {
     const std::scoped_lock lock(mutex_);
     value_.swap(value);  // the old value is destroyed outside of the lock
   }
-  /// Returns the newest value posted since the last take, or null. Taking empties the slot.
+  /// Returns the latest value posted since the last take(), or null. The mailbox is then empty.
   std::shared_ptr<const T> take() {
     std::shared_ptr<const T> taken;
     const std::scoped_lock lock(mutex_);
     taken.swap(value_);
     return taken;
   }
-  /// Whether a value waits to be taken.
+  /// Returns true if there is a value.
   [[nodiscard]] bool full() const {
     const std::scoped_lock lock(mutex_);
     return value_ != nullptr;

@@ -1,4 +1,4 @@
-// Base64 (RFC 4648), for bytes inside of text.
+// Encodes bytes as text in Base64 (RFC 4648).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The field of a pad beyond its tets: p = (E/H) D(x), D the distance to the skin, positive inside. The tets hold the
-// same field near the skin (docs/theory.md, "Beyond the tets").
+// The field of a pad beyond its tets: p = (E/H) D(x), where D is the distance to the skin, positive inside. The tets
+// approximate this field near the skin (docs/theory.md, "Beyond the tets").
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace taxel {
 
 class DepthField {
  public:
-  /// Of a pad of thickness H [m] and stiffness E/H [Pa/m] below a closed skin.
+  /// Sets the field of a pad of thickness H [m] and stiffness E/H [Pa/m] below a closed skin.
   DepthField(TriMeshPtr skin, double thickness, double stiffness)
       : skin_(std::move(skin)), thickness_(thickness), stiffness_(stiffness) {}
 
@@ -28,7 +28,8 @@ class DepthField {
   [[nodiscard]] double stiffness() const { return stiffness_; }
 
  private:
-  /// The tree of the skin. Built by the first query: bodies that nothing presses that deep do not pay for it.
+  /// Returns the tree of the skin. It is built by the first query, so bodies that are never pressed so deep do not need
+  /// it.
   [[nodiscard]] const MeshIndex& index() const;
 
   TriMeshPtr skin_;

@@ -1,4 +1,4 @@
-// Two soft bodies that press each other deeper than their tets reach: the surface of equal pressure there, by marching
+// Computes the surface of equal pressure of two soft bodies that press each other deeper than their tets, by marching
 // tetrahedra (Doi, Koide 1991) on p_b - p_a.
 #pragma once
 
@@ -9,22 +9,22 @@
 
 namespace taxel {
 
-/// The pressure of a soft body at any point: (E/H) D of a pad, that of the tets of another field, linear in a
-/// half-space. Negative outside.
+/// The pressure of a soft body at any point: (E/H) D in a pad, the pressure of the tets in another field, and linear in
+/// a half-space. Negative outside.
 class PressureAt {
  public:
-  /// X_BL: pose of the lattice's frame L in the body's frame.
+  /// X_BL is the pose of the lattice's frame L in the body's frame.
   PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL);
-  /// The half-space z <= 0.
+  /// Sets the pressure of the half-space z <= 0.
   PressureAt(double stiffness, double thickness, const RigidTransform& X_BL);
 
-  /// At x, frame L. `within`: an upper bound of the distance to a pad's skin.
+  /// Returns the pressure at x, frame L. `within` is an upper bound of the distance to a pad's skin.
   [[nodiscard]] double value(const dvec3& x_L, double within = std::numeric_limits<double>::infinity()) const;
-  /// At x, `distance` away from a point where the pressure is `near`.
+  /// Returns the pressure at x, which is at most `distance` from a point with pressure `near`.
   [[nodiscard]] double value_near(const dvec3& x_L, double near, double distance) const;
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< largest gradient [Pa/m]
-  [[nodiscard]] double thickness() const { return thickness_; }  ///< the scale of the lattice [m]
-  /// Where the pressure is positive, frame L; a half-space has no end.
+  [[nodiscard]] double thickness() const { return thickness_; }  ///< scale of the lattice [m]
+  /// Returns the box in which the pressure is positive, frame L; it is infinite for a half-space.
   [[nodiscard]] const Aabb& bounds_L() const { return bounds_L_; }
 
  private:
@@ -38,12 +38,12 @@ class PressureAt {
   Aabb bounds_L_;
 };
 
-/// A frame half way between the frames A and B, as poses in A: it is the same one when the bodies change places, and
-/// goes along when both move.
+/// Returns a frame halfway between the frames A and B, as a pose in A. It does not change if the bodies are exchanged,
+/// and moves with the bodies if both move together.
 RigidTransform frame_between(const Pose& X_AB);
 
-/// Whether a body's first vertex lies inside of the other one where that has no tets: surfaces of equal pressure can be
-/// there that no tet meets. X_AB: pose of b in a.
+/// Returns true if the first vertex of one body is inside the other body at a place without tets. Surfaces of equal
+/// pressure that intersect no tet are possible then. X_AB is the pose of b in a.
 bool reaches_core(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB);
 
 /// Adds the surface where both pressures are equal, except for what polygons of the writer's surface already cover:

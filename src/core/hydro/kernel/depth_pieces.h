@@ -1,5 +1,5 @@
-// Contact without holes: where a rigid surface reaches beyond a pad's tets, it is cut into pieces on which the depth
-// below the skin is nearly linear, and p = (E/H) D there.
+// Adds contact beyond a pad's tets, so that contact surfaces have no holes. The part of a rigid surface that reaches
+// beyond the tets is divided into pieces on which the depth D below the skin is nearly linear, with p = (E/H) D.
 #pragma once
 
 #include "core/hydro/kernel/depth_field.h"
@@ -9,12 +9,13 @@
 
 namespace taxel {
 
-/// Adds the pieces of the triangles in `workspace`, which have pose X_SR in the frame S of the field. Their polygons of
-/// the tets stay: pieces fill what these leave. Each gets tet -1 and the triangle's face.
+/// Adds the pieces of the triangles in `workspace`, which have pose X_SR in the frame S of the field. The polygons of
+/// the tets remain, and the pieces fill the rest of the triangles. Each piece gets tet -1 and the triangle's face.
 void add_depth_pieces(const DepthField& depth, const TriangleTree& rigid, const RigidTransform& X_SR,
                       const DepthPieceSize& size, SurfaceWriter& writer, DepthWorkspace& workspace);
 
-/// Adds those of the plane z = 0 of a frame R with pose X_SR, all of whose polygons are in the writer's surface.
+/// Adds the pieces of the plane z = 0 of a frame R with pose X_SR. All polygons of the plane must be in the writer's
+/// surface.
 void add_depth_pieces(const DepthField& depth, const RigidTransform& X_SR, const DepthPieceSize& size,
                       SurfaceWriter& writer, DepthWorkspace& workspace);
 

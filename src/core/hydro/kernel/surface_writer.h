@@ -1,5 +1,5 @@
-// Output of the kernel: polygons found in the coordinates of a triangle become part of a contact surface in the frame
-// of body A.
+// Output of the kernel: converts polygons in the coordinates of a triangle into polygons of a contact surface in the
+// frame of body A.
 #pragma once
 
 #include "core/hydro/contact_surface.h"
@@ -7,14 +7,16 @@
 
 namespace taxel {
 
-/// Vertices nearer to each other than this part of the source's size become one. Area, centroid and pressure are those
-/// of the polygon before that, so that merging moves no force.
+/// Distance below which vertices are merged, as a fraction of the source's size. Area, centroid and pressure are
+/// computed before merging, so merging does not change the force.
 inline constexpr double kMergeDistance = 1e-6;
-/// A polygon whose area is a smaller part of the source's size squared is rejected as "sliver".
+/// Area below which a polygon is rejected as "sliver", as a fraction of the square of the source's size.
 inline constexpr double kSliverArea = 1e-12;
-/// A smaller part still is rounding: triangle and tet touch in an edge or a corner, nothing is lost.
+/// Area below which a polygon is only a rounding error, as a fraction of the square of the source's size: triangle and
+/// tet touch in an edge or a corner, and nothing is lost.
 inline constexpr double kNoArea = 1e-16;
-/// A polygon whose pressure is a smaller part of what grows over the source's size lies in the skin: "touching".
+/// Pressure below which a polygon is in the skin and rejected as "touching", as a fraction of the growth of the
+/// pressure over the source's size.
 inline constexpr double kTouchingPressure = 1e-12;
 
 /// A pressure that is linear in space, frame S: p(x) = dot(gradient, x) + constant.
@@ -23,29 +25,29 @@ struct LinearPressure {
   double constant = 0;  ///< [Pa]
 };
 
-/// The same in the coordinates of a triangle: p(u, v) = p0 + u pu + v pv [Pa].
+/// A linear pressure in the coordinates of a triangle: p(u, v) = p0 + u pu + v pv [Pa].
 struct PlanePressure {
   double p0 = 0, pu = 0, pv = 0;
   [[nodiscard]] double at(double u, double v) const { return p0 + u * pu + v * pv; }
 };
 
-/// Where a polygon comes from.
+/// The source of a polygon: tets and face.
 struct PolygonSource {
   int tet = -1, face = -1;
-  double size = 0;  ///< size of the tet, or of the triangle if there is none: scale of tolerances [m]
+  double size = 0;  ///< scale of tolerances [m]: size of the tet, or of the triangle without a tet
   int tet_b = -1;   ///< tet of body B if both bodies are soft
 };
 
-/// Squared length of a step (du, dv): uu du^2 + 2 uv du dv + vv dv^2 [m^2].
+/// Metric of a triangle's coordinates. The squared length of a step (du, dv) is uu du^2 + 2 uv du dv + vv dv^2 [m^2].
 struct PlaneMetric {
   double uu = 0, uv = 0, vv = 0;
 };
 
-/// A triangle that polygons are cut from, x = x0 + u (x1 - x0) + v (x2 - x0), counter-clockwise about its normal.
+/// A triangle from which polygons are clipped: x = x0 + u (x1 - x0) + v (x2 - x0), counter-clockwise about its normal.
 struct SurfaceTriangle {
   std::array<dvec3, 3> x_S;           ///< corners, frame S of the field
   dvec3 origin_A{0}, u_A{0}, v_A{0};  ///< x0 and the two edges from it, frame A
-  dvec3 push_A{0};                    ///< unit: the direction in which the surface pushes A
+  dvec3 push_A{0};                    ///< unit direction in which the surface pushes A
   double area = 0;                    ///< [m^2]
   PlaneMetric metric;
   [[nodiscard]] dvec3 point_A(double u, double v) const { return origin_A + u * u_A + v * v_A; }
@@ -59,16 +61,16 @@ struct PolygonInPlane {
 
 class SurfaceWriter {
  public:
-  /// Clears `out`. X_AS is the pose of the frame S in A. `reverse`: the surface pushes A against the triangles'
-  /// normals, so that the polygons turn the other way.
+  /// Clears `out`. X_AS is the pose of the frame S in A. If `reverse` is true, the surface pushes A against the
+  /// triangles' normals, and the order of vertices is reversed.
   SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse);
 
-  /// The triangle with these corners and this unit normal.
+  /// Returns the triangle with these corners and this unit normal.
   [[nodiscard]] SurfaceTriangle triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const;
 
   [[nodiscard]] dvec3 point_A(const dvec3& x_S) const { return same_frame_ ? x_S : X_AS_(x_S); }
   [[nodiscard]] dvec3 point_S(const dvec3& x_A) const { return same_frame_ ? x_A : X_AS_.inverse_point(x_A); }
-  /// Whether vertices are to be written the last one first.
+  /// Returns true if vertices must be written in reverse order.
   [[nodiscard]] bool reverse() const { return reverse_; }
   /// Room for eight vertices [frame A, m] and their pressures [Pa], of the polygon that close() adds next.
   struct Slots {
@@ -91,35 +93,35 @@ class SurfaceWriter {
   /// would be left.
   void add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
                   const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source);
-  /// Adds a polygon in no tet, counter-clockwise in the coordinates of the triangle. `size` [m]: the scale of
-  /// tolerances.
+  /// Adds a polygon outside of all tets, counter-clockwise in the coordinates of the triangle. `size` is the scale of
+  /// tolerances [m].
   void add_flat(const FlatPolygon& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
                 const dvec3& gradient_S, int face, double size);
-  /// Keeps a polygon out of the surface, and counts its area [m^2] and force [N].
+  /// Leaves a polygon out of the surface, and counts its area [m^2] and force [N].
   void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
               const PlanePressure& pressure, double area);
-  /// Notes that a polygon ends on a pad's rigid core along the edge from a to b, in its own sense of turning.
+  /// Records that a polygon ends on a pad's rigid core along its edge from a to b, in the order of the polygon.
   void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
   /// Releases unused memory and records the area that the cores hide. Call it once, at the end.
   void finish();
 
   [[nodiscard]] std::size_t polygon_count() const { return out_.polygons.size(); }
-  /// Number of polygons so far that end on a pad's core, as counted by count_at_core().
+  /// Returns the number of polygons so far that end on a pad's core, as recorded by count_at_core().
   [[nodiscard]] int core_count() const {
     constexpr auto kCore = static_cast<std::size_t>(Rejection::beyond_core);
     return whole_.rejected[kCore].count + since_mark_.rejected[kCore].count;
   }
-  /// Has the middles of all edges that end on a core written to `points`, frame A.
+  /// Makes the writer append the middles of all edges that end on a core to `points`, frame A.
   void list_core_points(std::vector<dvec3>& points) {
     points.clear();
     core_points_ = &points;
   }
   /// Discards the record of polygons that end on cores, because depth pieces fill the rest.
   void clear_core();
-  /// The surface as it is so far. Its vertices are followed by room for more.
+  /// Returns the present surface. Its arrays have room for more vertices.
   [[nodiscard]] const ContactSurface& surface() const { return out_; }
 
-  /// The state before some polygons, to forget them again. Only the last mark can be gone back to.
+  /// A state of the writer, to remove all later polygons. Only the last mark can be restored.
   struct Mark {
     std::size_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0, core_points = 0;
   };
@@ -129,7 +131,7 @@ class SurfaceWriter {
             core_points_ != nullptr ? core_points_->size() : 0};
   }
   void forget_since(const Mark& mark);
-  /// Area of the polygons since then, also of those kept out [m^2].
+  /// Returns the area of the polygons since a mark, including those that were left out [m^2].
   [[nodiscard]] double area_since(const Mark& mark) const;
 
  private:

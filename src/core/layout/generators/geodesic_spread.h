@@ -10,17 +10,19 @@
 
 namespace taxel {
 
+/// Parameters of a spread.
 struct Spread {
   int count = 1;
   std::vector<int> faces;  ///< faces of the region, each once; empty for the whole mesh
-  int candidates = 0;      ///< number of candidates; 0 for 30 per taxel, at least 2000
+  int candidates = 0;      ///< number of candidates; 0 means 30 per taxel, but at least 2000
   std::uint64_t seed = 42;
   double radius = 0.005;  ///< radius of the receptive fields [m]
 };
 
+/// Result of a spread.
 struct SpreadTaxels {
   std::vector<Taxel> taxels;  ///< taxels in the order of choice: the first k are a spread of k
-  /// Least length of a path between two taxels [m]; infinity for one taxel, or if no path joins two taxels.
+  /// Smallest geodesic distance of two taxels [m]; infinity for one taxel, or if no path joins two taxels.
   double least_distance = 0;
 };
 

@@ -1,4 +1,4 @@
-// The triangles of a mesh file as the file lists them, before anything is repaired.
+// A triangle soup: the triangles of a mesh file in the order of the file, before any repair.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ namespace taxel {
 struct PolygonSoup {
   std::vector<dvec3> vertices;
   std::vector<ivec3> triangles;
-  int fanned = 0;   ///< polygons of more than three corners
-  int skipped = 0;  ///< polygons of fewer than three corners
+  int fanned = 0;   ///< number of polygons with more than three corners
+  int skipped = 0;  ///< number of polygons with fewer than three corners
 
   /// Adds the triangles of a polygon. `corners` are indices of vertices, in the polygon's order.
   void add_polygon(std::span<const int> corners) {

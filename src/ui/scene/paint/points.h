@@ -11,6 +11,7 @@
 
 namespace taxel::ui {
 
+/// One point. Points with a normal are only visible from its side.
 struct PointMark {
   glm::vec3 position{0};
   MarkNormal normal{0, 0, 0, 127};  ///< normal; the last number is a fraction of the size
@@ -19,6 +20,7 @@ struct PointMark {
 
 PointMark point_mark(const dvec3& position, const dvec3& normal, double size, std::uint32_t rgba);
 
+/// Style of all points of a draw.
 struct PointStyle {
   float diameter = 4;  ///< diameter of a point of size 1 [pixel]
   glm::vec4 outline{0, 0, 0, 0};
@@ -54,6 +56,7 @@ class SurfacePoints {
   gl::VertexArray array_;
 };
 
+/// Draws points with the shader program "point".
 class PointPass {
  public:
   explicit PointPass(const gl::ShaderReader& read) : program_(read, "point") {}

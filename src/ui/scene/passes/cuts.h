@@ -14,6 +14,7 @@ struct CutColors {
 };
 CutColors cut_colors(const glm::vec3& albedo, const Look& look);
 
+/// Computes and draws cuts. A cut is kept until its body or the plane moves.
 class CutPass {
  public:
   explicit CutPass(const gl::ShaderReader& read);

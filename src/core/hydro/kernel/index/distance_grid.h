@@ -20,37 +20,37 @@ class DistanceGrid {
     std::int32_t tet = -1;   ///< a tet that touches the cell (of its middle if any); -1 or kCoreCell if none
     std::int32_t face = -1;  ///< index in faces(): the plane from which the cell is farthest outside, or -1
   };
-  /// The plane of a face of the boundary: the whole field lies at n . x + offset >= 0, but for rounding.
+  /// The plane of a boundary face of a convex field: the whole field is at n . x + offset >= 0, up to rounding.
   struct Face {
-    dvec3 n{0};  ///< unit, inward
+    dvec3 n{0};  ///< inward unit normal
     double offset = 0;
-    std::int32_t tet = -1, side = -1;            ///< the tet's face `side`
-    std::array<std::int32_t, 3> neighbours{{}};  ///< across its edges
+    std::int32_t tet = -1, side = -1;            ///< tet, and the index of its face
+    std::array<std::int32_t, 3> neighbours{{}};  ///< faces across the three edges
   };
 
   DistanceGrid() = default;
   explicit DistanceGrid(const PressureField& field);
-  /// Finds the cells that hold no tet and lie inside of the closed skin, or are crossed by it: their distance becomes
-  /// 0. Finds the gaps of the field below the skin, too.
+  /// Finds the cells without tets that are inside the closed skin or are crossed by it, and sets their distance to 0.
+  /// Also finds the gaps of the field below the skin.
   void mark_core(const PressureField& field, const TriMesh& skin);
 
-  /// Bounds of the field, enlarged a little.
+  /// Returns the lower corner of the grid, which covers slightly more than the bounds of the field.
   [[nodiscard]] const dvec3& low() const { return low_; }
   [[nodiscard]] const ivec3& dims() const { return dims_; }
   [[nodiscard]] double cells_per_metre() const { return per_metre_; }
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }  ///< x runs fastest
-  /// For a convex field alone: its whole boundary.
+  /// Returns the whole boundary of a convex field; empty for other fields.
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   void set_faces(std::vector<Face> faces);
 
-  /// The cell of a point; of the nearest point of the grid, for one outside of it.
+  /// Returns the cell of a point, or, for a point outside of the grid, the cell of the nearest point of the grid.
   [[nodiscard]] const Cell& cell_of(const dvec3& p) const {
     const dvec3 r = glm::clamp((p - low_) * per_metre_, dvec3(0), dvec3(dims_ - 1));
     return cells_[index(static_cast<int>(r.x), static_cast<int>(r.y), static_cast<int>(r.z))];
   }
 
-  /// Whether the cell of a point is crossed by the skin and may hold a part of the body that no tet fills. False before
-  /// mark_core().
+  /// Returns true if the skin crosses the cell of a point and the cell may contain a part of the body without tets.
+  /// False before mark_core().
   [[nodiscard]] bool may_hold_gap(const dvec3& p) const {
     return !gaps_.empty() && gaps_[static_cast<std::size_t>(&cell_of(p) - cells_.data())] == kGap;
   }
@@ -70,7 +70,7 @@ class DistanceGrid {
   double edge_ = 1, per_metre_ = 1;  ///< edge of a cell [m], and its inverse
   std::vector<Cell> cells_;
   std::vector<Face> faces_;
-  std::vector<std::uint8_t> gaps_;  ///< per cell: bits kSkin, kNearCore; empty if the field ends with its tets
+  std::vector<std::uint8_t> gaps_;  ///< bits kSkin, kNearCore of each cell; empty if the field ends with its tets
 };
 
 }  // namespace taxel

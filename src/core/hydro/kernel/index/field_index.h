@@ -1,4 +1,4 @@
-// A pressure field as the contact kernel reads it: packed planes, a tree over the tets, a grid of distances.
+// A pressure field in the form that the contact kernel reads: packed planes, a tree over the tets, a grid of distances.
 #pragma once
 
 #include <array>
@@ -13,39 +13,40 @@
 
 namespace taxel {
 
-/// One tetrahedron in three cache lines, lanes over its faces: face i lies opposite to vertex i.
+/// One tetrahedron in three cache lines. Lane i of the planes is the face opposite to vertex i.
 struct alignas(64) PackedTet {
   std::array<double, 4> nx, ny, nz, offset;  ///< inward unit normals; inside: n . x + offset >= 0
   std::array<double, 3> gradient;            ///< g [Pa/m]
   double constant = 0;                       ///< p(x) = g . x + c [Pa]
-  std::array<std::int32_t, 4> neighbour;     ///< across each face, -1 at the boundary
+  std::array<std::int32_t, 4> neighbour;     ///< tet across each face, -1 at the boundary
   double size = 0;                           ///< longest edge [m]
-  std::uint32_t core_faces = 0;              ///< bit i: face i lies on a pad's rigid core
+  std::uint32_t core_faces = 0;              ///< bit i is set if face i is on a pad's rigid core
 
   [[nodiscard]] LinearPressure pressure() const { return {{gradient[0], gradient[1], gradient[2]}, constant}; }
 };
 
 class FieldIndex {
  public:
-  /// `skin`: of a field that goes on beyond its tets (depth_field.h); otherwise null.
+  /// `skin` is the skin of a field that continues beyond its tets (depth_field.h), otherwise null.
   explicit FieldIndex(PressureFieldPtr field, const TriMesh* skin = nullptr);
   [[nodiscard]] const PressureField& field() const { return *field_; }
   [[nodiscard]] const std::vector<PackedTet>& tets() const { return tets_; }
-  [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< over the tets
-  /// A face that only one tet has: on the skin or on a core.
+  [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< tree over the tets
+  /// A face of only one tet, on the skin or on a core.
   struct BoundaryFace {
     std::array<std::int32_t, 3> vertices;
-    std::int32_t tet, side;  ///< the tet's face `side`
-    bool skin;               ///< no pressure at its vertices
+    std::int32_t tet, side;  ///< tet, and the index of its face
+    bool skin;               ///< true if the pressure at its vertices is 0
   };
   [[nodiscard]] const std::vector<BoundaryFace>& boundary_faces() const { return boundary_faces_; }
-  [[nodiscard]] const WideBvh& boundary_tree() const { return boundary_tree_; }  ///< over these
+  [[nodiscard]] const WideBvh& boundary_tree() const { return boundary_tree_; }  ///< tree over the boundary faces
   [[nodiscard]] const DistanceGrid& grid() const { return grid_; }
-  /// Whether some face of the boundary is not skin: the field ends there although it pushes.
+  /// Returns true if a face of the boundary is not skin. The field ends there although its pressure is not 0.
   [[nodiscard]] bool ends_inside() const { return ends_inside_; }
-  /// Whether the field goes on beyond its tets: where these end inside of the body, depth pieces follow.
+  /// Returns true if the field continues beyond its tets. Depth pieces are then added where the tets end inside the
+  /// body.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
-  /// Whether the tets fill a convex body, but for rounding.
+  /// Returns true if the tets fill a convex body, up to rounding.
   [[nodiscard]] bool convex() const { return convex_; }
   [[nodiscard]] double mean_tet_size() const { return mean_tet_size_; }  ///< mean of the longest edges [m]
 

@@ -1,5 +1,5 @@
-// Static trees of eight children per node, single precision: what SIMD walks. The exact tests that follow are in
-// double.
+// Static trees with eight children per node in single precision, for traversal with SIMD. The exact tests that follow
+// are in double precision.
 #pragma once
 
 #include <array>
@@ -14,22 +14,22 @@ namespace taxel {
 
 inline constexpr std::size_t kWide = 8;
 
-/// A tree over points: each inner node has up to eight children, all leaves hold one item, and lanes fill from 0.
+/// A tree over points. Each inner node has up to eight children, each leaf has one item, and the used lanes begin at 0.
 struct WideTopology {
-  /// Children of a node: >= 0 another node, < 0 the item ~child. Unused lanes: kNone.
+  /// Value of unused lanes. A child >= 0 is a node, another child < 0 is the item ~child.
   static constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::min();
   std::vector<std::array<std::int32_t, kWide>> nodes;  ///< nodes[0] is the root; children follow their parent
-  std::vector<std::int32_t> order;                     ///< items as a walk meets them
+  std::vector<std::int32_t> order;                     ///< items in the order of traversal
 
-  /// Splits at medians of the widest axis, three times per node. Deterministic. O(n log n).
+  /// Builds the tree by splits at the median of the widest axis, three times per node. Deterministic. O(n log n).
   explicit WideTopology(std::span<const dvec3> centers);
 };
 
-/// Boxes in single precision, relative to origin(), rounded outward.
+/// A tree of boxes in single precision, relative to origin(), rounded outward.
 class WideBvh {
  public:
   struct alignas(64) Node {
-    std::array<std::array<float, kWide>, 3> lo, hi;  ///< by axis; unused lanes are empty boxes
+    std::array<std::array<float, kWide>, 3> lo, hi;  ///< limits for each axis; unused lanes are empty boxes
     std::array<std::int32_t, kWide> child;
   };
   WideBvh() = default;
@@ -46,18 +46,18 @@ class WideBvh {
   double size_ = 0;
 };
 
-/// The triangles of a mesh in the order of their tree: neighbours lie side by side in memory.
+/// The triangles of a mesh in the order of their tree, so that neighbours are close in memory.
 class TriangleTree {
  public:
   struct Triangle {
     std::array<std::int32_t, 3> vertex;  ///< indices in vertices()
     std::int32_t face = -1;              ///< face of the mesh
-    dvec3 normal{0};                     ///< unit, outward
+    dvec3 normal{0};                     ///< outward unit normal
   };
   TriangleTree() = default;
   explicit TriangleTree(const TriMesh& mesh);
 
-  [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< its items number `triangles`
+  [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< tree whose items are indices of triangles
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
 
