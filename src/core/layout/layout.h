@@ -32,36 +32,37 @@ struct Subtaxel {
 struct Taxel {
   int id = 0;
   std::string name;
-  dvec3 center{0};        ///< [m], frame M
-  dvec3 normal{0, 0, 1};  ///< outward; as stored, not normalised
+  dvec3 center{0};        ///< centre [m], frame M
+  dvec3 normal{0, 0, 1};  ///< outward normal of any length
   double radius = 0.006;  ///< radius of the receptive field [m]
   std::vector<Subtaxel> subtaxels;
   bool operator==(const Taxel&) const = default;
 };
 
 struct MeshRef {
-  std::string file;  ///< relative to the layout file, or absolute
+  std::string file;  ///< path, relative to the layout file or absolute
   dvec3 scale{1.0};
   std::string sha256;     ///< hash of the mesh file's bytes; unchecked if empty
-  RepairRecipe repair{};  ///< how the file's triangles become a solid
+  RepairRecipe repair{};  ///< settings of the repair of the mesh
   bool operator==(const MeshRef&) const = default;
 };
 
-/// Where the finger points and where it touches, in frame M; unit vectors at right angles.
+/// The direction in which the finger points and the direction of its touching side, in frame M; unit vectors at right
+/// angles.
 struct SensorFrame {
   dvec3 distal{0, 0, 1}, pad{0, -1, 0};
   bool operator==(const SensorFrame&) const = default;
 };
 
-/// Faces of the mesh as loaded, ascending.
+/// Faces of the loaded mesh, ascending.
 using FaceSet = SharedValue<std::vector<int>>;
 
 struct Sampling {
   double density = 1.0e7;  ///< samples per m^2
   std::uint64_t seed = 42;
   SampleWeights weights = SampleWeights::equal;
-  Shells shells = Shells::outer;  ///< all: those inside other ones, cavities and islands, are sampled as well
-  FaceSet region{};               ///< the part that senses: samples lie on these faces only; empty: on all of them
+  Shells shells = Shells::outer;  ///< `all` also samples shells inside others (cavities and islands)
+  FaceSet region{};               ///< sensing region: only these faces have samples; all faces if empty
   bool operator==(const Sampling&) const = default;
 };
 
@@ -75,8 +76,8 @@ struct Readout {
   Aggregate aggregate = Aggregate::weighted_mean;
   Misses misses = Misses::zero;
   RayDirection ray = RayDirection::surface_normal;
-  double max_depth = 0.0;  ///< [m]; 0: twice the thickness for a pad, the largest radius for a star
-  bool shear = false;      ///< record the friction that each taxel feels as well
+  double max_depth = 0.0;  ///< [m]; 0 means twice the thickness (pad) or the largest radius (star)
+  bool shear = false;      ///< also records the friction on each taxel
   bool operator==(const Readout&) const = default;
 };
 
@@ -88,9 +89,9 @@ struct Layout {
   ReceptiveFieldRule receptive_field;
   Readout readout;
   Material material{FieldKind::pad, 5.0e4, 0.002, 5.0, 0.5};
-  std::vector<Taxel> taxels;  ///< order = index in the output
+  std::vector<Taxel> taxels;  ///< taxels in the order of the readings
   std::optional<Calibration> calibration;
-  /// Keys that this version does not know: JSON pointer -> JSON text. Written back where they were.
+  /// Unknown keys of the file, as JSON pointer and JSON text. They are written back at the same places.
   std::map<std::string, std::string> unknown;
   bool operator==(const Layout&) const = default;
 };

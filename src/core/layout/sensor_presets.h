@@ -1,12 +1,12 @@
-// Layouts of known sensors, each with a mesh and with where its numbers come from.
+// Layouts of known sensors, each with a mesh and the sources of its numbers.
 //
 // Sources. BioTac: electrode positions of SynTouch as public drivers repeat them (TAMS, University of Hamburg,
-// tams_biotac), which take the skin for a cylinder of radius 7 mm with a round tip. iCub: positions and normals of the
-// ftx2 fingertip as IIT publishes them (icub-tech-iit/electronics-boards-public, sensor-boards/ftx2: to some 0.5 mm);
-// the sensor is that of Jamali et al. 2015, "A New Design of a Fingertip for the iCub Hand". XELA: rows and columns of
-// the uSPa 44 and uSPa 46, number of taxels of the curved tip for the Allegro hand (uSCuALHA). Myrmex: Schuermann,
-// Koiva, Haschke, Ritter 2011, "A modular high-speed tactile sensor for human manipulation research". Positions that
-// are not public are made by pitch with the generators, and `unverified` says so.
+// tams_biotac), which approximate the skin by a cylinder of radius 7 mm with a round tip. iCub: positions and normals
+// of the ftx2 fingertip as IIT publishes them (icub-tech-iit/electronics-boards-public, sensor-boards/ftx2: to some 0.5
+// mm); the sensor is that of Jamali et al. 2015, "A New Design of a Fingertip for the iCub Hand". XELA: rows and
+// columns of the uSPa 44 and uSPa 46, number of taxels of the curved tip for the Allegro hand (uSCuALHA). Myrmex:
+// Schuermann, Koiva, Haschke, Ritter 2011, "A modular high-speed tactile sensor for human manipulation research".
+// Positions that are not public are computed from the pitch by the generators, and `unverified` lists them.
 #pragma once
 
 #include <string>
@@ -19,17 +19,17 @@
 namespace taxel {
 
 struct SensorPreset {
-  std::string name;        ///< a word for command lines
+  std::string name;        ///< word for command lines
   std::string source;      ///< source of the numbers
   std::string unverified;  ///< numbers that are our own estimates; never empty
   Layout layout;           ///< layout.name is its title; mesh.file is NAME.obj, with its hash
   TriMeshPtr mesh;
 };
 
-/// Names of all presets, in the order in which they are listed.
+/// Returns the names of all presets, in the order of lists.
 const std::vector<std::string>& sensor_preset_names();
 
-/// Makes a preset and its mesh. The same bytes each time. Throws Error naming the presets there are.
+/// Builds a preset and its mesh. Deterministic. Throws Error naming all presets if there is no such preset.
 SensorPreset make_sensor_preset(std::string_view name);
 
 }  // namespace taxel

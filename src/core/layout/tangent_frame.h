@@ -1,4 +1,4 @@
-// The directions of a taxel's shear.
+// The directions in which a taxel's shear is measured.
 #pragma once
 
 #include "core/layout/layout.h"
@@ -10,9 +10,10 @@ struct TangentFrame {
   dvec3 e1{0}, e2{0};
 };
 
-/// e1 is the layout's direction `distal` laid into the taxel's tangent plane, e2 = n x e1. Where distal is less than 6
-/// degrees from the normal or its opposite, as at a finger's tip, it has no direction to speak of there: then e1 is
-/// that of `pad` reversed, which is where distal turns to as one walks from the pad side over the tip.
+/// Returns e1, the layout's direction `distal` projected into the taxel's tangent plane, and e2 = n x e1. If `distal`
+/// is less than 6 degrees from the normal or its opposite, as at a finger's tip, its projection is not well defined; e1
+/// is then the projection of `pad` reversed, which continues the direction of e1 along a path from the pad side over
+/// the tip.
 inline TangentFrame tangent_frame(const SensorFrame& frame, const dvec3& taxel_normal) {
   const double least_sine = 0.1;
   const dvec3 n = glm::normalize(taxel_normal);

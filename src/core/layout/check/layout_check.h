@@ -1,4 +1,4 @@
-// Every rule a layout can break, as a list of problems with JSON pointers; the mesh is optional.
+// Checks the rules of layouts, and returns lists of problems with JSON pointers. The mesh is optional.
 #pragma once
 
 #include <optional>
@@ -11,21 +11,22 @@
 
 namespace taxel {
 
-/// Rules of values alone: positive radii, non-zero finite normals, density, words, duplicate ids and places, ...
+/// Checks the rules that need only values: positive radii, non-zero finite normals, density, words, duplicate ids and
+/// places, and so on.
 Problems check_layout_values(const Layout& layout, const std::string& file);
 
-/// Rules that need the mesh: centre far from the surface (how far), normal against the surface's, taxel without
-/// samples nearby, radius larger than the body, hash differs. `sha256` is that of the mesh file read.
+/// Checks the rules that need the mesh: distance of centres from the surface, direction of normals, taxels without
+/// samples nearby, radii larger than the body, hash of the mesh. `sha256` is the hash of the mesh file.
 Problems check_layout_on_mesh(const Layout& layout, const MeshIndex& index, const std::string& sha256,
                               const std::string& file);
 
-/// The mesh that a layout is checked on.
+/// The mesh on which a layout is checked.
 struct LayoutMesh {
   const TriMesh& loaded;  ///< mesh as read from the file: /sampling/region counts its faces
   const RepairedMesh& repaired;
   const MeshIndex& skin;  ///< the shells of the repaired mesh that are sampled
 };
-/// The rules of check_layout_on_mesh() if the repaired mesh and the shells that are sampled are known.
+/// Checks the rules of check_layout_on_mesh() if the repaired mesh and the sampled shells are known.
 Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, const std::string& sha256,
                               const std::string& file);
 
@@ -37,7 +38,7 @@ Problems check_loaded_mesh(const TriMesh& loaded, const RepairedMesh& repaired, 
 /// above, because editing a layout changes neither. Cost: a search for intersections, unless the repair did it.
 Problems check_layout_mesh(const RepairedMesh& repaired, const std::string& file);
 
-/// Index of the taxel that a JSON pointer such as /taxels/3/radius leads into; nothing where it leads elsewhere.
+/// Returns the index of the taxel in a JSON pointer such as /taxels/3/radius, or nothing for other pointers.
 std::optional<std::size_t> taxel_of_pointer(std::string_view pointer);
 
 /// Adds the id of its taxel to the message of each problem that points into /taxels: users know taxels by their ids,

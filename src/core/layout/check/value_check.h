@@ -50,7 +50,7 @@ class Check {
   std::string file_;
 };
 
-/// Rules of layout.calibration, which is there.
+/// Checks the rules of layout.calibration, which must be set.
 void check_calibration(const Layout& layout, Check& check);
 
 }  // namespace taxel

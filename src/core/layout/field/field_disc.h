@@ -8,14 +8,14 @@
 namespace taxel {
 
 struct FieldDisc {
-  dvec3 center{0}, normal{0, 0, 1};  ///< normal of length 1
+  dvec3 center{0}, normal{0, 0, 1};  ///< centre [m] and unit normal
   double radius = 0;
 
-  /// Whether a face of the skin is turned toward the disc: its normal less than the angle limit from the disc's.
+  /// Returns true if the normal of a face is less than the angle limit from the normal of the disc.
   [[nodiscard]] bool faces(const dvec3& face_normal, double min_cosine) const {
     return glm::dot(face_normal, normal) > min_cosine;
   }
-  /// w = (r - d)^2, the paper's weight, for d <= r [m^2].
+  /// Returns the paper's weight w = (r - d)^2 for d <= r [m^2].
   [[nodiscard]] double weight(double distance) const { return (radius - distance) * (radius - distance); }
 };
 
@@ -26,7 +26,7 @@ inline std::vector<FieldDisc> discs_of(const Taxel& taxel) {
   return discs;
 }
 
-/// Of the angle limit.
+/// Returns the cosine of the angle limit.
 inline double min_cosine(const ReceptiveFieldRule& rule) {
   return std::cos(rule.max_angle_deg * kPi / 180.0);
 }

@@ -1,4 +1,4 @@
-// A hashed uniform grid over points: all points within a radius, in time proportional to their number.
+// A hashed uniform grid over points, which finds all points within a radius in time proportional to their number.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ namespace taxel {
 /// extent of the scene, because a surface fills only few of the cells of its box.
 class PointGrid {
  public:
-  /// `cell` > 0 is the edge of a cell, best near the radius that will be asked for [m].
+  /// `cell` > 0 is the edge of a cell [m]. It should be close to the radius of the queries.
   PointGrid(std::span<const dvec3> points, double cell);
 
-  /// Calls visit(i) for every point whose cell meets the box of the ball: a superset of the points within `radius`.
-  /// The order depends on the points and the cell size only.
+  /// Calls visit(i) for every point whose cell intersects the box of the ball: a superset of the points within
+  /// `radius`. The order depends only on the points and the cell size.
   template <class Visit>
   void visit_near(const dvec3& center, double radius, const Visit& visit) const {
     const Cell lo = cell_of(center - radius), hi = cell_of(center + radius);
     const double cells = (double(hi.x - lo.x) + 1) * (double(hi.y - lo.y) + 1) * (double(hi.z - lo.z) + 1);
-    if (cells > double(items_.size())) {  // a ball of many empty cells: the points themselves are fewer
+    if (cells > double(items_.size())) {  // for a ball with many empty cells, visiting all points is cheaper
       for (const Item& item : items_) visit(item.point);
       return;
     }

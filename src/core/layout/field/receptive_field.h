@@ -14,18 +14,18 @@ struct ReceptiveFields {
   struct Entry {
     int sample = 0;
     double distance = 0.0;  ///< d, from the taxel's centre [m]
-    double weight = 0.0;    ///< (r - d)^2 [m^2], times the Voronoi area ratio where asked for
+    double weight = 0.0;    ///< (r - d)^2 [m^2], times the Voronoi area ratio if required
   };
   std::vector<int> first{0};
   std::vector<Entry> entries;
   [[nodiscard]] int taxel_count() const { return static_cast<int>(first.size()) - 1; }
 };
 
-/// Samples within radius r of the centre whose normal is less than max_angle_deg from the taxel's normal; overlap
-/// allowed. Distances are straight ones from the stored centre (Metric::euclidean, the paper), or lengths of shortest
-/// paths on `skin` from its point closest to the centre (Metric::geodesic), to within rounding. With subtaxels: the
-/// union of theirs, r and d of the nearest subtaxel. `samples` lie on faces of `skin`. The same on any number of
-/// threads.
+/// Returns the receptive fields. The field of a taxel has the samples within radius r of the centre whose normal is
+/// less than max_angle_deg from the taxel's normal. Fields may overlap. Distances are Euclidean from the stored centre
+/// (Metric::euclidean, the paper), or lengths of shortest paths on `skin` from the point closest to the centre
+/// (Metric::geodesic), up to rounding. With subtaxels, the field is the union of their fields, with r and d of the
+/// nearest subtaxel. `samples` are on faces of `skin`. The result does not depend on the number of threads.
 ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples,
                                       const MeshIndex& skin);
 

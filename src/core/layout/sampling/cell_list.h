@@ -10,15 +10,16 @@
 
 namespace taxel {
 
-/// Occupied cells only, in the order of their keys: memory is O(points), whatever the extent. PointGrid answers single
-/// queries; here the neighbours of a whole cell are gathered at once, as nine rows of cells that follow each other.
+/// The occupied cells in the order of their keys. Memory is O(points), whatever the extent. While PointGrid is for
+/// single queries, this class gives the neighbours of a whole cell at once, as nine rows of successive cells.
 class CellList {
  public:
   /// `cell` > 0 is the edge of a cell [m].
   CellList(std::span<const dvec3> points, double cell);
 
   [[nodiscard]] int cell_count() const { return static_cast<int>(cells_.size()); }
-  /// Numbers of all points, cell by cell, ascending within one. A place in it is called a rank.
+  /// Returns the indices of all points, cell by cell and ascending within a cell. A position in this list is called a
+  /// rank.
   [[nodiscard]] const std::vector<int>& points() const { return points_; }
 
   struct Ranks {
@@ -29,12 +30,12 @@ class CellList {
     const Ranks r = ranks_in(cell);
     return std::span<const int>(points_).subspan(r.begin, r.end - r.begin);
   }
-  /// Of the cell and of the 26 around it: all points within one edge length of any point of it, and some more. The
-  /// middle row holds the cell itself.
+  /// Returns the ranks of the points in a cell and the 26 cells around it: all points within one edge length of any
+  /// point of the cell, and some more. The middle row has the cell itself.
   [[nodiscard]] const std::array<Ranks, 9>& ranks_around(int cell) const {
     return cells_[static_cast<std::size_t>(cell)].around;
   }
-  /// Cells of one of eight colours never touch each other.
+  /// Returns one of eight colours. Cells of the same colour never touch each other.
   [[nodiscard]] int colour(int cell) const;
 
  private:

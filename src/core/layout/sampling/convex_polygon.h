@@ -1,4 +1,4 @@
-// A convex polygon of the plane that half-planes are cut off from.
+// A convex polygon in the plane, which can be clipped by half-planes.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace taxel {
 
-/// Counter-clockwise. Keeps its memory.
+/// A convex polygon, counter-clockwise. Reuses its memory.
 class ConvexPolygon {
  public:
   void assign(std::span<const dvec2> corners) { corners_.assign(corners.begin(), corners.end()); }
@@ -39,7 +39,7 @@ class ConvexPolygon {
     for (std::size_t i = 1; i + 1 < corners_.size(); ++i) twice += twice_area(i);
     return 0.5 * twice;
   }
-  /// It has an area.
+  /// Returns the centroid. The polygon must have an area.
   [[nodiscard]] dvec2 centroid() const {
     double twice = 0.0;
     dvec2 sum(0);
@@ -50,7 +50,7 @@ class ConvexPolygon {
     }
     return corners_[0] + sum / (3.0 * twice);
   }
-  /// Squared distance of the corner farthest from the origin.
+  /// Returns the squared distance of the corner farthest from the origin.
   [[nodiscard]] double squared_reach() const {
     double farthest = 0.0;
     for (const dvec2& c : corners_) farthest = std::max(farthest, glm::dot(c, c));
@@ -58,7 +58,7 @@ class ConvexPolygon {
   }
 
  private:
-  /// Of the triangle of the first corner and corners i and i + 1.
+  /// Returns twice the area of the triangle of the first corner and the corners i and i + 1.
   [[nodiscard]] double twice_area(std::size_t i) const {
     const dvec2 a = corners_[i] - corners_[0], b = corners_[i + 1] - corners_[0];
     return a.x * b.y - a.y * b.x;

@@ -1,4 +1,4 @@
-// Empty circles between points of the plane.
+// Finds empty circles between points of the plane.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ struct Hole {
   float clearance = 0;  ///< squared distance of the nearest point
 };
 
-/// Points of the plane, and climbs among them to the places farthest from all: single precision, for lengths about 1,
-/// in lanes of the best instruction set of the machine, with the same bits on each. Keeps its memory.
+/// Finds places in the plane that are far from all given points. Single precision, for lengths about 1; uses the best
+/// instruction set of the machine, with the same bits on each machine. Reuses its memory.
 class HoleFinder {
  public:
   void clear() { size_ = 0; }
@@ -27,11 +27,11 @@ class HoleFinder {
   }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] vec2 point(std::size_t i) const { return {x_[i], y_[i]}; }
-  /// Squared distance of the nearest point.
+  /// Returns the squared distance of the nearest point.
   [[nodiscard]] float clearance(const vec2& at) const;
 
-  /// Climbs from `start` to a local maximum of the distance to the nearest point, and stops at most about `reach` away.
-  /// Never ends nearer to a point than it began, but for rounding. There is at least one point.
+  /// Moves from `start` to a local maximum of the distance to the nearest point, at most about `reach` away. The
+  /// distance never decreases, up to rounding. There must be at least one point.
   [[nodiscard]] Hole climb(const vec2& start, float reach) const;
 
  private:

@@ -10,27 +10,27 @@
 
 namespace taxel {
 
-/// How much work goes into evenness.
+/// Quality of samples: the amount of work to make them even.
 enum class SampleQuality {
   preview,  ///< no two samples close together, all of equal area: a tenth of the time
   polished  ///< spread as evenly as possible, areas of the Voronoi cells
 };
-/// A stable word: "preview", "polished".
+/// Returns a stable word: "preview", "polished".
 inline const char* to_string(SampleQuality quality) {
   return quality == SampleQuality::preview ? "preview" : "polished";
 }
 
-/// Exactly `count` samples spread over all faces of `mesh`. Same mesh, count, seed and quality: same bytes, on any
-/// number of threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`, which goes
-/// from 0.1 to 0.9.
+/// Returns exactly `count` samples spread over all faces of `mesh`. The same mesh, count, seed and quality give the
+/// same bytes, on any number of threads. Throws Error if count < 0 or above 10 million, Cancelled through `progress`,
+/// which goes from 0.1 to 0.9.
 std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::uint64_t seed,
                                           Progress* progress = nullptr,
                                           SampleQuality quality = SampleQuality::polished);
 
-/// The most samples one surface may have.
+/// Largest number of samples on one surface.
 inline constexpr int kMaxSamples = 10'000'000;
 
-/// round(density * area). Throws Error when that is negative, not a number or above kMaxSamples.
+/// Returns round(density * area). Throws Error if this is negative, not a number or above kMaxSamples.
 int sample_count(double density, double area);
 
 }  // namespace taxel

@@ -7,8 +7,8 @@
 
 namespace taxel {
 
-/// Numbers of the `count` pool points that stay, ascending, when the most crowded point is taken away again and again.
-/// Distances are straight lines on one patch and unfolded ones elsewhere. Throws Cancelled through `progress`.
+/// Removes the most crowded point of the pool repeatedly, until `count` points remain. Returns their indices,
+/// ascending. Distances are straight on one patch and unfolded elsewhere. Throws Cancelled through `progress`.
 std::vector<int> eliminate_samples(const SurfaceGraph& surface, const SurfacePool& pool, int count, Progress* progress);
 
 }  // namespace taxel

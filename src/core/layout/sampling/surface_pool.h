@@ -1,4 +1,4 @@
-// Many random points on a mesh, spread in proportion to area: what samplers choose from.
+// Many random points on a mesh, distributed in proportion to area, from which samplers choose.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ struct SurfacePool {
   [[nodiscard]] int size() const { return static_cast<int>(positions.size()); }
 };
 
-/// `count` points, one in each of `count` parts of equal area along a walk over the faces in Morton order of their
-/// centroids, so that every neighbourhood gets its share to within one or two points. Pure function of its arguments.
+/// Returns `count` points, one in each of `count` parts of equal area along a path over the faces in Morton order of
+/// their centroids. So the number of points in every neighbourhood is proportional to its area, up to one or two
+/// points. The result depends only on the arguments.
 SurfacePool make_surface_pool(const TriMesh& mesh, int count, std::uint64_t seed);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-// Walking over a mesh: straight lines across its edges, and the surface around a point unfolded into the plane.
+// Movement over a mesh: straight lines across its edges, and the surface around a point unfolded into the plane.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ struct SurfaceStep {
   dvec3 position{0};
 };
 
-/// Which face lies across which edge, in time proportional to the faces. Where more than two faces meet, or two of
-/// opposite winding, the surface ends.
+/// The adjacency of faces over edges, built in time proportional to the number of faces. The surface ends at edges with
+/// more than two faces, or with two faces of opposite winding.
 class SurfaceGraph {
  public:
   explicit SurfaceGraph(const TriMesh& mesh);  ///< keeps a reference
@@ -30,8 +30,8 @@ class SurfaceGraph {
     return glm::dot(v, out.along) * out.along - glm::dot(v, out.outward) * in.outward;
   }
 
-  /// The end of the straightest line (Polthier, Schmies 1998) from `start` along `way`, a vector in the plane of its
-  /// face, over the length of that vector; on the rim where the surface ends before.
+  /// Returns the end of the straightest line (Polthier, Schmies 1998) from `start` along `way`, a vector in the plane
+  /// of the face whose length is the length of the line. If the surface ends before, the result is on its rim.
   [[nodiscard]] SurfaceStep walk(SurfaceStep start, dvec3 way) const;
 
  private:
@@ -53,9 +53,10 @@ class SurfaceGraph {
   std::vector<FlatSide> flat_;
 };
 
-/// The surface around one point, unfolded into the plane of its face over the edges nearest to it: a developable
-/// surface keeps its distances, over creases of any angle and round the rim of a thin plate, and an opposite wall is as
-/// far as the way to it. One per thread: it keeps its memory.
+/// The surface around one point, unfolded into the plane of its face over the edges nearest to the point. On a
+/// developable surface distances are preserved, also over creases of any angle and around the rim of a thin plate, and
+/// the distance of an opposite wall is the length of the path to it. The chart reuses its memory, so each thread needs
+/// its own.
 class SurfaceChart {
  public:
   explicit SurfaceChart(const SurfaceGraph& graph);
@@ -63,7 +64,7 @@ class SurfaceChart {
   /// Unfolds all faces within `radius` of `origin`. `u` and `v` become the axes of the plane, unit vectors at right
   /// angles in the plane of its face.
   void unfold(const SurfaceStep& origin, const dvec3& u, const dvec3& v, double radius);
-  /// Where `place` lies in the plane. False where its face is beyond the radius.
+  /// Finds the position of `place` in the plane. Returns false if its face is beyond the radius.
   [[nodiscard]] bool find(const SurfaceStep& place, dvec2& flat) const;
 
  private:

@@ -1,4 +1,4 @@
-// The points around a cell of a surface, and which of them are near to one place.
+// The points around a cell of a surface, and a search for points near a place.
 #pragma once
 
 #include <span>

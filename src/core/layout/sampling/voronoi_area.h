@@ -8,9 +8,10 @@
 
 namespace taxel {
 
-/// Fills SurfaceSample::area with the area of the sample's Voronoi cell restricted to the surface: the part of the mesh
-/// that is nearer to it than to any other sample of the same wall (of any wall, where its own has none nearby). Faces
-/// are cut exactly along the bisecting planes, so the areas sum to that of the mesh. `samples` is not empty.
+/// Fills SurfaceSample::area with the area of the sample's Voronoi cell on the surface: the part of the mesh that is
+/// nearer to this sample than to any other sample of the same wall (or of any wall, if the wall has no sample nearby).
+/// Faces are clipped exactly along the bisecting planes, so the sum of the areas is the area of the mesh. `samples`
+/// must not be empty.
 void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& samples);
 
 }  // namespace taxel
