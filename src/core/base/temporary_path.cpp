@@ -45,8 +45,8 @@ pid_t process_of(std::string_view name, std::string_view prefix) {
   return error == std::errc() && end == name.data() + name.size() && id > 0 ? id : 0;
 }
 
-/// Whether the process that created `path` has ended. The id alone does not show it: the process may run on another
-/// machine or in another container that shares the folder. A process that runs holds the lock.
+/// Returns true if the process that created `path` has ended. The id alone does not show it: the process may run on
+/// another machine or in another container that shares the folder. A process that runs holds the lock.
 bool is_stale(const fs::path& path, pid_t process) {
   const bool runs = process != ::getpid() && (::kill(process, 0) == 0 || errno != ESRCH);
   if (runs) return false;

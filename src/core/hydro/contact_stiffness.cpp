@@ -12,7 +12,7 @@ struct PointStiffness {
   dvec3 left{0}, right{0};
 };
 
-/// Whether a polygon lies beyond the tets of a pad.
+/// Returns true if a polygon lies beyond the tets of a pad.
 bool is_depth_piece(const ContactPolygon& polygon) {
   return polygon.tet < 0;
 }

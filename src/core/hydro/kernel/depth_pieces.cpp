@@ -110,7 +110,7 @@ class PlanePieces {
     return area;
   }
 
-  /// Whether the tets' polygons fill a piece.
+  /// Returns true if the tets' polygons fill a piece.
   [[nodiscard]] bool is_covered(const FlatPolygon& flat, std::size_t first, double listed_area) const {
     constexpr double kWhole = 1 - kMinPart;
     const double whole = kWhole * flat.area();

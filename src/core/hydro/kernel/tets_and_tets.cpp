@@ -67,7 +67,7 @@ class TetsAndTets {
     return placed.x;
   }
 
-  /// Whether A has pressure at x, which its tet `index` holds: x is not in its skin.
+  /// Returns true if A has pressure at x, which its tet `index` holds: x is not in its skin.
   [[nodiscard]] HWY_INLINE bool pushes_at(std::int32_t index, const dvec3& x) const {
     const LinearPressure p = a_.tets()[at(index)].pressure();
     return glm::dot(p.gradient, x) + p.constant > no_pressure_;
@@ -139,7 +139,7 @@ class TetsAndTets {
     }
   }
 
-  /// Whether a triangle and a face of A reach both sides of each other's plane, or touch it.
+  /// Returns true if a triangle and a face of A reach both sides of each other's plane, or touch it.
   [[nodiscard]] HWY_INLINE bool may_cross(const std::array<dvec3, 3>& x, const dvec3& normal,
                                           const FieldIndex::BoundaryFace& face) const {
     const PackedTet& tet = a_.tets()[at(face.tet)];

@@ -114,7 +114,7 @@ class TetsAndTriangles {
     }
   }
 
-  /// Whether a corner lies, or may lie, inside of the body beyond all tets.
+  /// Returns true if a corner lies, or may lie, inside of the body beyond all tets.
   [[nodiscard]] HWY_INLINE bool reaches_beyond(const TriangleTree::Triangle& source) {
     for (const std::int32_t vertex : source.vertex) {
       const PlacedVertex& placed = place(vertex);

@@ -98,7 +98,7 @@ PrismTets PadLayers::below(const ivec3& legs) const {
                      {shape_.inner(legs.x), shape_.inner(legs.y), shape_.inner(legs.z)}, legs);
 }
 
-/// Whether the prism below a face is well shaped.
+/// Returns true if the prism below a face is well shaped.
 bool PadLayers::add_face(int face) {
   const PrismTets& single = single_[at(face)];
   const ivec3 legs(shape_.leg(face, 0), shape_.leg(face, 1), shape_.leg(face, 2));
@@ -127,7 +127,7 @@ bool PadLayers::add_face(int face) {
   return good;
 }
 
-/// Whether none of a gap's tets is flat; `floor` in numbers of legs.
+/// Returns true if none of a gap's tets is flat; `floor` in numbers of legs.
 bool PadLayers::add_gap(std::vector<ivec4> outer, const std::vector<ivec3>& floor) {
   const std::size_t single = outer.size();
   for (const ivec3& legs : floor) {

@@ -163,8 +163,8 @@ class LegMaker {
     return directions;
   }
 
-  /// Whether every leg leads below all faces that it has to do with, and no leg of a group is worse than the common
-  /// one.
+  /// Returns true if every leg leads below all faces that it has to do with, and no leg of a group is worse than the
+  /// common one.
   bool goes_inward(int v, const Parting& parting) const {
     const double common = legs_.inward[at(v)].least_cosine;
     for (const PadDirection& inward : parting.inward) {

@@ -8,7 +8,7 @@
 
 namespace taxel {
 
-/// Whether the prism below a face is sound once the legs of these corners (bit c: corner c) are pinched too.
+/// Returns true if the prism below a face is sound once the legs of these corners (bit c: corner c) are pinched too.
 bool PadShape::is_sound_without(int face, unsigned corners) {
   const std::array<char, 3> before{pinched_[at(leg(face, 0))], pinched_[at(leg(face, 1))], pinched_[at(leg(face, 2))]};
   for (int c = 0; c < 3; ++c) {

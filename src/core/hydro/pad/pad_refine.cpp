@@ -138,7 +138,7 @@ class Bisection {
   std::vector<char> is_wanted_;
 };
 
-/// Whether a face is coarse enough and has a leg that leads away from its normal.
+/// Returns true if a face is coarse enough and has a leg that leads away from its normal.
 bool can_be_uneven(const TriMesh& mesh, const PadShape& shape, int face, double longest) {
   double edge = 0, cosine = 1;
   for (int c = 0; c < 3; ++c) {

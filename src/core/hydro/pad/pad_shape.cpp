@@ -219,7 +219,7 @@ dvec3 PadShape::position(int vertex) const {
   return vertex < n ? mesh_.vertices()[at(vertex)] : inner_position(vertex - n);
 }
 
-/// Whether all corners' offsets go below the face; if not, no offset is short enough.
+/// Returns true if all corners' offsets go below the face; if not, no offset is short enough.
 bool PadShape::can_be_filled(int face) const {
   for (int c = 0; c < 3; ++c) {
     const std::size_t own = at(leg(face, c));
@@ -234,7 +234,7 @@ PrismTets PadShape::prism(int face) const {
   return split_prism(f, {inner(leg(face, 0)), inner(leg(face, 1)), inner(leg(face, 2))}, f);
 }
 
-/// Whether every tet has at least `part` of the prism's third, taken with the shortest offset around the face.
+/// Returns true if every tet has at least `part` of the prism's third, taken with the shortest offset around the face.
 bool PadShape::well_shaped(int face, double part) const {
   double h = std::numeric_limits<double>::infinity();
   for (int c = 0; c < 3; ++c) {

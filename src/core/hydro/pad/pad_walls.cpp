@@ -21,9 +21,9 @@ constexpr int kRounds = 12;
 
 }  // namespace
 
-/// Whether the middle of a face's inner triangle is beyond the medial axis, although its corners are not: below a large
-/// face the other wall may be nearer than at the corners. The depth of the middle is compared with the least depth of
-/// the corners (PadShape::own_offset); below convex skin it cannot be less.
+/// Returns true if the middle of a face's inner triangle is beyond the medial axis, although its corners are not: below
+/// a large face the other wall may be nearer than at the corners. The depth of the middle is compared with the least
+/// depth of the corners (PadShape::own_offset); below convex skin it cannot be less.
 bool PadShape::crosses_wall(int face) const {
   double least = 0, longest = 0, edge = 0;
   dvec3 centroid(0);

@@ -83,7 +83,7 @@ void check_own_mesh(const Layout& layout, const LayoutMesh& layout_mesh, const s
                 region.empty() ? skin.area() : area_of_faces(mesh, repaired_faces(layout_mesh.repaired, region)), out);
 }
 
-/// Whether any face has a point within the disc's radius of `center` and a normal within its angle.
+/// Returns true if any face has a point within the disc's radius of `center` and a normal within its angle.
 template <class T>
 bool reaches_surface(const T& disc, const dvec3& center, double max_angle_deg, const MeshIndex& skin) {
   const TriMesh& mesh = skin.mesh();

@@ -74,7 +74,7 @@ dvec3 unit_across(const dvec3& v, const dvec3& axis) {
   return glm::length(across) > 1e-6 * glm::length(v) ? glm::normalize(across) : any_perpendicular(axis);
 }
 
-/// Whether all normals lie about their mean, which `mean` gets.
+/// Returns true if all normals lie about their mean, which `mean` gets.
 bool one_side(const Layout& layout, dvec3& mean) {
   mean = dvec3(0);
   for (const Taxel& taxel : layout.taxels) mean += glm::normalize(taxel.normal);

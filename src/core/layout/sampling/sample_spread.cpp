@@ -181,7 +181,7 @@ class Spreader {
     }
   }
 
-  /// Whether all other samples are at least `limit` from `step`.
+  /// Returns true if all other samples are at least `limit` from `step`.
   bool clear(const SurfaceStep& step, const dvec3& normal, const NearPlace& there, std::uint32_t rank, float limit,
              Scratch& mine) const {
     NearPoints& close = mine.close;

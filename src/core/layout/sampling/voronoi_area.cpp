@@ -14,8 +14,8 @@ struct Share {
   double area;
 };
 
-/// Whether two points lie on the same wall: normals more than 90 degrees apart belong to opposite sides of a thin part,
-/// and their distance through it says nothing about evenness.
+/// Returns true if two points lie on the same wall: normals more than 90 degrees apart belong to opposite sides of a
+/// thin part, and their distance through it says nothing about evenness.
 bool same_wall(const dvec3& normal_a, const dvec3& normal_b) {
   const double right_angle = -1e-9;  // a cosine of 0 with rounding: faces of a box that meet at an edge are one wall
   return glm::dot(normal_a, normal_b) > right_angle;

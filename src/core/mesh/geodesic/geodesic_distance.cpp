@@ -103,9 +103,9 @@ void GeodesicDistance::process(int window) {
   if (!is_late(w)) pass_face(w);
 }
 
-/// Whether every point of the window is reached earlier along the edge from one of its ends. If the far end of the
-/// window is, so is every point between, by the triangle inequality (Xin, Wang 2009, theorem 3.2). Such a window is on
-/// no shortest path. Ties up to rounding are not late: windows through a vertex very near to their source tie.
+/// Returns true if every point of the window is reached earlier along the edge from one of its ends. If the far end of
+/// the window is, so is every point between, by the triangle inequality (Xin, Wang 2009, theorem 3.2). Such a window is
+/// on no shortest path. Ties up to rounding are not late: windows through a vertex very near to their source tie.
 bool GeodesicDistance::is_late(const GeodesicWindow& w) const {
   const UnfoldedMesh::Ends& ends = mesh_->ends(w.halfedge);
   const double to_end = w.distance(w.end), to_begin = w.distance(w.begin);

@@ -25,7 +25,7 @@ class SlabTest {
     }
     return enter <= leave * kRoundUp ? enter : kMiss;
   }
-  /// Whether an entry found earlier is now beyond `t_max`.
+  /// Returns true if an entry found earlier is now beyond `t_max`.
   [[nodiscard]] static bool beyond(double entry, double t_max) { return entry > t_max * kRoundUp; }
   static constexpr double kMiss = std::numeric_limits<double>::infinity();
 

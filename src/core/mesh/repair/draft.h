@@ -58,8 +58,8 @@ void remove_faces(Draft& draft, const std::vector<char>& removed);
 void drop_unused_points(Draft& draft);
 /// Makes points at the same place one, the first of them.
 void join_equal_points(Draft& draft);
-/// Whether the surface of a triangle is so small that rounding alone can have made it: area <= 1e-9 of the longest
-/// edge squared.
+/// Returns true if the surface of a triangle is so small that rounding alone can have made it: area <= 1e-9 of the
+/// longest edge squared.
 bool is_flat(const dvec3& a, const dvec3& b, const dvec3& c);
 /// The corner of a face at `vertex`.
 int corner_at(const ivec3& face, int vertex);

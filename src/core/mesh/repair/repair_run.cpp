@@ -225,8 +225,8 @@ void RepairRun::take_crossed_shells() {
   take(chosen, WrapKind::solid);
 }
 
-/// Whether the whole draft cuts through itself. Opening a layout reports the same faces, so a search in an unchanged
-/// mesh is kept for that.
+/// Returns true if the whole draft cuts through itself. Opening a layout reports the same faces, so a search in an
+/// unchanged mesh is kept for that.
 bool RepairRun::is_crossed() {
   if (!is_as_loaded()) return cuts_through_itself(draft_);
   loaded_crossings_ = find_self_intersections(*loaded_);

@@ -63,13 +63,13 @@ class EdgeTopology {
   [[nodiscard]] int low(int h) const { return std::min(from(h), to(h)); }
   /// The higher of the two vertices of a half-edge.
   [[nodiscard]] int high(int h) const { return std::max(from(h), to(h)); }
-  /// Whether a half-edge runs from its lower vertex to its higher one.
+  /// Returns true if a half-edge runs from its lower vertex to its higher one.
   [[nodiscard]] bool is_forward(int h) const { return from(h) < to(h); }
   /// The twin of a half-edge, or -1 if the surface ends there.
   [[nodiscard]] int twin(int h) const { return twins_[static_cast<std::size_t>(h)]; }
   /// The face across a half-edge, or -1 if the surface ends there.
   [[nodiscard]] int face_across(int h) const { return twin(h) < 0 ? -1 : twin(h) / 3; }
-  /// Whether there are faces and each half-edge has a twin.
+  /// Returns true if there are faces and each half-edge has a twin.
   [[nodiscard]] bool is_closed() const { return closed_; }
 
   [[nodiscard]] int edge_count() const { return static_cast<int>(first_.size()) - 1; }

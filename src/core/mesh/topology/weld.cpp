@@ -39,7 +39,7 @@ std::vector<int> first_at_same_place(const std::vector<dvec3>& points) {
   return first;
 }
 
-/// Whether the area of a triangle is so small that rounding of its edges alone can have made it.
+/// Returns true if the area of a triangle is so small that rounding of its edges alone can have made it.
 bool has_no_area(const dvec3& a, const dvec3& b, const dvec3& c) {
   const dvec3 ab = b - a, ac = c - a, bc = c - b;
   const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});

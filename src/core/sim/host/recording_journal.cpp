@@ -150,7 +150,7 @@ int open_locked(const fs::path& file, int flags) {
   return descriptor;
 }
 
-/// Whether a path cannot take a recording: a file, or a folder that holds more than temporary files of killed
+/// Returns true if a path cannot take a recording: a file, or a folder that holds more than temporary files of killed
 /// processes.
 bool is_taken(const fs::path& path) {
   std::error_code ignored;

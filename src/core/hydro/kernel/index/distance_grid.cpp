@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-/// Whether a cube about `center` may meet the tet: no plane of the tet has it wholly outside.
+/// Returns true if a cube about `center` may meet the tet: no plane of the tet has it wholly outside.
 bool may_meet(const Tet& tet, const dvec3& center, double half_edge) {
   for (std::size_t i = 0; i < 4; ++i) {
     const dvec3& n = tet.normal[i];

@@ -42,7 +42,7 @@ HWY_INLINE PlanePressure pressure_on(const SurfaceTriangle& triangle, const Line
           glm::dot(g, triangle.x_S[2]) + pressure.constant - p0};
 }
 
-/// Whether a mean pressure is larger than the rounding errors of the pressure in the skin.
+/// Returns true if a mean pressure is larger than the rounding errors of the pressure in the skin.
 HWY_INLINE bool pushes(double mean, const dvec3& gradient, double size) {
   const double least = kTouchingPressure * size;
   return mean > 0 && mean * mean > least * least * glm::dot(gradient, gradient);

@@ -81,9 +81,10 @@ HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const d
   return -1;
 }
 
-/// Whether x, which no tet holds, may lie inside of the body: locate() found it in the core, or left the tets there. A
-/// walk to a point outside of the skin leaves by the core too at times; the pressure of the last tet is negative then.
-/// So it is at a point in a gap that reaches up to the skin, for which the grid knows where such gaps are.
+/// Returns true if x, which no tet holds, may lie inside of the body: locate() found it in the core, or left the tets
+/// there. A walk to a point outside of the skin leaves by the core too at times; the pressure of the last tet is
+/// negative then. So it is at a point in a gap that reaches up to the skin, for which the grid knows where such gaps
+/// are.
 HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const dvec3& x) {
   if (held >= kOutside) return false;
   if (held == kInCore) return true;
@@ -94,7 +95,7 @@ HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const 
   return (left_by_core && glm::dot(p.gradient, x) + p.constant > 0) || field.grid().may_hold_gap(x);
 }
 
-/// Whether all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
+/// Returns true if all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
 HWY_INLINE bool beyond_a_face(const FieldIndex& field, const std::array<dvec3, 3>& x,
                               const std::array<std::int32_t, 3>& held) {
   for (const std::int32_t h : held) {

@@ -167,7 +167,7 @@ void part_vertices(Draft& draft, std::span<const HalfEdgePair> pairs, RepairStep
   }
 }
 
-/// Whether some point has more than one fan of faces.
+/// Returns true if some point has more than one fan of faces.
 bool has_several_fans(const Draft& draft, std::span<const HalfEdgePair> pairs) {
   DisjointSets corners = join_corners(draft, pairs);
   std::vector<int> fan_of(draft.points.size(), -1);

@@ -16,10 +16,10 @@ Shells find_shells(const Draft& draft);
 /// Signed volume of some faces by the divergence theorem [m^3]: meaningful if they are a closed shell.
 double volume_of(const Draft& draft, const std::vector<int>& faces);
 
-/// Whether a surface cuts through itself in more than a thousandth of its faces, and in more than a few. Fewer places
-/// are folds that a pressure field survives.
+/// Returns true if a surface cuts through itself in more than a thousandth of its faces, and in more than a few. Fewer
+/// places are folds that a pressure field survives.
 bool cuts_through_itself(const Draft& draft);
-/// Whether `faces` faces with these intersections cut through themselves in as many places.
+/// Returns true if `faces` faces with these intersections cut through themselves in as many places.
 bool cuts_through_itself(const SelfIntersections& found, int faces);
 
 }  // namespace taxel

@@ -53,8 +53,8 @@ Distances distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& po
   return distances;
 }
 
-/// Whether a point of a mesh sees the outside: one of 64 rays, spread over all directions by the golden angle, leaves
-/// it. Walls of cavities and walls inside of a body do not.
+/// Returns true if a point of a mesh sees the outside: one of 64 rays, spread over all directions by the golden angle,
+/// leaves it. Walls of cavities and walls inside of a body do not.
 bool is_seen(const MeshIndex& mesh, const PointOnFace& point) {
   constexpr int kRays = 64;
   constexpr double kGoldenAngle = 2.399963229728653;
