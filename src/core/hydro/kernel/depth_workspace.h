@@ -1,4 +1,4 @@
-// Memory that depth pieces keep between calls.
+// Memory of depth pieces, kept between calls.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace taxel {
 /// Largest difference, in thicknesses, between D at the middle of a piece's edge and the mean of D at its ends. A
 /// smaller value makes more pieces. With this one the force is within 1 % of that of far smaller pieces.
 inline constexpr double kDepthTolerance = 0.02;
-/// Shortest edge of a piece that is cut, in thicknesses. Without it cutting would not end at the medial axis, across
-/// which D is not linear however small the pieces are.
+/// Shortest edge of a piece that is divided, in thicknesses. Without this limit, division would never end at the medial
+/// axis, across which D is not linear for pieces of any size.
 inline constexpr double kMinPieceEdge = 0.25;
 
-/// How pieces are cut, for tests that need finer ones.
+/// Sizes at which pieces are divided. Tests use finer pieces.
 struct DepthPieceSize {
   double tolerance = kDepthTolerance, min_edge = kMinPieceEdge;
 };
@@ -79,7 +79,7 @@ struct PressurePair {
   double a = 0, b = 0;
 };
 
-/// Area below which a part of a piece is rounding, as a fraction of the piece.
+/// Area below which a part of a piece is a rounding error, as a fraction of the piece.
 inline constexpr double kMinPart = 1e-9;
 
 struct DepthWorkspace {
@@ -98,21 +98,21 @@ struct DepthWorkspace {
     double area;
   };
   std::vector<Covered> covered;
-  std::vector<std::int32_t> lists;  ///< numbers of `covered` near a piece, of all pieces from the first to the present
+  std::vector<std::int32_t> lists;  ///< indices of `covered` near the first to the present piece
   std::vector<FlatPolygon> rest, scratch;
   std::vector<dvec3> core_points;  ///< middles of the edges at which polygons of pairs of tets end on a core, frame A
   std::vector<Aabb> boxes;         ///< boxes of the polygons of pairs of tets, frame A
-  Bvh tree;                        ///< over these
-  /// A cube of the lattice that the surface was followed into.
+  Bvh tree;                        ///< tree over `boxes`
+  /// A cube of the lattice that the surface intersects.
   struct Cube {
     ivec3 corner;
-    int steps;       ///< number of further cubes to follow from here where the tets cover them
+    int steps;       ///< number of more cubes to visit from here, if the tets cover them
     unsigned faces;  ///< faces across which the surface continues
-    bool is_done;    ///< its part of the surface is added
+    bool is_done;    ///< true if its part of the surface is added
   };
-  PointCache<std::int32_t> visited;  ///< numbers of `cubes`
+  PointCache<std::int32_t> visited;  ///< indices of `cubes`
   std::vector<Cube> cubes;
-  std::vector<std::int32_t> queue;  ///< cubes from which to go on
+  std::vector<std::int32_t> queue;  ///< cubes whose neighbours must still be visited
 };
 
 }  // namespace taxel

@@ -10,16 +10,16 @@
 
 namespace taxel {
 
-/// Pairs of tets that were met in a call, as one list per tet of B. Nothing is cleared between calls: lists name
-/// theirs.
+/// Pairs of tets that were found in a call, as one list per tet of B. Nothing is cleared between calls, because each
+/// list has the number of its call.
 class MetPairs {
  public:
   /// Begins a new call and makes room for lists of `tets_of_b` tets of B. Calls are counted from 1.
   void begin(std::uint32_t call, std::size_t tets_of_b);
   void insert(std::int32_t b, std::int32_t a);
-  /// A tet of B with pairs that for_each_new has not given yet; -1: there is none.
+  /// Returns a tet of B with pairs that for_each_new() has not visited yet, or -1 if there is none.
   std::int32_t next();
-  /// For each a that met `b`, also of those that f adds: f(a), once.
+  /// Calls f(a) once for each tet a that is paired with `b`, including pairs that f adds.
   template <class F>
   void for_each_new(std::int32_t b, F&& f);
   /// Forgets all calls.
@@ -31,12 +31,12 @@ class MetPairs {
   };
   struct List {
     std::uint32_t call = 0;
-    std::int32_t newest = -1, done = -1;  ///< entries; those from `done` on were given
+    std::int32_t newest = -1, done = -1;  ///< entries; entries from `done` on were visited
     bool waits = false;
   };
 
   std::vector<Entry> entries_;
-  std::vector<List> lists_;  ///< by tet of B
+  std::vector<List> lists_;  ///< list of each tet of B
   std::vector<std::int32_t> waiting_;
   std::uint32_t call_ = 0;
 };
@@ -72,9 +72,10 @@ struct PlacedVertex {
   std::uint32_t call = 0;  ///< number of the call that wrote this entry
 };
 
-/// No step allocates after warm-up. One per thread; its content means nothing between calls.
+/// Memory of intersect(). No step allocates memory after the first steps. Each thread needs its own; the content has no
+/// meaning between calls.
 struct IntersectWorkspace {
-  /// Finds pairs by trees alone, without walking from tet to tet: the same polygons in another order. For tests.
+  /// Finds pairs only by trees, without tet-to-tet traversal: the same polygons in another order. For tests.
   bool tree_form = false;
   DepthPieceSize piece_size;
 

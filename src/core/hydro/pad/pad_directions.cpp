@@ -13,8 +13,8 @@ double least_cosine(const dvec3& direction, std::span<const dvec3> normals) {
   return least;
 }
 
-/// Centre of the smallest cap that holds all normals: that of their smallest enclosing ball, by Badoiu and Clarkson
-/// (2003), which steps towards the farthest one by 1/(i + 1) in round i.
+/// Returns the centre of the smallest cap that contains all normals, computed from their smallest enclosing ball
+/// (Badoiu and Clarkson 2003): round i moves the centre towards the farthest normal by 1/(i + 1) of the distance.
 dvec3 middle_direction(std::span<const dvec3> normals) {
   constexpr int kRounds = 300;
   dvec3 center = normals[0];
@@ -39,7 +39,7 @@ struct Around {
   dvec3 normal;
 };
 
-/// The faces around one vertex: their normals, largest face first.
+/// Sorts the faces around one vertex by area, largest first, and returns their normals.
 std::vector<dvec3> by_area(std::vector<Around>& faces) {
   std::stable_sort(faces.begin(), faces.end(), [](const Around& a, const Around& b) { return a.area > b.area; });
   std::vector<dvec3> normals;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kPoints = 1024;
 
-/// Evenly distributed in a tet: the three cuts of a unit length, sorted, leave four weights.
+/// Returns barycentric weights of a point uniformly distributed in a tet: three sorted random cuts of a unit length
+/// give four weights.
 std::array<double, 4> random_weights(const CounterRng& rng, int point) {
   const auto n = 4 * static_cast<std::uint64_t>(point);
   std::array<double, 3> cut{rng.uniform(n), rng.uniform(n + 1), rng.uniform(n + 2)};
@@ -26,7 +27,7 @@ std::array<double, 4> random_weights(const CounterRng& rng, int point) {
 
 PadError pad_error(const MeshIndex& index, const std::vector<dvec3>& vertices, const std::vector<ivec4>& tets,
                    const std::vector<double>& vertex_pressure, double modulus, double thickness) {
-  std::vector<double> volume_to;  // of all tets up to this one
+  std::vector<double> volume_to;  // cumulative volume of the tets
   volume_to.reserve(tets.size());
   double volume = 0;
   for (const ivec4& t : tets) {

@@ -1,5 +1,5 @@
 // The pad field: an elastomer of thickness H over a rigid core, on any closed mesh. Every triangle of the skin is the
-// outer face of a prism, whose inner vertices lie H below the skin; three tets fill a prism, or each of its two layers.
+// outer face of a prism, whose inner vertices are H below the skin. Three tets fill a prism, or each of its two layers.
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -15,7 +15,7 @@
 namespace taxel {
 namespace {
 
-/// Gathers faces of one kind; the worst is the one of the highest badness.
+/// Collects faces of one kind. The worst face is the one with the highest badness.
 class SkinPartMaker {
  public:
   SkinPartMaker(const TriMesh& mesh, const std::vector<int>& face_numbers) : mesh_(mesh), numbers_(face_numbers) {}
@@ -37,7 +37,7 @@ class SkinPartMaker {
   double worst_ = -1;
 };
 
-/// `bare_faces`: whether a face has no tet, per face.
+/// Returns the report of a pad. `bare_faces` has a flag for each face without a tet.
 FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const std::vector<char>& bare_faces, double thickness,
                       const std::vector<int>& face_numbers) {
   FieldReport report;
@@ -77,7 +77,7 @@ std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& de
 /// The tets of a pad and the offsets and depths that they were built from.
 struct RawPad {
   PadTets tets;
-  std::vector<char> bare;  ///< whether a face has no tet, per face
+  std::vector<char> bare;  ///< flag for each face without a tet
   int two_layer_faces = 0, tents = 0;
 };
 
@@ -114,10 +114,10 @@ PressureFieldPtr finish(const MeshIndex& index, const PadShape& shape, RawPad pa
 /// Largest number of faces of a refined skin: the first one or the second one times the faces of the mesh, whichever
 /// is larger. Each face takes 3 to 5 tets.
 constexpr int kMaxFaces = 2000, kMaxFactor = 3;
-/// A skin whose uneven faces make up less than this part of it stays as it is: refinement would build the pad twice.
+/// Fraction of the skin below which uneven faces are not refined, because refinement builds the pad twice.
 constexpr double kWorthIt = 0.005;
 
-/// The skin refined where its pad is uneven; no mesh where that is not worth it.
+/// Returns the skin refined at uneven faces of its pad, or no mesh if refinement is not worth its cost.
 RefinedSkin refined_where_uneven(const MeshIndex& index, const PadShape& shape, const RawPad& pad, double modulus,
                                  double thickness, double refine) {
   if (!(refine > 0)) return {};

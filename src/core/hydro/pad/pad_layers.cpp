@@ -10,14 +10,15 @@
 namespace taxel {
 namespace {
 
-/// A middle vertex lies at this part of the length of a leg that asks for one: low, since up to there the pressure
-/// follows the planes of the faces and not the distance to the skin.
+/// Position of a middle vertex as a fraction of its leg's length. It is small, since up to the middle vertex the
+/// pressure depends on the planes of the faces and not on the distance to the skin.
 constexpr double kMiddle = 0.3;
-/// Beyond this part of a leg's length there is no room for a second layer.
+/// Largest position of a middle vertex as a fraction of its leg's length; beyond it there is no room for a second
+/// layer.
 constexpr double kHighest = 0.8;
-/// Middle vertices of neighbours differ in height by at most this times their distance.
+/// Largest difference in height of neighbouring middle vertices, divided by their distance.
 constexpr double kSlope = 1.0;
-/// A middle vertex is worth nothing where the skin is nearer than this part of the depth that its faces promise.
+/// A middle vertex is useless if the distance to the skin is less than this fraction of the depth below its faces.
 constexpr double kOwnDepth = 0.5;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -37,7 +38,7 @@ PadLayers::PadLayers(const PadShape& shape, const MeshIndex& index, const std::v
   number();
 }
 
-/// Heights, from the legs that ask for a middle vertex to those around.
+/// Computes the heights, from the requested legs to the legs around them.
 void PadLayers::spread(const std::vector<char>& asked) {
   height_.assign(middle_.size(), kNone);
   for (int leg = 0; leg < shape_.leg_count(); ++leg) {
@@ -92,7 +93,7 @@ std::array<dvec3, 4> PadLayers::corners(const ivec4& tet) const {
   return x;
 }
 
-/// The second layer below a triangle of legs. Sides are cut by the legs' numbers.
+/// Returns the second layer below a triangle of legs. Sides are split by the indices of the legs.
 PrismTets PadLayers::below(const ivec3& legs) const {
   return split_prism({top(legs.x), top(legs.y), top(legs.z)},
                      {shape_.inner(legs.x), shape_.inner(legs.y), shape_.inner(legs.z)}, legs);
@@ -127,7 +128,7 @@ bool PadLayers::add_face(int face) {
   return good;
 }
 
-/// Returns true if none of a gap's tets is flat; `floor` in numbers of legs.
+/// Adds the tets of a gap. Returns true if none of them is flat. `floor` has indices of legs.
 bool PadLayers::add_gap(std::vector<ivec4> outer, const std::vector<ivec3>& floor) {
   const std::size_t single = outer.size();
   for (const ivec3& legs : floor) {
@@ -139,8 +140,8 @@ bool PadLayers::add_gap(std::vector<ivec4> outer, const std::vector<ivec3>& floo
   return std::none_of(outer.begin(), outer.end(), [&](const ivec4& t) { return is_flat(corners(t)); });
 }
 
-/// Cuts all prisms and gaps. Where a tet is ill shaped its legs lose their middle vertices, and it has to be done
-/// again: false. With none left the tets are those of the shape, which are sound.
+/// Splits all prisms and gaps. If a tet is badly shaped, its legs lose their middle vertices and the result is false;
+/// cut() must then be called again. Without any middle vertex the tets are those of the shape, which are sound.
 bool PadLayers::cut() {
   tets_.clear();
   tets_.reserve(3 * mesh_.faces().size());
@@ -166,7 +167,7 @@ bool PadLayers::cut() {
   return worse.empty();
 }
 
-/// Numbers the middle vertices that are left without gaps.
+/// Numbers the remaining middle vertices without gaps.
 void PadLayers::number() {
   const int first = mesh_.vertex_count() + shape_.leg_count();
   for (int leg = 0; leg < shape_.leg_count(); ++leg) {

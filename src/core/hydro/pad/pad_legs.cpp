@@ -14,21 +14,22 @@
 namespace taxel {
 namespace {
 
-/// Concave edges are creases from this angle between their faces' normals.
+/// Smallest angle between the normals of the faces at a concave edge that is a crease.
 const double kCrease = 40.0 * kPi / 180.0;
-/// Legs that fan out are at most this far apart: the round below the edge loses 1 - cos(15 degrees) = 3 % between them.
+/// Largest angle between legs that fan out. Between two legs, the round surface below the edge is too low by at most 1
+/// - cos(15 degrees) = 3 %.
 const double kFanStep = 30.0 * kPi / 180.0;
-/// Faces are parted at an edge opposite to the end of a crease where that bends at most so much.
+/// Largest angle of an edge opposite to the end of a crease at which the faces of the vertex may be divided.
 const double kFlat = 20.0 * kPi / 180.0;
-/// No leg comes closer to a face than this cosine to its normal.
+/// Smallest cosine of a leg to the normal of a face.
 constexpr double kMinCosine = 0.2;
 
 int corner_of(const ivec3& face, int v) {
   return face.x == v ? 0 : face.y == v ? 1 : 2;
 }
 
-/// The spokes of a vertex, counter-clockwise seen from outside: face i lies between the edges to ends[i] and ends[i +
-/// 1].
+/// The edges ("spokes") of a vertex, counter-clockwise seen from outside: face i is between the edges to ends[i] and
+/// ends[i + 1].
 struct Ring {
   std::vector<int> faces, ends;
 };
@@ -52,7 +53,7 @@ class LegMaker {
   }
 
  private:
-  /// Empty where the faces around v are no single fan.
+  /// Returns the ring of a vertex; empty if the faces around v are not a single fan.
   Ring ring_of(int v) const {
     const std::vector<int>& around = creases_.around.at(v);
     Ring ring;
@@ -92,7 +93,7 @@ class LegMaker {
     return best;
   }
 
-  /// A leg of this direction, measured against the faces given.
+  /// Returns a leg with this direction, and its least cosine to the given faces.
   PadDirection direction_between(const dvec3& direction, std::span<const int> faces) const {
     PadDirection leg{direction, 1};
     for (const int f : faces)
@@ -100,8 +101,8 @@ class LegMaker {
     return leg;
   }
 
-  /// How the faces around a vertex are parted: group k lies between the spokes cuts[k] and cuts[k + 1]; fans[k] leads
-  /// from group k - 1 to group k. Two cuts have one fan.
+  /// The division of the faces around a vertex into groups. Group k is between the spokes cuts[k] and cuts[k + 1], and
+  /// fans[k] leads from group k - 1 to group k. Two cuts have one fan.
   struct Parting {
     std::vector<int> cuts;  ///< other ends of the spokes
     std::vector<std::vector<int>> groups;
@@ -142,8 +143,9 @@ class LegMaker {
     if (goes_inward(v, parting)) add_legs(v, parting);
   }
 
-  /// Directions strictly between two, kFanStep apart at most. They turn about the edge: so what both have along it, the
-  /// depth below a face across it for one, the directions between have too.
+  /// Returns directions strictly between two directions, at most kFanStep apart. They rotate about the edge, so they
+  /// have the common component of both directions along the edge, and for example the depth below a face across the
+  /// edge.
   static std::vector<dvec3> fan(const dvec3& from, const dvec3& to, const dvec3& edge) {
     constexpr double kMinAcross = 0.1;
     const dvec3 along(glm::dot(from, edge), glm::dot(to, edge), 0);
@@ -163,8 +165,8 @@ class LegMaker {
     return directions;
   }
 
-  /// Returns true if every leg leads below all faces that it has to do with, and no leg of a group is worse than the
-  /// common one.
+  /// Returns true if every leg leads below all faces that it belongs to, and no leg of a group has a smaller cosine
+  /// than the common leg.
   bool goes_inward(int v, const Parting& parting) const {
     const double common = legs_.inward[at(v)].least_cosine;
     for (const PadDirection& inward : parting.inward) {
@@ -186,7 +188,7 @@ class LegMaker {
 
   void add_legs(int v, const Parting& parting) {
     const std::size_t count = parting.groups.size();
-    std::vector<int> leg;  // of each group; the first one keeps the vertex's own
+    std::vector<int> leg;  // leg of each group; the first group has the leg of the vertex
     legs_.inward[at(v)] = parting.inward[0];
     for (std::size_t k = 0; k < count; ++k) {
       leg.push_back(k == 0 ? v : add_leg(v, parting.inward[k]));
@@ -212,7 +214,7 @@ class LegMaker {
     dvec3 middle{0};
     for (std::size_t k = 0; k < chains.size(); ++k) {
       middle += parting.inward[k].direction;
-      cone.rim.insert(cone.rim.end(), chains[k].begin() + 1, chains[k].end());  // the first ends the chain before
+      cone.rim.insert(cone.rim.end(), chains[k].begin() + 1, chains[k].end());  // the first leg ends the last chain
     }
     cone.center = add_leg(v, direction_between(glm::normalize(middle), creases_.around.at(v)));
     legs_.cones.push_back(std::move(cone));
@@ -257,7 +259,8 @@ class LegMaker {
 }  // namespace
 
 PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>& directions, double shortest) {
-  // The ends of a crease see normals that far apart: no direction is nearer to all of them than half of that.
+  // The normals at the ends of a crease are this far apart, so no direction is closer to all of them than half of the
+  // angle.
   const double most_cosine = std::cos(0.5 * kCrease) + 1e-9;
   std::vector<std::array<int, 4>> sides;  // low, high, face, opposite vertex
   for (int f = 0; f < mesh.face_count(); ++f) {

@@ -1,4 +1,5 @@
-// Folded prisms of a pad: the legs of as few corners as possible are pinched, so that the faces around keep theirs.
+// Repair of folded prisms of a pad: the legs of as few corners as possible are collapsed, so that the faces around keep
+// their prisms.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -8,7 +9,8 @@
 
 namespace taxel {
 
-/// Returns true if the prism below a face is sound once the legs of these corners (bit c: corner c) are pinched too.
+/// Returns true if the prism below a face is sound after the legs of these corners (bit c: corner c) are collapsed,
+/// too.
 bool PadShape::is_sound_without(int face, unsigned corners) {
   const std::array<char, 3> before{pinched_[at(leg(face, 0))], pinched_[at(leg(face, 1))], pinched_[at(leg(face, 2))]};
   for (int c = 0; c < 3; ++c) {
@@ -19,9 +21,10 @@ bool PadShape::is_sound_without(int face, unsigned corners) {
   return sound;
 }
 
-/// The corners of a folded face whose legs are to be pinched, as bits. Legs almost edge on to the face first, unless
-/// the face is tiny: such a face stays bare, and costs those around it nothing. Then as few legs as leave a sound
-/// prism, those of least cosine to the face's normal first; all where no leg serves.
+/// Returns the corners of a folded face whose legs must be collapsed, as bits. Legs almost edge-on to the face come
+/// first, unless the face is tiny; a tiny face has no prism, without any cost for the faces around it. Then as few legs
+/// are collapsed as are needed for a sound prism, those with the least cosine to the face's normal first; all legs if
+/// this is not sufficient.
 unsigned PadShape::corners_to_pinch(int face) {
   constexpr double kTinyFace = 1e-3;  // in squared thicknesses
   std::array<double, 3> cosine{};
@@ -41,8 +44,8 @@ unsigned PadShape::corners_to_pinch(int face) {
   return 7;
 }
 
-/// Pinches corners of prisms that no shrinking unfolded, until none is left. A face is looked at again only where a leg
-/// around it changed.
+/// Collapses corners of prisms that are folded even after shrinking, until none is left. A face is tested again only if
+/// a leg around it has changed.
 void PadShape::pinch_folded() {
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);

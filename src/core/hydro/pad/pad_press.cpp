@@ -13,13 +13,13 @@ namespace taxel {
 namespace {
 
 constexpr int kPoints = 1024;
-/// Depths of the presses in thicknesses. The last one is that of the core but for rounding.
+/// Depths of the presses in thicknesses. The last one is the depth of the core, up to rounding.
 constexpr std::array<double, 4> kParts{0.1, 0.25, 0.5, 1.0};
 constexpr double kRounding = 1e-9;
-/// Number of depths, from the first on, at which the pressure is compared with the distance to the skin.
+/// Number of depths, beginning with the first, at which the pressure is compared with the distance to the skin.
 constexpr std::size_t kCompared = 2;
 
-/// Areas of all faces up to each one [m^2].
+/// Returns the cumulative areas of the faces [m^2].
 std::vector<double> areas_up_to(const PressureField& field, const std::vector<SkinFace>& faces) {
   std::vector<double> area_to;
   double area = 0;
@@ -32,7 +32,7 @@ std::vector<double> areas_up_to(const PressureField& field, const std::vector<Sk
   return area_to;
 }
 
-/// Evenly distributed over a face.
+/// Returns a point uniformly distributed over a face.
 dvec3 random_point(const PressureField& field, const SkinFace& face, double u, double v) {
   const ivec4& vertices = field.tets()[at(face.tet)].vertices;
   const auto corner = [&](int k) { return field.vertices()[at(vertices[(face.corner + k) % 4])]; };

@@ -8,7 +8,8 @@
 namespace taxel {
 namespace {
 
-/// Depth of each leg's inner vertex below the planes of its faces, area-weighted mean; H for a leg without faces.
+/// Returns the depth of each leg's inner vertex below the planes of its faces, as an area-weighted mean; H for a leg
+/// without faces.
 std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
   std::vector<double> area(at(shape.leg_count()), 0.0), depth(at(shape.leg_count()), 0.0);
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -23,9 +24,9 @@ std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape
   return depth;
 }
 
-/// Fits the depths of inner vertices behind middle ones: the mean of each triangle of inner vertices shall be the
-/// distance of its centroid to the skin, H at most; least squares, weighted by the area of the face above, by
-/// Gauss-Seidel. Each stays between its two depths.
+/// Fits the depths of inner vertices of legs with a middle vertex, so that the mean depth of each triangle of inner
+/// vertices is the distance of its centroid to the skin, at most H. Solves the least-squares problem, weighted by the
+/// area of the face above, by Gauss-Seidel iteration. Each depth stays between its two limits.
 class InnerFit {
  public:
   InnerFit(const MeshIndex& index, const PadShape& shape, const PadLayers& layers, const PadDepths& depths,

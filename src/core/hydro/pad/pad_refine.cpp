@@ -17,14 +17,14 @@
 namespace taxel {
 namespace {
 
-/// A face whose legs are all closer to its normal than this is even.
+/// Cosine to a face's normal above which all legs must be for an even face.
 constexpr double kStraight = 0.9;
-/// The pressure of an even face differs by less than this fraction from E depth/H.
+/// Largest relative difference of the pressure of an even face from E depth/H.
 constexpr double kEven = 0.03;
-/// Depth of the points at which that is tried, in thicknesses.
+/// Depth of the points at which the pressure is tested, in thicknesses.
 constexpr double kTried = 0.1;
 
-/// An edge by its length and the numbers of its ends: sorted, longest first.
+/// An edge with its length and the indices of its ends. Edges are sorted, longest first.
 struct Edge {
   double squared_length;
   int low, high;
@@ -35,7 +35,7 @@ struct Edge {
   bool operator==(const Edge& other) const { return low == other.low && high == other.high; }
 };
 
-/// The faces across the edges from corner c to c + 1 of every face of a closed mesh.
+/// Returns the faces across the edges from corner c to c + 1 of every face of a closed mesh.
 std::vector<ivec3> faces_across(const EdgeTopology& topology) {
   std::vector<ivec3> across(topology.faces().size());
   for (int h = 0; h < topology.half_edge_count(); ++h) across[at(h / 3)][h % 3] = topology.face_across(h);
@@ -71,7 +71,7 @@ class Bisection {
   }
   Edge longest_edge(int face) const { return std::min({edge(face, 0), edge(face, 1), edge(face, 2)}); }
 
-  /// The edge at the end of the path of longest edges from a face: the longest one of both its faces.
+  /// Returns the edge at the end of the path of longest edges from a face, which is the longest edge of both its faces.
   Edge terminal_edge(Edge own) const {
     for (;;) {
       const Edge next = longest_edge(across_[at(own.face)][own.corner]);
@@ -80,7 +80,7 @@ class Bisection {
     }
   }
 
-  /// Bisects every edge at the end of a path once: no two of them share a face. False where there is none.
+  /// Bisects every edge at the end of a path once; no two of these edges share a face. Returns false if there is none.
   bool bisect_once(double longest, int most_faces) {
     std::set<Edge> found;
     for (const int f : wanted_) {
@@ -94,8 +94,8 @@ class Bisection {
     return !found.empty();
   }
 
-  /// The face (a, b, c) becomes (a, m, c) and, as a new face, (m, b, c). The face across the edge is cut in the same
-  /// way.
+  /// Replaces the face (a, b, c) by (a, m, c) and the new face (m, b, c), and divides the face across the edge in the
+  /// same way.
   void bisect(const Edge& e) {
     const auto m = static_cast<int>(vertices_.size());
     vertices_.push_back(0.5 * (vertices_[at(e.low)] + vertices_[at(e.high)]));
@@ -205,7 +205,7 @@ std::vector<char> uneven_faces(const MeshIndex& index, const PadShape& shape, co
       double pressure = -1;
       pressures_below(field, face, x, {&depth, 1}, {&pressure, 1});
       if (pressure < 0) {
-        // Where the body is that thin, smaller faces reach no deeper.
+        // In such a thin body, smaller faces would not have deeper prisms.
         if (is_nearest_skin(index, x - 2 * depth * outward, 2 * depth)) return true;
         continue;
       }

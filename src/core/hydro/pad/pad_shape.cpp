@@ -11,17 +11,18 @@
 namespace taxel {
 namespace {
 
-/// Where the body is thin, a pad takes this part of the way to the medial axis.
+/// Thickness of a pad in a thin body, as a fraction of the distance to the medial axis.
 constexpr double kThinMargin = 0.9;
-/// A mitre is at most this times as long as the thickness.
+/// Largest length of a mitre, in thicknesses.
 constexpr double kLongestMitre = 2.0;
-/// Creases with a shorter edge than this part of the thickness are not split.
+/// Shortest edge of a crease whose vertices are divided, in thicknesses.
 constexpr double kShortestCrease = 0.5;
-/// Offsets of neighbours differ at most by this times their distance.
+/// Largest difference of neighbouring offsets, divided by their distance.
 constexpr double kLargestSlope = 1.5;
-/// Below this part it counts as folded; not zero, because planes of flatter tets are rounding.
+/// Volume fraction below which a prism is treated as folded. It is not zero, because the planes of flatter tets would
+/// be rounding errors.
 constexpr double kFoldedVolume = 1e-4;
-/// Folded prisms shrink by this, at most so often (to a ten thousandth).
+/// Factor by which folded prisms shrink in a round, and largest number of rounds (down to a ten thousandth).
 constexpr double kShrink = 0.8;
 constexpr int kShrinkRounds = 40;
 
@@ -34,7 +35,7 @@ PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coa
     vertices_of_legs_ = coarse->mesh_.vertex_count();
     own_ = coarse->own_;
   }
-  // Vertices around which the gaps between parted faces fold are kept whole; after some rounds all are. Most folds show
+  // Vertices are not divided if the gaps around them fold; after some rounds no vertex is divided. Most folds occur
   // before the offsets are fitted to each other.
   constexpr int kRounds = 6;
   const std::vector<PadDirection> directions = pad_directions(mesh_);
@@ -50,7 +51,8 @@ PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coa
   set_depths(coarse);
 }
 
-/// Legs that went the same way in the last round have the same offset, before they are made to fit their neighbours.
+/// Reuses the offsets of legs that have the same direction as in the last round, from before they were fitted to their
+/// neighbours.
 void PadShape::reuse_offsets(const PadLegs& last, int last_vertices, const std::vector<OwnOffset>& own) {
   std::map<int, std::vector<int>> further;  // skin vertex -> its legs after the first
   for (int leg = last_vertices; leg < static_cast<int>(last.skin.size()); ++leg)
@@ -72,7 +74,7 @@ void PadShape::reuse_offsets(const PadLegs& last, int last_vertices, const std::
   }
 }
 
-/// Takes the legs and finds what each may be by itself.
+/// Sets the legs, and finds the largest offset of each leg alone.
 void PadShape::set_legs(PadLegs legs) {
   const PadLegs last = std::exchange(legs_, std::move(legs));
   const std::vector<OwnOffset> known = std::exchange(own_, std::vector<OwnOffset>(legs_.skin.size()));
@@ -126,11 +128,11 @@ std::span<const int> PadShape::faces_around(int leg) const {
   return {faces_at_.data() + first_face_[at(leg)], faces_at_.data() + first_face_[at(leg) + 1]};
 }
 
-/// The largest offset up to `most` at which the inner vertex is still owned by its own part of the skin, with its depth
-/// there; 0 if there is no such offset. Shrinking balls (Ma, Bae, Choi 2012): the ball about the inner vertex whose
-/// radius is the least depth asked for, s h, must hold no point of the skin. Where it holds q, the ball is shrunk until
-/// q lies on it: |v + h d - q| = s h. `obstacle`: the last such point, of any leg; it often limits the next offset too,
-/// so that the first and largest ball is not needed.
+/// Returns the largest offset up to `most` at which the inner vertex still belongs to its own part of the skin, and
+/// sets `depth` to its depth; 0 if there is no such offset. Uses shrinking balls (Ma, Bae, Choi 2012): the ball about
+/// the inner vertex, whose radius s h is the least required depth, must contain no point of the skin. If it contains q,
+/// the ball is shrunk until q is on it: |v + h d - q| = s h. `obstacle` is the last such point of any leg; it often
+/// limits the next offset too, so that the first and largest ball is not needed.
 double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle) const {
   constexpr int kMaxBalls = 30;
   constexpr double kMinOffset = 1e-3, kTouching = 5e-3;
@@ -147,7 +149,7 @@ double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle
   const bool known = glm::distance(moved(leg, most), obstacle) < s * most;
   double h = known ? shrunk(obstacle, most) : most;
   for (int i = known ? 1 : 0; i < kMaxBalls && h > kMinOffset * most; ++i) {
-    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // its own vertex is as near as that
+    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // the vertex of the leg is at this distance
     depth = -q.signed_distance;
     if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
     obstacle = q.point.position;
@@ -157,7 +159,7 @@ double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle
   return 0;
 }
 
-/// The largest offset up to where the depth is H, that does not cross the medial axis.
+/// Returns the largest offset that does not cross the medial axis, up to the offset at which the depth is H.
 PadShape::OwnOffset PadShape::find_own_offset(int leg, dvec3& obstacle) const {
   OwnOffset own;
   own.known = true;
@@ -170,13 +172,14 @@ PadShape::OwnOffset PadShape::find_own_offset(int leg, dvec3& obstacle) const {
   // No point of the body is deeper than half its smallest extent.
   const dvec3 extent = mesh_.bounds().extent();
   double most = std::min(thickness_, 0.5 * std::min({extent.x, extent.y, extent.z}));
-  // A ball of less than half the offset could pass a wall between: look half way first.
+  // A ball of less than half the offset could miss a wall in between, so the halfway point is tested first.
   constexpr double kNarrow = 0.5;
   double h = most;
   if (least_cosine < kNarrow) h = own_offset(leg, 0.5 * most, own.depth, obstacle);
   if (h >= 0.5 * most) h = own_offset(leg, most, own.depth, obstacle);
   if (h == thickness_ && own.depth < 0.99 * thickness_) {
-    // A ridge loses depth along its bisector: go as much farther as its faces' angles say (a mitre).
+    // Below a ridge the depth is less than the offset along the bisector, so the offset is longer, as given by the
+    // angles of the faces (a mitre).
     most = own.full = thickness_ * std::min(thickness_ / own.depth, kLongestMitre);
     h = own_offset(leg, most, own.depth, obstacle);
   }
@@ -193,7 +196,8 @@ void PadShape::shorten(int leg, double offset) {
   depth_[at(leg)] = -1;
 }
 
-/// Lowers offsets until no edge is steeper than allowed. Pinched vertices are no bound: tets may stand upright there.
+/// Reduces offsets until no edge is steeper than allowed. Collapsed vertices are no limit, because tets may be upright
+/// there.
 void PadShape::smooth() {
   while (!shortened_.empty()) {
     const int low = shortened_.back();
@@ -205,7 +209,7 @@ void PadShape::smooth() {
       const std::array<std::pair<int, double>, 2> beside{
           {{face[(c + 1) % 3], steepest_[at(3 * f + c)]}, {face[before], steepest_[at(3 * f + before)]}}};
       for (const auto& [high, steepest] : beside) {
-        // Each change moves at least by a part of the thickness: the loop ends.
+        // Each change is at least a fraction of the thickness, so the loop ends.
         if (offset_[at(high)] <= offset_[at(low)] + steepest + 1e-6 * thickness_) continue;
         shorten(high, offset_[at(low)] + steepest);
         shortened_.push_back(high);
@@ -250,8 +254,8 @@ bool PadShape::well_shaped(int face, double part) const {
   return true;
 }
 
-/// Shortens the offsets of folded prisms until none is folded, or so often. A face is looked at again only where an
-/// offset around it changed.
+/// Shortens the offsets of folded prisms until none is folded, up to a number of rounds. A face is tested again only if
+/// an offset around it has changed.
 void PadShape::shrink_folded() {
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);
@@ -283,7 +287,7 @@ void PadShape::shrink_folded() {
   }
 }
 
-/// Legs that fan out below an edge are no longer than the longest of those that belong to faces.
+/// Limits the legs that fan out below an edge to the length of the longest leg that belongs to a face.
 void PadShape::lower_fans() {
   const auto lower = [&](const std::vector<int>& fan, double most) {
     for (const int own : fan) {
@@ -308,7 +312,7 @@ std::vector<int> PadShape::ends() const {
   return numbers;
 }
 
-/// Marks the vertices whose gaps have a tet of no or negative volume; whether there are any.
+/// Marks the vertices whose gaps have a tet without positive volume. Returns true if there are any.
 bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
   bool any = false;
   const std::vector<int> inner_ends = ends();
@@ -330,7 +334,8 @@ bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
   return true;
 }
 
-/// Depths of the inner vertices that moved after their offset was found; from a coarse shape where it has the same.
+/// Computes the depths of the inner vertices that have moved since their offset was found. Equal vertices of a coarse
+/// shape give their depth.
 void PadShape::set_depths(const PadShape* coarse) {
   const int shared = coarse == nullptr ? 0 : coarse->mesh_.vertex_count();
   const auto is_shared = [&](int own) {

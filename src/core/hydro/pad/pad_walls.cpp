@@ -1,4 +1,4 @@
-// Prisms below large faces: their inner triangles stay on their own side of thin walls.
+// Limits the prisms below large faces, so that their inner triangles stay on their side of thin walls.
 #include <algorithm>
 #include <numeric>
 #include <utility>

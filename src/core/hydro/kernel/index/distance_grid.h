@@ -1,4 +1,5 @@
-// Lower bound of the distance to the nearest tetrahedron, and a tetrahedron near a point, by one look-up in a grid.
+// A grid that gives, by one look-up, a lower bound of the distance of a point to the nearest tetrahedron, and a
+// tetrahedron near the point.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@ namespace taxel {
 
 class DistanceGrid {
  public:
-  /// Value of Cell::tet for cells inside of the skin that hold no tet (mark_core).
+  /// Value of Cell::tet for cells without tets inside the skin (mark_core).
   static constexpr std::int32_t kCoreCell = -2;
   struct Cell {
     /// Lower bound of the distance from every point of the cell to the tets [m]. It is 0 in cells with tets, and in
@@ -38,7 +39,7 @@ class DistanceGrid {
   [[nodiscard]] const dvec3& low() const { return low_; }
   [[nodiscard]] const ivec3& dims() const { return dims_; }
   [[nodiscard]] double cells_per_metre() const { return per_metre_; }
-  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }  ///< x runs fastest
+  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }  ///< all cells; x is the fastest index
   /// Returns the whole boundary of a convex field; empty for other fields.
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   void set_faces(std::vector<Face> faces);
