@@ -74,7 +74,7 @@ std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
     return Error(path.string(), fmt::format("is larger than {} bytes, the most that is read", max_bytes));
   };
   const auto unreadable = [&] { return Error(path.string(), fmt::format("cannot be read: {}", std::strerror(errno))); };
-  const Descriptor in(path, O_RDONLY | O_NONBLOCK | O_NOCTTY);  // without O_NONBLOCK opening a FIFO waits for a writer
+  const Descriptor in(path, O_RDONLY | O_NONBLOCK | O_NOCTTY);  // O_NONBLOCK: opening a FIFO would wait for a writer
   struct stat status {};
   if (!in.open() && (errno == ENOENT || errno == ENOTDIR)) throw Error(path.string(), "no such file");
   if (!in.open() && errno == ENXIO) throw Error(path.string(), "is not a regular file");  // a socket

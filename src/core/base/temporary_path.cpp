@@ -77,7 +77,7 @@ TemporaryPath::TemporaryPath(const fs::path& folder, const std::string& prefix,
   descriptor_ = create(path_);
   if (descriptor_ < 0) return;
   ::flock(descriptor_,
-          LOCK_EX | LOCK_NB);  // without locks, only stale paths remain
+          LOCK_EX | LOCK_NB);  // if locks are not supported, stale paths are not removed
   registry().paths.push_back(path_);
 }
 

@@ -23,7 +23,7 @@ constexpr double kMinSkewness = 0.02;
 constexpr double kClearSkewness = 0.1;
 /// A flat body is no finger if its smallest spread is below this part of the largest.
 constexpr double kMinThickness = 0.2;
-constexpr double kSnapCosine = 0.906;  // of 25 degrees
+constexpr double kSnapCosine = 0.906;  // cosine of 25 degrees
 /// Mean of the taxels' normals across the finger; shorter, they look all around it.
 constexpr double kMinPadNormal = 0.15;
 

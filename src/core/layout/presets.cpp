@@ -19,7 +19,7 @@ constexpr Published kPublished[] = {
     {"side high", {7.1384, 0.9784, 25.8859}, {0.9230, -0.0631, 0.3795}},
 };
 constexpr double kMetresPerMillimetre = 1e-3;
-constexpr double kRadius = 0.006;  // of the paper's receptive fields [m]
+constexpr double kRadius = 0.006;  // radius of the paper's receptive fields [m]
 
 }  // namespace
 

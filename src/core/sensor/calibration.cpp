@@ -138,7 +138,7 @@ double Calibrator::quantised(double value) const {
     top = std::ldexp(1.0, *settings_.quantisation->bits) - 1.0;
     q = (range.high - range.low) / top;
   } else {
-    const double rounding = 1e-12;  // of a range that is a multiple of the step
+    const double rounding = 1e-12;  // rounding error of a range that is a multiple of the step
     q = *settings_.quantisation->step;
     top = std::floor((range.high - range.low) / q * (1.0 + rounding));
   }

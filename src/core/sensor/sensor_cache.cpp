@@ -106,7 +106,7 @@ RepairedMeshPtr SensorCache::repaired(const TriMeshPtr& loaded, const RepairReci
     return Repaired{loaded, repair_mesh(loaded, recipe, key.thickness, progress)};
   });
   if (known.repaired->mesh != known.loaded || known.loaded == loaded) return known.repaired;
-  auto unchanged = std::make_shared<RepairedMesh>(*known.repaired);  // of an equal mesh
+  auto unchanged = std::make_shared<RepairedMesh>(*known.repaired);  // the repaired mesh is equal
   unchanged->mesh = loaded;
   return unchanged;
 }

@@ -42,7 +42,7 @@ class PairMarch {
   }
 
  private:
-  static constexpr int kMaxEdges = 1 << 12;  // along the longest side of the shared volume
+  static constexpr int kMaxEdges = 1 << 12;  // largest number of edges along the longest side of the shared volume
 
   [[nodiscard]] dvec3 point(const Node& n) const { return edge_ * dvec3(n); }
 
@@ -53,7 +53,7 @@ class PairMarch {
            (static_cast<std::uint64_t>(static_cast<std::uint32_t>(n.z)) & kMask);
   }
 
-  /// At a node; `near` are the pressures at a point that is `distance` away.
+  /// Returns the pressures at a node. `near` has the pressures at a point that is `distance` away.
   PressurePair pressures(const Node& n, const PressurePair& near, double distance) {
     bool is_new = false;
     PressurePair& found = w_.pressures.at(key_of(n), is_new);
@@ -107,7 +107,7 @@ class PairMarch {
     w_.queue.push_back(number);
   }
 
-  /// From a cube to its neighbours; the first time, its part of the surface is added.
+  /// Visits the neighbours of a cube. At the first visit, the cube's part of the surface is added.
   void go_on(std::size_t number) {
     DepthWorkspace::Cube cube = w_.cubes[number];
     if (!cube.is_done) {
@@ -181,7 +181,7 @@ class PairMarch {
     list_near(corner);
     for (int order = 0; order < 6; ++order) {
       std::array<Node, 4> nodes{corner, corner, corner, corner};
-      std::array<unsigned, 4> number{};  // of the corners among the cube's
+      std::array<unsigned, 4> number{};  // indices of the corners in the cube
       for (std::size_t k = 1; k < 4; ++k) {
         nodes[k] = nodes[k - 1];
         ++nodes[k][kOrders[order][k - 1]];
@@ -201,7 +201,7 @@ class PairMarch {
       }
       std::array<dvec3, 4> x;
       for (std::size_t k = 0; k < 4; ++k) x[k] = point(nodes[k]);
-      ivec4 numbers(0, 1, 2, 3);  // of nodes that cubes share, in the same order in all of them
+      ivec4 numbers(0, 1, 2, 3);  // of nodes shared by cubes, in the same order in all cubes
       if (order >= 3) {           // an odd order: the tet would be inside out
         std::swap(x[2], x[3]);
         std::swap(difference[2], difference[3]);
@@ -288,7 +288,7 @@ class PairMarch {
   double thickness_, edge_, least_pressure_;
   SurfaceWriter& writer_;
   DepthWorkspace& w_;
-  double added_area_ = 0;  // by the present cube [m^2]
+  double added_area_ = 0;  // area added by the present cube [m^2]
 };
 
 }  // namespace
@@ -327,7 +327,8 @@ double PressureAt::value(const dvec3& x_L, double within) const {
   return field_ != nullptr ? value_in_tets(x) : -stiffness_ * x.z;
 }
 
-/// By a walk from the tet of the point's cell. Outside, the pressure of the last tet goes on: it is negative there.
+/// Returns the pressure by a traversal from the tet of the point's cell. Outside of the tets, the pressure of the last
+/// tet is extrapolated; it is negative there.
 double PressureAt::value_in_tets(const dvec3& x) const {
   constexpr int kMaxTraversalSteps = 256;
   const DistanceGrid::Cell& cell = field_->grid().cell_of(x);

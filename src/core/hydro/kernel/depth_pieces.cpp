@@ -302,7 +302,7 @@ class PlanePieces {
     if (kept.count < 3) w_.rest.clear();
   }
 
-  /// In the plane the gradient of p, across it that of (E/H) D at the corners.
+  /// Computes the gradient: in the plane that of p, and across the plane that of (E/H) D at the corners.
   [[nodiscard]] dvec3 gradient_of(const PlanePressure& p, const std::array<DepthField::Sample, 3>& corner) const {
     const PlaneMetric& m = triangle_.metric;
     const double determinant = m.uu * m.vv - m.uv * m.uv;

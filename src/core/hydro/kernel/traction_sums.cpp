@@ -16,7 +16,8 @@ inline constexpr double kArcTangent[] = {-0x1.5555555555555p-2, 0x1.999999999934
                                          -0x1.10fa77b104ae8p-4, 0x1.dfe6497394f40p-5,  -0x1.a0999c2994d42p-5,
                                          0x1.4162bf84bf0bfp-5,  -0x1.3a31b0297d745p-6};
 
-/// Of x >= 0: beyond tan(pi/8) by atan(x) = pi/4 + atan((x - 1)/(x + 1)), beyond tan(3 pi/8) by pi/2 - atan(1/x).
+/// Returns atan(x) for x >= 0. Above tan(pi/8) it uses atan(x) = pi/4 + atan((x - 1)/(x + 1)), above tan(3 pi/8) pi/2 -
+/// atan(1/x).
 HWY_INLINE Eight arc_tangent(const Eight& x) {
   const Eight one = set_eight(1), first = set_eight(0.41421356237309503), second = set_eight(2.4142135623730949);
   const Eight numerator = if_less(x, first, x, if_less(x, second, x - one, set_eight(-1)));

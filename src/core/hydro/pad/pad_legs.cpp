@@ -194,7 +194,7 @@ class LegMaker {
       leg.push_back(k == 0 ? v : add_leg(v, parting.inward[k]));
       for (const int f : parting.groups[k]) legs_.of_face[at(f)][corner_of(mesh_.faces()[at(f)], v)] = leg[k];
     }
-    std::vector<std::vector<int>> chains;  // at cut k from group k - 1 to group k
+    std::vector<std::vector<int>> chains;  // legs at cut k, from group k - 1 to group k
     for (std::size_t k = 0; k < parting.fans.size(); ++k) {
       chains.push_back({leg[(k + count - 1) % count]});
       for (const dvec3& d : parting.fans[k])

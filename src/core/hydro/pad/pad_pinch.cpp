@@ -26,7 +26,7 @@ bool PadShape::is_sound_without(int face, unsigned corners) {
 /// are collapsed as are needed for a sound prism, those with the least cosine to the face's normal first; all legs if
 /// this is not sufficient.
 unsigned PadShape::corners_to_pinch(int face) {
-  constexpr double kTinyFace = 1e-3;  // in squared thicknesses
+  constexpr double kTinyFace = 1e-3;  // area of a tiny face in squared thicknesses
   std::array<double, 3> cosine{};
   unsigned edge_on = 0;
   for (int c = 0; c < 3; ++c) {

@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kMinCosine = std::numbers::sqrt2 / 2;  // of the angle between two normals that see the same
+constexpr double kMinCosine = std::numbers::sqrt2 / 2;  // cosine of the largest angle between normals that are compared
 
 /// Two discs that share half of the larger one are nearer to each other than the radius of the larger one.
 constexpr double kReach = 1.0;

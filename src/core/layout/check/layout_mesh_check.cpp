@@ -46,7 +46,7 @@ void check_region(const std::vector<int>& region, const TriMesh& mesh, Problems&
                         "paint the region again"));
 }
 
-/// Of the sampled part.
+/// Checks the density of the samples for a sampled area.
 void check_density(const Sampling& sampling, double area, Problems& out) {
   const double wanted = sampling.density * area;
   if (!(wanted <= kMaxSamples))

@@ -36,7 +36,7 @@ std::vector<int> color_fields(const Layout& layout, int colors) {
   }
   const PointGrid grid(centers, largest > 0 ? 2 * largest : 1);
   std::vector<int> color_of(balls.size(), 0);
-  std::vector<double> nearest;  // by colour: how far its nearest owner among the earlier neighbours is
+  std::vector<double> nearest;  // distance of the nearest earlier neighbour with each colour
   for (std::size_t k = 0; k < balls.size(); ++k) {
     nearest.assign(static_cast<std::size_t>(colors), kNobody);
     grid.visit_near(balls[k].center, balls[k].radius + largest, [&](int i) {

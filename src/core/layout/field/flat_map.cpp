@@ -41,7 +41,7 @@ void visit_pairs(const std::vector<dvec2>& points, double reach, const Visit& vi
     });
 }
 
-/// Of two points; `reach` where none are closer.
+/// Returns the smallest distance of two points, at most `reach`.
 double least_distance(const std::vector<dvec2>& points, double reach) {
   double least = reach;
   visit_pairs(points, reach,
@@ -59,7 +59,7 @@ void move_apart(std::vector<dvec2>& points, double least) {
       const double length = glm::length(d);
       if (!(length < 0.999 * least)) return;
       any = true;
-      const double turn = 2.4 * static_cast<double>(i);  // of those in one place: each its own way
+      const double turn = 2.4 * static_cast<double>(i);  // angle, different for each of the points at one place
       const dvec2 way = length > 1e-9 * least ? d / length : dvec2(std::cos(turn), std::sin(turn));
       moves[i] += 0.5 * (least - length) * way;
       moves[j] -= 0.5 * (least - length) * way;

@@ -4,7 +4,7 @@ namespace taxel {
 namespace {
 
 constexpr int kBits = 21;
-constexpr std::uint64_t kLargest = (1U << kBits) - 1;  // of a coordinate; farther points share the last cells
+constexpr std::uint64_t kLargest = (1U << kBits) - 1;  // largest coordinate; points farther away share the last cells
 
 std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
   return x | (y << kBits) | (z << (2 * kBits));

@@ -38,7 +38,7 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
     samples.push_back({pool.positions[i], pool.normals[i], pool.faces[i], mesh.area() / count});
   }
   if (polished) {
-    const double spacing = std::sqrt(2.0 * mesh.area() / (std::sqrt(3.0) * count));  // of the hexagonal packing
+    const double spacing = std::sqrt(2.0 * mesh.area() / (std::sqrt(3.0) * count));  // spacing of the hexagonal packing
     if (progress) progress->stage(0.3, 0.9);
     spread_samples(surface, spacing, sweeps, samples, progress);
     assign_voronoi_areas(mesh, samples);

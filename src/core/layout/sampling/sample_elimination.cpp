@@ -87,7 +87,7 @@ struct CrowdLink {
 
 /// Neighbours of every point with the crowding each pair causes, by rank.
 struct CrowdGraph {
-  std::vector<std::vector<CrowdLink>> parts;  // by chunk of cells
+  std::vector<std::vector<CrowdLink>> parts;  // links of each chunk of cells
   std::vector<std::span<const CrowdLink>> of_point;
 };
 
@@ -158,7 +158,7 @@ class CrowdLinker {
     if (!all_on_patch) link_behind(point, mine, links);
   }
 
-  /// Those round an edge or beyond a wall, by the way along the surface.
+  /// Adds the links to points around an edge or beyond a wall, with distances along the surface.
   void link_behind(std::uint32_t point, Scratch& mine, std::vector<CrowdLink>& links) const {
     const dvec3 u = any_perpendicular(normals_[point]);
     mine.chart.unfold({faces_[point], positions_[point]}, u, glm::cross(normals_[point], u), reach_);
@@ -181,7 +181,7 @@ class CrowdLinker {
   double reach_;
   float least_ = 0;
   CellList cells_;
-  std::vector<dvec3> positions_, normals_;  // by rank
+  std::vector<dvec3> positions_, normals_;  // indexed by rank
   std::vector<int> faces_;
 };
 

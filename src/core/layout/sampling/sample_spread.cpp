@@ -128,7 +128,7 @@ class Spreader {
       }
     }
   }
-  /// In the direction of `flat`, of that length.
+  /// Moves a sample along the surface in the direction of `flat`, by the length of `flat`.
   static vec2 stretched(const vec2& flat, float length) {
     const float own = squared(flat);
     return own > 0.0F ? flat * (length / std::sqrt(own)) : flat;
@@ -136,7 +136,7 @@ class Spreader {
 
   /// The best of four climbs: from the sample itself and from three places around it, turned from sweep to sweep.
   [[nodiscard]] static vec2 best_hole(const HoleFinder& others, int sweep) {
-    const float sine = 0.8660254F;  // of 60 degrees; a table, because sines differ between machines
+    const float sine = 0.8660254F;  // sine of 60 degrees; a constant, because computed sines differ between machines
     const std::array<vec2, 3> starts{vec2(1, 0), vec2(-0.5F, sine), vec2(-0.5F, -sine)};
     const float start_radius = sweep % 2 == 0 ? 0.8F : -0.8F, farthest = 1.5F;
     Hole best = others.climb(vec2(0), 1.0F);
@@ -156,7 +156,7 @@ class Spreader {
 
   /// To the centroid of the own Voronoi cell, as Lloyd (1982) does with all points.
   void move_to_centroid(std::uint32_t rank, Scratch& mine) {
-    const double half = 2.0;  // of a square that holds all but the widest cells
+    const double half = 2.0;  // half of the side of a square that contains all but the widest cells
     const std::array<dvec2, 4> square{dvec2(-half, -half), dvec2(half, -half), dvec2(half, half), dvec2(-half, half)};
     mine.cell.assign(square);
     for (std::size_t k = 0; k < mine.flat.size() && !mine.cell.empty(); ++k) {
@@ -167,7 +167,8 @@ class Spreader {
     move(rank, mine.cell.centroid(), std::min(kClose, std::sqrt(mine.flat.clearance(vec2(0)))), mine);
   }
 
-  /// By `flat` on the surface, or part of it, if all others are at least `limit` from there.
+  /// Moves a sample by `flat` on the surface, or by a part of it, if all other samples are at least `limit` from its
+  /// new place.
   void move(std::uint32_t rank, const dvec2& flat, float limit, Scratch& mine) {
     const dvec3 way = spacing_ * (flat.x * mine.axis_u + flat.y * mine.axis_v);
     for (const double part : {1.0, 0.5, 0.25}) {  // a shorter move may succeed where the surface bends away
@@ -202,7 +203,7 @@ class Spreader {
   const SurfaceGraph& surface_;
   double spacing_;
   std::vector<SurfaceSample>& samples_;
-  std::vector<dvec3> positions_, normals_;  // of the samples, by rank in the sweep's cells
+  std::vector<dvec3> positions_, normals_;  // values of the samples, by rank in the cells of the sweep
   std::vector<int> faces_;
   PerThread<Scratch> scratch_;
 };

@@ -43,7 +43,7 @@ int run_find_near(const PointRows& in, const NearPlace& place, float reach, int 
                       hn::LoadU(d, in.normal_z.data() + i)};
     const Vec cosine = inner(normal, other), rise_a = inner(normal, apart), rise_b = inner(other, apart);
     const Vec steepest =
-        hn::Sub(hn::Set(d, 1.5F), cosine);  // at least sin(30 degrees + bend), up to 1, where all is allowed
+        hn::Sub(hn::Set(d, 1.5F), cosine);  // at least sin(30 degrees + bend), up to 1, which allows everything
     const Vec rise = hn::Max(hn::Mul(rise_a, rise_a), hn::Mul(rise_b, rise_b));
     const auto patch =
         hn::And(hn::Gt(cosine, right_angle), hn::Le(rise, hn::Mul(hn::Mul(steepest, steepest), squared)));
@@ -66,7 +66,7 @@ namespace taxel {
 HWY_EXPORT(run_find_near);
 
 namespace {
-constexpr std::size_t kLanes = 16;  // at most
+constexpr std::size_t kLanes = 16;  // largest number of lanes
 }  // namespace
 
 void Surroundings::gather(const CellList& cells, int cell, std::span<const dvec3> positions,

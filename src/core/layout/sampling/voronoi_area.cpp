@@ -86,7 +86,7 @@ double find_owners(const Piece& piece, Sites& sites, Sites& owners) {
   return limit;
 }
 
-/// Of samples at one place the lowest number owns all. They stand among equal distances.
+/// If several samples are at one place, the one with the lowest index owns the area. Such samples have equal distances.
 void drop_coincident(Sites& owners) {
   std::size_t kept = 0;
   for (const Site& s : owners) {
@@ -110,7 +110,7 @@ class FaceCutter {
     frame_ = {(a + b + c) / 3.0, u, glm::cross(normal, u), normal};
     shares_ = &shares;
     const Piece face({frame_.flat(a), frame_.flat(b), frame_.flat(c)});
-    const double finest = 1.0 / 256.0;  // of the face: bounds the work on faces that are long and thin
+    const double finest = 1.0 / 256.0;  // smallest piece as a fraction of the face; limits work on thin faces
     halve(face, std::max(kPiece * spacing_, finest * face.radius));
   }
 
@@ -187,7 +187,7 @@ class FaceCutter {
   Frame frame_;
   std::vector<Share>* shares_ = nullptr;
   Sites sites_;
-  std::vector<Sites> owners_;  // of the piece at each depth of halving
+  std::vector<Sites> owners_;  // sites of the piece at each depth of halving
   ConvexPolygon cell_;
 };
 

@@ -108,7 +108,7 @@ std::vector<dvec3> half_ring(const Section& s, int& steps) {
     points[at(i)] = section_point(s, kPi * (static_cast<double>(i) / kSamples - 0.5));
     if (i > 0) length[at(i)] = length[at(i - 1)] + glm::distance(points[at(i - 1)], points[at(i)]);
   }
-  constexpr double kShortest = 0.8, kLongest = 1.1;  // of kEdge
+  constexpr double kShortest = 0.8, kLongest = 1.1;  // smallest and largest edge length as a fraction of kEdge
   const double step = length.back() / (steps * kEdge);
   if (step < kShortest || step > kLongest) steps = std::max(3, static_cast<int>(std::lround(length.back() / kEdge)));
   std::vector<dvec3> ring;

@@ -86,7 +86,7 @@ std::string measures(const RepairStep& step, const RepairReport& report) {
 }  // namespace
 
 void finish_step(RepairStep& step, const RepairReport& report) {
-  constexpr double kMuch = 0.01;  // of the area
+  constexpr double kMuch = 0.01;  // fraction of the area
   if (words_of(step.code).changes_area && step.area > kMuch * report.area_before) step.severity = Severity::warning;
   step.message = fmt::format("{} {}{}; first at {}", counted(step), words_of(step.code).verb, measures(step, report),
                              place_in_mm(step.place));

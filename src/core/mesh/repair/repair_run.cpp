@@ -51,7 +51,7 @@ struct ThinShells {
 
 ThinShells find_thin_shells(const Draft& draft, const RepairLimits& limits) {
   constexpr double kThin = 0.05;     // thickness of a shell that is a sheet, of the thickness of its body
-  constexpr double kNothing = 1e-9;  // of the diagonal: the same without a thickness
+  constexpr double kNothing = 1e-9;  // smallest thickness as a fraction of the diagonal
   std::vector<std::vector<int>> thin;
   std::vector<ivec3> others;
   for (const std::vector<int>& shell : find_shells(draft).faces) {
@@ -169,7 +169,7 @@ void RepairRun::take_open_shells() {
 /// Filled shells that enclose less than 0.05 area x thickness. Next to solid shells, small ones are debris, and those
 /// inside of a solid are walls: both go. The others are sheets.
 void RepairRun::take_thin_shells() {
-  constexpr double kDebris = 0.02;  // of the loaded area, in all
+  constexpr double kDebris = 0.02;  // largest area of all debris as a fraction of the loaded area
   const ThinShells thin = find_thin_shells(draft_, limits_);
   if (thin.shells.empty()) return;
   std::vector<char> gone(draft_.faces.size(), 0), sheet(draft_.faces.size(), 0);

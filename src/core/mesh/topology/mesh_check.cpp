@@ -92,7 +92,7 @@ Problems check_mesh(const TriMesh& mesh, const std::string& file) {
 Problems check_cuts_and_size(const TriMesh& mesh, const SelfIntersections& cuts, const std::string& file) {
   Problems problems;
   if (cuts.pairs > 0) {
-    constexpr double kFew = 1e-3;  // of the faces
+    constexpr double kFew = 1e-3;  // fraction of the faces
     const Severity severity = cuts.pairs > kFew * mesh.face_count() ? Severity::warning : Severity::note;
     problems.push_back(
         {file, "", severity, "mesh_self_intersection",

@@ -60,7 +60,7 @@ dvec2 clear_reach(const TriMesh& skin, const Pose& X_WM, double crest, double ro
       lowest_z = std::min(lowest_z, a.z);
     }
   }
-  const double half_width = crest - lowest_z + round;  // of the object, where it is widest within the finger's reach
+  const double half_width = crest - lowest_z + round;  // largest half width of the object within the finger's reach
   return {front - lowest_x + half_width, lowest_x - back + half_width};
 }
 

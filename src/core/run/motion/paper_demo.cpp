@@ -3,7 +3,7 @@
 namespace taxel {
 namespace {
 
-const dvec3 kFrom{-0.020, 0, 0.070}, kSpan{0.025, 0, -0.012};  // of the path [m]
+const dvec3 kFrom{-0.020, 0, 0.070}, kSpan{0.025, 0, -0.012};  // start and extent of the path [m]
 const dquat kDemoTurn = glm::normalize(dquat(0.271, 0.653, 0.653, 0.271));
 const SensorFrame kPaperFrame{{0, 0, 1}, {0, -1, 0}};
 

@@ -15,7 +15,7 @@ constexpr double kCoarsePoints = 300, kFinePoints = 500000;
 /// Values of the taxels on an even grid of times.
 struct EvenSignals {
   double start = 0, interval = 0;           // [s]
-  std::vector<std::vector<double>> values;  // per taxel; NaN: missing
+  std::vector<std::vector<double>> values;  // values of each taxel; NaN if missing
   [[nodiscard]] std::size_t points() const { return values.front().size(); }
 };
 

@@ -63,7 +63,7 @@ CurveComparison compare_curve(std::span<const double> curve, std::span<const dou
   if (n > 1 && var_c > kRounding * cc && var_e > kRounding * ee)
     out.correlation = std::clamp((ce - c * e / n) / std::sqrt(var_c * var_e), -1.0, 1.0);
   if (top > 0) {
-    const double gain = cc > 0 ? ce / cc : 0.0;  // of least squares through the origin
+    const double gain = cc > 0 ? ce / cc : 0.0;  // least-squares gain through the origin
     out.rms = std::sqrt(std::max(0.0, ee - gain * ce) / n) / top;
   }
   return out;

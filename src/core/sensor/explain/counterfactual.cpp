@@ -47,7 +47,7 @@ bool between_soft_bodies(const ContactSurface& surface) {
   const ContactPolygon& first = surface.polygons.front();
   if (first.tet_b >= 0) return true;
   if (first.face >= 0) return false;
-  constexpr double kOnePlane = 1e-6;  // between normals
+  constexpr double kOnePlane = 1e-6;  // largest difference of normals
   return std::any_of(surface.polygons.begin(), surface.polygons.end(), [&](const ContactPolygon& p) {
     return glm::length(glm::cross(p.normal, first.normal)) > kOnePlane;
   });

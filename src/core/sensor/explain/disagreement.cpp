@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kAccuracy = 0.01;  // of the exact reading
+constexpr double kAccuracy = 0.01;  // relative accuracy of the exact reading
 
 std::vector<Aabb> boxes_of(std::span<const ContactSurface* const> surfaces) {
   std::vector<Aabb> boxes;

@@ -34,7 +34,7 @@ ForceBudget budget_of(const SensorModel& model, int taxel, const SensorStep& ste
   budget.taxels_W = step.X_WM.rotate(sum);
   budget.taxel_W = step.X_WM.rotate(force.normal[at(taxel)]);
   budget.covered = force.covered;
-  budget.uncovered = std::max(0.0, force.uncovered);  // of rounding
+  budget.uncovered = std::max(0.0, force.uncovered);  // rounding may make it negative
   budget.net_W = step.force_W;
   return budget;
 }

@@ -14,7 +14,7 @@ PolygonBehind describe(const InvertedTets& inverted, const ContactSurface& surfa
   row.tet = polygon.tet, row.tet_b = polygon.tet_b, row.face = polygon.face;
   row.inverted = inverted.concern(polygon);
   row.area = polygon.area;
-  row.mean = polygon.pressure;  // of a linear pressure, that at the centroid
+  row.mean = polygon.pressure;  // the mean of a linear pressure is its value at the centroid
   row.lowest = std::numeric_limits<double>::infinity();
   for (int i = polygon.first; i < polygon.first + polygon.count; ++i) {
     row.lowest = std::min(row.lowest, surface.pressure[at(i)]);

@@ -191,7 +191,7 @@ ForceIntegral::Estimate ForceIntegral::cut_at(const Polygon& polygon, const Tria
   evaluate(polygon, middle);
   const double chord = glm::distance(*a, *b), height = at_.margin;
   if (!(std::abs(height) <= kFlat * chord)) return e;
-  const double scale = triangle.area / glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));  // of twice an area
+  const double scale = triangle.area / glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));  // divides twice an area
   const auto area_of = [&](const std::array<dvec3, 3>& t) {
     return scale * glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
   };

@@ -78,7 +78,7 @@ void add_object(mjSpec* spec, const std::string& name, const Shape* shape, const
     return;
   }
   set(geom->size, shape->size);
-  if (geom->type == mjGEOM_PLANE) set(geom->size, dvec3(0, 0, 1));  // without bounds
+  if (geom->type == mjGEOM_PLANE) set(geom->size, dvec3(0, 0, 1));  // size 0 means an infinite plane
 }
 
 /// Adds the skin on three slide joints, with the spheres of the taxels. The mesh "taxels" must exist.

@@ -37,7 +37,7 @@ std::vector<SceneSite> drawable_sites(const mjModel& m) {
     site.mesh =
         alike == numbers.end() ? site_mesh(m, s) : sites[static_cast<std::size_t>(alike - numbers.begin())].mesh;
     std::copy_n(rgba, 4, site.rgba.begin());
-    site.group = std::clamp(m.site_group[s], 0, mjNGROUP - 1);  // as MuJoCo's viewer
+    site.group = std::clamp(m.site_group[s], 0, mjNGROUP - 1);  // clamped as in MuJoCo's viewer
     sites.push_back(std::move(site));
     numbers.push_back(s);
   }

@@ -56,7 +56,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     if (geom.mesh == nullptr) continue;
     geom.rgba = {rgba[0], rgba[1], rgba[2], rgba[3]};
     geom.plane = m.geom_type[g] == mjGEOM_PLANE;
-    geom.group = std::clamp(m.geom_group[g], 0, mjNGROUP - 1);  // as MuJoCo's viewer
+    geom.group = std::clamp(m.geom_group[g], 0, mjNGROUP - 1);  // clamped as in MuJoCo's viewer
     drawn.push_back(std::move(geom));
     geoms.push_back(g);
   }

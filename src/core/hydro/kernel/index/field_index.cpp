@@ -68,7 +68,7 @@ void FieldIndex::index_boundary() {
 /// A closed surface of one piece without handles (Euler: V - E + F = 2) that bends inward at no edge. Then the grid
 /// learns its faces.
 bool FieldIndex::boundary_is_convex() {
-  constexpr double kFlat = 1e-9;  // of the tet's size: rounding of coplanar faces
+  constexpr double kFlat = 1e-9;  // rounding error of coplanar faces, as a fraction of the tet's size
   struct Side {
     std::int32_t low, high, face, opposite, edge;
   };

@@ -1,4 +1,4 @@
-// Cutting a triangle to the inside of a tetrahedron, for every instruction set. Included once per target.
+// Clips a triangle to the inside of a tetrahedron, for every instruction set. Included once per target.
 #if defined(TAXEL_CLIP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_CLIP_INL_H
 #undef TAXEL_CLIP_INL_H
@@ -18,7 +18,7 @@ namespace taxel::HWY_NAMESPACE {
 inline constexpr std::uint64_t kOwnEdge = 4;
 
 /// A convex polygon in coordinates (u, v) of a triangle: x = (1 - u - v) x0 + u x1 + v x2. Lanes from `count` on hold
-/// finite numbers that mean nothing.
+/// finite numbers without meaning.
 struct PlanePolygon {
   static constexpr unsigned kMax = 8;
   Eight u, v;
@@ -26,7 +26,7 @@ struct PlanePolygon {
   unsigned count;
 };
 
-/// Bit i: some edge lies on i.
+/// Returns bits; bit i is set if an edge has mark i.
 HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
   constexpr unsigned kNone = 31;
   const unsigned used = 8 * polygon.count;
@@ -41,17 +41,18 @@ HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
 /// them.
 struct alignas(32) TriangleInTet {
   double corner[3][4];
-  unsigned cut;   ///< bit i: plane i has a corner outside
-  bool disjoint;  ///< nothing of the triangle is inside
-  bool flat;      ///< the triangle lies in a plane of the tet, or nearly
+  unsigned cut;   ///< bit i is set if a corner is outside of plane i
+  bool disjoint;  ///< true if no part of the triangle is inside
+  bool flat;      ///< true if the triangle is in a plane of the tet, or nearly
 };
 
-/// A triangle nearer to a plane than this part of the tet's size lies in it, as far as walks are concerned: rounding
-/// decides which side it is on, face by face.
+/// Distance from a plane, as a fraction of the tet's size, below which the traversal treats a triangle as in the plane,
+/// because rounding decides its side for each face.
 inline constexpr double kNearlyFlat = 1e-9;
 
-/// A triangle exactly in a shared plane belongs to the tet of the lower number (half-open faces); in a boundary plane
-/// it is inside. One that touches a plane from outside with an edge or a corner is disjoint.
+/// Classifies a triangle. A triangle exactly in a shared plane belongs to the tet with the lower number (half-open
+/// faces); in a boundary plane it is inside. A triangle that touches a plane from outside with an edge or a corner is
+/// disjoint.
 HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int32_t index, TriangleInTet& out) {
   const TagD d;
   unsigned below = 0, not_above = 0, near = 0;
@@ -79,7 +80,7 @@ HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int
   }
 }
 
-/// Sutherland and Hodgman (1974) vertex by vertex: where rounding has left a polygon not quite convex.
+/// Clips vertex by vertex (Sutherland and Hodgman 1974), for polygons that rounding has made slightly concave.
 inline HWY_NOINLINE void keep_inside_slowly(const Eight& distances, std::uint64_t mark, PlanePolygon& polygon) {
   double distance[8], in_u[8], in_v[8], u[8] = {}, v[8] = {};
   store_eight(distances, distance);
@@ -109,14 +110,15 @@ inline HWY_NOINLINE void keep_inside_slowly(const Eight& distances, std::uint64_
 /// Result of clipping a polygon.
 enum class Cut { nothing_outside, nothing_inside, done };
 
-/// Signed distances of a polygon's vertices: the linear function with values d0, d1, d2 at the triangle's corners.
+/// Returns the signed distances of a polygon's vertices, a linear function with values d0, d1, d2 at the triangle's
+/// corners.
 HWY_INLINE Eight distances_of(const PlanePolygon& p, double d0, double d1, double d2) {
   const Eight w = set_eight(1.0) - p.u - p.v;
   return w * set_eight(d0) + p.u * set_eight(d1) + p.v * set_eight(d2);
 }
 
-/// Keeps the part with distance >= 0. Two tets that share a plane see distances exactly negated, hence the same line,
-/// however small the angle. The new edge gets `mark`. The polygon is untouched unless `done`.
+/// Clips the polygon to distance >= 0. Two tets that share a plane have exactly negated distances, and hence the same
+/// line, however small the angle. The new edge gets `mark`. The polygon only changes if the result is `done`.
 HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, PlanePolygon& p) {
   const Eight distance = distances_of(p, d0, d1, d2);
   const unsigned n = p.count, all = (1u << n) - 1;
@@ -149,7 +151,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
   return Cut::done;
 }
 
-/// Cuts by the planes of in_tet.cut. False where nothing is left.
+/// Clips by the planes of in_tet.cut. Returns false if nothing is left.
 HWY_INLINE bool clip(const TriangleInTet& in_tet, PlanePolygon& polygon) {
   for (unsigned planes = in_tet.cut; planes != 0; planes &= planes - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(planes));

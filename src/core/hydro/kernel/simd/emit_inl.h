@@ -1,4 +1,5 @@
-// From a clipped triangle to a polygon of the contact surface, for every instruction set. Included once per target.
+// Converts a clipped triangle into a polygon of the contact surface, for every instruction set. Included once per
+// target.
 #if defined(TAXEL_EMIT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_EMIT_INL_H
 #undef TAXEL_EMIT_INL_H
@@ -16,7 +17,7 @@ namespace taxel::HWY_NAMESPACE {
 struct FanSums {
   double twice_area, u,
       v;         ///< (u, v): 3 first moments per half unit; centroid = first + sum/(3 area)
-  bool crowded;  ///< two neighbouring vertices are nearer than the merging distance
+  bool crowded;  ///< true if two neighbouring vertices are nearer than the merging distance
 };
 
 HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metric, double merge_distance) {
@@ -34,7 +35,7 @@ HWY_INLINE FanSums fan_sums(const PlanePolygon& polygon, const PlaneMetric& metr
   return {sum(cross), sum(cross * (ua + ub)), sum(cross * (va + vb)), (close & ((1u << polygon.count) - 1)) != 0};
 }
 
-/// The pressure in the coordinates of the triangle.
+/// Returns the pressure in the coordinates of the triangle.
 HWY_INLINE PlanePressure pressure_on(const SurfaceTriangle& triangle, const LinearPressure& pressure) {
   const dvec3& g = pressure.gradient;
   const double p0 = glm::dot(g, triangle.x_S[0]) + pressure.constant;
@@ -59,12 +60,12 @@ struct StoredPolygon {
   [[nodiscard]] PolygonInPlane in_plane() const { return {u, v, count}; }
 };
 
-/// x of component `axis` of origin + u du + v dv.
+/// Returns the component `axis` of origin + u du + v dv.
 HWY_INLINE Eight component(const SurfaceTriangle& t, int axis, const Eight& u, const Eight& v) {
   return set_eight(t.origin_A[axis]) + u * set_eight(t.u_A[axis]) + v * set_eight(t.v_A[axis]);
 }
 
-/// Takes the polygon into the surface. Writes eight vertices, of which `count` mean something.
+/// Adds the polygon to the surface. Writes eight vertices, of which the first `count` are used.
 HWY_INLINE void add(const PlanePolygon& polygon, const SurfaceTriangle& triangle, const PlanePressure& p,
                     const dvec3& gradient, double area, const dvec2& centroid, const PolygonSource& source,
                     SurfaceWriter& writer) {
@@ -82,7 +83,8 @@ HWY_INLINE void add(const PlanePolygon& polygon, const SurfaceTriangle& triangle
   writer.close(static_cast<int>(polygon.count), triangle, p, gradient, area, centroid, source);
 }
 
-/// Notes where the polygon ends on a pad's core. `core_edges`: bit i, edges marked i lie there.
+/// Records the edges at which the polygon ends on a pad's core. Bit i of `core_edges` is set if edges with mark i are
+/// on the core.
 inline HWY_NOINLINE void count_at_core(const PlanePolygon& polygon, unsigned core_edges,
                                        const SurfaceTriangle& triangle, const PlanePressure& p, SurfaceWriter& writer) {
   const StoredPolygon stored(polygon);
@@ -93,7 +95,8 @@ inline HWY_NOINLINE void count_at_core(const PlanePolygon& polygon, unsigned cor
   }
 }
 
-/// Adds a polygon of `triangle`, or counts why not. `core_edges`: bit i, edges marked i lie on a pad's core.
+/// Adds a polygon of `triangle`, or counts the reason why not. Bit i of `core_edges` is set if edges with mark i are on
+/// a pad's core.
 HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const SurfaceTriangle& triangle,
                      const LinearPressure& pressure, const PolygonSource& source, SurfaceWriter& writer) {
   const FanSums sums = fan_sums(polygon, triangle.metric, kMergeDistance * source.size);
@@ -116,7 +119,7 @@ HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const Sur
   if (core_edges != 0) count_at_core(polygon, core_edges, triangle, p, writer);
 }
 
-/// The same for the whole triangle, `polygon`, which no plane cuts.
+/// Adds the whole triangle, `polygon`, which no plane clips.
 HWY_INLINE void emit_whole(const PlanePolygon& polygon, const SurfaceTriangle& triangle, const LinearPressure& pressure,
                            const PolygonSource& source, SurfaceWriter& writer) {
   const PlaneMetric& m = triangle.metric;

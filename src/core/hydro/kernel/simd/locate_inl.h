@@ -11,19 +11,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// Instead of a tet: the point is outside. Smaller numbers also say of which face.
+/// Number instead of a tet if the point is outside. Smaller numbers also give the face.
 inline constexpr std::int32_t kOutside = -1;
 
-/// Inside of the body, but in a cell without tets.
+/// Number instead of a tet if the point is inside the body, but in a cell without tets.
 inline constexpr std::int32_t kInCore = std::numeric_limits<std::int32_t>::min() + 1;
 
-/// Outside of face `face` of `tet`.
+/// Returns the number for a point outside of face `face` of `tet`.
 HWY_INLINE std::int32_t left_by(std::int32_t tet, std::size_t face) {
   return kOutside - 1 - (4 * tet + static_cast<std::int32_t>(face));
 }
 
-/// A tet that holds x, by a walk from one near it; kOutside where the walk leaves the field, which happens outside of
-/// it and, rarely, behind a concave boundary: the seeds at the boundary make up for that.
+/// Returns a tet that contains x, by a traversal from a tet near x; kOutside if the traversal leaves the field. This
+/// happens outside of the field and, rarely, behind a concave boundary; the seeds at the boundary compensate for it.
 HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
   constexpr int kMaxTraversalSteps = 64;
   const DistanceGrid::Cell& cell = field.grid().cell_of(x);
@@ -54,8 +54,8 @@ HWY_INLINE std::int32_t locate(const FieldIndex& field, const dvec3& x) {
   return kOutside;
 }
 
-/// The tet by which the segment from a to b leaves a convex field; `tet` holds a, and b is outside. -1 where rounding
-/// hides it.
+/// Returns the tet at which the segment from a to b leaves a convex field, or -1 if rounding hides it. `tet` contains
+/// a, and b is outside.
 HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const dvec3& a, const dvec3& b) {
   constexpr int kMaxTraversalSteps = 64;
   const TagD d;
@@ -63,7 +63,7 @@ HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const d
   const VecD bx = hn::Set(d, b.x), by = hn::Set(d, b.y), bz = hn::Set(d, b.z);
   for (int step = 0; step < kMaxTraversalSteps; ++step) {
     const PackedTet& t = field.tets()[static_cast<std::size_t>(tet)];
-    alignas(32) double at[4];  // of the segment, where it goes out of a plane
+    alignas(32) double at[4];  // parameters at which the segment leaves the planes
     for (std::size_t i = 0; i < 4; i += kLanesD) {
       const VecD nx = hn::Load(d, &t.nx[i]), ny = hn::Load(d, &t.ny[i]), nz = hn::Load(d, &t.nz[i]);
       const VecD o = hn::Load(d, &t.offset[i]);
@@ -81,10 +81,10 @@ HWY_INLINE std::int32_t leave(const FieldIndex& field, std::int32_t tet, const d
   return -1;
 }
 
-/// Returns true if x, which no tet holds, may lie inside of the body: locate() found it in the core, or left the tets
-/// there. A walk to a point outside of the skin leaves by the core too at times; the pressure of the last tet is
-/// negative then. So it is at a point in a gap that reaches up to the skin, for which the grid knows where such gaps
-/// are.
+/// Returns true if x, which no tet contains, may be inside the body: locate() found x in the core, or left the tets
+/// there. A traversal to a point outside of the skin sometimes leaves through the core, too, but then the pressure of
+/// the last tet is negative. The pressure is also negative at a point in a gap that reaches up to the skin; the grid
+/// has the places of such gaps.
 HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const dvec3& x) {
   if (held >= kOutside) return false;
   if (held == kInCore) return true;
@@ -95,7 +95,8 @@ HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const 
   return (left_by_core && glm::dot(p.gradient, x) + p.constant > 0) || field.grid().may_hold_gap(x);
 }
 
-/// Returns true if all corners are outside of the face by which one of the walks left: then a convex body is elsewhere.
+/// Returns true if all corners are outside of the face through which one of the traversals left. A convex body is then
+/// elsewhere.
 HWY_INLINE bool beyond_a_face(const FieldIndex& field, const std::array<dvec3, 3>& x,
                               const std::array<std::int32_t, 3>& held) {
   for (const std::int32_t h : held) {

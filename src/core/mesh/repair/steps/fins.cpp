@@ -63,7 +63,7 @@ std::vector<const Patch*> find_fins(const std::vector<Patch>& patches, double ar
 }  // namespace
 
 RepairStep remove_fins(Draft& draft, const RepairLimits& limits) {
-  constexpr double kMaxFraction = 0.02;  // of the loaded area
+  constexpr double kMaxFraction = 0.02;  // largest fraction of the loaded area
   RepairStep step = start_step("repair_fin");
   for (;;) {
     const std::vector<Patch> patches = find_all_patches(draft, draft.edges());

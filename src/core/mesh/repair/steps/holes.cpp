@@ -19,7 +19,7 @@ std::vector<Loop> find_loops(const Draft& draft) {
   const Topology topology = make_topology(draft, pair_half_edges(draft, draft.edges()));
   std::vector<char> seen(topology.mesh.n_halfedges(), 0);
   std::vector<Loop> loops;
-  std::vector<int> place_of(draft.points.size(), -1);  // in the open loop
+  std::vector<int> place_of(draft.points.size(), -1);  // position of a point in the open loop
   for (const OpenMesh::SmartHalfedgeHandle first : topology.mesh.halfedges()) {
     if (!first.is_boundary() || seen[at(first.idx())] != 0) continue;
     Loop open;

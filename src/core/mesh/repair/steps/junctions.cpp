@@ -89,7 +89,7 @@ void split(Draft& draft, int face, int corner, const std::vector<int>& points) {
 }  // namespace
 
 RepairStep split_junctions(Draft& draft, const RepairLimits& limits) {
-  constexpr double kWithin = 1e-5;  // of the diagonal
+  constexpr double kWithin = 1e-5;  // tolerance as a fraction of the diagonal
   constexpr int kMaxRounds = 16;    // a face with several such edges has one of them split in each round
   RepairStep step = start_step("repair_split");
   for (int round = 0; round < kMaxRounds; ++round) {

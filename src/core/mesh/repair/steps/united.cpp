@@ -115,7 +115,7 @@ manifold::Manifold unite(const Draft& draft, const ShellGroups& groups, const st
 
 RepairStep unite_shells(Draft& draft, const RepairLimits& limits) {
   constexpr double kNear = 1e-7;       // of the diagonal
-  constexpr double kUnchanged = 1e-6;  // of the area and the volume
+  constexpr double kUnchanged = 1e-6;  // largest relative change of area and volume
   RepairStep step = start_step("repair_united");
   ShellGroups groups(draft, kNear * limits.diagonal);
   if (groups.outward_count() < 2) return step;
