@@ -1,5 +1,6 @@
 #version 450 core
-// A shaft and a head, by their distance functions, with a thin outline that keeps it readable on any ground.
+// An arrow: a shaft and a head by their distance functions, with a thin outline, so that it is visible on any
+// background.
 flat in vec4 tint;
 flat in vec2 size;
 noperspective in vec2 along;
@@ -7,7 +8,7 @@ uniform float dim;
 uniform vec4 outline;  // sRGB, straight alpha
 out vec4 color;        // premultiplied
 
-// Distance to the triangle with its tip at (0, 0), opening towards -x: length h, half width w.
+// Returns the distance to the triangle with its tip at (0, 0) that opens towards -x, with length h and half width w.
 float head_distance(vec2 q, float h, float w) {
   vec2 n = normalize(vec2(w, h));           // normal of its side
   float side = dot(vec2(q.x, abs(q.y)), n);

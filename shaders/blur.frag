@@ -2,7 +2,7 @@
 // One direction of a Gaussian blur of 9 texels, by 5 reads between texels.
 in vec2 uv;
 uniform sampler2D source;
-uniform vec2 texel;  // one step, in texture coordinates
+uniform vec2 texel;  // distance of two texels, in texture coordinates
 out vec4 color;
 
 float at(vec2 p) { return textureLod(source, p, 0.0).r; }

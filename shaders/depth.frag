@@ -1,3 +1,3 @@
 #version 450 core
-// Depth alone.
+// Writes depth only.
 void main() {}

@@ -1,4 +1,4 @@
-// What every shader of one picture shares; the layout of FrameUniforms in C++.
+// Uniforms that all shaders of one frame share, with the layout of FrameUniforms in C++.
 layout(std140, binding = 0) uniform Frame {
   mat4 view_from_world;
   mat4 clip_from_view;
@@ -7,9 +7,9 @@ layout(std140, binding = 0) uniform Frame {
   vec4 key_light;        // towards the light, world; w: irradiance
   vec4 sky_light;        // hemisphere from above, linear; w: headlight
   vec4 ground_light;     // hemisphere from below, linear; w: near plane [m]
-  vec4 clip_plane;       // dot(clip_plane, (p_W, 1)) < 0: cut away, where that is asked for
+  vec4 clip_plane;       // points with dot(clip_plane, (p_W, 1)) < 0 are clipped, if `clipped` is 1
 };
 
-// Some drivers clip by gl_ClipDistance whether that is switched on or not: so each draw says it as well.
-uniform float clipped;   // 1: cut by the plane, 0: whole
+// Some drivers clip by gl_ClipDistance even if clipping is disabled, so each draw also sets this uniform.
+uniform float clipped;   // 1 if the plane clips, 0 if not
 float clip_distance_of(vec4 p_W) { return clipped > 0.5 ? dot(clip_plane, p_W) : 1.0; }

@@ -7,7 +7,8 @@ uniform vec4 fill;   // sRGB, straight alpha
 uniform vec4 line;
 out vec4 color;      // premultiplied
 
-// Coverage of lines one pixel wide at the whole numbers of u, whose change per pixel is `du`; gone where they crowd.
+// Returns the coverage of lines one pixel wide at the whole numbers of u, whose change per pixel is `du`. Lines fade
+// out if they are too dense.
 float grid_lines(vec2 u, vec2 du) {
   vec2 pixels = abs(fract(u + 0.5) - 0.5) / du;
   vec2 cover = clamp(1.0 - pixels, 0.0, 1.0) * clamp(1.3 - 8.0 * du, 0.0, 1.0);

@@ -8,7 +8,7 @@ out vec2 p;            // position in the ground's frame [m]
 
 const float kSides = 24.0;
 
-// A fan around the centre: vertex 0 is the centre, the others go round outside the circle.
+// A fan around the centre: vertex 0 is the centre, and the others are outside the circle.
 void main() {
   float angle = 6.283185307 * float(gl_VertexID) / kSides;
   float out_of_circle = 1.0087;  // 1 / cos(pi / kSides)

@@ -1,5 +1,5 @@
 #version 450 core
-// Height of a caster, 0 at the lowest, 1 where nothing is.
+// Height of a caster: 0 at the lowest point, and 1 without a caster.
 in float height;
 uniform float range;  // [m]
 out vec4 color;

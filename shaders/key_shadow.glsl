@@ -1,14 +1,15 @@
-// How much of the key light reaches a point, by a depth map seen from the light.
-uniform sampler2DShadow key_map;  // 1 beyond its edge: lit
+// The fraction of the key light that reaches a point, from a depth map seen from the light.
+uniform sampler2DShadow key_map;  // 1 (lit) beyond its edge
 uniform mat4 map_from_world;      // texture coordinates and depth
-uniform float key_texel;          // one texel of the map [m]; 0: no shadows
+uniform float key_texel;          // size of a texel of the map [m]; 0 without shadows
 
-// Where to look in the map for a point of a surface with normal n: a little above it, so that it does not shade itself.
+// Returns the place in the map of a point of a surface with normal n, slightly above the surface, so that the surface
+// does not shade itself.
 vec3 key_map_point(vec3 p_W, vec3 n) { return (map_from_world * vec4(p_W + 1.5 * key_texel * n, 1.0)).xyz; }
 
-// Percentage closer filter (Reeves, Salesin, Cook 1987): the mean of 5 x 5 comparisons, moved smoothly between texels;
-// each gather brings four of the 6 x 6 that it takes. The corners tell whether there is an edge at all. Loops instead of
-// branches: a software renderer skips those alone.
+// Percentage closer filter (Reeves, Salesin, Cook 1987): the mean of 5 x 5 comparisons, interpolated smoothly between
+// texels. Each gather reads four of the 6 x 6 texels. The corners show whether there is an edge. Loops are used instead
+// of branches, because a software renderer can only skip loops.
 float key_light_at(vec3 at, bool matters) {
   if (key_texel <= 0.0) matters = false;
   float size = float(textureSize(key_map, 0).x);

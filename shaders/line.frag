@@ -2,7 +2,7 @@
 flat in vec4 tint;
 flat in vec2 size;
 noperspective in vec2 along;
-uniform float dim;  // 1: as it is; less: hidden parts
+uniform float dim;  // brightness: 1, or less for hidden parts
 out vec4 color;     // premultiplied
 
 void main() {

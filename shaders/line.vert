@@ -21,7 +21,7 @@ void main() {
   vec2 d = pb - pa;
   float len = length(d);
   d = len > 1e-4 ? d / len : vec2(1.0, 0.0);
-  float reach = 0.5 * width + 0.5;  // where line.frag ends
+  float reach = 0.5 * width + 0.5;  // distance at which line.frag ends
   vec2 offset = reach * ((2.0 * corner.x - 1.0) * d + corner.y * vec2(-d.y, d.x));
   vec4 end = corner.x > 0.5 ? b : a;
   gl_Position = vec4(end.xy + offset * 2.0 * viewport.zw * end.w, end.zw);

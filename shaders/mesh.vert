@@ -1,5 +1,5 @@
 #version 450 core
-// Light is worked out per vertex: on matte bodies nobody sees the difference, and a software renderer takes half the
+// Light is computed per vertex: on matte bodies the difference is invisible, and a software renderer takes half the
 // time.
 #include "frame.glsl"
 #include "color.glsl"
@@ -10,13 +10,13 @@ layout(location = 1) in vec3 normal;
 uniform mat4 world_from_mesh;
 uniform vec3 albedo;       // linear
 out vec3 shade;            // sRGB
-out vec3 shade_unlit;      // sRGB, where the key light does not reach
-out vec3 key_at;           // where to look whether it does
-out float facing;          // cosine between normal and eye; negative: seen from inside
+out vec3 shade_unlit;      // sRGB, colour without the key light
+out vec3 key_at;           // place in the map of the key light
+out float facing;          // cosine between normal and eye; negative if seen from inside
 out vec3 p_W;
 out float upward;
 
-// Irradiance on a matte surface with normal n, seen along v (towards the eye), but for the key light.
+// Returns the irradiance on a matte surface with normal n, seen along v (towards the eye), without the key light.
 vec3 ambient(vec3 n, vec3 v) {
   vec3 hemisphere = mix(ground_light.rgb, sky_light.rgb, 0.5 + 0.5 * n.z);
   return hemisphere + vec3(sky_light.w * max(0.0, dot(n, v)));

@@ -1,5 +1,6 @@
 #version 450 core
-// What darkens a pixel: of the four nearest of half the resolution, those about as far away.
+// Darkens a pixel by the mean of those of the four nearest pixels of half the resolution that have about the same
+// distance.
 #include "frame.glsl"
 #include "occlusion.glsl"
 

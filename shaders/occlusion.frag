@@ -1,15 +1,16 @@
 #version 450 core
-// Scalable ambient obscurance (McGuire, Mara, Luebke 2012): how much of what surrounds a point rises above its surface.
+// Scalable ambient obscurance (McGuire, Mara, Luebke 2012): the fraction of the surroundings of a point that rises
+// above its surface.
 #include "frame.glsl"
 #include "occlusion.glsl"
 
 uniform float radius;  // [m]
-out vec4 color;        // light that is left, distance before the eye [m]
+out vec4 color;        // remaining light, and distance in front of the eye [m]
 
 const int kSamples = 16;
 const float kTurns = 7.0, kBias = 0.04, kStrength = 1.6;
 
-// The shorter way to a neighbour lies on the same surface.
+// Returns the shorter of two vectors, which leads to a neighbour on the same surface.
 vec3 shorter(vec3 a, vec3 b) { return abs(a.z) < abs(b.z) ? a : b; }
 
 void main() {
@@ -22,7 +23,7 @@ void main() {
   vec3 n = normalize(cross(dx, dy));
   float reach = min(0.5 * viewport.y * clip_from_view[1][1] * radius / -c.z, 0.25 * viewport.y);  // [pixel]
   ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
-  float turn = float((cell.x * 5 + cell.y * 3) & 15) * 0.3926991;  // differs within each 4 x 4, which the blur covers
+  float turn = float((cell.x * 5 + cell.y * 3) & 15) * 0.3926991;  // differs within each block of 4 x 4, which the blur averages
   float sum = 0.0;
   for (int i = 0; i < kSamples; ++i) {
     float part = (float(i) + 0.5) / float(kSamples), angle = 6.2831853 * kTurns * part + turn;

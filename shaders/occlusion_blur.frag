@@ -1,5 +1,5 @@
 #version 450 core
-// Mean over the 4 x 4 that occlusion.frag varies within, of points about as far away.
+// Mean over the block of 4 x 4 pixels within which occlusion.frag varies, of points with about the same distance.
 uniform sampler2D occlusion;
 uniform float radius;  // [m]
 out vec4 color;

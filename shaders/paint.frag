@@ -1,5 +1,5 @@
 #version 450 core
-// One colour for each triangle: exact, unlit.
+// One colour for each triangle, exact and without light.
 flat in vec4 tint;
 uniform float dim;
 out vec4 color;  // premultiplied

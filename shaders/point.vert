@@ -2,13 +2,13 @@
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 normal;  // all zero: seen from everywhere; w: part of the size
+layout(location = 1) in vec4 normal;  // zero if visible from everywhere; w is a fraction of the size
 layout(location = 2) in vec4 rgba;    // sRGB, straight alpha
 uniform mat4 world_from_model;
 uniform float toward_eye;
 uniform float diameter;               // [pixel of marks]
 uniform float outline_width;          // [pixel of marks]
-uniform float facing;                 // +1: points that face the eye, -1: those that do not, 0: all
+uniform float facing;                 // +1 for points that face the eye, -1 for points that face away, 0 for all
 flat out vec4 tint;
 flat out float radius;                // [pixel]
 flat out float rim_width;             // [pixel]

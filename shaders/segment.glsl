@@ -1,16 +1,16 @@
-// Straight pieces on the screen, pulled from a buffer: four vertices each, no vertex attributes.
+// Straight segments on the screen, read from a buffer: four vertices each, without vertex attributes.
 struct Segment {
   vec3 a;
-  uint normal;  // three signed bytes, all zero: seen from everywhere; last: width in tenths of a pixel of marks
+  uint normal;  // three signed bytes, zero if visible from everywhere; last byte: width in tenths of a pixel of marks
   vec3 b;
   uint rgba;    // sRGB, straight alpha
 };
 layout(std430, binding = 1) readonly buffer Segments { Segment segments[]; };
 
 uniform mat4 world_from_model;
-uniform float toward_eye;  // part of the depth by which it is drawn nearer, without moving on the screen
+uniform float toward_eye;  // fraction of the depth by which it is drawn nearer, at the same place on the screen
 
-uniform float facing;      // +1: segments that face the eye, -1: those that do not, 0: all
+uniform float facing;      // +1 for segments that face the eye, -1 for segments that face away, 0 for all
 
 float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w * eye.w; }  // [pixel]
 
@@ -18,8 +18,8 @@ float segment_width(Segment s) { return 12.7 * unpackSnorm4x8(s.normal).w * eye.
 // renderer, one vertex outside the view makes its whole batch take the slow path that clips.
 const vec4 kNowhere = vec4(0.0, 0.0, 0.0, 1.0);
 
-// Ends of a segment in clip coordinates, cut at the near plane; false when all of it lies behind, or faces the wrong
-// way.
+// Returns the ends of a segment in clip coordinates, clipped at the near plane. Returns false if the whole segment is
+// behind the near plane or faces the wrong side.
 bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
   vec3 toward = eye.xyz - (world_from_model * vec4(s.a, 1.0)).xyz;
   if (facing * dot(mat3(world_from_model) * unpackSnorm4x8(s.normal).xyz, toward) < 0.0) return false;
@@ -34,8 +34,8 @@ bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
   return true;
 }
 
-// Distance of an end from the clip plane: positive is shown.
+// Returns the distance of an end from the clip plane, positive if it is visible.
 float clip_distance(vec3 end) { return clip_distance_of(world_from_model * vec4(end, 1.0)); }
 
-// Corner 0..3 of a quad: (end 0 or 1, side -1 or +1).
+// Returns corner 0..3 of a quad as (end 0 or 1, side -1 or +1).
 vec2 quad_corner(int vertex) { return vec2(vertex & 1, 2 * ((vertex >> 1) & 1) - 1); }

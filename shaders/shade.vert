@@ -1,6 +1,6 @@
 #version 450 core
 #include "frame.glsl"
-// The part of the ground that a shadow may reach.
+// The part of the ground on which a shadow may be.
 uniform mat4 world_from_ground;
 uniform vec4 box;      // low corner and size, ground frame [m]
 uniform float toward_eye;

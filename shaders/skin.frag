@@ -1,7 +1,7 @@
 #version 450 core
 in vec3 shade;
 in float facing;
-uniform vec2 front_alpha;  // facing the eye, at the rim
+uniform vec2 front_alpha;  // opacity where the skin faces the eye, and at its rim
 uniform float back_alpha;
 out vec4 color;            // premultiplied
 

@@ -19,7 +19,7 @@ void main() {
   vec2 uv = (p_W.xy - heights_box.xy) * heights_box.zw;
   float above = heights_scale.x + heights_scale.y * textureLod(heights, uv, 0.0).r;
   float dark = exp(-max(above - p_W.z, 0.0) * heights_scale.z) * max(upward, 0.0);
-  bool matters = shade.g - shade_unlit.g > 0.002;  // else it looks away from the light
+  bool matters = shade.g - shade_unlit.g > 0.002;  // otherwise the surface faces away from the light
   color = vec4(mix(shade_unlit, shade, key_light_at(key_at, matters)) * (1.0 - strength * dark), 1.0);
   if (!gl_FrontFacing && inside.a > 0.0) color = inside;
 }

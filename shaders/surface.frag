@@ -1,5 +1,5 @@
 #version 450 core
-// The colour of the pressure at this very fragment, from the table: exact, unlit.
+// The colour of the pressure at this fragment, from the table; exact and without light.
 in float p;
 uniform sampler2D color_table;  // 256 x 1
 uniform vec2 range;             // lowest pressure [Pa], 1 / (highest - lowest)
