@@ -10,6 +10,6 @@ out vec4 color;         // premultiplied
 void main() {
   float u = dot(across, p), du = fwidth(u);
   float pixels = abs(fract(u + 0.5) - 0.5) / du;                                    // distance from the nearest line
-  float cover = clamp(1.2 - pixels, 0.0, 1.0) * clamp(1.5 - 5.0 * du, 0.0, 1.0);  // fades lines out if they are too dense
+  float cover = clamp(1.2 - pixels, 0.0, 1.0) * clamp(1.5 - 5.0 * du, 0.0, 1.0);  // fades dense lines out
   color = vec4(mix(fill, line, cover), 1.0) * alpha;
 }
