@@ -130,7 +130,7 @@ struct ReplaceLayout {
   Layout layout;
 };
 
-/// Replaces the project (a file read again) except its view. Throws what check_project throws.
+/// Replaces the project (a file read again) except its view. Throws Error as check_project() does.
 struct ReplaceProject {
   Project project;
 };

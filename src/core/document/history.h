@@ -37,7 +37,7 @@ class History {
   [[nodiscard]] std::uint64_t revision() const { return steps_[now_].revision; }
 
   /// Applies an edit and drops the undone steps. An edit that changes nothing makes no step. Returns true if the
-  /// project changed. Throws what apply_edit throws, without any change.
+  /// project changed. Throws Error as apply_edit() does, without any change.
   bool apply(const Edit& edit, Gesture gesture = {});
   /// Restores the project before the gesture, bit for bit, and the undone steps that the gesture dropped. Does nothing
   /// if the gesture is not the last step.

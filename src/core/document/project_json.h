@@ -16,10 +16,11 @@ Project parse_project(const std::string& text, const std::string& file = "");
 /// end, unchanged paths. Throws Error with the JSON pointer of a number that is not finite.
 std::string project_to_json(const Project& project);
 
-/// Reads a project file and makes its paths (mesh, files of the scenario) absolute. Throws what parse_project throws.
+/// Reads a project file and makes its paths (mesh, files of the scenario) absolute. Throws Error as parse_project()
+/// does.
 Project read_project(const std::filesystem::path& path);
 
-/// A layout file as a new project with absolute paths and unique ids, and a note for each changed id.
+/// Reads a layout file as a new project with absolute paths and unique ids, and a note for each changed id.
 struct ProjectOfLayout {
   Project project;
   std::vector<std::string> notes;

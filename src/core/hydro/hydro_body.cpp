@@ -48,7 +48,7 @@ int size_count(ShapeType type) {
   }
 }
 
-/// Target edge length: as asked for, or a tenth of the smallest extent.
+/// Returns the target edge length: the requested one, or a tenth of the smallest extent.
 double edge_length(const Shape& shape) {
   if (shape.resolution > 0) return shape.resolution;
   double extent = 2.0 * shape.size[0];

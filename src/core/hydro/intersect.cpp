@@ -11,7 +11,7 @@ namespace taxel {
 namespace {
 
 void check_pose(const HydroBody& body, const Pose& X_W) {
-  constexpr double kUnit = 1e-6;  // what single-precision files and drifting integrators leave
+  constexpr double kUnit = 1e-6;  // error of quaternions from single-precision files and drifting integrators
   const double length = glm::length(X_W.q);
   if (!is_finite(X_W.p) || !(std::abs(length - 1) <= kUnit))
     throw Error(fmt::format("'{}' has no valid pose: position {} {} {}, quaternion of length {}", body.name, X_W.p.x,

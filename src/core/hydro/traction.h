@@ -36,10 +36,10 @@ PairProperties combine(const Material& a, const Material& b);
 /// = -(2/pi) mu p atan(|vt|/vs) vt/|vt|, p = p0 (1 - d vn)+.
 dvec3 friction_traction(double p0, const dvec3& n, const dvec3& v, const PairProperties& pair);
 
-/// The wrench on A about A's origin, frame A, for A moving with `V_BA` relative to B (frame A, at A's origin):
-/// integral of p n + t with p = p0 (1 - d vn)+, t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|. Exact for linear p0 and d = 0.
-/// `secant`, when asked for, is the symmetric positive semi-definite S with wrench = elastic(p0 where still pushing) -
-/// S V: damping and friction written as a secant, for implicit steps.
+/// The wrench on A about A's origin, frame A, for A moving with `V_BA` relative to B (frame A, at A's origin): integral
+/// of p n + t with p = p0 (1 - d vn)+, t = -(2/pi) mu p atan(|vt|/vs) vt/|vt|. Exact for linear p0 and d = 0. If
+/// requested, `secant` is the symmetric positive semi-definite S with wrench = elastic(p0 where still pushing) - S V:
+/// damping and friction written as a secant, for implicit steps.
 struct Traction {
   Wrench wrench;
   Wrench elastic;  ///< part of `wrench` that depends on the velocity only through the contact set

@@ -82,7 +82,7 @@ RepairedMeshPtr repair_for(const Layout& layout, const TriMeshPtr& loaded, Senso
 struct SensorBuild {
   SensorBuild(Progress* p = nullptr) : progress(p) {}  // NOLINT: most callers set nothing else
   Progress* progress = nullptr;                        ///< gets the progress and may cancel; or null
-  SensorCache* cache = nullptr;                        ///< keeps parts between builds; or null
+  SensorCache* cache = nullptr;                        ///< cache of parts between builds, or null
   /// A preview is ready soon, while another build polishes the samples. If the cache has polished samples, a preview
   /// takes them.
   SampleQuality quality = SampleQuality::polished;

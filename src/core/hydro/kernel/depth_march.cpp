@@ -163,8 +163,7 @@ class PairMarch {
   }
 
   /// The six tets of a cube about its diagonal (Kuhn 1960): each goes from the lowest corner along the axes, in one of
-  /// six orders, to the highest.
-  /// Returns the faces that the surface goes on across: bit 2 axis + side.
+  /// six orders, to the highest. Returns the faces across which the surface continues, as bits 2 axis + side.
   unsigned march(const Node& corner) {
     static constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     std::array<PressurePair, 8> pressure;

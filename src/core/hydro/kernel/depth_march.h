@@ -46,10 +46,10 @@ RigidTransform frame_between(const Pose& X_AB);
 /// pressure that intersect no tet are possible then. X_AB is the pose of b in a.
 bool reaches_core(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB);
 
-/// Adds the surface where both pressures are equal, except for what polygons of the writer's surface already cover:
-/// from workspace.core_points on, or, where these are empty, anywhere. X_SL: pose of the lattice's frame in the
-/// writer's frame S. The surface's triangles have the normal of growing second - first; `own`, one of the two, is the
-/// body whose gradient they get. Polygons name no tet.
+/// Adds the surface of equal pressures, except for parts that polygons of the writer's surface already cover: from
+/// workspace.core_points on, or, where these are empty, anywhere. X_SL: pose of the lattice's frame in the writer's
+/// frame S. The surface's triangles have the normal of growing second - first; `own`, one of the two, is the body whose
+/// gradient they get. Polygons name no tet.
 void add_march(const PressureAt& first, const PressureAt& second, const PressureAt& own, const RigidTransform& X_SL,
                const DepthPieceSize& size, SurfaceWriter& writer, DepthWorkspace& workspace);
 

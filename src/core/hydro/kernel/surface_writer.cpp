@@ -31,7 +31,7 @@ void SurfaceWriter::add_merged(const PolygonInPlane& polygon, const SurfaceTrian
     v[count++] = polygon.v[i];
   }
   while (count > 1 && near(u[count - 1] - u[0], v[count - 1] - v[0])) --count;
-  // A strip narrower than the merging distance keeps what makes its area.
+  // A strip narrower than the merging distance keeps the vertices that span its area.
   const PolygonInPlane merged{u.data(), v.data(), static_cast<int>(count)};
   const PolygonInPlane& kept = count < 3 ? polygon : merged;
   const Slots to = slots();

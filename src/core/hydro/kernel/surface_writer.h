@@ -89,8 +89,8 @@ class SurfaceWriter {
                                same_frame_ ? gradient_S : X_AS_.R * gradient_S, source.tet, source.tet_b, source.face);
     used_ += static_cast<std::size_t>(count);
   }
-  /// Adds a polygon without its vertices that are nearer than the merging distance to the one before, unless too few
-  /// would be left.
+  /// Adds a polygon without its vertices that are nearer than the merging distance to the previous vertex, unless too
+  /// few would be left.
   void add_merged(const PolygonInPlane& polygon, const SurfaceTriangle& triangle, const PlanePressure& pressure,
                   const dvec3& gradient_S, double area, const dvec2& centroid, const PolygonSource& source);
   /// Adds a polygon outside of all tets, counter-clockwise in the coordinates of the triangle. `size` is the scale of

@@ -168,7 +168,7 @@ class TetsAndTriangles {
     for (const std::int32_t index : w_.tets) add_pair(c, index, [](unsigned) {});
   }
 
-  /// Calls go_on with the faces across which the triangle goes on.
+  /// Calls go_on with the faces across which the triangle continues.
   template <class F>
   HWY_INLINE void add_pair(const Current& c, std::int32_t index, const F& go_on) {
     const PackedTet& tet = field_.tets()[at(index)];

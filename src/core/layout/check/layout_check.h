@@ -34,8 +34,9 @@ Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, cons
 /// alike. Empty if nothing was repaired.
 Problems check_loaded_mesh(const TriMesh& loaded, const RepairedMesh& repaired, const std::string& file);
 
-/// Reports faces of a layout's mesh that cut through each other and a size that is hardly metres. Not part of the rules
-/// above, because editing a layout changes neither. Cost: a search for intersections, unless the repair did it.
+/// Reports faces of a layout's mesh that cut through each other and a size that is probably not in metres. Not part of
+/// the rules above, because editing a layout changes neither. Cost: a search for intersections, unless the repair did
+/// it.
 Problems check_layout_mesh(const RepairedMesh& repaired, const std::string& file);
 
 /// Returns the index of the taxel in a JSON pointer such as /taxels/3/radius, or nothing for other pointers.

@@ -104,7 +104,7 @@ class FaceCutter {
   FaceCutter(const std::vector<SurfaceSample>& samples, const PointGrid& grid, double spacing)
       : samples_(samples), grid_(grid), spacing_(spacing), owners_(kMaxHalvings + 1) {}
 
-  /// Appends what each sample gets of the face.
+  /// Appends the part of the face that each sample gets.
   void cut(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& normal, std::vector<Share>& shares) {
     const dvec3 u = any_perpendicular(normal);
     frame_ = {(a + b + c) / 3.0, u, glm::cross(normal, u), normal};
@@ -214,7 +214,7 @@ void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& sampl
     for (const Share& share : part) samples[static_cast<std::size_t>(share.sample)].area += share.area;
   double total = 0.0;
   for (const SurfaceSample& s : samples) total += s.area;
-  for (SurfaceSample& s : samples) s.area *= mesh.area() / total;  // takes out what rounding left
+  for (SurfaceSample& s : samples) s.area *= mesh.area() / total;  // removes rounding errors
 }
 
 }  // namespace taxel

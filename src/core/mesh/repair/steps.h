@@ -5,7 +5,7 @@
 
 namespace taxel {
 
-/// Of faces with the same three corners and the same winding one is kept.
+/// Removes duplicates of faces with the same three corners and the same winding.
 RepairStep remove_repeated(Draft& draft);
 /// Pairs of faces with the same three corners and opposite winding are removed: they enclose nothing.
 RepairStep remove_folded(Draft& draft);
@@ -17,7 +17,7 @@ RepairStep remove_fins(Draft& draft, const RepairLimits& limits);
 RepairStep join_rims(Draft& draft, const RepairLimits& limits);
 /// Flips the longest edge of each face without area, so that its apex splits the face across.
 RepairStep turn_flat_faces(Draft& draft);
-/// Splits an open edge at each rim point that lies on it within 1e-5 of the diagonal.
+/// Splits an open edge at each rim point that is on the edge within 1e-5 of the diagonal.
 RepairStep split_junctions(Draft& draft, const RepairLimits& limits);
 /// Turns faces so that neighbours wind alike. `unorientable` gets bands on which this fails (a Moebius strip): a
 /// nonzero entry for each of their faces. A body on which it fails keeps a seam of open edges.

@@ -69,7 +69,7 @@ struct ReadingHistory {
   return is_jump(jump, limits) && (limits.on_jump || (limits.at_equal_force && jump.at_equal_force));
 }
 
-/// Compares each step with the one before. Equation: taxel k of a sensor jumps in step n when
+/// Compares each step with the previous step. Equation: taxel k of a sensor jumps in step n when
 /// |r_k(n) - r_k(n-1)| > jump * max(least, max over all steps m <= n of |r_k(m)|),
 /// and it does so at equal force if also |F(n) - F(n-1)| <= equal_force * max(F(n), F(n-1)). With `of_sensor` the
 /// largest reading is that of all taxels.

@@ -14,8 +14,8 @@ namespace taxel {
 /// Packs a step into largest_packed_size() bytes, and returns the number of bytes used. Only the calling thread may
 /// read them (stream_copy.h).
 std::size_t pack_step(const StepView& view, std::byte* to);
-/// Reads what pack_step() wrote. Needs scene and time of the packed step; step number, travel and `finished` are not
-/// packed and stay unchanged.
+/// Reads a step that pack_step() has written. Needs scene and time of the packed step; step number, travel and
+/// `finished` are not packed and stay unchanged.
 void unpack_step(const std::byte* from, Step& step);
 
 }  // namespace taxel

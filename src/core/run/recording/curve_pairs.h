@@ -1,4 +1,4 @@
-// Curves that lie on each other, such as those of two mirrored taxels: which one to draw over which.
+// Finds pairs of curves that coincide, such as those of two mirrored taxels, and the order in which they are drawn.
 #pragma once
 
 #include <span>

@@ -10,10 +10,10 @@ struct zip;
 
 namespace taxel {
 
-/// A zip archive in memory. Members are unpacked when they are asked for; others are never unpacked.
+/// A zip archive in memory. A member is unpacked when it is requested; others are never unpacked.
 ///
-/// An archive of 1 MB may announce members of 1 GB. The members that are asked for may unpack to kFreeBytes and
-/// kMaxRatio times the archive's size, together; the announced size is compared before memory is taken for it.
+/// An archive of 1 MB may announce members of 1 GB. The requested members may unpack to kFreeBytes and kMaxRatio times
+/// the archive's size, together; the announced size is compared before memory is taken for it.
 class ZipArchive {
  public:
   static constexpr std::uint64_t kFreeBytes = std::uint64_t{128} << 20;

@@ -270,7 +270,7 @@ void SimLoop::copy_rows(double now, bool all_rows) {
   if (other_rows || other_steps) rows_.copied_at = now;
 }
 
-/// Returns the step before the displayed one, or null if the history does not hold it.
+/// Returns the step before the displayed step, or null if the history does not have it.
 StepPtr SimLoop::previous_step() const {
   if (history_.empty()) return nullptr;
   const std::uint64_t shown = displayed_.value_or(history_.last());

@@ -10,7 +10,7 @@ namespace taxel::ui {
 
 class RepairMarks {
  public:
-  /// Draws the changes from the loaded to the repaired mesh, which lie in the frame of `state`.
+  /// Draws the changes from the loaded to the repaired mesh, in the frame of `state`.
   void draw(const RepairedMeshPtr& repaired, const TriMeshPtr& loaded, const PaintPass& paint, SegmentPass& segments,
             const MarkState& state);
 

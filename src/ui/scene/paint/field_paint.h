@@ -1,5 +1,4 @@
-// Map of the receptive fields on the skin, and taxel normals compared with the skin's normals; kept on the graphics
-// card.
+// Map of the receptive fields on the skin, and taxel normals compared with the skin's normals; stored in GPU memory.
 #pragma once
 
 #include <optional>

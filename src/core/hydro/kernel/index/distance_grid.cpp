@@ -171,7 +171,7 @@ void DistanceGrid::mark_triangle(const std::array<dvec3, 3>& corners, double mar
   }
 }
 
-/// Distance between cells, not between their middles: what lies between any two points of theirs at least.
+/// Spreads the distances from the marked cells. The distance of two cells is the smallest distance of their points.
 void DistanceGrid::spread(const std::vector<char>& marked) {
   std::vector<float> squared(cells_.size());
   for (std::size_t c = 0; c < squared.size(); ++c)

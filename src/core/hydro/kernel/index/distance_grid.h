@@ -16,7 +16,7 @@ class DistanceGrid {
   static constexpr std::int32_t kCoreCell = -2;
   struct Cell {
     /// Lower bound of the distance from every point of the cell to the tets [m]. It is 0 in cells with tets, and in
-    /// cells inside of the skin without tets, which depth pieces serve (mark_core).
+    /// cells inside of the skin without tets, where depth pieces are used (mark_core).
     float distance = 0;
     std::int32_t tet = -1;   ///< a tet that touches the cell (of its middle if any); -1 or kCoreCell if none
     std::int32_t face = -1;  ///< index in faces(): the plane from which the cell is farthest outside, or -1

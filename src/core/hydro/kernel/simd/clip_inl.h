@@ -126,7 +126,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
   if (outside == 0) return Cut::nothing_outside;
   if (outside == all) return Cut::nothing_inside;
   const unsigned inside = all & ~outside;
-  const unsigned starts = inside & ~((inside << 1) | (inside >> (n - 1)));  // inside, and the one before is not
+  const unsigned starts = inside & ~((inside << 1) | (inside >> (n - 1)));  // inside, and the previous vertex is not
   if ((starts & (starts - 1)) != 0 || n == PlanePolygon::kMax) {
     keep_inside_slowly(distance, mark, p);
     return p.count < 3 ? Cut::nothing_inside : Cut::done;
