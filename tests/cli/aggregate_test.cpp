@@ -39,7 +39,7 @@ std::map<int, double> weight_sums(const fs::path& folder) {
 }
 
 // Expected: sum w p / sum w (the paper) and sum w p (its released code) from the same samples and hits.
-TEST(ReleasedCode, StandsBesideThePaperInOneContact) {
+TEST(ReleasedCode, ReadsThePapersMeanTimesTheSumOfWeights) {
   const fs::path folder = contact_folder();
   const Json read = taxel_json({"read", "changed.taxels.json", "finger_on_box.json"}, folder);
   std::map<int, double> weights = weight_sums(folder);
@@ -59,7 +59,7 @@ TEST(ReleasedCode, StandsBesideThePaperInOneContact) {
 }
 
 // With more samples the paper's reading stays equal; that of the released code grows with their number.
-TEST(ReleasedCode, GrowsWithTheDensityAsThePaperDoesNot) {
+TEST(ReleasedCode, GrowsWithTheSampleDensityUnlikeThePaper) {
   const fs::path folder = contact_folder();
   const auto at = [&](const char* density) {
     return taxel_json({"read", "changed.taxels.json", "finger_on_box.json", "--density", density}, folder)["readings"];
@@ -74,7 +74,7 @@ TEST(ReleasedCode, GrowsWithTheDensityAsThePaperDoesNot) {
   EXPECT_NEAR(ratio("weighted_sum"), 4.0, 0.4);
 }
 
-TEST(ReleasedCode, SwitchAndLayoutGiveTheSameBytes) {
+TEST(ReleasedCode, GivesTheSameBytesByOptionAndByLayout) {
   const fs::path folder = contact_folder();
   const auto read = [&](std::vector<std::string> options) {
     std::vector<std::string> arguments{"read", "changed.taxels.json", "finger_on_box.json", "--json"};
@@ -110,7 +110,7 @@ void expect_released(const Table& paper, const Table& released, std::map<int, do
   EXPECT_GT(largest, 100);
 }
 
-TEST(ReleasedCode, InASweep) {
+TEST(ReleasedCode, ScalesTheReadingsOfASweepByTheSumOfWeights) {
   const fs::path folder = contact_folder();
   const auto sweep = [&](const char* aggregate, const char* out) {
     const Outcome outcome = taxel({"sweep", "--layout", "changed.taxels.json", "--aggregate", aggregate, "--out", out,
@@ -124,7 +124,7 @@ TEST(ReleasedCode, InASweep) {
 }
 
 // The option replaces the aggregate of every layout, declared in the scene or attached, also in the written folder.
-TEST(ReleasedCode, InAnyScene) {
+TEST(ReleasedCode, ReplacesTheAggregateOfEveryLayoutInAScene) {
   const fs::path folder = contact_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
   write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));
@@ -147,7 +147,7 @@ TEST(ReleasedCode, InAnyScene) {
 }
 
 // The integral needs data that samples do not need; a model that is switched to the integral must have it.
-TEST(Aggregates, ForceBySwitchAndByLayoutAreTheSame) {
+TEST(Aggregates, GiveTheSameForceByOptionAndByLayout) {
   const fs::path folder = contact_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
   write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));

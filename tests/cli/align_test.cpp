@@ -31,7 +31,7 @@ std::string real_table(const fs::path& run, double clock) {
   return text.str();
 }
 
-TEST(Align, FindsTheShiftAndTheGainsThatARecordingWasMadeWith) {
+TEST(Align, RecoversTheShiftAndTheGainsOfADistortedRecording) {
   const fs::path run = short_sweep(), folder = test_folder();
   write_text(folder / "real.csv", real_table(run, 41.2345));
   const std::string before = file_text(run / "readings.csv");
@@ -65,7 +65,7 @@ TEST(Align, FindsTheShiftAndTheGainsThatARecordingWasMadeWith) {
   EXPECT_NE(text.out.find("moved by -41.23"), std::string::npos);
 }
 
-TEST(Align, WhatItCannotReadIsNamed) {
+TEST(Align, NamesTheTableOrMappingThatItRefuses) {
   const fs::path run = short_sweep(), folder = test_folder();
   const std::string good = real_table(run, 0);
   write_text(folder / "m.json", R"({"format": "column-mapping", "version": 1, "separator": ";", "time": "Time [ms]",

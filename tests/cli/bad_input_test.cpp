@@ -25,7 +25,7 @@ void expect_layout_refused(const fs::path& layout, const std::string& complaint)
   EXPECT_FALSE(fs::exists(out.parent_path())) << "something was written";
 }
 
-TEST(BadInput, LayoutValues) {
+TEST(BadInput, IsRefusedInLayoutValues) {
   const fs::path folder = test_folder();
   const std::string file = (folder / "changed.taxels.json").string();
   const auto refused = [&](const std::string& pointer, const Json& value, const std::string& message) {
@@ -41,7 +41,7 @@ TEST(BadInput, LayoutValues) {
   refused("/taxels", 7, "must be an array, is 7");
 }
 
-TEST(BadInput, Calibrations) {
+TEST(BadInput, IsRefusedInCalibrations) {
   const fs::path folder = test_folder();
   const std::string file = (folder / "changed.taxels.json").string();
   const auto refused = [&](const Json& calibration, const std::string& complaint) {
@@ -53,7 +53,7 @@ TEST(BadInput, Calibrations) {
   refused({{"taxels", {{{"id", 4}, {"gain", 0}}}}}, "/calibration/taxels/0/gain: must not be 0, is 0 (taxel 4)");
 }
 
-TEST(BadInput, Meshes) {
+TEST(BadInput, IsRefusedInMeshes) {
   const fs::path folder = test_folder();
   const std::string mesh = (folder / "m.obj").string();
   expect_layout_refused(layout_on(folder, "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"),
@@ -64,7 +64,7 @@ TEST(BadInput, Meshes) {
                         (folder / "gone.obj").string() + ": no such file");
 }
 
-TEST(BadInput, Files) {
+TEST(BadInput, IsRefusedIfFilesAreMissing) {
   const fs::path folder = test_folder();
   write_text(folder / "broken.taxels.json", "{\n  \"format\": ,\n}");
   const Outcome broken = taxel({"samples", "broken.taxels.json"}, folder);
@@ -76,7 +76,7 @@ TEST(BadInput, Files) {
   expect_refusal(taxel({"mesh", "gone.stl"}, folder), "taxel: gone.stl: no such file");
 }
 
-TEST(BadInput, Scenes) {
+TEST(BadInput, IsRefusedInScenes) {
   const fs::path folder = test_folder();
   write_text(folder / "broken.xml", "<mujoco><worldbody><geom type=\"sphere\"/></worldbody></mujoco>");
   write_text(folder / "plain.xml", "<mujoco><worldbody><geom name=\"ball\" size=\"1\"/></worldbody></mujoco>");
@@ -101,7 +101,7 @@ TEST(BadInput, Scenes) {
   EXPECT_EQ(left, (std::vector<std::string>{"broken.xml", "plain.xml"}));  // no log files and no incomplete output
 }
 
-TEST(BadInput, FoldersThatCannotBeWritten) {
+TEST(BadInput, IsRefusedForFoldersThatCannotBeWritten) {
   const fs::path folder = test_folder();
   write_text(folder / "file", "in the way");
   const Outcome sweep = taxel({"sweep", "--out", "file/out"}, folder);
@@ -120,7 +120,7 @@ TEST(BadInput, FoldersThatCannotBeWritten) {
   }
 }
 
-TEST(BadInput, ContactCases) {
+TEST(BadInput, IsRefusedInContactCases) {
   const fs::path folder = test_folder();
   const auto refused = [&](const Json& patch, const std::string& line) {
     Json good = Json::parse(R"({"format": "contact-case", "version": 1,
@@ -141,7 +141,7 @@ TEST(BadInput, ContactCases) {
   expect_refusal(taxel({"contact", "case.json"}, folder), "taxel: gone.taxels.json: no such file");
 }
 
-TEST(BadInput, Usage) {
+TEST(BadInput, IsRefusedOnTheCommandLine) {
   const auto refused = [](const std::vector<std::string>& arguments, const std::string& line) {
     expect_refusal(taxel(arguments), "taxel: " + line);
   };

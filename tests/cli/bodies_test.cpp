@@ -12,7 +12,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// The text of an OBJ file of boxes.
+/// Builds the text of an OBJ file of boxes.
 class Obj {
  public:
   Obj& box(double half, double x = 0) {
@@ -109,14 +109,14 @@ void expect_mesh_told(const std::string& obj, const std::string& code, const std
       << problems;
 }
 
-TEST(BadMesh, Sound) {
+TEST(BadMesh, GivesNoWarningIfItIsSound) {
   const fs::path folder = mesh_case(Obj().box(0.02).text());
   const Json result = taxel_json({"contact", "case.json"}, folder);
   EXPECT_EQ(result["warnings"], Json::array());
   EXPECT_EQ(taxel({"check", "case.json"}, folder).status, 0);
 }
 
-TEST(BadMesh, Open) {
+TEST(BadMesh, IsReportedIfItIsOpen) {
   const std::string open = Obj().box(0.02).without(2).text();
   const Json soft = taxel_json({"contact", "case.json"}, mesh_case(open));
   EXPECT_NE(soft["warnings"].dump().find("1 hole"), std::string::npos) << soft["warnings"];
@@ -125,7 +125,7 @@ TEST(BadMesh, Open) {
   expect_mesh_told(open, "mesh_open", "3 open edges");
 }
 
-TEST(BadMesh, NonManifold) {
+TEST(BadMesh, LosesItsFinsAndIsReported) {
   const auto with_fin = [](const char* tip) { return Obj().box(0.02).vertex(tip).face({7, 8, 9}).text(); };
   const Json sound = taxel_json({"contact", "case.json"}, mesh_case(Obj().box(0.02).text()));
   const std::string fin = with_fin("0 0.02 0.026");  // 1.2 % of the area; fins of up to 2 % are removed
@@ -139,7 +139,7 @@ TEST(BadMesh, NonManifold) {
   expect_mesh_told(fin, "mesh_nonmanifold", "1 edge with more than two faces");
 }
 
-TEST(BadMesh, WindingAndInsideOut) {
+TEST(BadMesh, IsRepairedIfItsWindingIsWrong) {
   const std::string inverted = Obj().box(0.02).turned(0, 12).text();
   for (const std::string& obj : {Obj().box(0.02).turned(4, 5).text(), inverted}) {
     const Json soft = taxel_json({"contact", "case.json"}, mesh_case(obj));
@@ -149,13 +149,13 @@ TEST(BadMesh, WindingAndInsideOut) {
   expect_mesh_told(inverted, "mesh_inverted", "the volume is negative");
 }
 
-TEST(BadMesh, SelfIntersecting) {
+TEST(BadMesh, IsUnitedIfItsShellsOverlap) {
   const std::string two = Obj().box(0.02).box(0.0199, 0.013).text();
   expect_contact_warns(two, "2 overlapping shells united");
   expect_mesh_told(two, "mesh_self_intersection", "cut through each other");
 }
 
-TEST(BadMesh, DuplicatedAndFlatTrianglesAreDroppedAndTold) {
+TEST(BadMesh, LosesRepeatedAndFlatTrianglesWithAWarning) {
   expect_contact_warns(Obj().box(0.02).face({1, 3, 4}).text(), "dropped 1 repeated triangles (first: triangle 12)");
   expect_contact_warns(Obj().box(0.02).face({1, 2, 2}).text(), "dropped 1 triangles without area (first: triangle 12)");
   const std::string twice = Obj().box(0.02).box(0.02).text();
@@ -164,7 +164,7 @@ TEST(BadMesh, DuplicatedAndFlatTrianglesAreDroppedAndTold) {
   EXPECT_EQ(result["fields"][0]["tets"], 36);
 }
 
-TEST(BadMesh, NotANumberEmptyAndMissing) {
+TEST(BadMesh, IsRefusedIfItIsEmptyOrNotFinite) {
   const std::string file = (test_folder() / "m.obj").filename().string();
   const auto refused = [&](const std::string& obj, const std::string& words) {
     const fs::path folder = mesh_case(obj);
@@ -183,7 +183,7 @@ TEST(BadMesh, NotANumberEmptyAndMissing) {
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "has no triangles");
 }
 
-TEST(BadMesh, OfAWrongUnitIsWarnedOf) {
+TEST(BadMesh, GivesAWarningIfItsUnitIsWrong) {
   expect_contact_warns(Obj().box(20).text(), "its unit is probably mm; set the scale to 0.001", kSoft, 20);
   const fs::path folder = test_folder();
   const fs::path mesh = folder / "finger.obj";
@@ -207,13 +207,13 @@ TEST(BadMesh, OfAWrongUnitIsWarnedOf) {
   EXPECT_EQ((*units)["pointer"], "/mesh/scale");
 }
 
-TEST(BadMesh, PadThickerThanTheBody) {
+TEST(BadMesh, GivesAWarningIfThePadIsThickerThanTheBody) {
   expect_contact_warns(Obj().box(0.02).text(),
                        "the pad is 50 mm thick, more than half of the body's smallest extent, 20 mm",
                        {{"modulus", 5e4}, {"thickness", 0.05}});
 }
 
-TEST(BadMesh, NegativeModulusOnEitherSide) {
+TEST(BadMesh, IsRefusedIfAModulusIsNegative) {
   const fs::path folder = mesh_case(Obj().box(0.02).text(), {{"modulus", -5}});
   const std::string line = "taxel: case.json: /a/material/modulus: must not be negative, is -5";
   expect_refusal(taxel({"contact", "case.json"}, folder), line);
@@ -226,7 +226,7 @@ TEST(BadMesh, NegativeModulusOnEitherSide) {
   EXPECT_EQ(check.err, "taxel: case.json: /b/material/modulus: must not be negative, is -1\n");
 }
 
-TEST(FieldReports, OfLayoutsAreListedByCheck) {
+TEST(FieldReports, AreListedByCheckForALayout) {
   const Json problems = Json::parse(taxel({"check", fingertip_layout().string(), "--json"}).out)["problems"];
   const auto find = [&](const char* code) {
     return std::find_if(problems.begin(), problems.end(), [&](const Json& p) { return p["code"] == code; });
@@ -241,7 +241,7 @@ TEST(FieldReports, OfLayoutsAreListedByCheck) {
   EXPECT_EQ(find("field_inverted"), problems.end());
 }
 
-TEST(FieldReports, StandInTheResultOfAContact) {
+TEST(FieldReports, ArePartOfTheResultOfAContact) {
   const Json layout = {{"format", "contact-case"},
                        {"version", 1},
                        {"a", {{"layout", fingertip_layout().string()}}},
@@ -264,7 +264,7 @@ TEST(FieldReports, StandInTheResultOfAContact) {
 
 /// A blade that cuts 2 mm into a concave edge, along the plane between its faces. At the tip the distance to the skin
 /// is 2 mm, and the depth below the planes of the faces is 1.4 mm, which a single layer of prisms would give.
-TEST(FieldReports, TwoLayersOfPrismsFollowTheDistanceBelowAConcaveEdge) {
+TEST(FieldReports, FollowTheDistanceBelowAConcaveEdgeWithTwoPrismLayers) {
   const TriMesh step = make_l_block(0.0005, 20);
   std::string obj;
   for (const dvec3& v : step.vertices()) obj += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
@@ -293,7 +293,7 @@ TEST(FieldReports, TwoLayersOfPrismsFollowTheDistanceBelowAConcaveEdge) {
   EXPECT_LT(field["depth_error"]["mean"], field["depth_error"]["rms"]);
 }
 
-TEST(Tets, WrittenAndReadAgainGiveTheSameForce) {
+TEST(Tets, GiveTheSameForceAfterTheyAreWrittenAndRead) {
   const fs::path folder = test_folder();
   Json json = Json::parse(R"({"format": "contact-case", "version": 1,
     "a": {"shape": {"type": "capsule", "size": [0.02, 0.03]}, "material": {"modulus": 5e4}, "pos": [0, 0, 0.048]},
@@ -318,7 +318,7 @@ TEST(Tets, WrittenAndReadAgainGiveTheSameForce) {
   EXPECT_GT(taxel_json({"contact", "rigid.json"}, folder)["force"][2], 0);
 }
 
-TEST(Tets, BadFilesAreRefusedByLine) {
+TEST(Tets, AreRefusedByLineIfTheFileIsBad) {
   const fs::path folder = test_folder();
   write_text(folder / "case.json", R"({"format": "contact-case", "version": 1,
     "a": {"shape": {"type": "tets", "file": "t.vtk"}, "material": {"modulus": 5e4}}, "b": {"shape": {"type": "plane"}}})");

@@ -70,7 +70,7 @@ TEST(BrokenFiles, AreAllListed) {
 }
 
 /// Pipes, devices and folders with the names of files are refused without waiting.
-TEST(BrokenFiles, ThatAreNotRegularAreRefused) {
+TEST(BrokenFiles, AreRefusedIfTheyAreNotRegularFiles) {
   const fs::path folder = test_folder();
   for (const std::string name :
        {"f.obj", "f.ply", "f.gltf", "f.taxels.json", "f.taxelproj", "f.csv", "f.yaml", "f.xml", "f.json"}) {
@@ -91,7 +91,7 @@ TEST(BrokenFiles, ThatAreNotRegularAreRefused) {
   }
 }
 
-TEST(BrokenFiles, MeshesOfLayoutsMustBeRegular) {
+TEST(BrokenFiles, AreRefusedIfTheMeshOfALayoutIsNotRegular) {
   const fs::path folder = test_folder();
   ASSERT_EQ(::mkfifo((folder / "m.obj").c_str(), 0600), 0);
   const fs::path layout =
@@ -103,7 +103,7 @@ TEST(BrokenFiles, MeshesOfLayoutsMustBeRegular) {
   }
 }
 
-TEST(BrokenFiles, WhatScenesNameMustBeRegular) {
+TEST(BrokenFiles, AreRefusedIfASceneNamesAnIrregularFile) {
   const fs::path folder = test_folder();
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   const std::string box = "<worldbody><geom type=\"box\" size=\"1 1 1\"/></worldbody></mujoco>";
@@ -124,7 +124,7 @@ TEST(BrokenFiles, WhatScenesNameMustBeRegular) {
 }
 
 /// A recording with one flipped bit is refused by all commands that read recordings.
-TEST(BrokenFiles, RecordingsMustMatchTheirChecksums) {
+TEST(BrokenFiles, AreRefusedIfARecordingMissesItsChecksum) {
   const fs::path folder = test_folder(), run = shared_box_sweep({"--density", "1e6"});
   for (const fs::directory_entry& entry : fs::directory_iterator(run)) fs::copy(entry, folder);
   std::string bytes = file_text(folder / "readings.npz");
@@ -140,7 +140,7 @@ TEST(BrokenFiles, RecordingsMustMatchTheirChecksums) {
   }
 }
 
-TEST(BrokenFiles, RunsOfNoStepsAreRefused) {
+TEST(BrokenFiles, AreNotWrittenByRunsWithoutSteps) {
   const fs::path folder = test_folder();
   write_text(folder / "scene.xml",
              "<mujoco><worldbody><body><freejoint/><geom name=\"finger\" type=\"mesh\" mesh=\"m\"/>"

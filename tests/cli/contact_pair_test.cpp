@@ -54,7 +54,7 @@ Contact contact_of(const Table& table, const std::string& prefix = "") {
 constexpr double kModulus = 1e5;
 const std::string kFloor = "<geom name='floor' type='plane' size='1 1 1'/>";
 
-TEST(ContactPair, A1SoftSphereOnPlane) {
+TEST(ContactPair, EqualsA1ForASoftSphereOnAPlane) {
   constexpr double R = 0.05, x = 0.0025;
   const Table table =
       run_scene(test_folder(),
@@ -68,7 +68,7 @@ TEST(ContactPair, A1SoftSphereOnPlane) {
   EXPECT_EQ(table.size(), 7U);
 }
 
-TEST(ContactPair, A2RigidSphereInSoftHalfSpace) {
+TEST(ContactPair, EqualsA2ForARigidSphereInASoftHalfSpace) {
   constexpr double R = 0.05, x = 0.004, kappa = 1e5 / 0.02;
   const Contact c = contact_of(run_scene(
       test_folder(),
@@ -79,14 +79,14 @@ TEST(ContactPair, A2RigidSphereInSoftHalfSpace) {
   EXPECT_NEAR(c.area, 2 * std::numbers::pi * R * x, 0.02 * c.area);
 }
 
-TEST(ContactPair, A3PolyhedronInLinearFieldFeelsItsSubmergedVolume) {
+TEST(ContactPair, EqualsA3ForTheSubmergedVolumeOfAPolyhedron) {
   const Contact c = contact_of(run_scene(
       test_folder(), scene_of(materials(R"("floor": {"modulus": 2e5, "thickness": 0.04})") + key("pairs", "floor box"),
                               kFloor + body("box", "0 0 0.029", "type='box' size='.02 .01 .03'"))));
   EXPECT_NEAR(-c.force_z, 2e5 / 0.04 * (0.04 * 0.02 * 0.001), 1e-9);
 }
 
-TEST(ContactPair, A4SoftBoxOnPlane) {
+TEST(ContactPair, EqualsA4ForASoftBoxOnAPlane) {
   constexpr double x = 0.002, L1 = 0.08, L2 = 0.06, H = 0.02;
   const Contact c = contact_of(
       run_scene(test_folder(), scene_of(materials(R"("box": {"modulus": 1e5})") + key("pairs", "floor box"),
@@ -96,7 +96,7 @@ TEST(ContactPair, A4SoftBoxOnPlane) {
   EXPECT_NEAR(c.area, L1 * L2, 1e-6 * c.area);
 }
 
-TEST(ContactPair, A5SoftCylinderStanding) {
+TEST(ContactPair, EqualsA5ForASoftUprightCylinder) {
   constexpr double x = 0.002, R = 0.03, H = 0.03;
   const Contact c = contact_of(run_scene(
       test_folder(), scene_of(materials(R"("can": {"modulus": 1e5, "resolution": 0.003})") + key("pairs", "floor can"),
@@ -105,7 +105,7 @@ TEST(ContactPair, A5SoftCylinderStanding) {
   EXPECT_NEAR(c.force_z, force, 0.01 * force);
 }
 
-TEST(ContactPair, A6SoftCylinderLyingPerLength) {
+TEST(ContactPair, EqualsA6ForASoftLyingCylinder) {
   constexpr double x = 0.002, R = 0.02, h = R - x;
   const auto force_of = [&](double half_length) {
     return contact_of(
@@ -120,7 +120,7 @@ TEST(ContactPair, A6SoftCylinderLyingPerLength) {
   EXPECT_NEAR((force_of(0.08) - force_of(0.06)) / 0.04, per_length, 0.02 * per_length);
 }
 
-TEST(ContactPair, A7TwoSoftSpheresFeelOneSurfaceAndOppositeForces) {
+TEST(ContactPair, EqualsA7ForTwoSoftSpheresWithOppositeForces) {
   const Table table = run_scene(
       test_folder(),
       scene_of(materials(R"("a": {"modulus": 1e5, "resolution": 0.003}, "b": {"modulus": 4e5, "resolution": 0.003})") +
@@ -134,7 +134,7 @@ TEST(ContactPair, A7TwoSoftSpheresFeelOneSurfaceAndOppositeForces) {
   EXPECT_EQ(a.polygons, b.polygons);
 }
 
-TEST(ContactPair, A8StackedSlabsAndTheLimitOfARigidOne) {
+TEST(ContactPair, EqualsA8ForStackedSlabsAndA4ForARigidOne) {
   constexpr double x = 0.0005, H = 0.01, L = 0.2;
   const auto press = [&](double upper, double lower) {
     const Table table = run_scene(
@@ -153,7 +153,7 @@ TEST(ContactPair, A8StackedSlabsAndTheLimitOfARigidOne) {
   EXPECT_NEAR(press(1e5, 1e11), rigid, 0.002 * rigid);
 }
 
-TEST(ContactPair, A9BallComesToRestWhereItsForceIsItsWeight) {
+TEST(ContactPair, CarriesTheWeightOfABallAtRest) {
   constexpr double mass = 0.2, R = 0.03;
   const Table table = run_scene(
       test_folder(),
@@ -166,7 +166,7 @@ TEST(ContactPair, A9BallComesToRestWhereItsForceIsItsWeight) {
   ASSERT_FALSE(table.empty());
   const double weight = mass * kGravity, force = table.at("force_z").back();
   EXPECT_NEAR(force, weight, 1e-3 * weight);
-  // pi E x^2 (1 - 2x/(3R)) = m g
+  // Solves pi E x^2 (1 - 2x/(3R)) = m g for x.
   double x = 0;
   for (int n = 0; n < 50; ++n) x = std::sqrt(weight / (std::numbers::pi * kModulus * (1 - 2 * x / (3 * R))));
   EXPECT_NEAR(table.at("area").back(), std::numbers::pi * (2 * R * x - x * x), 0.04 * table.at("area").back());
@@ -191,7 +191,7 @@ std::string slope(double angle, double x) {
       fmt::format("gravity='{} 0 {}'", kGravity * std::sin(angle), -kGravity * std::cos(angle)));
 }
 
-TEST(ContactPair, A9BlockOnSlopeCreepsOrAccelerates) {
+TEST(ContactPair, LetsABlockOnASlopeCreepOrAccelerate) {
   constexpr double mu = 0.5, h = 0.001;
   const double rest = 0.5 * kGravity * 0.02 / (1e6 * 0.08 * 0.08);  // m g H/(E A)
   const auto speed = [&](double angle, double seconds) {
@@ -207,7 +207,7 @@ TEST(ContactPair, A9BlockOnSlopeCreepsOrAccelerates) {
   EXPECT_NEAR(speed(steep, 0.2), acceleration * (0.2 - 25.5 * h), 0.03 * acceleration * 0.2);
 }
 
-TEST(ContactPair, A9BounceLosesEnergyAndLeavesSlowerThanOneOverItsDissipation) {
+TEST(ContactPair, LosesEnergyInABounceAndBoundsTheSpeedAfterIt) {
   constexpr double dissipation = 1.5, h = 0.001;
   const fs::path folder = test_folder();
   const std::string xml = scene_of(
@@ -239,7 +239,7 @@ TEST(ContactPair, A9BounceLosesEnergyAndLeavesSlowerThanOneOverItsDissipation) {
   EXPECT_GT(fastest, 0.05);
 }
 
-TEST(ContactPair, SensedForcesMoveNothing) {
+TEST(ContactPair, MovesNothingIfItsForcesAreOnlySensed) {
   const fs::path folder = test_folder();
   const Table table = run_scene(
       folder,
@@ -252,7 +252,7 @@ TEST(ContactPair, SensedForcesMoveNothing) {
   EXPECT_EQ(table.at("force_z").front(), table.at("force_z").back());
 }
 
-TEST(ContactPair, BadInputIsACompileErrorThatNamesIt) {
+TEST(ContactPair, RefusesBadInputByACompileErrorThatNamesIt) {
   const fs::path folder = test_folder();
   const std::string bodies = kFloor + body("a", "0 0 1", "size='.1'") + body("b", "0 0 2", "size='.1'");
   const auto refusal = [&](const std::string& keys) {
@@ -283,7 +283,7 @@ TEST(ContactPair, BadInputIsACompileErrorThatNamesIt) {
   expect_part(refusal(soft + key("taste", "sweet")), "taste");
 }
 
-TEST(ContactPair, TwoInstancesDoNotMakeOneGeomSoft) {
+TEST(ContactPair, RefusesTwoInstancesForOneGeom) {
   const fs::path folder = test_folder();
   std::string xml = scene_of(materials(R"("a": {"modulus": 1e5})"), body("a", "0 0 1", "size='.1'"));
   const std::string instance = "<instance name='other'>" + materials(R"("a": {"modulus": 2e5})") + "</instance>";
@@ -310,7 +310,7 @@ std::string old_scene(int apply) {
       apply);
 }
 
-TEST(ContactPair, SceneOfThePredecessorRunsWithoutTaxels) {
+TEST(ContactPair, RunsASceneOfThePredecessorWithoutTaxels) {
   const fs::path folder = test_folder();
   const Table table = run_scene(folder, old_scene(1), 0.4);
   ASSERT_FALSE(table.empty());
@@ -327,7 +327,7 @@ TEST(ContactPair, SceneOfThePredecessorRunsWithoutTaxels) {
   EXPECT_LT(sensed.at("ball/force_z").back(), 0.5 * 0.1 * kGravity);
 }
 
-TEST(ContactPair, CommandsThatReadTaxelsSayThatThereAreNone) {
+TEST(ContactPair, IsRefusedByCommandsThatReadTaxels) {
   const fs::path folder = test_folder();
   run_scene(folder, scene_of(materials(R"("ball": {"modulus": 1e5})") + key("pairs", "ball floor"),
                              kFloor + body("ball", "0 0 0.048", "type='sphere' size='.05'")));

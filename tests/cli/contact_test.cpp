@@ -37,7 +37,7 @@ void expect_opposite(const Json& one, const Json& other, const char* key) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[i], -b[i], 1e-10 * size);
 }
 
-TEST(Contact, A1SoftSphereOnAPlane) {
+TEST(Contact, EqualsA1ForASoftSphereOnAPlane) {
   const double R = 0.05, x = 0.0025, E = 5e4;
   const Json result = contact(case_of(soft_sphere(R - x), kPlane));
   const double force = std::numbers::pi * E * x * x * (1 - 2 * x / (3 * R));
@@ -54,7 +54,7 @@ TEST(Contact, A1SoftSphereOnAPlane) {
   EXPECT_GT(result["microseconds"].get<double>(), 0);
 }
 
-TEST(Contact, A2RigidSphereInASoftHalfSpace) {
+TEST(Contact, EqualsA2ForARigidSphereInASoftHalfSpace) {
   const double R = 0.02, x = 0.004, kappa = 5e4 / 0.05;
   const Json sphere = {{"shape", {{"type", "sphere"}, {"size", {R}}}}, {"resolution", 0.002}, {"pos", {0, 0, R - x}}};
   const Json ground = {{"shape", {{"type", "plane"}}}, {"material", {{"modulus", 5e4}, {"thickness", 0.05}}}};
@@ -64,7 +64,7 @@ TEST(Contact, A2RigidSphereInASoftHalfSpace) {
   EXPECT_NEAR(result["area"].get<double>(), 2 * std::numbers::pi * R * x, 0.03 * 2 * std::numbers::pi * R * x);
 }
 
-TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
+TEST(Contact, EqualsA3ExactlyForARigidBoxInASoftHalfSpace) {
   // A box of 2a x 2b x 2c, rotated by 45 degrees about its long horizontal edge: the wedge below depth x has the
   // cross-section x^2, and its centroid is x/3 below the surface.
   const double half_length = 0.03, x = 0.01, kappa = 5e4 / 0.1, half = 0.02;
@@ -81,7 +81,7 @@ TEST(Contact, A3RigidBoxInASoftHalfSpaceIsExact) {
 /// p = (E/H)(R - r) at any depth: F = (E/H) pi (R x^2 - 2/3 x^3), also below the thickness of the pad. The vertices of
 /// a mesh with the exact volume are outside of the sphere, and p is (E/H) times the distance to the mesh, so the mesh
 /// is fine.
-TEST(Contact, PadPressedDeeperThanItsThicknessHasNoHole) {
+TEST(Contact, HasNoHoleInAPadPressedDeeperThanItsThickness) {
   const double R = 0.05, kappa = 5e4 / 0.002;
   for (const double x : {0.0015, 0.003, 0.006}) {
     Json ball = soft_sphere(R - x);
@@ -95,7 +95,7 @@ TEST(Contact, PadPressedDeeperThanItsThicknessHasNoHole) {
   }
 }
 
-TEST(Contact, ForceOnAIsMinusForceOnB) {
+TEST(Contact, PushesBWithMinusTheForceOnA) {
   Json a = soft_sphere(0.047), b = kPlane;
   a["quat"] = {0.3, 0.5, -0.2, 0.7};
   a["linear_velocity"] = {0.02, 0.01, -0.1};
@@ -113,7 +113,7 @@ TEST(Contact, ForceOnAIsMinusForceOnB) {
   EXPECT_NEAR(at_b[2], -(at_a[2] + r[0] * F[1] - r[1] * F[0]), 1e-10 * size);
 }
 
-TEST(Contact, VelocitiesDampAndRub) {
+TEST(Contact, AddsDampingAndFrictionForVelocities) {
   Json a = soft_sphere(0.0475);
   a["material"]["dissipation"] = 3;
   const auto force = [&](const Json& linear, const Json& angular, const Json& of_b) {
@@ -136,7 +136,7 @@ TEST(Contact, VelocitiesDampAndRub) {
   EXPECT_GT(force(still, {0, 10, 0}, still)[0], 0.49 * rest);
 }
 
-TEST(Contact, PolygonFilesHoldTheSurface) {
+TEST(Contact, WritesTheSurfaceToThePolygonFile) {
   const fs::path folder = test_folder();
   write_text(folder / "case.json", case_of(soft_sphere(0.0475), kPlane).dump());
   const Json result = taxel_json({"contact", "case.json", "--polygons", "p.json", "--repeat", "3"}, folder);
@@ -177,7 +177,7 @@ TEST(Contact, PolygonFilesHoldTheSurface) {
   EXPECT_EQ(corner, table.at("x").size());
 }
 
-TEST(Contact, MeshesAndLayoutsStandBesideTheCase) {
+TEST(Contact, FindsMeshesAndLayoutsInTheFolderOfTheCase) {
   const fs::path folder = test_folder();
   fs::create_directories(folder / "sub");
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder / "sub" / "finger.obj");
@@ -206,7 +206,7 @@ TEST(Contact, MeshesAndLayoutsStandBesideTheCase) {
   EXPECT_EQ(mesh, of_layout);
 }
 
-TEST(Validate, EveryClosedFormHolds) {
+TEST(Validate, FindsEveryClosedFormWithinItsBound) {
   const Json result = taxel_json({"validate"});
   EXPECT_EQ(result["pass"], true);
   std::map<std::string, int> forms;
@@ -221,7 +221,7 @@ TEST(Validate, EveryClosedFormHolds) {
   EXPECT_GE(forms["B1"], 6);
 }
 
-TEST(Validate, ThePageInDocsIsWhatTheProgramWrites) {
+TEST(Validate, WritesTheValidationPageOfTheDocuments) {
   const Outcome outcome = taxel({"validate", "--markdown"});
   ASSERT_EQ(outcome.status, 0);
   const std::string page = file_text(fs::path(TAXEL_SOURCE_DIR) / "docs" / "validation.md");

@@ -17,7 +17,7 @@ fs::path contact_folder() {
 
 // Each of the three readings equals, to the last bit, that of a layout with this density. Without the option nothing
 // changes.
-TEST(ConvergenceOption, EqualsReadingsAtThoseDensities) {
+TEST(ConvergenceOption, EqualsReadingsAtTheListedDensities) {
   const fs::path folder = contact_folder();
   const auto read = [&](std::vector<std::string> options) {
     std::vector<std::string> arguments{"read", "changed.taxels.json", "finger_on_box.json", "--quiet"};
@@ -52,7 +52,7 @@ TEST(ConvergenceOption, EqualsReadingsAtThoseDensities) {
   }
 }
 
-TEST(ConvergenceOption, StandsInTheText) {
+TEST(ConvergenceOption, AddsItsTableToTheText) {
   const fs::path folder = contact_folder();
   const std::vector<std::string> plain{"read", "changed.taxels.json", "finger_on_box.json", "--quiet"};
   std::vector<std::string> asked = plain;

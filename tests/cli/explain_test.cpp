@@ -54,7 +54,7 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
 
 // The parts add up to the whole, up to rounding: samples by weight and polygons by force to the reading, samples that
 // began and ceased to hit to the change.
-TEST(Explain, SamplesAndPolygonsAddUpToWhatWasRecorded) {
+TEST(Explain, AddsSamplesAndPolygonsUpToTheRecordedReading) {
   const fs::path run = coarse_sweep();
   const RecordedJump jump = largest_jump(run);
   const Json found = explain(run, jump.taxel, jump.time);
@@ -102,7 +102,7 @@ TEST(Explain, SamplesAndPolygonsAddUpToWhatWasRecorded) {
   EXPECT_EQ(change["began"]["count"].get<int>() + change["stayed"]["count"].get<int>(), hits[true]);
 }
 
-TEST(Explain, TextSaysTheVerdictFirst) {
+TEST(Explain, PrintsTheDiagnosisInTheFirstLine) {
   const fs::path run = coarse_sweep();
   const RecordedJump jump = largest_jump(run);
   const Outcome out = taxel({"explain", (run / "readings.npz").string(), "--taxel", std::to_string(jump.taxel),
@@ -120,7 +120,7 @@ TEST(Explain, TextSaysTheVerdictFirst) {
   EXPECT_TRUE(first["verdict"].is_null());
 }
 
-TEST(Explain, RefusesWhatItCannotExplain) {
+TEST(Explain, RefusesRecordingsThatItCannotExplain) {
   const fs::path run = coarse_sweep(), npz = run / "readings.npz";
   const auto refused = [&](const fs::path& of, const std::vector<std::string>& more, const std::string& line) {
     std::vector<std::string> arguments{"explain", of.string()};
@@ -168,7 +168,7 @@ RecordedJump largest_own_jump(const fs::path& run, double& fraction) {
 /// The artifact of the paper with few samples: a taxel with small readings jumps by a large fraction of its own peak,
 /// which is a small fraction of the sensor's peak. The jump is found, explained as sampling noise, and cured by the
 /// number of samples that the diagnosis names.
-TEST(Explain, FindsAndCuresTheArtifactOfATaxelThatReadsLittle) {
+TEST(Explain, FindsAndCuresTheArtifactOfATaxelWithSmallReadings) {
   const fs::path run = shared_sweep({"--density", "5e5"});
   double fraction = 0;
   const RecordedJump jump = largest_own_jump(run, fraction);

@@ -12,7 +12,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-TEST(Help, EveryCommandShowsUnitsAndAnExample) {
+TEST(Help, ShowsUnitsAndAnExampleForEveryCommand) {
   for (const char* command : {"sweep", "run", "contact", "read", "samples", "mesh", "check", "validate"}) {
     const Outcome outcome = taxel({command, "--help"});
     EXPECT_EQ(outcome.status, 0);
@@ -25,7 +25,7 @@ TEST(Help, EveryCommandShowsUnitsAndAnExample) {
   EXPECT_EQ(taxel({"--help"}).status, 0);
 }
 
-TEST(Help, VersionNamesCommitAndMuJoCo) {
+TEST(Help, NamesCommitAndMuJoCoInTheVersion) {
   const Outcome outcome = taxel({"--version"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_TRUE(std::regex_match(
@@ -78,7 +78,7 @@ void expect_consistent(const fs::path& layout, const fs::path& folder, double ra
   EXPECT_EQ(summary["used"].get<std::size_t>(), used.size());
 }
 
-TEST(Samples, TablesAgree) {
+TEST(Samples, AgreeInBothTablesAndTheSummary) {
   const fs::path folder = test_folder();
   expect_consistent(fingertip_layout(), folder, 0.006);
   expect_on_faces(read_csv(folder / "f.csv"),
@@ -86,7 +86,7 @@ TEST(Samples, TablesAgree) {
 }
 
 /// The file has a triangle without area and a cavity before the skin. Neither is sensed, and both are counted.
-TEST(Samples, FacesAreNumberedAsInTheFile) {
+TEST(Samples, NumberFacesInTheOrderOfTheFile) {
   const fs::path folder = test_folder();
   const double half = 0.01;
   write_text(folder / "hollow.obj", box_obj(0.004, 1, false) + "f 1 1 2\n" + box_obj(half, 9, true));
@@ -116,7 +116,7 @@ TEST(Samples, FacesAreNumberedAsInTheFile) {
   EXPECT_EQ(faces.size(), 12U);
 }
 
-TEST(Samples, NoneLiesInTheCavityOfTheRealMesh) {
+TEST(Samples, AvoidTheCavityOfTheRealMesh) {
   SKIP_WITHOUT_REAL_DATA();
   const fs::path folder = test_folder();
   expect_consistent(real_layout(), folder, 0.006);
@@ -129,7 +129,7 @@ TEST(Samples, NoneLiesInTheCavityOfTheRealMesh) {
   EXPECT_EQ(mesh["closed"], true);
 }
 
-TEST(Samples, SeedDecidesAndThreadsDoNot) {
+TEST(Samples, DependOnTheSeedAndNotOnThreads) {
   const fs::path folder = test_folder();
   const auto text = [&](std::vector<std::string> options) {
     std::vector<std::string> arguments{"samples", fingertip_layout().string(), "--density", "3e6", "--quiet"};
@@ -189,7 +189,7 @@ TEST(Check, ListsEveryProblemWithItsPointer) {
       << text.out;
 }
 
-TEST(Check, OursIsCleanAndTheRealOneHasOnlyNotesAndKnownWarnings) {
+TEST(Check, FindsOurFingertipCleanAndNoErrorInTheRealOne) {
   const Outcome ours = taxel({"check", fingertip_layout().string()});
   EXPECT_EQ(ours.status, 0) << ours.out;
   SKIP_WITHOUT_REAL_DATA();
@@ -205,7 +205,7 @@ TEST(Check, OursIsCleanAndTheRealOneHasOnlyNotesAndKnownWarnings) {
   EXPECT_EQ(real.status, any_warning ? 1 : 0);
 }
 
-TEST(Check, GoesOnAfterAFileThatCannotBeRead) {
+TEST(Check, ContinuesAfterAFileThatCannotBeRead) {
   const fs::path folder = test_folder();
   const fs::path layout =
       changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "gone.obj"}])"));
@@ -218,7 +218,7 @@ TEST(Check, GoesOnAfterAFileThatCannotBeRead) {
   EXPECT_EQ(taxel({"check", layout.string()}, folder).status, 1);
 }
 
-TEST(Check, KnowsCasesSweepsMeshesAndScenes) {
+TEST(Check, AcceptsCasesSweepsMeshesAndScenes) {
   const fs::path folder = test_folder();
   write_text(
       folder / "case.json",

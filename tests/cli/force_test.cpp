@@ -27,7 +27,7 @@ Json read(const fs::path& folder) {
   return taxel_json({"read", "fingertip.taxels.json", "case.json"}, folder);
 }
 
-TEST(Read, ForcesAndTheRestAddUpToTheContact) {
+TEST(Read, AddsForcesAndTheUncoveredRestUpToTheContact) {
   for (const char* metric : {"euclidean", "geodesic"}) {
     const fs::path folder =
         folder_with(R"([{"op": "add", "path": "/receptive_field/metric", "value": ")" + std::string(metric) + "\"}]");
@@ -51,7 +51,7 @@ TEST(Read, ForcesAndTheRestAddUpToTheContact) {
   }
 }
 
-TEST(Read, ForcesDoNotDependOnTheOrderOfTheTaxels) {
+TEST(Read, GivesForcesThatDoNotDependOnTheTaxelOrder) {
   const fs::path folder = folder_with();
   const Json before = read(folder)["readings"]["force"];
   Json layout = Json::parse(file_text(folder / "fingertip.taxels.json"));
@@ -63,7 +63,7 @@ TEST(Read, ForcesDoNotDependOnTheOrderOfTheTaxels) {
 }
 
 // On a plane all polygons have the same normal, so friction is one vector times the pressure for every aggregate.
-TEST(Read, ShearOverTheReadingIsTheCoefficientOfFriction) {
+TEST(Read, GivesTheFrictionCoefficientAsShearOverReading) {
   for (const char* aggregate : {"weighted_mean", "max", "force"}) {
     const fs::path folder =
         folder_with(R"([{"op": "add", "path": "/readout/aggregate", "value": ")" + std::string(aggregate) + "\"}]");
@@ -101,7 +101,7 @@ fs::path sweep_of(const fs::path& folder, const std::string& patch) {
   return folder / "out";
 }
 
-TEST(Sweep, ShearStandsBesideTheReadingsAndLeavesThemAlone) {
+TEST(Sweep, WritesShearToItsOwnFileAndKeepsTheReadings) {
   const fs::path folder = test_folder();
   fs::create_directory(folder / "with");
   fs::create_directory(folder / "without");
@@ -129,7 +129,7 @@ TEST(Sweep, ShearStandsBesideTheReadingsAndLeavesThemAlone) {
   EXPECT_EQ(arrays.at("shear").doubles()[(30 * 12 + 10) * 2 + 1], shear.at("taxel_10_e2")[30]);
 }
 
-TEST(Sweep, RecordsForcesInNewtonsAndWhatNoTaxelReaches) {
+TEST(Sweep, RecordsForcesInNewtonsAndTheUncoveredForce) {
   const fs::path folder = test_folder();
   const fs::path out = sweep_of(folder, R"([{"op": "add", "path": "/readout/aggregate", "value": "force"}])");
   const Table table = read_csv(out / "readings.csv");
@@ -152,7 +152,7 @@ TEST(Sweep, RecordsForcesInNewtonsAndWhatNoTaxelReaches) {
   EXPECT_NE(arrays.at("units").texts()[0].find(R"("readings": "N")"), std::string::npos);
 }
 
-TEST(Check, ShearIsTrueOrFalse) {
+TEST(Check, RefusesShearThatIsNotTrueOrFalse) {
   const fs::path folder = folder_with(R"([{"op": "add", "path": "/readout/shear", "value": 1}])");
   const Outcome outcome = taxel({"read", "fingertip.taxels.json", "case.json"}, folder);
   EXPECT_EQ(outcome.status, 2);

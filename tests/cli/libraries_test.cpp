@@ -26,7 +26,7 @@ const Json* problem_of(const Json& problems, const std::string& code) {
   return nullptr;
 }
 
-TEST(Libraries, HalfEdgesFindTheEdgeThatHasThreeFaces) {
+TEST(Libraries, FindTheEdgeWithThreeFacesByHalfEdges) {
   const fs::path folder = test_folder();
   // The fin is a triangle of corners 6 and 8, on the upper edge at +x, and a point above.
   write_text(folder / "fin.obj", box_obj(0.01) + "v 0.03 0 0.03\nf 6 8 9\n");
@@ -47,7 +47,7 @@ TEST(Libraries, HalfEdgesFindTheEdgeThatHasThreeFaces) {
   EXPECT_NE(sweep.err.find("/mesh/file: repaired: "), std::string::npos) << sweep.err;
 }
 
-TEST(Libraries, HalfEdgesFindTheTurnedFace) {
+TEST(Libraries, FindTheReversedFaceByHalfEdges) {
   const fs::path folder = test_folder();
   std::string obj = box_obj(0.01);
   const std::size_t last = obj.rfind("f 4 8 6");
@@ -60,7 +60,7 @@ TEST(Libraries, HalfEdgesFindTheTurnedFace) {
   EXPECT_EQ(problems[0]["message"].get<std::string>().rfind("3 edges between faces that wind differently", 0), 0U);
 }
 
-TEST(Libraries, TinygltfReadsWhatItWroteAndRefusesWhatWasCut) {
+TEST(Libraries, ReadAWrittenGlbAndRefuseACutOne) {
   const fs::path folder = test_folder();
   write_text(folder / "box.obj", box_obj(0.01));
   const Json obj = taxel_json({"mesh", "box.obj", "--out", "box.glb"}, folder);
@@ -78,7 +78,7 @@ TEST(Libraries, TinygltfReadsWhatItWroteAndRefusesWhatWasCut) {
   EXPECT_EQ(cut.err.rfind("taxel: cut.glb: ", 0), 0U) << cut.err;
 }
 
-TEST(Libraries, GlmTurnsAContactWithItsWorld) {
+TEST(Libraries, RotateAContactWithItsWorld) {
   const fs::path folder = test_folder();
   const auto force = [&](const Json& position, const Json& quaternion) {
     const Json ball = {{"shape", {{"type", "sphere"}, {"size", {0.05}}}},
@@ -100,7 +100,7 @@ TEST(Libraries, GlmTurnsAContactWithItsWorld) {
   EXPECT_NEAR(turned[0], upright[0], 1e-12 * upright[2]);
 }
 
-TEST(Libraries, JsonLayoutsComeBackByteForByteAndErrorsPointIntoThem) {
+TEST(Libraries, KeepTheBytesOfJsonLayoutsAndPointAtErrors) {
   const fs::path folder = test_folder();
   const fs::path layout = changed_layout(folder, Json::array());
   const auto written = [&](const fs::path& from, const std::string& to) {

@@ -42,7 +42,7 @@ TEST(MeshRepair, WritesTheRepairedMeshAndReportsEachStep) {
   EXPECT_TRUE(again["repair"]["steps"].empty());
 }
 
-TEST(MeshRepair, SaysInWordsWhatItDid) {
+TEST(MeshRepair, DescribesEachStepInWords) {
   const fs::path folder = folder_with_broken_ball();
   const Outcome outcome = taxel({"mesh", "ball.obj", "--repair", "exact"}, folder);
   EXPECT_EQ(outcome.status, 0);

@@ -12,7 +12,7 @@ fs::path short_sweep() {
   return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
-TEST(Models, CurvesAndTableAreOfTheRecording) {
+TEST(Models, GivesCurvesAndATableOfTheRecording) {
   const fs::path run = short_sweep(), out = test_folder() / "models.csv";
   const Json found = taxel_json({"models", run.string(), "--every", "8", "--out", out.string()});
   const Table recorded = read_csv(run / "readings.csv"), curves = read_csv(out);
@@ -47,7 +47,7 @@ TEST(Models, CurvesAndTableAreOfTheRecording) {
   EXPECT_LT(of["touch"]["peak"].get<double>(), 1.001 * force);
 }
 
-TEST(Models, TextIsATable) {
+TEST(Models, PrintsATable) {
   const Outcome out = taxel({"models", short_sweep().string(), "--every", "40"});
   EXPECT_EQ(out.status, 0) << out.err;
   EXPECT_EQ(out.err, "");
@@ -55,7 +55,7 @@ TEST(Models, TextIsATable) {
     EXPECT_NE(out.out.find(part), std::string::npos) << part << "\n" << out.out;
 }
 
-TEST(Models, RefusesWhatItCannotRead) {
+TEST(Models, RefusesBadRecordingsAndOptions) {
   const fs::path run = short_sweep(), folder = test_folder();
   expect_refusal(taxel({"models", run.string(), "--sensor", "thumb"}),
                  "taxel: " + (run / "readings.npz").string() + ": has no sensor \"thumb\", but finger");

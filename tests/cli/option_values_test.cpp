@@ -4,7 +4,7 @@
 namespace taxel::test {
 namespace {
 
-TEST(OptionValues, EmptyValuesAreRefused) {
+TEST(OptionValues, AreRefusedIfTheyAreEmpty) {
   const std::filesystem::path folder = test_folder();
   const std::string layout = fingertip_layout().string();
   const std::string rule = ": must not be empty; leave the option out for its default";
@@ -25,7 +25,7 @@ TEST(OptionValues, EmptyValuesAreRefused) {
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST(OptionValues, SeedsAreWholeNumbersOf64Bits) {
+TEST(OptionValues, AreRefusedForSeedsThatAreNo64BitIntegers) {
   const std::string layout = fingertip_layout().string();
   for (const char* seed : {"-1", "18446744073709551616", "1.5", "1e3", "0x10", "seven", " 1"})
     expect_refusal(taxel({"samples", layout, "--seed", seed}),
@@ -33,7 +33,7 @@ TEST(OptionValues, SeedsAreWholeNumbersOf64Bits) {
   EXPECT_EQ(taxel({"samples", layout, "--density", "1e4", "--seed", "18446744073709551615"}).status, 0);
 }
 
-TEST(OptionValues, RunsThatAreTooLongAreRefused) {
+TEST(OptionValues, AreRefusedForRunsThatAreTooLong) {
   const std::filesystem::path folder = test_folder();
   const auto scene = [](const char* timestep) {
     return std::string("<mujoco><option timestep=\"") + timestep +

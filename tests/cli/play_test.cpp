@@ -32,7 +32,7 @@ Arrays arrays_of(const fs::path& folder) {
   return parse_npz(file_text(folder / "readings.npz"));
 }
 
-TEST(Play, APressReachesItsDepthAndTheFingerFollows) {
+TEST(Play, PressesToTheDepthWithAFingerThatFollows) {
   const fs::path folder = test_folder();
   const fs::path out = play(folder, "press", {{"kind", "press"}, {"tilt_deg", 0}, {"depth", 0.001}, {"hold", 0.3}});
   const Arrays arrays = arrays_of(out);
@@ -56,7 +56,7 @@ TEST(Play, APressReachesItsDepthAndTheFingerFollows) {
   EXPECT_EQ(taxel({"check", (out / "scenario.json").string(), (folder / "press.json").string()}).status, 0);
 }
 
-TEST(Play, ATwistedFingerTurnsAndATorsionFollows) {
+TEST(Play, TurnsATwistedFingerAgainstTorsion) {
   const fs::path out =
       play(test_folder(), "twist", {{"kind", "twist"}, {"tilt_deg", 0}, {"hold", 0}, {"angle_deg", 20}});
   const std::vector<double> quat = arrays_of(out).at("sensor_quat").doubles();
@@ -70,7 +70,7 @@ TEST(Play, ATwistedFingerTurnsAndATorsionFollows) {
   EXPECT_GT(largest_reading(read_csv(out / "readings.csv")), 0);
 }
 
-TEST(Play, ARolledAndASlidFingerPassThePressureOn) {
+TEST(Play, MovesPressureAcrossTaxelsByRollAndSlide) {
   for (const char* kind : {"roll", "slide"}) {
     const fs::path out = play(test_folder(), kind, {{"kind", kind}, {"tilt_deg", 20}, {"hold", 0}, {"shape", "plate"}});
     const Table table = read_csv(out / "readings.csv");
@@ -98,7 +98,7 @@ TEST(Play, ARolledAndASlidFingerPassThePressureOn) {
   }
 }
 
-TEST(Play, ADropFallsAsGravityHasIt) {
+TEST(Play, DropsAnObjectWithTheAccelerationOfGravity) {
   const fs::path out =
       play(test_folder(), "drop",
            {{"kind", "drop"}, {"height", 0.01}, {"duration", 0.1}, {"shape", "sphere"}, {"tilt_deg", 10}});
@@ -114,7 +114,7 @@ TEST(Play, ADropFallsAsGravityHasIt) {
   EXPECT_GT(largest(force), 0.2);  // the weight is 0.2 N
 }
 
-TEST(Play, APathIsTheMocapBodysWay) {
+TEST(Play, MovesTheMocapBodyAlongAPath) {
   const Json up = {0.6, 0, 0.8, 0}, turned = {0.8, 0, 0.6, 0};
   const fs::path out = play(test_folder(), "path",
                             {{"kind", "path"},
@@ -132,7 +132,7 @@ TEST(Play, APathIsTheMocapBodysWay) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(quat[200 + k], turned[k].get<double>(), 1e-15);
 }
 
-TEST(Play, AReplayRepeatsTheRunBitForBit) {
+TEST(Play, ReplaysARunBitForBit) {
   const Json slow = {{"before", 0.003}, {"past", 0.002}};
   const fs::path folder = test_folder();
   const fs::path sweep = play(folder, "sweep", slow);
@@ -147,7 +147,7 @@ TEST(Play, AReplayRepeatsTheRunBitForBit) {
   }
 }
 
-TEST(Play, ALayoutWithoutANameIsToldSo) {
+TEST(Play, ReportsALayoutWithoutAName) {
   const fs::path folder = test_folder();
   write_text(folder / "drop.json", R"({"kind": "drop", "duration": 0.005})");
   const fs::path layout = changed_layout(folder, Json::parse(R"([{"op": "remove", "path": "/name"}])"));
@@ -156,7 +156,7 @@ TEST(Play, ALayoutWithoutANameIsToldSo) {
   EXPECT_EQ(outcome.out.rfind("drop of a layout without a name: ", 0), 0U) << outcome.out;
 }
 
-TEST(Play, BadInputIsNamed) {
+TEST(Play, NamesBadInput) {
   const fs::path folder = test_folder();
   const auto complaint = [&](const Json& scenario) {
     write_text(folder / "bad.json", scenario.dump());

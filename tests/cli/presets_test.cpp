@@ -26,7 +26,7 @@ TEST(PresetsCommand, ListsAllAndWritesLayoutsWithoutProblems) {
   EXPECT_EQ(samples["taxels"].size(), 256U);
 }
 
-TEST(PresetsCommand, RefusesWhatItDoesNotKnow) {
+TEST(PresetsCommand, RefusesUnknownNamesAndWrongOptions) {
   const fs::path folder = test_folder();
   expect_refusal(taxel({"presets", "biotack"}, folder),
                  "taxel: presets: NAME: biotack is unknown, there are fingertip, icub, biotac, xela-4x4, xela-4x6, "

@@ -45,7 +45,7 @@ std::string obj_of_shells(int count, bool closed) {
   return obj.str();
 }
 
-TEST(QuickInput, MeshesOfManyShells) {
+TEST(QuickInput, IsReadInTimeForMeshesOfManyShells) {
   const fs::path folder = test_folder();
   write_text(folder / "shells.obj", obj_of_shells(10000, true));
   write_text(folder / "sheets.obj", obj_of_shells(2000, false));
@@ -55,7 +55,7 @@ TEST(QuickInput, MeshesOfManyShells) {
   EXPECT_EQ(expect_quick({"mesh", "sheets.obj"}, folder).status, 0);
 }
 
-TEST(QuickInput, PolygonsOfManyCorners) {
+TEST(QuickInput, IsReadInTimeForPolygonsOfManyCorners) {
   const fs::path folder = test_folder();
   constexpr int kCorners = 64000;
   std::ostringstream obj;
@@ -67,7 +67,7 @@ TEST(QuickInput, PolygonsOfManyCorners) {
   EXPECT_EQ(expect_quick({"mesh", "disc.obj"}, folder).status, 0);
 }
 
-TEST(QuickInput, ManyTaxelsInOnePlace) {
+TEST(QuickInput, IsCheckedInTimeForManyTaxelsInOnePlace) {
   const fs::path folder = test_folder();
   Json taxels = Json::array();
   Json taxel = Json::parse(file_text(fingertip_layout()))["taxels"][0];
@@ -82,7 +82,7 @@ TEST(QuickInput, ManyTaxelsInOnePlace) {
             std::string::npos);
 }
 
-TEST(QuickInput, ObjectsOfManyKeys) {
+TEST(QuickInput, IsRefusedInTimeForObjectsOfManyKeys) {
   const fs::path folder = test_folder();
   Json layout = Json::parse(file_text(fingertip_layout()));
   for (int i = 0; i < 100000; ++i) layout["key" + std::to_string(i)] = i;

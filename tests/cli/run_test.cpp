@@ -104,7 +104,7 @@ TEST(Run, TouchesHeightFieldsAndSignedDistanceFunctions) {
                  "taxel: out: holds no plugin that MuJoCo loads");
 }
 
-TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {
+TEST(Run, NamesSeveralSensorsByTheirGeoms) {
   const fs::path folder = folder_with_layout();
   write_text(folder / "scene.xml", finger_scene(finger_body("thumb", 0) + finger_body("index", 0.1), {"thumb", "index"},
                                                 "changed.taxels.json"));
@@ -121,7 +121,7 @@ TEST(Run, TellsSeveralSensorsApartByTheirGeoms) {
   EXPECT_EQ(arrays.at("index/readings").shape, (std::vector<std::size_t>{table.at("time").size(), 12}));
 }
 
-TEST(Run, WarnsOnceOfWhatTheSensorSees) {
+TEST(Run, WarnsOnceIfMuJoCosContactActsOnASensor) {
   const fs::path folder = folder_with_layout();
   write_text(folder / "scene.xml",
              finger_scene(finger_body("thumb", 0, true, "<freejoint/>") + finger_body("index", 0.1), {"thumb", "index"},

@@ -10,7 +10,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The published scenes of the predecessor: the force on the foam is the weight of the bodies on it.
-TEST(Scenes, OldScenesRunUnmodifiedAndTheForceIsTheWeight) {
+TEST(Scenes, RunUnmodifiedFromThePredecessorAndCarryTheWeight) {
   const fs::path real = TAXEL_REAL_DATA;
   if (!fs::exists(real / "myrmex_box_world.xml")) GTEST_SKIP() << real << " is absent";
   const fs::path folder = test_folder();
@@ -34,7 +34,7 @@ TEST(Scenes, OldScenesRunUnmodifiedAndTheForceIsTheWeight) {
   }
 }
 
-TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
+TEST(Scenes, HoldTheGripOfAHandOfFiveFingers) {
   const fs::path folder = test_folder(), scene = fs::path(TAXEL_SOURCE_DIR) / "assets/scenes/five_fingers.xml";
   const Json run = taxel_json({"run", scene.string(), "--seconds", "0.6", "--out", "out"}, folder);
   ASSERT_EQ(run["sensors"].size(), 5U);
@@ -58,7 +58,7 @@ TEST(Scenes, AHandOfFiveFingersHoldsItsGrip) {
   EXPECT_LT(std::hypot(sum.x, sum.y), 0.02);
 }
 
-TEST(Scenes, WhatCannotRunIsSaidWithFileBodyAndNumber) {
+TEST(Scenes, AreRefusedWithFileBodyAndNumber) {
   const fs::path folder = test_folder();
   write_text(folder / "primitive.xml", "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>");
   expect_refusal(
@@ -100,7 +100,7 @@ TEST(Scenes, WhatCannotRunIsSaidWithFileBodyAndNumber) {
   EXPECT_NE(unstable.err.find("body \"rocket\""), std::string::npos) << unstable.err;
 }
 
-TEST(Scenes, ATimeStepThatIsNoneIsRefused) {
+TEST(Scenes, AreRefusedIfTheTimeStepIsNotPositive) {
   const fs::path folder = test_folder();
   for (const std::string step : {"0", "-0.001", "nan"}) {
     write_text(folder / "step.xml",
@@ -114,7 +114,7 @@ TEST(Scenes, ATimeStepThatIsNoneIsRefused) {
   }
 }
 
-TEST(Scenes, AGeomTakesOneLayoutHoweverItIsGiven) {
+TEST(Scenes, AreRefusedIfAGeomGetsTwoLayouts) {
   const fs::path folder = test_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
   changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "fingertip.obj"},

@@ -56,7 +56,7 @@ void expect_warning(const fs::path& layout, const std::string& code, const std::
   EXPECT_NE(samples.err.find(pointer + ": " + message), std::string::npos) << samples.err;
 }
 
-TEST(BadSensing, ValuesThatNoFieldCanHave) {
+TEST(BadSensing, IsRefusedForValuesOutOfRange) {
   const fs::path folder = test_folder();
   const auto error = [&](const std::string& pointer, const Json& value, const char* code, const std::string& message) {
     expect_error(changed_layout(folder, replaced(pointer, value)), code, pointer, message);
@@ -69,7 +69,7 @@ TEST(BadSensing, ValuesThatNoFieldCanHave) {
 }
 
 // JSON has no NaN. The word is refused with its line, and so is a number that is too large for a double.
-TEST(BadSensing, NotANumber) {
+TEST(BadSensing, IsRefusedForNumbersThatAreNotFinite) {
   const fs::path folder = test_folder();
   const std::string text = file_text(changed_layout(folder, replaced("/taxels/3/radius", 12345)));
   for (const char* nonsense : {"NaN", "nan", "1e999", "Infinity"}) {
@@ -88,7 +88,7 @@ TEST(BadSensing, NotANumber) {
                  "taxel: null.taxels.json: /taxels/3/radius: must be a number, is null");
 }
 
-TEST(BadSensing, PlacesAndSizes) {
+TEST(BadSensing, IsReportedForPlacesAndSizes) {
   const fs::path folder = test_folder();
   expect_error(changed_layout(folder, replaced("/taxels/5/center", {0, 0, 0.1305})), "center_off_surface",
                "/taxels/5/center", "is 100 mm from the surface, the radius is 6 mm (taxel 5)");
@@ -102,7 +102,7 @@ TEST(BadSensing, PlacesAndSizes) {
                  "is the same place as /taxels/2 (taxel 70)");
 }
 
-TEST(BadSensing, MoreThanTenMillionSamples) {
+TEST(BadSensing, IsRefusedForMoreThanTenMillionSamples) {
   const fs::path folder = test_folder();
   const fs::path layout = changed_layout(folder, replaced("/sampling/density", 1e11));
   const Json p = problem(layout, "density_too_high");
@@ -125,7 +125,7 @@ Json reading_of(const fs::path& folder, std::vector<std::string> options = {}) {
 }
 
 // Too few samples for a small field, or a normal that no face has: the taxel reads 0, with a warning.
-TEST(BadSensing, AFieldWithoutSamplesReadsZeroAndSaysSo) {
+TEST(BadSensing, ReadsZeroWithAWarningIfAFieldHasNoSamples) {
   const fs::path folder = test_folder();
   const auto expect_zero = [&](const Json& patch, const char* code, const std::string& message) {
     const fs::path layout = changed_layout(folder, patch);
@@ -169,7 +169,7 @@ fs::path nested_layout(const fs::path& folder, const Json& sampling) {
 }
 
 // Inner shells are sensed only on request; a note says so.
-TEST(BadSensing, CavitiesAndIslandsAreLeftOutUnlessAskedFor) {
+TEST(BadSensing, OmitsCavitiesAndIslandsUnlessRequested) {
   const fs::path folder = test_folder();
   const auto samples = [&](const fs::path& layout, double area) {
     const Json counts = taxel_json({"samples", layout.string(), "--quiet", "--out", "f.csv"}, folder);
@@ -208,7 +208,7 @@ TEST(BadSensing, CavitiesAndIslandsAreLeftOutUnlessAskedFor) {
                  "taxel: " + unknown.string() + R"(: /sampling/shells: must be one of "outer", "all", is "inner")");
 }
 
-TEST(BadSensing, SweepNamesMissingTaxels) {
+TEST(BadSensing, IsNamedByASweepWithMissingTaxels) {
   const fs::path layout =
       changed_layout(test_folder(), Json::parse(R"([{"op": "replace", "path": "/taxels", "value": []},
                                                     {"op": "replace", "path": "/sampling/density", "value": 1e5}])"));

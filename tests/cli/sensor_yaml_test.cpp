@@ -36,7 +36,7 @@ class SensorYamlCli : public testing::Test {
   std::string yaml, mesh;
 };
 
-TEST_F(SensorYamlCli, SamplesOnTheMeshThatIsNamed) {
+TEST_F(SensorYamlCli, PlacesSamplesOnTheNamedMesh) {
   const Outcome outcome =
       taxel({"samples", yaml, "--mesh", mesh, "--scale", "0.001", "--out", (folder / "s.csv").string()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -44,13 +44,13 @@ TEST_F(SensorYamlCli, SamplesOnTheMeshThatIsNamed) {
   EXPECT_EQ(read_csv(folder / "s.csv").at("x").size(), 2400U) << "1e6 per m^2 on 6 x 4 cm^2";
 }
 
-TEST_F(SensorYamlCli, GuessesTheScaleAndSaysSo) {
+TEST_F(SensorYamlCli, GuessesTheScaleAndReportsIt) {
   const Outcome outcome = taxel({"samples", yaml, "--mesh", mesh, "--out", (folder / "s.csv").string()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(mentions(outcome, "box.obj is taken with scale 0.001")) << outcome.err;
 }
 
-TEST_F(SensorYamlCli, AsksForTheMesh) {
+TEST_F(SensorYamlCli, RefusesAFileWithoutAMesh) {
   expect_refusal(taxel({"sweep", "--layout", yaml}),
                  "taxel: " + yaml +
                      ": holds no mesh: name it with --mesh FILE, and its unit with --scale S (0.001 for millimetres)");
@@ -119,7 +119,7 @@ TEST_F(SensorYamlCli, NamesLineAndKeyOfBadFiles) {
           "key SurfacePlugins: holds no CurvedSensor, TaxelSensor or FlatTactileSensor, but b/Other");
 }
 
-TEST_F(SensorYamlCli, TakesMaterialOfTheScenesField) {
+TEST_F(SensorYamlCli, UsesTheMaterialOfTheScenesField) {
   std::string text = scene_of("type='box' size='0.01 0.01 0.01'");
   text.insert(text.find("<asset>"),
               "<custom><numeric name='cs::tip_geom' data='3e4 2 0 0.1 0.2'/>"

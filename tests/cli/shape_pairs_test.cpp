@@ -59,7 +59,7 @@ void expect_contact(const PairShape& below, bool below_soft, const PairShape& ab
   EXPECT_LE(size, on_a["max_pressure"].get<double>() * area);
 }
 
-TEST(ShapePairs, EveryShapeTouchesEveryOther) {
+TEST(ShapePairs, TouchInBothOrders) {
   for (const PairShape& above : kBounded) {
     expect_contact(kPlane, false, above, true);
     expect_contact(kPlane, true, above, false);

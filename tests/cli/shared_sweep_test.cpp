@@ -5,7 +5,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-TEST(SharedSweep, ChangesWithTheFilesOfItsOptions) {
+TEST(SharedSweep, IsMadeAgainIfTheFilesOfItsOptionsChange) {
   const fs::path folder = test_folder();
   const auto sweep_of = [&](double radius) {
     const fs::path layout =
@@ -19,7 +19,7 @@ TEST(SharedSweep, ChangesWithTheFilesOfItsOptions) {
   EXPECT_EQ(sweep_of(0.004), small);
 }
 
-TEST(SharedSweep, ChangesWithTheOrderAndTextOfOptions) {
+TEST(SharedSweep, IsMadeAgainIfOrderOrTextOfOptionsChanges) {
   const fs::path plain = shared_box_sweep({"--density", "1e5"});
   EXPECT_NE(shared_box_sweep({"--density", "2e5"}), plain);
   EXPECT_EQ(shared_box_sweep({"--density", "1e5"}), plain);

@@ -115,7 +115,7 @@ TEST(Kill, LosesNoRowOfAScenario) {
 
 class Signals : public testing::TestWithParam<int> {};
 
-TEST_P(Signals, StudyKeepsRunsThatHaveEnded) {
+TEST_P(Signals, KeepTheEndedRunsOfAStudy) {
   const fs::path folder = test_folder();
   write_slow_study(folder / "study.json");
   const Running study({"study", "study.json", "--density", "1e5", "--out", "out"}, folder);
@@ -140,7 +140,7 @@ TEST_P(Signals, StudyKeepsRunsThatHaveEnded) {
   EXPECT_EQ(read_csv(folder / "out/summary.csv").at("peak").size(), 12 * files);
 }
 
-TEST_P(Signals, SweepWritesRecordedRows) {
+TEST_P(Signals, KeepTheRecordedRowsOfASweep) {
   const fs::path folder = test_folder();
   const Running sweep({"sweep", "--density", "1e5", "--timestep", "1e-5", "--out", "out"}, folder);
   ASSERT_TRUE(wait_until([&] { return fs::exists(folder / "out"); }));
@@ -168,7 +168,7 @@ TEST_P(Signals, LeaveNothingBeforeTheFirstStep) {
 
 INSTANTIATE_TEST_SUITE_P(All, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
-TEST(SignalsToCommands, KilledRunsAreClearedByTheNextRun) {
+TEST(SignalsToCommands, LeaveFilesThatTheNextRunClears) {
   const fs::path folder = test_folder();
   const Running killed({"sweep", "--density", "1e5", "--timestep", "1e-5", "--out", "out"}, folder);
   ASSERT_TRUE(wait_until([&] { return !temporary_paths(folder).empty(); }));
@@ -180,7 +180,7 @@ TEST(SignalsToCommands, KilledRunsAreClearedByTheNextRun) {
   EXPECT_TRUE(temporary_paths(folder).empty());
 }
 
-TEST(SignalsToCommands, IgnoredSignalsStayIgnored) {
+TEST(SignalsToCommands, StayIgnoredIfTheyWereIgnored) {
   const fs::path folder = test_folder();
   const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
   const Running sweep({"sweep", "--object", "box", "--density", "1e5", "--out", "out"}, folder);

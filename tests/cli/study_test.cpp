@@ -14,7 +14,7 @@ void write_study(const fs::path& file, const Json& parameters) {
              Json{{"format", "taxel-study"}, {"version", 1}, {"scenario", press()}, {"parameters", parameters}}.dump());
 }
 
-TEST(Study, RunsAreThoseOfTheirValuesAloneOnAnyNumberOfThreads) {
+TEST(Study, EqualsSingleRunsOnAnyNumberOfThreads) {
   const fs::path folder = test_folder();
   write_study(folder / "depths.json", {{{"parameter", "depth"}, {"from", 0.0005}, {"to", 0.001}, {"count", 2}},
                                        {{"parameter", "seed"}, {"values", {3, 4}}}});
@@ -46,7 +46,7 @@ TEST(Study, RunsAreThoseOfTheirValuesAloneOnAnyNumberOfThreads) {
   EXPECT_EQ(taxel({"check", "1/study.json"}, folder).status, 0);
 }
 
-TEST(Study, ARunThatFailsIsToldAndTheOthersGoOn) {
+TEST(Study, ReportsAFailedRunAndContinues) {
   const fs::path folder = test_folder();
   write_study(folder / "masses.json", {{{"parameter", "finger_mass"}, {"values", {0.02, 1e-12}}}});
   const Outcome outcome = taxel({"study", "masses.json", "--density", "1e5", "--out", "out", "--json"}, folder);

@@ -19,7 +19,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-TEST(Surroundings, FilesThatDoNotFitAreNamedAndLeaveNothing) {
+TEST(Surroundings, LeaveNothingOfAFileThatDoesNotFit) {
   const fs::path folder = test_folder();
   // A limit of 4 kB for each file replaces a full disk: writing fails in the same place.
   const std::string full = "trap '' XFSZ; ulimit -f 8";
@@ -34,7 +34,7 @@ TEST(Surroundings, FilesThatDoNotFitAreNamedAndLeaveNothing) {
   EXPECT_TRUE(names_in(folder).empty()) << names_in(folder).front();
 }
 
-TEST(Surroundings, FoldersInThePlaceOfFilesLeaveTheOldSet) {
+TEST(Surroundings, KeepTheOldFilesIfAFolderIsInTheWay) {
   const fs::path folder = test_folder();
   fs::create_directories(folder / "out/scene.xml");
   write_text(folder / "out/readings.csv", "old");
@@ -46,7 +46,7 @@ TEST(Surroundings, FoldersInThePlaceOfFilesLeaveTheOldSet) {
   EXPECT_EQ(names_in(folder / "out").size(), 2U);
 }
 
-TEST(Surroundings, ReadOnlyFoldersAreRefusedFirst) {
+TEST(Surroundings, AreRefusedBeforeTheRunIfReadOnly) {
   const fs::path folder = test_folder();
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
   // Root can write everywhere, but not without this capability.
@@ -57,14 +57,14 @@ TEST(Surroundings, ReadOnlyFoldersAreRefusedFirst) {
   expect_refusal(sweep, "taxel: out: folder cannot be made: Permission denied");
 }
 
-TEST(Surroundings, NeedNoHomeAndNoEnvironment) {
+TEST(Surroundings, MayLackAHomeAndAnEnvironment) {
   const fs::path folder = test_folder();
   const Outcome bare = run_program("/usr/bin/env", {"-i", TAXEL_PROGRAM, "check", fingertip_layout().string()}, folder);
   EXPECT_EQ(bare.status, 0) << bare.err;
   EXPECT_EQ(bare.out, taxel({"check", fingertip_layout().string()}, folder).out);
 }
 
-TEST(Surroundings, DecimalCommasChangeNoNumber) {
+TEST(Surroundings, GiveTheSameNumbersWithDecimalCommas) {
   const fs::path folder = test_folder();
   // A locale for this test only, compiled from the definitions of the package "locales".
   ASSERT_EQ(run_program("/usr/bin/localedef", {"-i", "de_DE", "-f", "UTF-8", "./de_DE.UTF-8"}, folder).status, 0);
@@ -78,7 +78,7 @@ TEST(Surroundings, DecimalCommasChangeNoNumber) {
     EXPECT_EQ(file_text(folder / "comma" / file), file_text(folder / "point" / file)) << file;
 }
 
-TEST(ManySamples, AreAnnouncedBeforeTheyAreMade) {
+TEST(ManySamples, GiveAWarningBeforeTheyAreMade) {
   const fs::path folder = test_folder();
   const auto samples = [&](const std::string& density) {
     return run_program(

@@ -132,20 +132,20 @@ void expect_exact_figure_4(std::vector<std::string> options, const Pairs& pairs 
   expect_smooth_bells(table, pairs, 0.07);
 }
 
-TEST(Sweep, FourTaxelsRiseAndFallSmoothly) {
+TEST(Sweep, MakesFourTaxelsRiseAndFall) {
   expect_figure_4(shared_sweep());
 }
 
-TEST(Sweep, FourTaxelsRiseAndFallSmoothlyByTheExactForce) {
+TEST(Sweep, MakesFourTaxelsRiseAndFallByTheExactForce) {
   expect_exact_figure_4({});
 }
 
-TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMesh) {
+TEST(Sweep, MakesFourTaxelsRiseAndFallOnTheRealMesh) {
   SKIP_WITHOUT_REAL_DATA();
   expect_figure_4(shared_sweep({"--layout", real_layout().string()}));
 }
 
-TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnTheRealMeshByTheExactForce) {
+TEST(Sweep, MakesFourTaxelsRiseAndFallOnTheRealMeshByTheExactForce) {
   SKIP_WITHOUT_REAL_DATA();
   expect_exact_figure_4({"--layout", real_layout().string()});
 }
@@ -159,7 +159,7 @@ std::vector<std::string> paper_files() {
           "--scale",  "0.001"};
 }
 
-TEST(Sweep, FourTaxelsRiseAndFallSmoothlyOnThePapersFiles) {
+TEST(Sweep, MakesFourTaxelsRiseAndFallOnThePapersFiles) {
   SKIP_WITHOUT_REAL_DATA();
   // The noise of the file's 1e6 samples per m^2 is as large as the steps of the contact.
   std::vector<std::string> options = paper_files();
@@ -197,19 +197,19 @@ void expect_released_demo(const fs::path& sweep, std::pair<int, int> first, std:
   }
 }
 
-TEST(Sweep, AsInThePaperIsThePapersResultOnItsOwnFiles) {
+TEST(Sweep, ReproducesThePapersResultOnItsOwnFiles) {
   SKIP_WITHOUT_REAL_DATA();
   std::vector<std::string> options = paper_files();
   options.emplace_back("--as-in-the-paper");
   expect_released_demo(shared_sweep(options), {4, 7}, {3, 8}, 0.84, 0.06);
 }
 
-TEST(Sweep, AsInThePaperRisesAndFallsOnOurFinger) {
+TEST(Sweep, RisesAndFallsOnOurFingerWithThePapersSetting) {
   // Our finger is rounder than the paper's, so the middle of the pad reads as much as the tip.
   expect_released_demo(shared_sweep({"--as-in-the-paper"}), {3, 9}, {4, 10}, 0.985, 0.12);
 }
 
-TEST(Sweep, OverABoxStaysOnItsTop) {
+TEST(Sweep, StaysOnTheTopOfABox) {
   const Table table = read_csv(shared_box_sweep() / "readings.csv");
   expect_rows(table, 241);
   EXPECT_GT(table.at("force_z").back(), 0);
@@ -247,7 +247,7 @@ fs::path coarse_layout(const char* name, const Json& calibration) {
   return file;
 }
 
-TEST(Sweep, CalibratedValuesStandBesideTheReadings) {
+TEST(Sweep, WritesCalibratedValuesAndKeepsTheReadings) {
   const fs::path plain = shared_box_sweep({"--layout", coarse_layout("coarse.taxels.json", {}).string()});
   const Json calibration = {{"unit", "V"},     {"gain", 1e-3},
                             {"range", {0, 3}}, {"quantisation", {{"bits", 8}}},
@@ -277,7 +277,7 @@ TEST(Sweep, CalibratedValuesStandBesideTheReadings) {
   EXPECT_EQ(Json::parse(arrays.at("layout").texts()[0])["calibration"]["rate"], 50);
 }
 
-TEST(Sweep, GeodesicFieldsAndSubtaxelsAreRead) {
+TEST(Sweep, ReadsGeodesicFieldsAndSubtaxels) {
   const fs::path layout = geodesic_layout();
   const fs::path sweep = shared_box_sweep({"--layout", layout.string()});
   const Table table = read_csv(sweep / "readings.csv");
@@ -310,16 +310,16 @@ TEST(Sweep, GeodesicFieldsAndSubtaxelsAreRead) {
   EXPECT_GT(longer, 500) << "paths go around the finger";
 }
 
-TEST(Sweep, ReadOnARowsPosesGivesThatRowExactly) {
+TEST(Sweep, GivesARowThatReadRepeatsExactly) {
   for (const std::size_t row : {0U, 125U, 240U}) expect_row_again(shared_box_sweep(), row);
 }
 
-TEST(Sweep, ReadOnARowsPosesGivesThatRowExactlyOnTheRealMesh) {
+TEST(Sweep, GivesARowThatReadRepeatsExactlyOnTheRealMesh) {
   SKIP_WITHOUT_REAL_DATA();
   expect_row_again(shared_box_sweep({"--layout", real_layout().string()}), 150);
 }
 
-TEST(Sweep, StepsShrinkWithDensity) {
+TEST(Sweep, HasSmallerStepsWithMoreSamples) {
   // The largest step of one taxel varies by a fifth by chance, so the test uses the largest and the mean of all four.
   struct Steps {
     double largest = 0, mean = 0;
@@ -341,7 +341,7 @@ TEST(Sweep, StepsShrinkWithDensity) {
   EXPECT_LT(fine.mean, middle.mean);
 }
 
-TEST(Sweep, TwiceGivesTheSameBytesWhateverTheThreads) {
+TEST(Sweep, GivesTheSameBytesWithAnyNumberOfThreads) {
   const fs::path first = shared_sweep();
   const fs::path folder = test_folder();
   const Outcome outcome = taxel({"sweep", "--quiet", "--threads", "1", "--out", "again"}, folder);
@@ -357,7 +357,7 @@ TEST(Sweep, TwiceGivesTheSameBytesWhateverTheThreads) {
   }
 }
 
-TEST(Sweep, NpzHoldsWhatTheCsvHolds) {
+TEST(Sweep, WritesTheSameValuesToNpzAndCsv) {
   const Table table = read_csv(shared_box_sweep() / "readings.csv");
   const auto arrays = parse_npz(file_text(shared_box_sweep() / "readings.npz"));
   const std::vector<double> readings = arrays.at("readings").doubles(), force = arrays.at("force").doubles();
@@ -383,7 +383,7 @@ TEST(Sweep, NpzHoldsWhatTheCsvHolds) {
   EXPECT_EQ(Json::parse(arrays.at("layout").texts()[0])["format"], "taxel-layout");
 }
 
-TEST(Sweep, ForceIsThatOfAFingerThatFollows) {
+TEST(Sweep, GivesTheForceOfASoftlyAttachedFinger) {
   const Json sweep = Json::parse(file_text(shared_box_sweep() / "sweep.json"));
   const Table table = read_csv(shared_box_sweep() / "readings.csv");
   const Json& sensor = sweep["sensors"][0];
@@ -392,13 +392,13 @@ TEST(Sweep, ForceIsThatOfAFingerThatFollows) {
     largest = std::max(largest, std::hypot(table.at("force_x")[i], table.at("force_y")[i], table.at("force_z")[i]));
   }
   EXPECT_DOUBLE_EQ(sensor["largest_force"].get<double>(), largest);
-  EXPECT_GT(sensor["deflection"].get<double>(), 1e-6);    // the body is dynamic and softly attached ...
-  EXPECT_LT(sensor["deflection"].get<double>(), 1.5e-4);  // ... and reaches nine tenths of the depth
+  EXPECT_GT(sensor["deflection"].get<double>(), 1e-6);    // the body is dynamic and softly attached
+  EXPECT_LT(sensor["deflection"].get<double>(), 1.5e-4);  // and the body reaches nine tenths of the depth
   EXPECT_LT(sensor["deflection_deg"].get<double>(), 2);
   EXPECT_GT(table.at("force_z").back(), 0);
 }
 
-TEST(Sweep, ScenarioComesBackFromItsFileAndOptionsGoOverIt) {
+TEST(Sweep, ReadsItsScenarioFileAndOptionsOverrideIt) {
   const fs::path folder = test_folder();
   const std::vector<std::string> shorter{"--object", "box",    "--before",  "0.0005",
                                          "--past",   "0.0005", "--density", "2e5"};
@@ -419,7 +419,7 @@ TEST(Sweep, ScenarioComesBackFromItsFileAndOptionsGoOverIt) {
   EXPECT_LT(second["sensors"][0]["largest_force"].get<double>(), first["sensors"][0]["largest_force"].get<double>());
 }
 
-TEST(Sweep, ItsFolderRunsElsewhere) {
+TEST(Sweep, WritesAFolderThatRunsElsewhere) {
   const fs::path folder = test_folder();
   fs::copy(shared_sweep({"--density", "1e6"}), folder / "moved");
   const Json run = taxel_json({"run", "moved/scene.xml", "--seconds", "0.005", "--out", "out"}, folder);
@@ -430,7 +430,7 @@ TEST(Sweep, ItsFolderRunsElsewhere) {
   EXPECT_TRUE(fs::exists(folder / "out" / "scene.xml"));
 }
 
-TEST(Sweep, TellsWhereTheTimeGoes) {
+TEST(Sweep, ReportsThePartsOfItsWallTime) {
   const std::vector<std::string> options{"sweep", "--quiet",  "--density", "1e6",    "--object",
                                          "box",   "--before", "0.002",     "--past", "0.002"};
   const Json sweep = taxel_json(options);

@@ -8,7 +8,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-TEST(TactileState, HasARowsReadingsPerSensor) {
+TEST(TactileState, HasOneMessagePerRowAndSensor) {
   const fs::path folder = test_folder();
   fs::copy(fs::path(TAXEL_SOURCE_DIR) / "assets" / "meshes" / "fingertip.obj", folder);
   changed_layout(folder, Json::parse(R"([{"op": "replace", "path": "/mesh/file", "value": "fingertip.obj"},

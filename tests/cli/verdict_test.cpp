@@ -78,44 +78,44 @@ void expect_first_line(const fs::path& run, const std::string& words) {
   EXPECT_EQ(out.out.rfind(words + ": the reading ", 0), 0U) << out.out.substr(0, 200);
 }
 
-TEST(Verdict, ABallThatTapsAnEggOnAStar) {
+TEST(Verdict, IsTheFieldForABallThatTapsAnEggOnAStar) {
   const fs::path run = run_scene(taps_on_egg(0.004, 0.0018));
   expect_verdict(run, "star_field", "Pressure field");
   expect_first_line(run, "Pressure field");
 }
-TEST(Verdict, AFingertipOnAStarThatTapsABall) {
+TEST(Verdict, IsTheFieldForAFingertipOnAStarThatTapsABall) {
   expect_verdict(play_path(taps_on_fingertip(0.005, 0.0018)), "star_field", "Pressure field");
 }
 
-TEST(Verdict, ABallThatTapsTheInsideOfATorus) {
+TEST(Verdict, IsInvertedTetsForABallThatTapsInsideATorus) {
   const fs::path run = run_scene(taps_on_torus(0.016, 0.006, 133, 0.0035));
   expect_verdict(run, "inverted_tets", "Inverted tets");
   expect_first_line(run, "Inverted tets");
 }
-TEST(Verdict, ABentFingerThatTapsABallWithItsInside) {
+TEST(Verdict, IsInvertedTetsForABentFingerThatTapsABall) {
   expect_verdict(play_path(taps_in_hook(0.9, 0.0035, 0.0018)), "inverted_tets", "Inverted tets");
 }
 
-TEST(Verdict, ABallThatIsLedAlongAFinger) {
+TEST(Verdict, IsRedistributionForABallMovedAlongAFinger) {
   const fs::path run = run_scene(led_along(0.003, 0.0005));
   expect_verdict(run, "redistribution", "Redistribution");
   expect_first_line(run, "Redistribution");
 }
-TEST(Verdict, AFingerThatIsLedAlongABall) {
+TEST(Verdict, IsRedistributionForAFingerMovedAlongABall) {
   expect_verdict(play_path(led_along(0.005, 0.0006)), "redistribution", "Redistribution");
 }
 
-TEST(Verdict, AnEdgeThatComesOverAFinger) {
+TEST(Verdict, IsTheContactForAnEdgeThatMovesOverAFinger) {
   const fs::path run = run_scene(edge_comes({1, 0, 0, 0}, dvec3(0.0162, 0, -0.018), dvec3(0, 0, 0.0007)));
   expect_verdict(run, "contact", "The contact itself");
   expect_first_line(run, "The contact itself");
 }
-TEST(Verdict, AnEggThatIsLedOverAnEdge) {
+TEST(Verdict, IsTheContactForAnEggMovedOverAnEdge) {
   expect_verdict(play_path(edge_comes_over_egg(0.68)), "contact", "The contact itself");
 }
 
 // The diagnosis of noise names a number of samples. With this number the same step is no jump.
-TEST(Verdict, TheSamplesThatItNamesCureTheNoise) {
+TEST(Verdict, NamesASampleCountThatCuresTheNoise) {
   Touch touch = few_samples(7e5, 3);
   const fs::path folder = test_folder();
   const std::string seconds = std::to_string(write_scene(folder, touch));
@@ -136,12 +136,12 @@ TEST(Verdict, TheSamplesThatItNamesCureTheNoise) {
   write_skin(folder, touch);
   const Json cured = taxel_json(explain_jump(run("enough"), jump));
   EXPECT_EQ(cured["verdict"]["cause"], "none") << cured["verdict"]["text"];
-  EXPECT_EQ(cured["reading"], strip["values"][2]) << "as it was told beforehand";
+  EXPECT_EQ(cured["reading"], strip["values"][2]) << "as the diagnosis predicted";
   EXPECT_EQ(cured["change"]["before"], strip["values_before"][2]);
 }
 
 // A ball on the same path as above, but slow: nothing jumps.
-TEST(Verdict, ABallThatIsLedSlowly) {
+TEST(Verdict, IsNoneForABallMovedSlowly) {
   const fs::path run = run_scene(smooth(FieldKind::star));
   const RecordedJump jump = largest_jump(run);
   const Json v = taxel_json(explain_jump(run, jump))["verdict"];

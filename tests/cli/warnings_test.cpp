@@ -46,7 +46,7 @@ TEST(Warnings, NameRunsWithoutContact) {
   EXPECT_NE(outcome.err.find("finger: touches nothing in any"), std::string::npos) << outcome.err;
 }
 
-TEST(Limits, ModuliAreAtMostThoseOfMatter) {
+TEST(Limits, RefuseModuliAboveThoseOfMatter) {
   const fs::path folder = test_folder();
   const fs::path layout =
       changed_layout(folder, Json::array({{{"op", "add"}, {"path", "/material/modulus"}, {"value", 1e308}}}));
@@ -58,7 +58,7 @@ TEST(Limits, ModuliAreAtMostThoseOfMatter) {
                  "taxel: case.json: /a: modulus must be at most 1e+15 Pa, is 1e+308");
 }
 
-TEST(Limits, ForcesThatAreNotFiniteAreRefused) {
+TEST(Limits, RefuseForcesThatAreNotFinite) {
   const fs::path folder = test_folder();
   write_text(folder / "case.json", R"({"format": "contact-case", "version": 1, "a": {"shape": {"type": "sphere",
     "size": [0.05]}, "material": {"modulus": 5e4, "dissipation": 1}, "pos": [0, 0, 0.0475],
@@ -67,7 +67,7 @@ TEST(Limits, ForcesThatAreNotFiniteAreRefused) {
                  "taxel: case.json: the contact force is not finite: a velocity, dissipation or size is too large");
 }
 
-TEST(Limits, BoxesOfTooManyTaxelsAreRefused) {
+TEST(Limits, RefuseBoxesWithTooManyTaxels) {
   const fs::path folder = test_folder();
   write_text(folder / "box.xml", R"(<mujoco><custom><numeric name="cs::box" data="1e5 0 0.01 0.5 0.5"/>
     <numeric name="cs::ball" data="0 0 0.01 0.5 0.5"/></custom>

@@ -1,4 +1,4 @@
-// Zip archives as they are on disk, and the text of every member.
+// Zip archives in their form on disk, and the text of every member.
 #include "core/run/recording/npz.h"
 #include "fuzz/target.h"
 

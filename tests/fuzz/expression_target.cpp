@@ -1,4 +1,4 @@
-// Arithmetic with units, as number fields take it. The first line is the unit.
+// Arithmetic with units, as in number fields. The first line of the input is the unit.
 #include <cmath>
 
 #include "core/base/text/expression.h"

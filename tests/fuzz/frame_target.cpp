@@ -7,7 +7,8 @@
 namespace taxel::fuzz {
 namespace {
 
-/// A layout of many samples takes seconds to compile, which is right but slow.
+/// Returns whether the layout has few samples. A layout with many samples takes seconds to compile, which is correct
+/// but slow.
 bool is_quick(const NpzReader& in) {
   const std::string name = "sensor0/layout";
   if (!in.has(name)) return true;

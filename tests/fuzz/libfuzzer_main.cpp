@@ -1,4 +1,4 @@
-// Joins the one target of a program to libFuzzer, whose own main() calls these functions.
+// Joins the only target of a program to libFuzzer, whose own main() calls these functions.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-/// Half of the mutations are libFuzzer's own, of bytes; the other half exchange whole words and numbers.
+/// Half of the mutations are libFuzzer's own mutations of bytes. The other half exchanges whole words and numbers.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned int seed) {
   if (seed % 2 == 0) return LLVMFuzzerMutate(data, size, max_size);

@@ -8,14 +8,14 @@
 namespace taxel::fuzz {
 namespace {
 
-/// Takes up to `count` bytes from the front of `rest`.
+/// Consumes up to `count` bytes from the front of `rest`.
 std::string take(std::string_view& rest, std::size_t count) {
   const std::string bytes(rest.substr(0, count));
   rest.remove_prefix(bytes.size());
   return bytes;
 }
 
-/// Takes a number of so many bytes, the lowest first.
+/// Consumes a number of `count` bytes, lowest byte first.
 std::size_t take_number(std::string_view& rest, std::size_t count) {
   std::size_t number = 0, shift = 0;
   for (const char c : take(rest, count)) {

@@ -1,6 +1,6 @@
-// Archives as fuzzers write them: members one after another, without checksums. A member is the length of its name (one
-// byte), its name, the length of its bytes (two bytes, the lower first) and its bytes. A member that is cut off keeps
-// the bytes that are there. Input that begins as a zip archive is one.
+// Archives in the form that fuzzers write: a sequence of members without checksums. A member is the length of its name
+// (one byte), its name, the length of its bytes (two bytes, the lower first) and its bytes. A member that is cut off
+// has the bytes that are present. Input that begins as a zip archive is read as one.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace taxel::fuzz {
 
-/// The archive in memory of an input. Throws Error if two members have one name.
+/// Returns the in-memory archive of an input. Throws Error if two members have the same name.
 ZipArchive archive_of(const std::string& input);
 
 }  // namespace taxel::fuzz

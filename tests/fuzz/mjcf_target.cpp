@@ -1,4 +1,5 @@
-// MJCF as far as its text is ours: attributes that MuJoCo has dropped, and attribute values that are changed.
+// MJCF as far as the project handles its text: attributes that MuJoCo has dropped, and attribute values that are
+// changed.
 #include <algorithm>
 
 #include "core/sim/scene/dropped_attributes.h"

@@ -10,7 +10,8 @@
 namespace taxel::fuzz {
 namespace {
 
-/// Values at which readers are apt to fail: limits of number types, values without meaning, marks of other formats.
+/// Values at which readers are likely to fail: limits of number types, values without meaning, magic numbers of other
+/// formats.
 constexpr std::array<std::string_view, 40> kValues{"0",
                                                    "-0",
                                                    "1",
@@ -52,11 +53,11 @@ constexpr std::array<std::string_view, 40> kValues{"0",
                                                    ",",
                                                    "\xff"};
 
-/// Numbers for the changes of one input, one after another.
+/// Random numbers for the changes of one input.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : rng_(seed) {}
-  /// A number below `end`, which is at least 1.
+  /// Returns a number below `end`, which is at least 1.
   std::size_t below(std::size_t end) { return static_cast<std::size_t>(rng_.bits(count_++) % end); }
 
  private:
@@ -68,12 +69,12 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '_';
 }
 
-/// A part of the input, [begin, end).
+/// The part [begin, end) of the input.
 struct Range {
   std::size_t begin = 0, end = 0;
 };
 
-/// The word or number at or behind a random place.
+/// Returns the word or number at or behind a random position.
 Range random_word(const std::string& input, Dice& dice) {
   const std::size_t at = dice.below(input.size());
   const auto found = std::find_if(input.begin() + static_cast<std::ptrdiff_t>(at), input.end(), is_word);
@@ -108,19 +109,19 @@ void mutate_once(std::string& input, Dice& dice) {
   switch (dice.below(8)) {
     case 0:
       input.insert(to.begin, text);
-      break;  // double
+      break;  // double the word
     case 1:
       input.replace(to.begin, to.end - to.begin, text);
-      break;  // put in another place
+      break;  // move the word to another place
     case 2:
       input.erase(to.begin, to.end - to.begin);
-      break;  // leave out
+      break;  // remove the word
     case 3:
       input[dice.below(input.size())] ^= static_cast<char>(1U << dice.below(8));
       break;
     case 4:
       input.resize(to.begin);
-      break;  // cut off
+      break;  // cut off the end
     default:
       input.replace(to.begin, to.end - to.begin, kValues[dice.below(kValues.size())]);
       break;

@@ -1,4 +1,4 @@
-// Changes of an input that keep most of its form: numbers, words and lines are exchanged, doubled or left out.
+// Changes of an input that keep most of its form: numbers, words and lines are exchanged, doubled or removed.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace taxel::fuzz {
 
-/// Changes `input` once to four times. The same seed makes the same changes.
+/// Changes `input` one to four times. The same seed gives the same changes.
 void mutate(std::string& input, std::uint64_t seed);
 
 }  // namespace taxel::fuzz

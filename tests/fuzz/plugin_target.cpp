@@ -1,5 +1,5 @@
-// The keys of the plugin elements of a scene and its `cs::` fields: a line `KEY=VALUE` each. The scene around them is
-// always the same, because MuJoCo's own parser is not under test.
+// The keys of the plugin elements of a scene and its `cs::` fields, one line `KEY=VALUE` for each. The scene around
+// them is always the same, because MuJoCo's own parser is not under test.
 #include <sstream>
 
 #include "core/sim/plugin/contact_config.h"
@@ -13,7 +13,7 @@ namespace taxel::fuzz {
 namespace {
 
 struct Keys {
-  std::string sensor, contact, fields;  ///< elements of MJCF
+  std::string sensor, contact, fields;  ///< elements of the MJCF
 };
 
 Keys keys_of(const std::string& input) {

@@ -1,5 +1,5 @@
-// Runs every reader on its seeds, on inputs that once failed, and on changed seeds: a short campaign that is the same
-// every time. scripts/fuzz runs the long ones.
+// Runs every reader on its seeds, on inputs that once failed, and on changed seeds: a short fuzzing campaign with the
+// same inputs in every run. scripts/fuzz runs the long campaigns.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -24,7 +24,7 @@ const fs::path kTests = fs::path(TAXEL_SOURCE_DIR) / "tests";
 struct Reader {
   std::string name;
   std::size_t most_bytes = 0;
-  std::vector<std::string> patterns;  ///< names of fixtures, with *
+  std::vector<std::string> patterns;  ///< names of fixtures, with the wildcard *
 };
 
 std::vector<Reader> readers() {
@@ -43,7 +43,7 @@ bool matches(const std::string& name, const std::string& pattern) {
   return std::regex_match(name, std::regex(std::regex_replace(pattern, std::regex("\\*"), ".*")));
 }
 
-/// The files of a folder whose names match, in the order of their names. None if there is no such folder.
+/// Returns the files of a folder whose names match, in the order of their names. Empty if there is no such folder.
 std::vector<fs::path> files_of(const fs::path& folder, const std::string& pattern) {
   std::vector<fs::path> files;
   std::error_code missing;
@@ -60,7 +60,7 @@ std::vector<fs::path> seeds_of(const Reader& reader) {
   return seeds;
 }
 
-/// The input as text that a message can hold.
+/// Returns the input as text that fits into a message.
 std::string quoted(const std::string& input) {
   std::string text;
   for (const char c : input.substr(0, 2000))
@@ -72,8 +72,8 @@ std::string quoted(const std::string& input) {
 
 class Fuzz : public testing::TestWithParam<Target> {
  protected:
-  /// A reader that takes memory without end fails, instead of every program of the machine. Sanitizers reserve more
-  /// addresses than that.
+  /// Limits the memory, so that a reader with runaway allocation fails alone and not with every program of the machine.
+  /// Sanitizers reserve more addresses than the limit.
   static void SetUpTestSuite() {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     const rlimit limit{std::size_t{6} << 30U, std::size_t{6} << 30U};

@@ -1,4 +1,4 @@
-// The window's settings. A file that is broken counts as none.
+// The window's settings. A broken file is treated as a missing file.
 #include "app/studio/dump/settings.h"
 #include "fuzz/target.h"
 

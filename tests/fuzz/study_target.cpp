@@ -1,4 +1,4 @@
-// Studies, and the runs that they are.
+// Studies and their runs.
 #include "core/document/scenario/study.h"
 #include "fuzz/target.h"
 

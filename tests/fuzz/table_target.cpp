@@ -1,4 +1,4 @@
-// Recordings of a real sensor as tables, read by the mapping that is guessed for them.
+// Recordings of a real sensor as tables, read with the mapping that is guessed for them.
 #include <cmath>
 
 #include "core/run/real/real_recording.h"

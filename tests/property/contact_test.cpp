@@ -1,4 +1,4 @@
-// Properties of every contact: it equals the brute-force oracle, and its polygons are sound.
+// Properties of every contact: it equals the brute-force oracle, and its polygons are valid.
 #include <gtest/gtest.h>
 
 #include "fixtures/brute_force_contact.h"
@@ -13,15 +13,15 @@ BruteForceContact oracle(const HydroBody& soft, const HydroBody& rigid, const Po
   return brute_force_contact(field_of(soft), X_SR);
 }
 
-/// A contact without its depth pieces (tests/unit/hydro/depth_pieces_test.cpp): the part that the tets of the bodies
-/// share.
+/// Returns a contact without its depth pieces (tests/unit/hydro/depth_pieces_test.cpp), as the part that the tets of
+/// the bodies share.
 Contact without_pieces(Contact contact) {
   std::erase_if(contact.surface.polygons, [](const ContactPolygon& polygon) { return polygon.tet < 0; });
   contact.wrench = traction(contact.surface, {}, {}).wrench;
   return contact;
 }
 
-/// What both found, relative to the size of the contact.
+/// Expects equal results of the kernel and the oracle, relative to the size of the contact.
 void expect_equal(const Contact& found, const BruteForceContact& expected) {
   ASSERT_EQ(found.surface.polygons.size(), static_cast<std::size_t>(expected.polygons));
   ASSERT_NEAR(found.surface.area(), expected.area, 1e-9 * expected.area);
@@ -64,7 +64,8 @@ TEST(TwoSoftBodies, EqualTheBruteForceOracle) {
   }
 }
 
-/// Every polygon: flat, convex, turning about its normal, its stored numbers those of its vertices.
+/// Every polygon must be flat, convex and counterclockwise about its normal, and its stored numbers must equal those of
+/// its vertices.
 TEST_P(EveryShape, PolygonsMatchTheirStoredValues) {
   const HydroBodyPtr soft = soft_body(), rigid = rigid_body(GetParam());
   for (int i = 0; i < kPoses; i += 4) {

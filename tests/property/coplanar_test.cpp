@@ -1,4 +1,5 @@
-// Two soft bodies whose tets share planes with each other and with the surface of contact: everything counts once.
+// Two soft bodies whose tets share planes with each other and with the contact surface: every part of the surface is
+// counted exactly once.
 #include <gtest/gtest.h>
 
 #include "fixtures/hydro_bodies.h"
@@ -12,17 +13,17 @@ constexpr double kStiffness = 1e7;  // E/H [Pa/m]
 constexpr double kThickness = 0.01;
 const dvec2 kHalf(0.01, 0.015), kWide(0.04);
 
-/// Upside down, so that its skin at z = 0 faces the other slab; four layers of 2.5 mm.
+/// Returns an upside-down slab whose skin at z = 0 faces the other slab, with four layers of 2.5 mm.
 HydroBodyPtr upper_slab() {
   return make_slab(kHalf, kThickness, {4, 6, 4}, kStiffness);
 }
-/// Skin up; a grid of 5 mm cells, as the upper slab's.
+/// Returns a slab with its skin up, on a grid of 5 mm cells as in the upper slab.
 HydroBodyPtr lower_slab(double stiffness = kStiffness) {
   return make_slab(kWide, kThickness, {16, 16, 4}, stiffness);
 }
 
-/// The upper slab pressed `depth` into the lower one at a place and yaw. A turn by pi about x takes the plane z = 0 to
-/// itself.
+/// Returns the pose of the upper slab that is pressed `depth` into the lower one at a place and yaw. A rotation by pi
+/// about x maps the plane z = 0 to itself.
 Pose upper_pose(double depth, const dvec2& place, double yaw) {
   return {glm::angleAxis(yaw, dvec3(0, 0, 1)) * dquat(0, 1, 0, 0), dvec3(place, -depth)};
 }
@@ -49,9 +50,9 @@ const Placing kPlacings[] = {{"grids agree", dvec2(0), 0},
                              {"edges along diagonals", dvec2(0), 0.25 * kPi},
                              {"anyhow", dvec2(0.00123, -0.00321), 0.4}};
 
-// The equal-pressure plane lies half the overlap deep in both slabs: at 5 mm the overlap puts it into planes of both
-// grids.
-TEST(Coplanar, ASurfaceInPlanesOfBothGridsIsCountedOnce) {
+// The equal-pressure plane is half the overlap deep in both slabs. An overlap of 5 mm puts this plane into planes of
+// both grids.
+TEST(Coplanar, CountsASurfaceInPlanesOfBothGridsOnce) {
   const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
   for (const Placing& placing : kPlacings) {
     for (const double noise : {0.0, 1e-19, -1e-19, 1e-18, -1e-18, 1e-17, -1e-17, 1e-16, -1e-16}) {
@@ -63,9 +64,9 @@ TEST(Coplanar, ASurfaceInPlanesOfBothGridsIsCountedOnce) {
   }
 }
 
-// Near the planes tets are cut into strips as narrow as that. Up to 1e-12 of a tet's size they may count with both
+// Near the planes, tets are clipped to very narrow strips. Strips up to 1e-12 of a tet's size may be counted with both
 // neighbours.
-TEST(Coplanar, ASurfaceNearThePlanesOfTheGridsIsCountedOnce) {
+TEST(Coplanar, CountsASurfaceNearThePlanesOfTheGridsOnce) {
   const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
   int number = 0;
   for (const Placing& placing : kPlacings) {
@@ -80,7 +81,7 @@ TEST(Coplanar, ASurfaceNearThePlanesOfTheGridsIsCountedOnce) {
   }
 }
 
-TEST(Coplanar, ASurfaceInPlanesOfOneGridIsCountedOnce) {
+TEST(Coplanar, CountsASurfaceInPlanesOfOneGridOnce) {
   const HydroBodyPtr upper = upper_slab(), lower = make_slab(kWide, kThickness, {16, 16, 3}, kStiffness);
   for (const Placing& placing : kPlacings) {
     SCOPED_TRACE(placing.name);
@@ -89,7 +90,7 @@ TEST(Coplanar, ASurfaceInPlanesOfOneGridIsCountedOnce) {
   }
 }
 
-TEST(Coplanar, AnyFrameWillDo) {
+TEST(Coplanar, GivesTheSameResultInAnyFrame) {
   const HydroBodyPtr upper = upper_slab(), lower = lower_slab();
   for (int i = 0; i < 100; ++i) {
     const Placing& placing = kPlacings[i % 6];

@@ -1,4 +1,4 @@
-// Any edits, taken back and done again, give the same bytes; and no edit leaves a project that is none.
+// Any edits, undone and redone, give the same bytes, and every edit leaves a valid project.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -29,10 +29,10 @@ void showValue(const EditSeed& seed, std::ostream& out) {
 
 namespace {
 
-/// The same cases each time; RC_PARAMS goes over it.
+/// Sets a fixed seed, so that every run tests the same cases. An existing RC_PARAMS overrides the seed.
 const int kSeeded = ::setenv("RC_PARAMS", "seed=6 max_size=50", 0);
 
-/// A layout with unknown keys, hidden taxels and a link, which edits must carry along.
+/// Returns a layout with unknown keys, hidden taxels and a link, which edits must preserve.
 Project start() {
   Project project;
   project.layout.mesh.file = "/meshes/finger.obj";
@@ -44,7 +44,7 @@ Project start() {
   return project;
 }
 
-/// How often an edit could be carried out; the rest is refused with an Error.
+/// Number of edits that were applied (true) and of edits that were refused with an Error (false).
 std::map<bool, int> outcomes;
 
 bool try_apply(History& history, const EditSeed& seed) {
@@ -111,8 +111,8 @@ TEST(Edits, MergeIntoOneStepDuringAGesture) {
                         }));
 }
 
-/// A twin is the exact mirror image of the moved taxel, however long the chain of links.
-TEST(Edits, TwinsAreMirrorImages) {
+/// A twin must be the exact mirror image of the moved taxel, for links of any length.
+TEST(Edits, KeepTwinsAsMirrorImages) {
   int linked = 0;
   EXPECT_TRUE(rc::check("images", [&](const std::vector<EditSeed>& seeds, std::uint64_t number) {
     History history(start());

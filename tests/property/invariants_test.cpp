@@ -1,4 +1,5 @@
-// Properties of every pair of bodies: forces come in pairs, the order of the bodies has no effect, no frame is special.
+// Properties of every pair of bodies: forces come in pairs, and neither the order of the bodies nor the frame has an
+// effect.
 #include <gtest/gtest.h>
 
 #include "property_bodies.h"
@@ -20,7 +21,7 @@ template <ShapeType type>
 HydroBodyPtr rigid() {
   return rigid_body(type);
 }
-/// Medial-axis fields; the half-space 5 mm thick.
+/// Returns a body with a medial-axis field. A half-space is 5 mm thick.
 template <ShapeType type>
 HydroBodyPtr soft() {
   Material material = soft_material(1e5, type == ShapeType::plane ? 0.5 * kSize : 0);
@@ -28,7 +29,7 @@ HydroBodyPtr soft() {
   return shape_body(type, material);
 }
 
-/// Another pad, on a dented sphere, twice as stiff.
+/// Returns another pad, on a dented sphere and twice as stiff.
 HydroBodyPtr soft_pad() {
   return shape_body(ShapeType::mesh, soft_material(2e5, 0.2 * kSize));
 }
@@ -41,28 +42,30 @@ class EveryPair : public testing::TestWithParam<BodyPair> {
   Contact b_touches_a(const Pose& X_WA, const Pose& X_WB) const { return touch(*b_, *a_, X_WB, X_WA); }
 };
 
-// Rounding in the poses, up to 20 sizes from the origin, moves edges by up to 1e-16 m. Contacts narrower than a five
-// hundredth of the bodies have the tolerance of a contact of this width.
+// Rounding in the poses, up to 20 sizes from the origin, moves edges by up to 1e-16 m. Contacts narrower than 1/500 of
+// the bodies use the tolerance of a contact of this width.
 constexpr double kNarrow = 2e-3 * kSize;
 
 double area_scale(const ContactSurface& surface) {
   return std::max(surface.area(), kNarrow * kNarrow);
 }
-/// Integral of the pressure without direction; that of a narrow contact: E (width/size)^2 over width^2.
+/// Returns the integral of the pressure without direction. For a narrow contact it is E (width/size)^2 over width^2.
 double push_scale(const ContactSurface& surface) {
   double sum = 0;
   for (const ContactPolygon& p : surface.polygons) sum += p.area * p.pressure;
   return std::max(sum, 1e5 * kNarrow * kNarrow * 1e-6);
 }
 
-/// Number of polygons that lie in tets. Depth pieces are not counted: rounding may decide whether a hairline stays.
+/// Returns the number of polygons in tets. Depth pieces are not counted, because rounding may decide whether a very
+/// thin piece remains.
 std::ptrdiff_t polygons_of_tets(const ContactSurface& surface) {
   return std::count_if(surface.polygons.begin(), surface.polygons.end(),
                        [](const ContactPolygon& polygon) { return polygon.tet >= 0 || polygon.tet_b >= 0; });
 }
 
-/// Relative error of the invariants: that of rounding. A soft box that is no pad has no pressure outside of its tets
-/// but that of the last tet on a walk there, and rounding may decide which that is (PressureAt, kernel/depth_march.h).
+/// Returns the relative error of the invariants by rounding. Outside its tets, a soft box without a pad has only the
+/// pressure of the last tet on a traversal, and rounding may decide which tet this is (PressureAt,
+/// kernel/depth_march.h).
 double tolerance(const HydroBody& a, const HydroBody& b, const ContactSurface& one, const ContactSurface& other) {
   const auto is_pad = [](const HydroBody& body) {
     const auto* soft = std::get_if<SoftBody>(&body.geometry);
@@ -74,13 +77,13 @@ double tolerance(const HydroBody& a, const HydroBody& b, const ContactSurface& o
   return (is_pad(a) && is_pad(b)) || (all_in_tets(one) && all_in_tets(other)) ? 1e-10 : 1e-3;
 }
 
-/// A wrench at the origin of a frame of pose X_WA, in the world at the world's origin.
+/// Returns a wrench at the origin of a frame of pose X_WA as a wrench at the world's origin, in the world frame.
 Wrench in_world(const Wrench& wrench_A, const Pose& X_WA) {
   const dvec3 force = X_WA.rotate(wrench_A.force);
   return {force, X_WA.rotate(wrench_A.torque) + glm::cross(X_WA.p, force)};
 }
 
-TEST_P(EveryPair, ActionEqualsReactionWhenTheBodiesSwap) {
+TEST_P(EveryPair, GivesOppositeForcesIfTheBodiesSwap) {
   int touching = 0;
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
@@ -96,19 +99,19 @@ TEST_P(EveryPair, ActionEqualsReactionWhenTheBodiesSwap) {
   EXPECT_GE(touching, kPoses / 3);
 }
 
-/// Of a velocity field v + w x r in the world: the twist at the origin of a frame of pose X, in that frame.
+/// Returns a velocity field v + w x r in the world as the twist at the origin of a frame of pose X, in this frame.
 Twist in_frame(const Twist& V_W, const Pose& X) {
   const dmat3 R = glm::transpose(X.rotation());
   return {R * (V_W.linear + glm::cross(V_W.angular, X.p)), R * V_W.angular};
 }
 
-/// With damping that nowhere reaches its limit the traction is a polynomial, integrated exactly.
-TEST_P(EveryPair, ActionEqualsReactionInMotion) {
+/// With damping that nowhere reaches its limit, the traction is a polynomial, which is integrated exactly.
+TEST_P(EveryPair, GivesOppositeForcesInMotion) {
   const PairProperties pair{1.0, 0};
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i);
     const dvec3 spin = random_pose(14, i, 1).p, drift = 0.3 * random_pose(15, i, 1).p;
-    const Twist V{drift - glm::cross(spin, X_WA.p), spin};  // of A past B: about A's origin
+    const Twist V{drift - glm::cross(spin, X_WA.p), spin};  // velocity of A relative to B, about A's origin
     const Twist back{-V.linear, -V.angular};
     const Contact on_a = a_touches_b(X_WA, X_WB), on_b = b_touches_a(X_WA, X_WB);
     const double scale = push_scale(on_a.surface), part = tolerance(*a_, *b_, on_a.surface, on_b.surface);
@@ -117,11 +120,12 @@ TEST_P(EveryPair, ActionEqualsReactionInMotion) {
     ASSERT_LE(glm::length(a.force + b.force), part * scale) << "pose " << i;
     ASSERT_LE(glm::length(a.torque + b.torque), part * scale * kSize * 10) << "pose " << i;
     if (on_a.surface.area() < kNarrow * kNarrow) continue;
-    ASSERT_GT(glm::distance(a.force, in_world(on_a.wrench, X_WA).force), 1e-6 * scale) << "pose " << i;  // it damps
+    // Damping has an effect.
+    ASSERT_GT(glm::distance(a.force, in_world(on_a.wrench, X_WA).force), 1e-6 * scale) << "pose " << i;
   }
 }
 
-TEST_P(EveryPair, ACommonMotionChangesNothing) {
+TEST_P(EveryPair, GivesTheSameForceInACommonMotion) {
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i), motion = random_pose(13, i, 20 * kSize);
     const Contact here = a_touches_b(X_WA, X_WB), there = a_touches_b(motion * X_WA, motion * X_WB);

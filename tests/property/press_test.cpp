@@ -1,4 +1,5 @@
-// Rigid bodies pressed into a pad anywhere, from 0.1 to 3 thicknesses deep: each press is felt, and force grows.
+// Rigid bodies pressed into a pad at many places, from 0.1 to 3 thicknesses deep: each press is felt, and the force
+// grows.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,13 +15,14 @@ namespace {
 
 constexpr double kPadModulus = 5e4, kPadThickness = 0.002, kPadStiffness = kPadModulus / kPadThickness;
 constexpr int kPlaces = 30;
-constexpr std::array kParts{0.1, 0.3, 0.6, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.0};  ///< depths in thicknesses
+/// Depths in units of the thickness.
+constexpr std::array kParts{0.1, 0.3, 0.6, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.0};
 
 struct Stamp {
   std::string name;
   HydroBodyPtr body;
-  double reach;  ///< from the body's origin to its lowest point [m]
-  TriMesh mesh;  ///< for dense quadrature, with its lowest point at -mesh_reach
+  double reach;  ///< distance from the body's origin to its lowest point [m]
+  TriMesh mesh;  ///< mesh for dense quadrature, with its lowest point at -mesh_reach
   double mesh_reach;
 };
 
@@ -37,7 +39,7 @@ struct Place {
   dvec3 x, normal;
 };
 
-/// Each at random in its own share of the area.
+/// Returns random places, each in its own share of the area.
 std::vector<Place> even_places(const TriMesh& skin, int count) {
   std::vector<double> area_to;
   double area = 0;
@@ -68,21 +70,21 @@ class Press {
     fine_.piece_size = {0.002, 0.1};
   }
 
-  /// Presses each stamp at each place. Every third place also checks area and force against fine pieces.
+  /// Presses each stamp at each place. At every third place, area and force are also compared with fine pieces.
   void run() {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       for (const Stamp& stamp : stamps_) press(i, stamp);
     }
   }
 
-  int falls = 0;              ///< presses that push no more than the shallower one before (size or direction)
-  int unexplained_falls = 0;  ///< those of which dense quadrature of (E/H) D says otherwise
+  int falls = 0;              ///< presses with less force than the previous, shallower one (size or direction)
+  int unexplained_falls = 0;  ///< falls that dense quadrature of (E/H) D does not confirm
   int unfelt = 0;             ///< presses of 0.1 thicknesses without force
-  double largest_area_error = 0, largest_force_error = 0;  ///< relative, beyond one thickness
+  double largest_area_error = 0, largest_force_error = 0;  ///< largest relative errors beyond one thickness
 
  private:
   struct Push {
-    double size, along;  ///< force in total and along the press [N]
+    double size, along;  ///< total force, and force along the press [N]
   };
 
   [[nodiscard]] Pose pose(const Place& place, double depth, double reach) const {
@@ -96,7 +98,7 @@ class Press {
     return {glm::length(force), glm::dot(force, -place.normal)};
   }
 
-  /// The place moved outward to where the stamp, led along the normal from afar, touches first.
+  /// Moves the place outward to the first contact of a stamp that comes from afar along the normal.
   Place first_touch(const Stamp& stamp, const Place& place) {
     const auto touches = [&](double height) {
       push(stamp, place, -height, workspace_);
@@ -157,18 +159,18 @@ class Press {
   IntersectWorkspace workspace_, fine_;
 };
 
-/// A real mesh in mm, repaired as a layout does, or null if the file is absent.
+/// Returns a real mesh in mm, repaired as in a layout, or null if the file is absent.
 TriMeshPtr repaired_mesh(const std::string& name) {
   const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / name;
   if (!std::filesystem::exists(path)) return nullptr;
   return repair_mesh(load_mesh(path, dvec3(0.001)).mesh, {}, kPadThickness)->mesh;
 }
 
-/// How a facet of 0.04 H, parallel to the skin and 0.1 H below it, feels p = (E/H) D.
+/// Pressures p = (E/H) D that a facet of 0.04 H feels, parallel to the skin and 0.1 H below it.
 struct Felt {
-  int places = 0;  ///< those with D >= 0.05 H: farther from a sharp edge than that
-  int unfelt = 0;  ///< those where less than half of the facet is in contact
-  int exact = 0;   ///< those with a pressure within 5 % of (E/H) D
+  int places = 0;  ///< places with D >= 0.05 H, farther than that from a sharp edge
+  int unfelt = 0;  ///< places where less than half of the facet is in contact
+  int exact = 0;   ///< places with a pressure within 5 % of (E/H) D
 };
 
 Felt felt_by_facets(const TriMesh& mesh, int count) {
@@ -204,20 +206,20 @@ Felt felt_by_facets(const TriMesh& mesh, int count) {
   return felt;
 }
 
-/// Small triangles in gaps between the tets below a rough skin: ten of these facets were lost.
-TEST(Press, SmallFacetIsFeltBetweenTheTets) {
+/// Small triangles can be in gaps between the tets below a rough skin. Ten of these facets once had no contact.
+TEST(Press, FeelsASmallFacetBetweenTheTets) {
   const Felt felt = felt_by_facets(make_rough_ball(3, 0.4, 7), 2000);
   EXPECT_GT(felt.places, 1900);
   EXPECT_EQ(felt.unfelt, 0);
 }
 
-TEST(Press, SmallFacetFeelsTheDepthOnTheFinger) {
+TEST(Press, GivesASmallFacetItsDepthOnTheFinger) {
   const Felt felt = felt_by_facets(make_fingertip(), 1000);
   EXPECT_EQ(felt.places, 1000);
   EXPECT_EQ(felt.exact, 1000);
 }
 
-TEST(Press, SmallFacetFeelsTheDepthOnRealSkins) {
+TEST(Press, GivesASmallFacetItsDepthOnRealSkins) {
   for (const char* name : {"paper/ubi_tip_collision.stl", "meshes/shadow_f_distal_pst.stl", "skins/gripper_flange.stl",
                            "skins/digit_holder.stl"}) {
     const TriMeshPtr mesh = repaired_mesh(name);
@@ -228,7 +230,7 @@ TEST(Press, SmallFacetFeelsTheDepthOnRealSkins) {
   }
 }
 
-TEST(Press, ForceGrowsEverywhereOnTheFinger) {
+TEST(Press, HasAGrowingForceEverywhereOnTheFinger) {
   Press press(make_fingertip());
   press.run();
   EXPECT_EQ(press.falls, 0);
@@ -237,8 +239,8 @@ TEST(Press, ForceGrowsEverywhereOnTheFinger) {
   EXPECT_LT(press.largest_force_error, 0.02);
 }
 
-/// At a thin lip of the skin a ball goes through: the field itself pushes less then, and quadrature says so.
-TEST(Press, ForceGrowsAsTheFieldOnTheShadowFingertip) {
+/// At a thin lip of the skin a ball goes through. The field itself pushes less there, which quadrature confirms.
+TEST(Press, HasTheForceOfTheFieldOnTheShadowFingertip) {
   const TriMeshPtr mesh = repaired_mesh("meshes/shadow_f_distal_pst.stl");
   if (!mesh) GTEST_SKIP() << "the real meshes are absent: " << TAXEL_REAL_DATA;
   Press press(*mesh);
@@ -250,7 +252,7 @@ TEST(Press, ForceGrowsAsTheFieldOnTheShadowFingertip) {
   EXPECT_LT(press.largest_force_error, 0.02);
 }
 
-TEST(Press, ForceGrowsAsTheFieldOnThePapersFinger) {
+TEST(Press, HasTheForceOfTheFieldOnThePapersFinger) {
   const TriMeshPtr mesh = repaired_mesh("paper/ubi_tip_collision.stl");
   if (!mesh) GTEST_SKIP() << "the real meshes are absent: " << TAXEL_REAL_DATA;
   Press press(*mesh);

@@ -1,4 +1,4 @@
-// Bodies of about one size, and poses in which they mostly touch.
+// Bodies of similar size, and poses in which most of them touch.
 #pragma once
 
 #include "fixtures/hydro_bodies.h"
@@ -9,7 +9,7 @@ namespace taxel {
 inline constexpr double kSize = 0.01;  ///< approximate size of all bodies here [m]
 inline constexpr int kPoses = 200;
 
-/// A pad on a lopsided ellipsoid.
+/// Returns a pad on an asymmetric ellipsoid.
 inline HydroBodyPtr soft_body() {
   static const HydroBodyPtr body = [] {
     TriMesh mesh = make_ellipsoid(kSize * dvec3(1.3, 1.0, 0.8), 0.9 * kSize);
@@ -22,7 +22,7 @@ inline const PressureField& field_of(const HydroBody& body) {
   return *std::get<SoftBody>(body.geometry).field;
 }
 
-/// A sphere with dents and bumps.
+/// Returns a sphere with dents and bumps.
 inline TriMesh lumpy_mesh() {
   const TriMesh sphere = make_icosphere(kSize, 2);
   std::vector<dvec3> vertices = sphere.vertices();
@@ -31,7 +31,7 @@ inline TriMesh lumpy_mesh() {
   return {std::move(vertices), sphere.faces()};
 }
 
-/// With a material: the same shapes, soft.
+/// Returns the same shapes as soft bodies with a material.
 inline HydroBodyPtr shape_body(ShapeType type, const Material& material) {
   switch (type) {
     case ShapeType::plane:
@@ -59,7 +59,7 @@ inline Pose soft_pose(int i) {
   return random_pose(11, i, 10 * kSize);
 }
 
-/// Near the soft body: about three quarters of these poses touch it.
+/// Returns a pose near the soft body. About three quarters of these poses touch it.
 inline Pose rigid_pose(const Pose& X_WS, int i) {
   return X_WS * random_pose(12, i, 1.2 * kSize);
 }

@@ -1,4 +1,4 @@
-// Edits of every kind, made from a few random numbers: mostly possible ones.
+// Edits of every kind from a few random numbers. Most of the edits are possible.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace taxel {
 
-/// Seed of an edit; RapidCheck draws and shrinks it.
+/// Seed of an edit. RapidCheck draws and shrinks it.
 struct EditSeed {
   unsigned kind = 0;
   std::uint64_t seed = 0;
@@ -57,7 +57,7 @@ class RandomEdit {
   double uniform() { return rng_.uniform(next_++); }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(uniform() * static_cast<double>(n)); }
   dvec3 point() { return dvec3(uniform(), uniform(), uniform()) * 0.02 - 0.01; }
-  /// Three planes, so that taxels meet several; two are not at right angles.
+  /// Returns one of three planes, so that a taxel has several mirror planes. Two of the planes are not at right angles.
   MirrorPlane plane() {
     const MirrorPlane planes[] = {{dvec3(0), {1, 0, 0}}, {dvec3(0, 1e-3, 0), {0, 2, 0}}, {dvec3(0), {0.6, 0.3, -0.2}}};
     return planes[below(3)];

@@ -1,4 +1,4 @@
-// Sliding by small steps over edges, face boundaries and vertices: contact changes without jumps.
+// Slides in small steps over edges, face boundaries and vertices: the contact changes without jumps.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -10,17 +10,17 @@ namespace taxel {
 namespace {
 
 constexpr double kStep = 1e-5;  // 10 micrometres
-constexpr double kTop = 0.03;   // of the crates below
+constexpr double kTop = 0.03;   // height of the top of the crates below [m]
 
-/// A slides past B, which rests.
+/// A slide of A past B, which rests.
 struct Slide {
   const char* name;
   std::function<HydroBodyPtr()> a, b;
-  Pose X_WA;                               ///< p: the place of A's lowest point at the middle of the slide
-  dvec3 direction_W;                       ///< any length
-  bool even = false;                       ///< B is a plane as far as A touches it
+  Pose X_WA;                               ///< pose of A; p is A's lowest point at the middle of the slide
+  dvec3 direction_W;                       ///< direction of the slide, of any length
+  bool even = false;                       ///< B is a plane wherever A touches it
   double top = kTop;                       ///< height of B's highest point [m]
-  double depth = 0.001, distance = 0.012;  ///< [m]
+  double depth = 0.001, distance = 0.012;  ///< depth of A in B, and length of the slide [m]
 };
 
 std::ostream& operator<<(std::ostream& out, const Slide& slide) {
@@ -39,8 +39,8 @@ HydroBodyPtr pad_finger() {
 HydroBodyPtr soft_crate() {
   return make_simple_body(ShapeType::box, dvec3(0.03), soft_material(2e5));
 }
-/// Its top is the plane z = 0.03; the edges of the top lie in x, y = +-0.03; a diagonal parts the top into two
-/// triangles.
+/// Returns a box whose top is the plane z = 0.03. The edges of the top are at x, y = +-0.03, and a diagonal divides the
+/// top into two triangles.
 HydroBodyPtr crate() {
   return make_simple_body(ShapeType::box, dvec3(0.03));
 }
@@ -53,7 +53,7 @@ Pose tilted(double degrees_x, double degrees_z, const dvec3& p) {
   return {glm::angleAxis(degrees_z * degree, dvec3(0, 0, 1)) * glm::angleAxis(degrees_x * degree, dvec3(1, 0, 0)), p};
 }
 
-/// Moves the body so that its lowest point is above p, `depth` below z = top.
+/// Moves the body so that its lowest point is above p and `depth` below z = top.
 Pose pressed(const HydroBody& body, Pose X_WA, double depth, double top) {
   const auto* soft = std::get_if<SoftBody>(&body.geometry);
   const auto& vertices =
@@ -67,7 +67,7 @@ Pose pressed(const HydroBody& body, Pose X_WA, double depth, double top) {
   return X_WA;
 }
 
-/// Largest changes from step to step, and the peaks.
+/// The largest changes between two steps, and the peaks.
 struct Changes {
   double force = 0, area = 0, force_jump = 0, area_jump = 0;
   std::set<int> tets, faces;  ///< tets and faces of all polygons
@@ -87,7 +87,8 @@ Changes changes_of(const Slide& slide) {
     Pose X = X_WA;
     X.p += (i - 0.5 * steps) * kStep * along;
     intersect(*a, *b, X, Pose{}, surface, workspace);
-    const dvec3 force = surface.empty() ? dvec3(0) : pressure_wrench(surface).force;  // frame A: it does not turn
+    // In frame A, which does not rotate.
+    const dvec3 force = surface.empty() ? dvec3(0) : pressure_wrench(surface).force;
     const double area = surface.area();
     if (i > 0) {
       changes.force_jump = std::max(changes.force_jump, glm::distance(force, last_force));
@@ -111,8 +112,8 @@ TEST_P(Slides, ChangeWithoutJumps) {
   const Slide& slide = GetParam();
   const Changes c = changes_of(slide);
   EXPECT_GT(c.force, 0.05);
-  EXPECT_GT(c.faces.size() + c.tets.size(), 3u);  // something was crossed
-  // Along a plane nothing changes at all, whatever triangles and tets it is made of.
+  EXPECT_GT(c.faces.size() + c.tets.size(), 3u);  // at least one boundary is crossed
+  // Along a plane nothing changes at all, for any division into triangles and tets.
   EXPECT_LE(c.force_jump, (slide.even ? 1e-9 : 0.005) * c.force);
   EXPECT_LE(c.area_jump, (slide.even ? 1e-9 : 0.01) * c.area);
   EXPECT_GT(c.force_jump, (slide.even ? 0 : 1e-5) * c.force);
@@ -121,11 +122,11 @@ TEST_P(Slides, ChangeWithoutJumps) {
 }
 
 const Slide kSlides[] = {
-    // Over the edge x = 0.03 of the crate's top, from its middle out.
+    // Over the edge x = 0.03 of the crate's top, outward from its middle.
     {"BallOverAnEdge", soft_ball, crate, tilted(20, 30, {0.03, 0.004, 0}), {1, 0.1, 0}},
     {"FingerOverAnEdge", pad_finger, crate, tilted(135, 90, {0.03, 0.002, 0}), {1, 0, 0}},
     {"BlockOverAnEdge", soft_block, crate, tilted(0, 17, {0.03, 0.002, 0}), {1, 0.2, 0}},
-    // Over the diagonal of the top, which is no edge of the body.
+    // Over the diagonal of the top, which is not an edge of the body.
     {"BallOverAFaceBoundary", soft_ball, crate, tilted(20, 30, {0.001, 0.001, 0}), {1, -1, 0}, true},
     {"BlockAlongAFaceBoundary", soft_block, crate, tilted(0, 45, {0.0021, -0.0191, 0}), {1, 1, 0}, true},
     {"BlockOverAFaceBoundary", soft_block, crate, tilted(0, 0, {-0.012, -0.015, 0}), {1, 0, 0}, true},
@@ -133,11 +134,11 @@ const Slide kSlides[] = {
     // Over the corner of the top.
     {"BallOverAVertex", soft_ball, crate, tilted(20, 30, {0.03, 0.03, 0}), {1, 1.1, 0}},
     {"FingerOverAVertex", pad_finger, crate, tilted(135, 90, {0.03, 0.03, 0}), {1, 0.7, 0}},
-    // Over edge, corner and middle of a soft body.
+    // Over an edge, a corner and the middle of a soft body.
     {"RigidBallOverASoftEdge", rigid_ball, soft_crate, tilted(20, 30, {0.03, 0.004, 0}), {1, 0.1, 0}},
     {"RigidBallOverASoftVertex", rigid_ball, soft_crate, tilted(20, 30, {0.03, 0.03, 0}), {1, 1.1, 0}},
     {"RigidBallOverASoftFace", rigid_ball, soft_crate, tilted(20, 30, {0, 0, 0}), {1, 1.1, 0}, true},
-    // Facets against facets: edges, face boundaries and vertices of both, in turn.
+    // Facets against facets: edges, face boundaries and vertices of both bodies, one after another.
     {"BallOverABall", soft_ball, rigid_ball, tilted(20, 30, {0, 0.001, 0}), {1, 0.2, 0}, false, 0.02},
     {"FingerOverABall", pad_finger, rigid_ball, tilted(135, 90, {0, 0.001, 0}), {1, 0.2, 0}, false, 0.02, 0.0015},
     // Both bodies are soft.

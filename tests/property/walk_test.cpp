@@ -1,4 +1,4 @@
-// The walk from tet to tet finds the polygons of the tree form, one by one.
+// The traversal from tet to tet finds the same polygons as the tree form, one by one.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSize = 0.01;
 
-/// A sphere with dents and bumps.
+/// Returns a sphere with dents and bumps.
 TriMesh lumpy_mesh(int level, std::uint64_t seed, double low) {
   const TriMesh sphere = make_icosphere(kSize, level);
   std::vector<dvec3> vertices = sphere.vertices();
@@ -27,7 +27,7 @@ struct PairCase {
   const char* name;
   HydroBodyPtr a, b;
   int poses;
-  double reach;  ///< poses of b are this near to a [m]
+  double reach;  ///< largest distance of the poses of b from a [m]
 };
 
 std::vector<PairCase> cases() {
@@ -58,7 +58,7 @@ std::vector<PairCase> cases() {
 
 using Key = std::tuple<int, int, int>;
 
-/// Area by tet and face; one that makes up less than a sliver of rounding is left out.
+/// Returns the area of each pair of tet and face. Areas smaller than a sliver by rounding are omitted.
 std::map<Key, double> polygons(const HydroBody& a, const HydroBody& b, const Pose& X_WB, bool tree_form) {
   IntersectWorkspace workspace;
   workspace.tree_form = tree_form;
@@ -66,7 +66,7 @@ std::map<Key, double> polygons(const HydroBody& a, const HydroBody& b, const Pos
   intersect(a, b, Pose{}, X_WB, surface, workspace);
   std::map<Key, double> areas;
   for (const ContactPolygon& p : surface.polygons) {
-    if (p.tet < 0) continue;  // a depth piece, which no tet holds
+    if (p.tet < 0) continue;  // a depth piece, which is in no tet
     EXPECT_TRUE(areas.try_emplace({p.tet, p.tet_b, p.face}, p.area).second);
   }
   std::erase_if(areas, [](const auto& entry) { return entry.second < 1e-12 * kSize * kSize; });
@@ -97,7 +97,7 @@ TEST(Walk, EqualsTheTreeFormPolygonByPolygon) {
   EXPECT_GE(touching, total / 2);
 }
 
-/// Faces of the boxes in planes of the slab's tets, and moved along these by small steps.
+/// Faces of the boxes in planes of the slab's tets, and moved along these planes by small steps.
 TEST(Walk, EqualsTheTreeFormOnCoplanarFaces) {
   const auto slab = make_slab(dvec2(2 * kSize), kSize, {4, 4, 2}, 1e7);
   for (const Material& material : {Material{}, soft_material(3e5)}) {
@@ -111,9 +111,9 @@ TEST(Walk, EqualsTheTreeFormOnCoplanarFaces) {
   }
 }
 
-/// Corners exactly in faces between tets: held by one tet, while the triangle goes on in another.
+/// Corners exactly in faces between tets. One tet holds the corner, and the triangle continues in another tet.
 TEST(Walk, EqualsTheTreeFormWithCornersInSharedFaces) {
-  // A flat octahedron much larger than the tets, one corner above the middle.
+  // A flat octahedron much larger than the tets, with one corner above the middle.
   const double wide = 4 * kSize, high = 0.5 * kSize;
   const auto fan = std::make_shared<const TriMesh>(
       std::vector<dvec3>{{0, 0, high}, {wide, 0, 0}, {0, wide, 0}, {-wide, 0, 0}, {0, -wide, 0}, {0, 0, -wide}},
