@@ -1,4 +1,4 @@
-// The watch over open files: told once, and only when a file has come to rest.
+// The watch over open files: each change is reported once, and only after the file has come to rest.
 #include "app/studio/document/file_watch.h"
 
 #include <gtest/gtest.h>
@@ -16,21 +16,21 @@ struct Watched {
   test::TempFolder folder;
   std::string file = (folder.path() / "open.obj").string();
   FileWatch watch;
-  double now = 100;  // [s]
+  double now = 100;  // time of the clock [s]
 
   Watched() {
     append("first");
     watch.watch({file});
   }
   void append(const std::string& text) const { std::ofstream(file, std::ios::app) << text; }
-  /// Half a second later.
+  /// Polls half a second later.
   Changes look() {
     now += 0.5;
     return watch.look(now);
   }
 };
 
-TEST(FileWatchUnit, TellsNothingOfAFileAtRest) {
+TEST(FileWatchUnit, ReportsNothingForAFileAtRest) {
   Watched w;
   for (int i = 0; i < 3; ++i) EXPECT_EQ(w.look(), Changes{});
 }
@@ -43,13 +43,13 @@ TEST(FileWatchUnit, WaitsUntilAFileIsWritten) {
     EXPECT_EQ(w.look(), Changes{}) << "the file is still being written";
   }
   EXPECT_EQ(w.look(), (Changes{{w.file, FileChange::changed}}));
-  EXPECT_EQ(w.look(), Changes{}) << "told once";
+  EXPECT_EQ(w.look(), Changes{}) << "reported once";
   w.append("again");
   EXPECT_EQ(w.look(), Changes{});
   EXPECT_EQ(w.look(), (Changes{{w.file, FileChange::changed}}));
 }
 
-TEST(FileWatchUnit, SeesAnOverwriteOfTheSameSizeByItsTime) {
+TEST(FileWatchUnit, DetectsAnOverwriteOfTheSameSizeByItsTime) {
   Watched w;
   const auto time = std::filesystem::last_write_time(w.file);
   w.look();
@@ -59,7 +59,7 @@ TEST(FileWatchUnit, SeesAnOverwriteOfTheSameSizeByItsTime) {
   EXPECT_EQ(w.look(), (Changes{{w.file, FileChange::changed}}));
 }
 
-TEST(FileWatchUnit, TellsADeletionOnlyIfTheFileStaysAway) {
+TEST(FileWatchUnit, ReportsADeletionOnlyIfTheFileStaysAway) {
   Watched w;
   w.look();
   std::filesystem::remove(w.file);
@@ -73,7 +73,7 @@ TEST(FileWatchUnit, TellsADeletionOnlyIfTheFileStaysAway) {
   EXPECT_EQ(w.look(), Changes{});
 }
 
-TEST(FileWatchUnit, KnowsItsOwnWrites) {
+TEST(FileWatchUnit, IgnoresTheWritesOfTheProgram) {
   Watched w;
   w.look();
   w.append("saved");
@@ -81,7 +81,7 @@ TEST(FileWatchUnit, KnowsItsOwnWrites) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(w.look(), Changes{});
 }
 
-TEST(FileWatchUnit, LooksEveryHalfSecond) {
+TEST(FileWatchUnit, PollsEveryHalfSecond) {
   Watched w;
   w.look();
   w.append("more");
@@ -90,7 +90,7 @@ TEST(FileWatchUnit, LooksEveryHalfSecond) {
   EXPECT_EQ(w.watch.look(w.now + 1.0), (Changes{{w.file, FileChange::changed}}));
 }
 
-TEST(FileWatchUnit, GoesOnWithAFileThatWasWatchedBefore) {
+TEST(FileWatchUnit, ContinuesWithAFileThatWasWatchedBefore) {
   Watched w;
   w.look();
   w.append("more");

@@ -1,4 +1,4 @@
-// Input as it comes from GLFW and from scripts.
+// Input events from GLFW and from scripts.
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace taxel::studio {
 namespace {
 
-TEST(GlfwKeys, ArePrintedOnTheKeysThatTheyName) {
+TEST(GlfwKeys, HaveTheNamesPrintedOnTheKeys) {
   const ui::test::InterfaceFrames interface;
   for (int key = 'A'; key <= 'Z'; ++key) EXPECT_EQ(imgui_key(key), key_of_name(std::string(1, static_cast<char>(key))));
   for (int key = '0'; key <= '9'; ++key) EXPECT_EQ(imgui_key(key), key_of_name(std::string(1, static_cast<char>(key))));

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A door that tasks wait at until the test opens it.
+/// A gate at which tasks wait until the test opens it.
 class Gate {
  public:
   void open() {
@@ -36,7 +36,7 @@ class Gate {
   bool is_open_ = false;
 };
 
-/// Waits at most ten seconds.
+/// Waits until `done` returns true, at most ten seconds.
 template <class Done>
 bool becomes_true(const Done& done) {
   const auto end = std::chrono::steady_clock::now() + 10s;
@@ -44,7 +44,7 @@ bool becomes_true(const Done& done) {
   return done();
 }
 
-/// Counts running tasks and remembers the largest number.
+/// Counts running tasks and records the largest number.
 class Counter {
  public:
   void enter() {
@@ -67,13 +67,13 @@ struct Text {
 };
 using Slot = NewestWins<int, Text>;
 
-/// A pool and a slot whose work the test describes.
+/// A pool with one slot whose work the test defines.
 class NewestWinsTest : public testing::Test {
  protected:
   std::unique_ptr<Slot> make_slot(Slot::Work work, Priority priority = Priority::normal) {
     return std::make_unique<Slot>(pool, priority, std::move(work), [this] { ++woken; });
   }
-  /// A slot that writes the job's number, and does job 1 only when the gate is open.
+  /// Returns a slot that writes the job's number. Job 1 waits until the gate is open.
   std::unique_ptr<Slot> make_gated_slot() {
     return make_slot([this](int job, Text& out, Progress&) {
       ++begun;
@@ -90,7 +90,7 @@ class NewestWinsTest : public testing::Test {
   JobPool pool;
 };
 
-TEST(JobPool, RunsTasksOfFourSlotsAtOnceAndNotMore) {
+TEST(JobPool, RunsTasksOfAtMostFourSlotsAtOnce) {
   Gate gate;
   Counter counter;
   JobPool pool;
@@ -143,7 +143,7 @@ TEST(JobPool, RunsNormalTasksFirstAndOtherwiseInOrder) {
       ++done;
     };
   };
-  // One blocker waits longer than the others, so that one thread runs the rest in turn.
+  // One blocker waits longer than the others, so that a single thread runs the remaining tasks in order.
   Gate last;
   for (int i = 0; i < JobPool::kThreads; ++i)
     pool.post(&blockers[i], Priority::normal, [&, i] {
@@ -322,14 +322,14 @@ TEST_F(NewestWinsTest, DropsTheResultOfACancelledJobThatEndsNormally) {
   slot->post(1);
   ASSERT_TRUE(has_begun(1));
   slot->post(std::nullopt, Superseded::cancel);
-  slot->post(1);  // requested again, so it has to run again
+  slot->post(1);  // requested again, so the job must run again
   gate.open();
   slot->wait();
   EXPECT_EQ(slot->newest()->text, "1");
   EXPECT_EQ(begun, 2);
 }
 
-TEST_F(NewestWinsTest, GivesNothingWhenNothingIsRequestedAnyMore) {
+TEST_F(NewestWinsTest, ReturnsNoResultIfNoJobIsRequested) {
   const auto slot = make_gated_slot();
   slot->post(1);
   ASSERT_TRUE(has_begun(1));
@@ -340,7 +340,7 @@ TEST_F(NewestWinsTest, GivesNothingWhenNothingIsRequestedAnyMore) {
   EXPECT_FALSE(slot->posted());
 }
 
-TEST_F(NewestWinsTest, PublishedResultSavesTheJob) {
+TEST_F(NewestWinsTest, NeedsNoJobIfItsResultIsPublished) {
   const auto slot = make_gated_slot();
   auto found = std::make_shared<Text>();
   slot->publish(5, found);
@@ -388,7 +388,7 @@ TEST_F(NewestWinsTest, NeverRunsItsWorkTwiceAtOnce) {
   EXPECT_EQ(counter.peak(), 1);
 }
 
-TEST_F(NewestWinsTest, TakesAResultOnce) {
+TEST_F(NewestWinsTest, ReturnsEachResultOnce) {
   const auto slot = make_gated_slot();
   EXPECT_EQ(slot->take(), nullptr);
   gate.open();
@@ -403,7 +403,7 @@ TEST_F(NewestWinsTest, TakesAResultOnce) {
   EXPECT_EQ(slot->take()->text, "1") << "as it was requested again";
 }
 
-TEST_F(NewestWinsTest, TakingASupersededResultKeepsTheNewestJob) {
+TEST_F(NewestWinsTest, KeepsTheNewestJobIfASupersededResultIsRead) {
   Gate second;
   const auto slot = make_slot([&](int job, Text& out, Progress&) {
     ++begun;
@@ -422,7 +422,7 @@ TEST_F(NewestWinsTest, TakingASupersededResultKeepsTheNewestJob) {
   EXPECT_EQ(slot->take()->text, "2");
 }
 
-TEST_F(NewestWinsTest, StoresAnExceptionAsTheResultsProblem) {
+TEST_F(NewestWinsTest, StoresAnExceptionAsTheProblemOfTheResult) {
   const auto slot = make_slot([](int job, Text& out, Progress&) {
     out.text = std::to_string(job);
     if (job == 1) throw std::runtime_error("no memory");
@@ -436,7 +436,7 @@ TEST_F(NewestWinsTest, StoresAnExceptionAsTheResultsProblem) {
   EXPECT_EQ(slot->newest()->problem, "");
 }
 
-TEST_F(NewestWinsTest, DestructionCancelsTheRunningJobAndDropsThePendingOne) {
+TEST_F(NewestWinsTest, CancelsTheRunningJobAndDropsThePendingOneAtItsEnd) {
   auto slot = make_slot([&](int, Text&, Progress& progress) {
     ++begun;
     while (true) {
@@ -453,7 +453,7 @@ TEST_F(NewestWinsTest, DestructionCancelsTheRunningJobAndDropsThePendingOne) {
   EXPECT_EQ(begun, 1);
 }
 
-TEST_F(NewestWinsTest, DestructionWaitsForTheRunningJob) {
+TEST_F(NewestWinsTest, WaitsForTheRunningJobAtItsEnd) {
   std::atomic<int> ended = 0;
   auto slot = make_slot([&](int, Text&, Progress&) {
     ++begun;
@@ -466,7 +466,7 @@ TEST_F(NewestWinsTest, DestructionWaitsForTheRunningJob) {
   EXPECT_EQ(ended, 1);
 }
 
-TEST_F(NewestWinsTest, DestructionDoesNotWaitForOtherSlots) {
+TEST_F(NewestWinsTest, DoesNotWaitForOtherSlotsAtItsEnd) {
   const auto work = [&](int, Text&, Progress&) {
     ++begun;
     gate.pass();
@@ -477,14 +477,14 @@ TEST_F(NewestWinsTest, DestructionDoesNotWaitForOtherSlots) {
   second->post(1);
   ASSERT_TRUE(has_begun(2));
   third->post(1);
-  third.reset();  // would wait for ever if it waited for its turn
+  third.reset();  // would wait forever if it waited for its turn
   gate.open();
   first->wait();
   second->wait();
   EXPECT_EQ(begun, 2);
 }
 
-TEST_F(NewestWinsTest, ManySlotsUnderLoadAllGetTheirNewestResult) {
+TEST_F(NewestWinsTest, GivesEachOfManySlotsItsNewestResultUnderLoad) {
   constexpr int kSlots = 20, kJobs = 300;
   std::vector<std::unique_ptr<Slot>> slots;
   for (int i = 0; i < kSlots; ++i)
@@ -509,7 +509,7 @@ TEST_F(NewestWinsTest, ManySlotsUnderLoadAllGetTheirNewestResult) {
   }
 }
 
-TEST_F(NewestWinsTest, SlotsComeAndGoUnderLoad) {
+TEST_F(NewestWinsTest, AddsAndRemovesSlotsUnderLoad) {
   std::vector<std::thread> callers;
   for (int t = 0; t < 3; ++t)
     callers.emplace_back([&] {

@@ -1,4 +1,4 @@
-// A real recording over the run: where it begins, and what aligns it.
+// The overlay of a real recording over the run: its start time and its alignment.
 #include "app/studio/features/real/real_overlay.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(RealOverlay, BeginsWithTheRunIfItCannotBeAligned) {
   ui::RealState state;
   overlay.read(table, {1}, state);
   ASSERT_TRUE(state.asks);
-  TaxelSeries run;  // of one row: nothing to align with
+  TaxelSeries run;  // one row only, so there is nothing to align with
   run.taxel_ids = {1};
   run.time = {2};
   run.values = {{0}};

@@ -1,4 +1,4 @@
-// Settings: each value is kept from one start to the next, also values that are added later.
+// Settings: each value is kept from one start to the next, including values that are added later.
 #include "app/studio/dump/settings.h"
 
 #include <fmt/format.h>
@@ -26,18 +26,18 @@ ui::SavedState written_and_read(const SavedState& saved) {
   return read_settings(file).saved;
 }
 
-/// The bytes of a struct that consists of bools.
+/// Returns the bytes of a struct that consists of bools.
 template <class Struct>
 std::span<bool> switches(Struct& values) {
   static_assert(sizeof(bool) == 1 && std::is_trivially_copyable_v<Struct>);
   return {reinterpret_cast<bool*>(&values), sizeof(Struct)};
 }
 
-/// Bools at the begin of Overlays; bytes without a meaning may follow.
+/// Number of bools at the beginning of Overlays. Bytes without a meaning may follow.
 constexpr std::size_t kSwitches = offsetof(Overlays, site_groups) + sizeof(GroupsShown);
 
-/// All values, so that two states are compared as a whole. A member that is added to SavedState does not compile here:
-/// add it to this list, and to the tests below.
+/// Returns all values as text, so that two states are compared as a whole. A new member of SavedState makes this
+/// function fail to compile: add the member to this list and to the tests below.
 std::string all_values(SavedState saved) {
   auto& [dark, scale, overlays, panels, plot, tour_seen, recent] = saved;
   std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, static_cast<int>(overlays.frames),
@@ -115,7 +115,7 @@ TEST(Settings, RememberEightRecentFilesNewestFirst) {
   EXPECT_EQ(saved.recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
 }
 
-TEST(Settings, ThatCannotBeReadAreDefaultsAndTold) {
+TEST(Settings, AreDefaultsWithAMessageIfTheFileIsUnreadable) {
   const test::TempFolder folder;
   const std::filesystem::path file = folder.path() / "settings.json";
   EXPECT_EQ(all_values(read_settings(file).saved), all_values({})) << "no file";
@@ -134,7 +134,7 @@ TEST(Settings, ThatCannotBeReadAreDefaultsAndTold) {
   SavedState light;
   light.dark = false;
   std::ofstream(file) << R"({"dark": false, "geom_groups": "all", "scale": "2"})";
-  EXPECT_EQ(all_values(read_settings(file).saved), all_values(light)) << "what can be read is kept";
+  EXPECT_EQ(all_values(read_settings(file).saved), all_values(light)) << "readable values are kept";
   EXPECT_EQ(read_settings(file).problem, file.string() +
                                              ": /scale: has a value that it cannot have, /geom_groups: has a "
                                              "value that it cannot have");

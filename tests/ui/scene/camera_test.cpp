@@ -1,3 +1,4 @@
+// The camera: projection, orbit, pan, zoom and framing.
 #include "ui/scene/pick/camera.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ Camera random_camera(int number, bool rolled = false) {
   return camera;
 }
 
-TEST(Camera, PixelRayIsTheInverseOfProject) {
+TEST(Camera, InvertsProjectWithThePixelRay) {
   for (int i = 0; i < 200; ++i) {
     const Camera camera = random_camera(i, i % 2 != 0);
     const CounterRng rng(8, static_cast<std::uint64_t>(i));
@@ -41,7 +42,7 @@ TEST(Camera, LooksFromAnyPose) {
   for (int i = 0; i < 200; ++i) {
     const CounterRng rng(11, static_cast<std::uint64_t>(i));
     Pose X_WC = random_pose(11, i, 1);
-    if (i % 4 == 0) X_WC.q = glm::angleAxis(360 * rng.uniform(7), dvec3(0, 0, 1));  // straight down
+    if (i % 4 == 0) X_WC.q = glm::angleAxis(360 * rng.uniform(7), dvec3(0, 0, 1));  // looks straight down
     if (i % 4 == 1) X_WC.q = glm::angleAxis(kPi, dvec3(0, 1, 0)) * glm::angleAxis(rng.uniform(7), dvec3(0, 0, 1));
     const double depth = 0.01 + rng.uniform(8);
     Camera camera;
@@ -54,7 +55,7 @@ TEST(Camera, LooksFromAnyPose) {
   }
 }
 
-TEST(Camera, ProjectAgreesWithTheMatricesThatGlGets) {
+TEST(Camera, ProjectsLikeTheMatricesOfOpenGl) {
   for (int i = 0; i < 200; ++i) {
     const Camera camera = random_camera(i, i % 2 != 0);
     const CounterRng rng(9, static_cast<std::uint64_t>(i));
@@ -65,12 +66,12 @@ TEST(Camera, ProjectAgreesWithTheMatricesThatGlGets) {
     EXPECT_NEAR(0.5 * kWidth * (1 + clip.x / clip.w), pixel.x, 1e-8);
     EXPECT_NEAR(0.5 * kHeight * (1 - clip.y / clip.w), pixel.y, 1e-8);
     EXPECT_NEAR(clip.w, pixel.z, 1e-9);
-    EXPECT_GT(clip.z, -clip.w);  // not cut by the near plane
+    EXPECT_GT(clip.z, -clip.w);  // not clipped by the near plane
     EXPECT_LT(clip.z, clip.w);
   }
 }
 
-TEST(Camera, TheTargetIsInTheMiddleAndZPointsUp) {
+TEST(Camera, ShowsTheTargetInTheMiddleAndZUp) {
   for (int i = 0; i < 50; ++i) {
     const Camera camera = random_camera(i);
     const dvec3 middle = camera.project(camera.target, kWidth, kHeight);
@@ -79,11 +80,11 @@ TEST(Camera, TheTargetIsInTheMiddleAndZPointsUp) {
     EXPECT_NEAR(middle.z, camera.distance, 1e-12);
     const dvec3 above = camera.project(camera.target + 0.01 * camera.distance * dvec3(0, 0, 1), kWidth, kHeight);
     EXPECT_NEAR(above.x, middle.x, 1e-9);
-    EXPECT_LT(above.y, middle.y);  // rows run downward
+    EXPECT_LT(above.y, middle.y);  // pixel rows run downward
   }
 }
 
-TEST(Camera, OrbitChangesOnlyTheAnglesAndStopsBeforeThePoles) {
+TEST(Camera, OrbitsByAnglesAloneAndStopsBeforeThePoles) {
   Camera camera = random_camera(1);
   const Camera before = camera;
   camera.orbit(120, -35);
@@ -100,10 +101,10 @@ TEST(Camera, OrbitChangesOnlyTheAnglesAndStopsBeforeThePoles) {
   EXPECT_LE(std::abs(camera.azimuth_deg), 180);
 }
 
-TEST(Camera, PanMovesThePointUnderThePointerWithIt) {
+TEST(Camera, PansThePointUnderThePointer) {
   for (int i = 0; i < 50; ++i) {
     Camera camera = random_camera(i);
-    const dvec3 point = camera.target;  // at the target's depth, so that it follows exactly
+    const dvec3 point = camera.target;  // a point at the target's depth, which follows exactly
     camera.pan(37, -21, kHeight);
     const dvec3 pixel = camera.project(point, kWidth, kHeight);
     EXPECT_NEAR(pixel.x, 0.5 * kWidth + 37, 1e-8);
@@ -111,14 +112,14 @@ TEST(Camera, PanMovesThePointUnderThePointerWithIt) {
   }
 }
 
-TEST(Camera, HorizontalPanKeepsTheHeight) {
+TEST(Camera, KeepsTheHeightInAHorizontalPan) {
   Camera camera = random_camera(3);
   const double z = camera.target.z;
   camera.pan(10, 40, kHeight, true);
   EXPECT_NEAR(camera.target.z, z, 1e-15);
 }
 
-TEST(Camera, ZoomMultipliesTheDistanceAndIsUndoneByItsOpposite) {
+TEST(Camera, ZoomsByAFactorThatTheOppositeZoomUndoes) {
   Camera camera = random_camera(4);
   const Camera before = camera;
   camera.zoom(3);
@@ -129,7 +130,7 @@ TEST(Camera, ZoomMultipliesTheDistanceAndIsUndoneByItsOpposite) {
   EXPECT_GT(camera.distance, 0);
 }
 
-TEST(Camera, FrameShowsTheWholeBox) {
+TEST(Camera, FramesTheWholeBox) {
   for (int i = 0; i < 50; ++i) {
     Camera camera = random_camera(i);
     const Aabb box{{-0.01, -0.02, 0.003}, {0.02, 0.05, 0.04}};

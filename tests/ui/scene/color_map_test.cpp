@@ -1,3 +1,4 @@
+// Colour maps of pressures and the colours of taxels.
 #include "ui/scene/color_map.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace taxel::ui {
 namespace {
 
-/// CIE L*a*b* of linear sRGB (IEC 61966-2-1 primaries, D65).
+/// Returns the CIE L*a*b* values of linear sRGB (IEC 61966-2-1 primaries, D65).
 glm::dvec3 lab(const glm::dvec3& linear) {
   const glm::dvec3 xyz(0.4124564 * linear.r + 0.3575761 * linear.g + 0.1804375 * linear.b,
                        0.2126729 * linear.r + 0.7151522 * linear.g + 0.0721750 * linear.b,
@@ -24,7 +25,7 @@ glm::dvec3 lab(const glm::dvec3& linear) {
 
 const ColorMap& kViridisMap = kColorMaps.front();
 
-TEST(ColorMap, EveryRowHasItsOwnWordAndLabel) {
+TEST(ColorMap, GivesEveryRowItsOwnWordAndLabel) {
   std::set<std::string_view> words, labels;
   for (const ColorMap& map : kColorMaps) {
     EXPECT_TRUE(words.insert(map.word).second) << map.word;
@@ -32,7 +33,7 @@ TEST(ColorMap, EveryRowHasItsOwnWordAndLabel) {
   }
 }
 
-TEST(ColorMap, RangeSpreadsTheMapOverItsPressures) {
+TEST(ColorMap, SpreadsOverTheRangeOfPressures) {
   PressureRange range{100, 300};
   EXPECT_EQ(range.color(200), kViridisMap.at(0.5));
   EXPECT_EQ(range.color(1000), kViridisMap.at(1));
@@ -40,7 +41,7 @@ TEST(ColorMap, RangeSpreadsTheMapOverItsPressures) {
   EXPECT_EQ(range.color(200), kViridisMap.at(0));
 }
 
-TEST(ColorMap, ViridisRunsThroughItsTable) {
+TEST(ColorMap, InterpolatesTheTableOfViridis) {
   for (int i = 0; i < 256; ++i) {
     const glm::vec3 c = kViridisMap.at(i / 255.0);
     const glm::vec3 expected(kViridis[i].r, kViridis[i].g, kViridis[i].b);
@@ -54,19 +55,19 @@ TEST(ColorMap, ViridisRunsThroughItsTable) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(middle[k], 0.5f * (a[k] + b[k]), 1e-6);
 }
 
-TEST(ColorMap, ViridisGetsSteadilyLighter) {
+TEST(ColorMap, GetsSteadilyLighterInViridis) {
   double last = -1;
   for (int i = 0; i < 256; ++i) {
     const double lightness = lab(linear_from_srgb(kViridisMap.at(i / 255.0))).x;
-    EXPECT_GT(lightness, last - 0.15) << i;  // steps of 8 bits
+    EXPECT_GT(lightness, last - 0.15) << i;  // colours have 8 bits per channel
     last = lightness;
   }
   EXPECT_LT(lab(linear_from_srgb(kViridisMap.at(0))).x, 16);
   EXPECT_GT(lab(linear_from_srgb(kViridisMap.at(1))).x, 89);
 }
 
-TEST(ColorMap, TaxelsStayApartForTheColourBlind) {
-  // Machado, Oliveira, Fernandes 2009, severity 1, rows
+TEST(ColorMap, GivesTaxelsColoursThatColourBlindPeopleDistinguish) {
+  // Rows of the matrix of Machado, Oliveira and Fernandes 2009 at severity 1.
   const glm::dmat3 protan = glm::transpose(
       glm::dmat3(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998));
   const glm::dmat3 deutan = glm::transpose(

@@ -1,3 +1,4 @@
+// The cap of bodies that the clip plane cuts open.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
 
-/// One solid body, cut by the plane x = 0; what lies at x > 0, towards the eye, is gone.
+/// Returns a scene with one solid body, cut by the plane x = 0. The part at x > 0, towards the eye, is removed.
 SceneInput cut_body(const TriMeshPtr& mesh) {
   SceneInput input = test::bodies({{mesh, Pose{}}});
   input.clip = ClipPlane{{1, 0, 0}, 0};
@@ -27,7 +28,7 @@ Camera facing_the_cut() {
   return camera;
 }
 
-/// How far a pixel's colour lies from those between fill and hatching, in levels of 255.
+/// Returns the distance of a pixel's colour from the colours between fill and hatching, in levels of 255.
 double off_the_cap(const std::array<int, 3>& pixel, const CutColors& cap) {
   const glm::vec3 p = glm::vec3(pixel[0], pixel[1], pixel[2]) / 255.0f, along = cap.line - cap.fill;
   const float part = std::clamp(glm::dot(p - cap.fill, along) / glm::dot(along, along), 0.0f, 1.0f);
@@ -41,8 +42,7 @@ class CutTest : public ::testing::Test {
     renderer_.render(input, camera, kWidth, kHeight);
     return renderer_.picture();
   }
-  /// Of the points of a grid in the cut of which `kind` says `which`: how many there are, and how many are drawn as
-  /// cap.
+  /// Grid points of the cut for which `kind` returns `which`: their number, and the number of them drawn as cap.
   struct Count {
     int points = 0, capped = 0;
   };
@@ -66,13 +66,13 @@ class CutTest : public ::testing::Test {
   SceneRenderer renderer_;
 };
 
-TEST_F(CutTest, TheCutIsFilledButForItsCavities) {
+TEST_F(CutTest, FillsTheCutExceptForCavities) {
   const SceneInput input = cut_body(test::joined(make_box(dvec3(0.03)), make_icosphere(0.018, 4), {0, 0.005, 0}, true));
   const Camera camera = facing_the_cut();
   const gl::RgbImage image = draw(input, camera);
   test::write_picture("cut_with_cavity", image);
   enum { neither, material, cavity, outside };
-  const auto kind = [](double y, double z) {  // 1 mm beside every edge, for the lines there
+  const auto kind = [](double y, double z) {  // Omits 1 mm around every edge, where lines are drawn.
     const double r = std::hypot(y - 0.005, z), side = std::max(std::abs(y), std::abs(z));
     return r < 0.017 ? cavity : side > 0.031 ? outside : r > 0.019 && side < 0.029 ? material : neither;
   };
@@ -82,11 +82,11 @@ TEST_F(CutTest, TheCutIsFilledButForItsCavities) {
   for (const int empty : {cavity, outside}) {
     const Count none = count(image, camera, input, kind, empty);
     EXPECT_GT(none.points, 80);
-    EXPECT_LT(none.capped, none.points / 10) << empty;  // the lit wall behind has that very colour somewhere
+    EXPECT_LT(none.capped, none.points / 10) << empty;  // the lit wall behind has the cap's colour at some points
   }
 }
 
-TEST_F(CutTest, OverlappingShellsAreFilledOnceAndWhole) {
+TEST_F(CutTest, FillsOverlappingShellsAsOneArea) {
   const auto box = make_box(dvec3(0.02));
   const SceneInput input = cut_body(test::joined(box, box, {0, 0.015, 0.015}));
   const Camera camera = facing_the_cut();
@@ -98,10 +98,10 @@ TEST_F(CutTest, OverlappingShellsAreFilledOnceAndWhole) {
   };
   const Count overlap = count(image, camera, input, kind, 2);
   EXPECT_GT(overlap.points, 60);
-  EXPECT_GE(overlap.capped, overlap.points - 12);  // a line runs along where the shells end inside each other
+  EXPECT_GE(overlap.capped, overlap.points - 12);  // a line is drawn where the shells end inside each other
 }
 
-TEST_F(CutTest, AnOpenMeshHasNoCap) {
+TEST_F(CutTest, DrawsNoCapForAnOpenMesh) {
   const TriMesh box = make_box(dvec3(0.03));
   std::vector<ivec3> faces = box.faces();
   std::erase_if(faces, [&](const ivec3& f) {  // the side at y = +0.03
@@ -118,7 +118,7 @@ TEST_F(CutTest, AnOpenMeshHasNoCap) {
   EXPECT_LT(inside.capped, inside.points / 10);
 }
 
-TEST_F(CutTest, ACapFollowsPlaneAndBodyAndGoesWithThePlane) {
+TEST_F(CutTest, MovesTheCapWithPlaneAndBody) {
   SceneInput input = cut_body(std::make_shared<const TriMesh>(make_box(dvec3(0.03))));
   const Camera camera = facing_the_cut();
   const auto kind = [](double y, double z) {
@@ -140,7 +140,7 @@ TEST_F(CutTest, ACapFollowsPlaneAndBodyAndGoesWithThePlane) {
   EXPECT_EQ(draw(whole, camera), before);
 }
 
-TEST_F(CutTest, TheContactInsideStaysWhole) {
+TEST_F(CutTest, KeepsTheContactInsideWhole) {
   const SensorModelPtr model = test::finger_model(3000);
   SceneInput input = test::finger_input(test::finger_frame(model, 0.003));
   input.overlays = {};

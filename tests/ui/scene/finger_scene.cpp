@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kBoxHalf = 0.025;
 
-/// Rotation that turns `distal` of the finger (+z) 45 degrees downward and its pad (-y) towards the box below.
+/// Returns the rotation that turns `distal` of the finger (+z) 45 degrees downward and its pad (-y) towards the box
+/// below.
 dquat finger_tilt() {
   const double a = glm::radians(45.0);
   const dvec3 distal(std::cos(a), 0, -std::sin(a)), pad(-std::sin(a), 0, -std::cos(a));
@@ -27,7 +28,7 @@ SensorModelPtr finger_model(int samples) {
   layout.mesh.file = "finger.obj";
   layout.sampling.density = samples / mesh->area();
   const Aabb& box = mesh->bounds();
-  const auto add = [&](double x, double y, double z) {  // towards the skin from the finger's axis
+  const auto add = [&](double x, double y, double z) {  // from the finger's axis towards the skin
     const dvec3 axis(0, box.center().y, std::min(z, 0.62) * box.hi.z);
     const Ray out{axis, glm::normalize(dvec3(x, y, z > 0.62 ? 1.0 : 0.0)), 1.0};
     const auto hit = index.cast(out);

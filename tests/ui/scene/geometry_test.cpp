@@ -1,3 +1,4 @@
+// Geometry for drawing: normals with creases, edges, rings of fields, simplified meshes and the order by depth.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
@@ -16,12 +17,12 @@ double total_length(const std::vector<RingPiece>& ring) {
   return sum;
 }
 
-/// Two large triangles in the plane z = 0.
+/// Returns two large triangles in the plane z = 0.
 TriMesh square(double half) {
   return TriMesh({{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
-TEST(CreaseNormals, ABoxKeepsFlatFaces) {
+TEST(CreaseNormals, KeepTheFacesOfABoxFlat) {
   const RenderMesh mesh = make_render_mesh(make_box({1, 2, 3}));
   EXPECT_EQ(mesh.vertices.size(), 24u);
   ASSERT_EQ(mesh.indices.size(), 36u);
@@ -31,7 +32,7 @@ TEST(CreaseNormals, ABoxKeepsFlatFaces) {
   }
 }
 
-TEST(CreaseNormals, ASphereIsSmoothAndItsFacesStayInOrder) {
+TEST(CreaseNormals, SmoothASphereAndKeepTheOrderOfFaces) {
   const TriMesh sphere = make_icosphere(0.5, 3);
   const RenderMesh mesh = make_render_mesh(sphere);
   EXPECT_EQ(mesh.vertices.size(), sphere.vertices().size());
@@ -44,12 +45,12 @@ TEST(CreaseNormals, ASphereIsSmoothAndItsFacesStayInOrder) {
   }
 }
 
-TEST(MeshEdges, ABoxHasTwelveCreasesAndSixDiagonals) {
+TEST(MeshEdges, FindTwelveCreasesAndSixDiagonalsOfABox) {
   const TriMesh box = make_box({1, 1, 1});
   const auto edges = mesh_edges(box);
   EXPECT_EQ(edges.size(), 18u);
   EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const MeshEdge& e) { return e.crease; }), 12);
-  // from a corner: three faces seen, nine of twelve edges, six of them outline
+  // From a corner three faces are visible, with nine of twelve edges; six of these are outline.
   const VisibleEdges corner = visible_edges(box, edges, {9, 8, 7});
   EXPECT_EQ(corner.outline.size(), 6u);
   EXPECT_EQ(corner.creases.size(), 3u);
@@ -58,14 +59,14 @@ TEST(MeshEdges, ABoxHasTwelveCreasesAndSixDiagonals) {
   EXPECT_EQ(front.creases.size(), 0u);
 }
 
-TEST(MeshEdges, AnOpenBorderIsACrease) {
+TEST(MeshEdges, TreatAnOpenBorderAsACrease) {
   const TriMesh mesh = square(1);
   const auto edges = mesh_edges(mesh);
   EXPECT_EQ(edges.size(), 5u);
   EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const MeshEdge& e) { return e.right < 0 && e.crease; }), 4);
 }
 
-TEST(MeshEdges, TheOutlineOfASphereIsAClosedLoopNearTheHorizon) {
+TEST(MeshEdges, OutlineASphereByAClosedLoopNearTheHorizon) {
   const TriMesh sphere = make_icosphere(1, 4);
   const auto edges = mesh_edges(sphere);
   const dvec3 eye(0, 0, 3);
@@ -79,7 +80,7 @@ TEST(MeshEdges, TheOutlineOfASphereIsAClosedLoopNearTheHorizon) {
   for (const int count : touched) EXPECT_EQ(count % 2, 0);
 }
 
-TEST(FieldRing, OnAPlaneItIsACircle) {
+TEST(FieldRing, IsACircleOnAPlane) {
   const MeshIndex plane(std::make_shared<const TriMesh>(square(1)));
   const dvec3 center(0.1, -0.05, 0.12);
   const double r = std::sqrt(0.3 * 0.3 - 0.12 * 0.12);
@@ -92,17 +93,17 @@ TEST(FieldRing, OnAPlaneItIsACircle) {
   EXPECT_TRUE(field_ring(plane, {0, 0, 0.31}, 0.3, {0, 0, 1}, 45).empty());
 }
 
-TEST(FieldRing, ACircleInsideOneFaceIsWhole) {
+TEST(FieldRing, IsAWholeCircleInsideOneFace) {
   const MeshIndex plane(std::make_shared<const TriMesh>(square(1)));
   const auto ring = field_ring(plane, {0.5, -0.5, 0}, 0.1, {0, 0, 1}, 45, 1.0);
   EXPECT_NEAR(total_length(ring), 2 * kPi * 0.1, 1e-4);
   for (const RingPiece& piece : ring) EXPECT_EQ(piece.face, 0);
 }
 
-TEST(FieldRing, OnASphereItsPiecesJoinToOneLoopOfTheKnownLength) {
+TEST(FieldRing, JoinsToOneLoopOfTheKnownLengthOnASphere) {
   const MeshIndex sphere(std::make_shared<const TriMesh>(make_icosphere(1, 5)));
   const auto ring = field_ring(sphere, {0, 0, 1}, 0.4, {0, 0, 1}, 45, 2.0);
-  // |x - (0,0,1)| = r on the unit sphere: z = 1 - r^2 / 2
+  // |x - (0,0,1)| = r on the unit sphere: z = 1 - r^2 / 2.
   const double z = 1 - 0.5 * 0.4 * 0.4;
   EXPECT_NEAR(total_length(ring), 2 * kPi * std::sqrt(1 - z * z), 0.005);
   for (const RingPiece& piece : ring) {
@@ -121,14 +122,14 @@ TEST(FieldRing, StaysOnFacesWithinTheAngle) {
   EXPECT_GT(field_ring(box, {0, 0, 0.01}, 0.012, {0, 0, 1}, 120).size(), ring.size());
 }
 
-TEST(FieldRing, SubtaxelsHaveTheirOwnRings) {
+TEST(FieldRing, IsDrawnForEachSubtaxel) {
   Taxel taxel;
   taxel.subtaxels = {{{-0.5, 0, 0}, {0, 0, 1}, 0.1}, {{0.5, 0, 0}, {0, 0, 1}, 0.2}};
   const auto ring = taxel_rings(MeshIndex(std::make_shared<const TriMesh>(square(1))), taxel, {});
   EXPECT_NEAR(total_length(ring), 2 * kPi * 0.3, 0.003);
 }
 
-TEST(Simplify, KeepsTheShapeWithAboutAsManyFacesAsAskedFor) {
+TEST(Simplify, KeepsTheShapeWithAboutTheRequestedFaceCount) {
   const auto sphere = std::make_shared<const TriMesh>(make_icosphere(0.5, 6));  // 81 920 faces
   const TriMeshPtr coarse = simplify(sphere, 5000);
   EXPECT_GT(coarse->face_count(), 2500);
@@ -136,17 +137,17 @@ TEST(Simplify, KeepsTheShapeWithAboutAsManyFacesAsAskedFor) {
   EXPECT_NEAR(coarse->volume(), sphere->volume(), 0.02 * sphere->volume());
   const double cell = std::sqrt(2 * sphere->area() / 5000);
   for (const dvec3& v : coarse->vertices()) EXPECT_NEAR(glm::length(v), 0.5, 0.5 * cell);
-  for (int f = 0; f < coarse->face_count(); ++f) {  // no face turned inside out
+  for (int f = 0; f < coarse->face_count(); ++f) {  // no face may be reversed
     EXPECT_GT(glm::dot(coarse->face_normals()[static_cast<std::size_t>(f)], coarse->vertex(f, 0)), 0);
   }
 }
 
-TEST(Simplify, AMeshThatWouldVanishStays) {
+TEST(Simplify, ReturnsTheMeshIfItWouldVanish) {
   const auto box = std::make_shared<const TriMesh>(make_box({1, 1, 1}));
   EXPECT_EQ(simplify(box, 1), box);
 }
 
-TEST(DepthOrder, GoesFromBackToFrontAndLosesNothing) {
+TEST(DepthOrder, SortsAllFacesFromBackToFront) {
   const TriMesh sphere = make_icosphere(1, 3);
   std::vector<glm::vec3> centroids;
   std::vector<std::uint32_t> indices, sorted;

@@ -1,3 +1,4 @@
+// Framebuffers and shader sources of OpenGL.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -15,7 +16,7 @@ TEST(Framebuffer, ReadsTheTopRowFirst) {
   glClearColor(0, 0, 1, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(1, 2, 2, 1);  // GL counts rows from below
+  glScissor(1, 2, 2, 1);  // OpenGL counts rows from below
   glClearColor(1, 0.2f, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
@@ -29,7 +30,7 @@ TEST(Framebuffer, ReadsTheTopRowFirst) {
   }
 }
 
-TEST(Framebuffer, MultisamplingIsResolved) {
+TEST(Framebuffer, ResolvesMultisampling) {
   test::context();
   const Framebuffer target(4, 4, 4);
   target.bind();
@@ -54,7 +55,7 @@ TEST(ShaderSource, IncludesOnceAndKeepsFilesAndLines) {
   EXPECT_THROW(read_embedded_shader("missing.vert"), Error);
 }
 
-TEST(ShaderSource, UnderstandsTheMessagesOfMesaAndNvidia) {
+TEST(ShaderSource, ParsesTheMessagesOfMesaAndNvidia) {
   const ShaderSource source{"", {"line.frag", "color.glsl"}};
   const ShaderMessage mesa = parse_shader_log("0:10012(5): error: `y' undeclared\n0:3(1): error: more\n", source);
   EXPECT_EQ(mesa.file, "color.glsl");

@@ -1,3 +1,4 @@
+// Shadows and ambient occlusion in the 3-D view.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
 constexpr double kPlate = 0.03, kThin = 0.002, kRadius = 0.006,
-                 kHover = 0.012;  // the ball hovers over the plate
+                 kHover = 0.012;  // height of the ball over the plate
 
 TriMesh plate() {
   return make_box({kPlate, kPlate, kThin});
@@ -29,18 +30,18 @@ Camera from_above() {
   return camera;
 }
 
-/// Brightness of the pixel at a point, 0 to 255.
+/// Returns the brightness of the pixel at a point, 0 to 255.
 double brightness(const gl::RgbImage& image, const Camera& camera, const dvec3& p) {
   const auto pixel = test::pixel_at(image, dvec2(camera.project(p, kWidth, kHeight)));
   return (pixel[0] + pixel[1] + pixel[2]) / 3.0;
 }
 
-/// How near a line from p along `direction` comes to the ball, in its radii.
+/// Returns the distance of the ball's centre from a line from p along `direction`, in radii of the ball.
 double radii_from_ball(const dvec3& p, const dvec3& direction, const dvec3& center) {
   return glm::length(glm::cross(center - p, direction)) / kRadius;
 }
 
-/// Shaders of which nothing is shaded.
+/// Returns the source of a shader with shadows and ambient occlusion removed.
 std::string without_shadows(const std::string& name) {
   if (name == "key_shadow.glsl") {
     return "vec3 key_map_point(vec3 p_W, vec3 n) { return vec3(0.0); }\nfloat "
@@ -61,8 +62,8 @@ class LightTest : public ::testing::Test {
     renderer.render(input, camera, kWidth, kHeight);
     return renderer.picture();
   }
-  /// Calls `see(point, radii from the ball towards the light)` for points of
-  /// the plate's top that the ball does not hide.
+  /// Calls `see(point, radii from the ball towards the light)` for points of the plate's top that the ball does not
+  /// hide.
   template <class See>
   static void each_point(const dvec3& ball, const See& see) {
     const dvec3 light = glm::normalize(dvec3(look(true).key_direction));
@@ -74,8 +75,7 @@ class LightTest : public ::testing::Test {
       }
     }
   }
-  /// Whether the plate is dark where the ball stands before the light, and only
-  /// there.
+  /// Expects the plate to be dark only where the ball is between the plate and the light.
   void expect_shadow_of_ball(const SceneInput& input, const dvec3& ball) {
     const gl::RgbImage shaded = draw(input), unshaded = draw_unshaded(input);
     int umbra = 0, lit = 0;
@@ -95,22 +95,22 @@ class LightTest : public ::testing::Test {
   SceneRenderer renderer_;
 };
 
-TEST_F(LightTest, ABallShadesThePlateBelowItAlongTheKeyLight) {
+TEST_F(LightTest, CastsTheShadowOfABallAlongTheKeyLight) {
   const auto ball = std::make_shared<const TriMesh>(make_icosphere(kRadius, 4));
   const auto flat = std::make_shared<const TriMesh>(plate());
-  for (const double x : {0.0, 0.01}) {  // the shadow follows
+  for (const double x : {0.0, 0.01}) {  // the shadow follows the ball
     const SceneInput input = test::bodies({{flat, Pose{}}, {ball, {dquat(1, 0, 0, 0), ball_center(x)}}});
     expect_shadow_of_ball(input, ball_center(x));
     if (x == 0) test::write_picture("key_shadow", draw(input));
   }
 }
 
-TEST_F(LightTest, ABodyShadesItself) {
+TEST_F(LightTest, CastsTheShadowOfABodyOntoItself) {
   expect_shadow_of_ball(test::bodies({{test::joined(plate(), make_icosphere(kRadius, 4), ball_center()), Pose{}}}),
                         ball_center());
 }
 
-TEST_F(LightTest, TheShadowsEdgeIsSoft) {
+TEST_F(LightTest, DrawsSoftShadowEdges) {
   const auto ball = std::make_shared<const TriMesh>(make_icosphere(kRadius, 4));
   const SceneInput input =
       test::bodies({{std::make_shared<const TriMesh>(plate()), Pose{}}, {ball, {dquat(1, 0, 0, 0), ball_center()}}});
@@ -120,7 +120,7 @@ TEST_F(LightTest, TheShadowsEdgeIsSoft) {
   const dvec3 light = glm::normalize(dvec3(look(true).key_direction));
   const dvec3 middle = ball_center() - (kHover - kThin) / light.z * light;
   double last = 0, largest_step = 0, darkest = 255, brightest = 0;
-  for (double t = 0; t < 2 * kRadius; t += 0.00005) {  // away from below the ball
+  for (double t = 0; t < 2 * kRadius; t += 0.00005) {  // from below the ball outward
     const double now = brightness(image, camera, middle + dvec3(-0.8 * t, -0.6 * t, 0));
     if (t > 0) {
       largest_step = std::max(largest_step, now - last);
@@ -134,7 +134,7 @@ TEST_F(LightTest, TheShadowsEdgeIsSoft) {
   EXPECT_LT(largest_step, 0.5 * (brightest - darkest));
 }
 
-TEST_F(LightTest, ConvexBodiesDoNotShadeThemselves) {
+TEST_F(LightTest, CastsNoShadowOfConvexBodiesOntoThemselves) {
   for (const auto& [name, mesh] : {std::pair{"ball", make_icosphere(0.02, 5)}, std::pair{"box", make_box(dvec3(0.015))},
                                    std::pair{"fingertip", make_fingertip()}}) {
     const SceneInput input = test::bodies({{std::make_shared<const TriMesh>(mesh), Pose{}}});
@@ -151,14 +151,15 @@ TEST_F(LightTest, ConvexBodiesDoNotShadeThemselves) {
         much += std::abs(darker) > 14 ? 1 : 0;
       }
       const auto all = static_cast<double>(shaded.rgb.size());
-      EXPECT_LT(somewhat, 0.004 * all) << name << ' ' << azimuth;  // where the light grazes
+      EXPECT_LT(somewhat, 0.004 * all) << name << ' ' << azimuth;  // where the light grazes the surface
       EXPECT_LT(much, 0.0006 * all) << name << ' ' << azimuth;
       test::write_picture(std::string("unshaded_") + name, shaded);
     }
   }
 }
 
-/// The body with a speck in its middle that nobody sees: no closed one, so that all its faces are drawn.
+/// Returns the body with an invisible open triangle in its middle. The body is no longer closed, so all its faces are
+/// drawn.
 TriMeshPtr with_speck(const TriMesh& body) {
   std::vector<dvec3> vertices = body.vertices();
   std::vector<ivec3> faces = body.faces();
@@ -170,7 +171,7 @@ TriMeshPtr with_speck(const TriMesh& body) {
   return std::make_shared<const TriMesh>(std::move(vertices), std::move(faces));
 }
 
-/// But for some pixels where the light grazes.
+/// Expects equal images except for some pixels where the light grazes the surface.
 void expect_alike(const gl::RgbImage& a, const gl::RgbImage& b) {
   int other = 0, most = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) {
@@ -181,7 +182,7 @@ void expect_alike(const gl::RgbImage& a, const gl::RgbImage& b) {
   EXPECT_LT(most, 30);
 }
 
-TEST_F(LightTest, FacesThatLookAwayAreNotMissed) {
+TEST_F(LightTest, DrawsClosedBodiesWithoutBackFacesAlike) {
   const TriMesh ball = make_icosphere(kRadius, 3), flat = plate();
   const Pose above{dquat(1, 0, 0, 0), ball_center()};
   const SceneInput closed =
@@ -190,11 +191,11 @@ TEST_F(LightTest, FacesThatLookAwayAreNotMissed) {
   ASSERT_FALSE(with_speck(flat)->closed());
   Camera within = from_above();
   within.target = above.p;
-  within.distance = 0.5 * kRadius;  // in the ball
+  within.distance = 0.5 * kRadius;  // inside the ball
   for (const Camera& camera : {from_above(), within}) expect_alike(draw(closed, camera), draw(open, camera));
 }
 
-TEST_F(LightTest, NorAreThoseOfSensors) {
+TEST_F(LightTest, DrawsClosedSensorsWithoutBackFacesAlike) {
   const SensorModelPtr closed = test::finger_model(300);
   const auto open = std::make_shared<SensorModel>(*closed);
   open->mesh = with_speck(*closed->mesh);
@@ -211,12 +212,12 @@ TEST_F(LightTest, NorAreThoseOfSensors) {
   expect_alike(drawn(closed), drawn(open));
 }
 
-/// A box beside a taller one, as stairs are.
+/// Returns a box next to a taller one, like stairs.
 TriMeshPtr step() {
   return test::joined(make_box({0.02, 0.02, 0.005}), make_box({0.01, 0.02, 0.01}), {-0.01, 0, 0.01});
 }
 
-TEST_F(LightTest, AmbientOcclusionDarkensACreaseAndNothingElse) {
+TEST_F(LightTest, DarkensOnlyACreaseByAmbientOcclusion) {
   const SceneInput input = test::bodies({{step(), Pose{}}});
   Camera camera = from_above();
   camera.azimuth_deg = 60;
@@ -227,7 +228,7 @@ TEST_F(LightTest, AmbientOcclusionDarkensACreaseAndNothingElse) {
   test::write_picture("occlusion_off", without);
   test::write_picture("occlusion_on", with);
   const double radius = 0.05 * step()->bounds().diagonal();
-  const auto darker = [&](double x) {  // on the lower step, at a distance x from the wall
+  const auto darker = [&](double x) {  // returns the darkening on the lower step at a distance x from the wall
     double sum = 0;
     for (double y = -0.012; y <= 0.012; y += 0.001)
       sum += brightness(without, camera, {x, y, 0.005}) - brightness(with, camera, {x, y, 0.005});
@@ -242,7 +243,7 @@ TEST_F(LightTest, AmbientOcclusionDarkensACreaseAndNothingElse) {
   EXPECT_EQ(draw(input, camera), without);
 }
 
-TEST_F(LightTest, AmbientOcclusionLeavesAFlatPlateAsItIs) {
+TEST_F(LightTest, LeavesAFlatPlateUnchangedByAmbientOcclusion) {
   const SceneInput input = test::bodies({{std::make_shared<const TriMesh>(plate()), Pose{}}});
   for (const double elevation : {20.0, 45.0, 80.0}) {
     Camera camera = from_above();
@@ -257,7 +258,7 @@ TEST_F(LightTest, AmbientOcclusionLeavesAFlatPlateAsItIs) {
   }
 }
 
-TEST_F(LightTest, AmbientOcclusionLeavesPressuresAndSamplesAsTheyAre) {
+TEST_F(LightTest, LeavesPressuresAndSamplesUnchangedByAmbientOcclusion) {
   const SensorModelPtr model = test::finger_model(1500);
   SceneInput input = test::finger_input(test::finger_frame(model, 0.003));
   const Camera camera = test::finger_camera();

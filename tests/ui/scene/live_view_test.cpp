@@ -24,7 +24,7 @@ SensorModelPtr ball_model(double radius_of_fields) {
   return model;
 }
 
-/// A square of side 2 mm in z = 0 at even pressure, which pushes up.
+/// Returns a square of side 2 mm in z = 0 with a uniform pressure that pushes up.
 ContactSurface even_square(double pressure) {
   ContactSurface surface;
   for (const dvec3& p : {dvec3(-1, -1, 0), dvec3(1, -1, 0), dvec3(1, 1, 0), dvec3(-1, 1, 0)}) {
@@ -40,8 +40,8 @@ ContactSurface even_square(double pressure) {
   return surface;
 }
 
-// The arrows, times area over their scale, are the force that moves the bodies.
-TEST(TractionMarks, TheirSumIsTheForce) {
+// The sum of the arrows, times area over scale, is the force that moves the bodies.
+TEST(TractionMarks, SumUpToTheForce) {
   const double pressure = 2.0e4;
   SensorStep state;
   state.surfaces = {even_square(pressure)};
@@ -63,7 +63,7 @@ TEST(TractionMarks, TheirSumIsTheForce) {
               1e-6);
 }
 
-TEST(TractionMarks, WithoutMotionsThereIsOnlyPressure) {
+TEST(TractionMarks, ShowOnlyPressureWithoutMotions) {
   SensorStep state;
   state.surfaces = {even_square(1e4)};
   SensorView view;
@@ -75,7 +75,7 @@ TEST(TractionMarks, WithoutMotionsThereIsOnlyPressure) {
   EXPECT_FALSE(marks.numbers.friction_known);
 }
 
-/// Ends of the rays that are shown of 400 hits and 100 misses in a square, `spacing` pixels apart.
+/// Returns the ends of the displayed rays, from 400 hits and 100 misses in a square, `spacing` pixels apart.
 std::pair<std::vector<glm::vec3>, std::size_t> shown_rays(double spacing) {
   auto model = std::make_shared<SensorModel>(*ball_model(0.005));
   SensorStep state;
@@ -93,8 +93,8 @@ std::pair<std::vector<glm::vec3>, std::size_t> shown_rays(double spacing) {
   return {ends, marks.misses.size()};
 }
 
-// No more than one ray in each pixel, and at least one; those that a closer look shows are more of the same.
-TEST(RayMarks, ThoseThatCoverEachOtherAreThinned) {
+// At most one ray is drawn per pixel, and at least one overall. Zooming in keeps these rays and adds others.
+TEST(RayMarks, AreThinnedIfTheyCoverEachOther) {
   const auto [near, near_misses] = shown_rays(3.0);
   EXPECT_EQ(near.size(), 400U);
   EXPECT_EQ(near_misses, 100U);
@@ -117,7 +117,7 @@ double area_of(const SkinWeights& skin) {
   return area;
 }
 
-TEST(SkinWeights, CoverWhatTaxelsSee) {
+TEST(SkinWeights, CoverTheReceptiveFields) {
   const SensorModelPtr model = ball_model(0.01);
   const SkinWeights skin = skin_weights(*model);
   const Coverage coverage = make_coverage(*model, 200'000);
@@ -125,7 +125,7 @@ TEST(SkinWeights, CoverWhatTaxelsSee) {
   EXPECT_EQ(skin.first.size(), skin.points.size() + 1);
 }
 
-// Shares are (r - d)^2 over their sum: by hand at every point that is not on an edge that was cut.
+// Weights are (r - d)^2 over their sum. The test computes them directly at every point that is not on a cut edge.
 TEST(SkinWeights, SpreadReadingsByTheWeightsOfTheFields) {
   const SensorModelPtr model = ball_model(0.01);
   const SkinWeights skin = skin_weights(*model);

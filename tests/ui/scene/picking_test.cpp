@@ -1,3 +1,4 @@
+// Picking of taxels, samples, polygons and bodies, labels, and the gizmo of the axes.
 #include "ui/scene/pick/picking.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +98,7 @@ TEST_F(PickingTest, FindsThePolygonAndItsPressure) {
     EXPECT_EQ(picked->surface, 0);
     EXPECT_NEAR(picked->pressure, polygon.pressure, 1e-6 * input.range.hi);
   }
-  camera.elevation_deg = -50;  // the box stands before it
+  camera.elevation_deg = -50;  // the box is in front of the contact
   const auto& polygons = state.surfaces[0].polygons;
   const auto deepest = std::max_element(polygons.begin(), polygons.end(),
                                         [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
@@ -161,7 +162,7 @@ TEST_F(PickingTest, OmitsLabelsWhosePixelIsNotFinite) {
   }
 }
 
-TEST_F(PickingTest, LabelsStandPastTheArrowsAndKnowWhatHidesThem) {
+TEST_F(PickingTest, PlacesLabelsPastTheArrowsAndDetectsOcclusion) {
   const Camera camera = layout_camera();
   const auto labels = scene_labels(layout_input(), camera, kWidth, kHeight);
   ASSERT_EQ(static_cast<int>(labels.size()), model_->taxel_count());
@@ -177,7 +178,7 @@ TEST_F(PickingTest, LabelsStandPastTheArrowsAndKnowWhatHidesThem) {
   hidden.overlays.taxel_labels = false;
   EXPECT_TRUE(scene_labels(hidden, camera, kWidth, kHeight).empty());
 
-  // from behind the box, it hides the taxels at the tip, though they face the eye
+  // From behind the box: the box hides the taxels at the tip, although they face the eye.
   Camera below = test::finger_camera();
   below.azimuth_deg = 0;
   below.elevation_deg = -60;
@@ -193,9 +194,9 @@ TEST_F(PickingTest, LabelsStandPastTheArrowsAndKnowWhatHidesThem) {
   EXPECT_GE(facing_but_hidden, 1);
 }
 
-TEST_F(PickingTest, LabelsOfManyTaxelsHaveRoomBesideEachOther) {
+TEST_F(PickingTest, PlacesLabelsOfManyTaxelsWithoutOverlap) {
   Layout layout = model_->layout;
-  for (int k = 0; k < 600; ++k) {  // all around, some at the same place
+  for (int k = 0; k < 600; ++k) {  // on all sides, some at the same place
     Taxel taxel = layout.taxels[static_cast<std::size_t>(k % 12)];
     taxel.id = 100 + k;
     taxel.center += 2e-4 * dvec3(k % 7, k % 5, k % 11);
@@ -224,7 +225,7 @@ TEST_F(PickingTest, LabelsOfManyTaxelsHaveRoomBesideEachOther) {
   EXPECT_EQ(selected, 1);
 }
 
-TEST_F(PickingTest, ASampleTellsDistanceAngleAndWeightForEachOfItsTaxels) {
+TEST_F(PickingTest, ReportsDistanceAngleAndWeightOfASamplePerTaxel) {
   int shared = 0;
   for (int s = 0; s < static_cast<int>(model_->samples.size()); ++s) {
     const auto& taxels = model_->taxels_of_sample[static_cast<std::size_t>(s)];
@@ -245,7 +246,7 @@ TEST_F(PickingTest, ASampleTellsDistanceAngleAndWeightForEachOfItsTaxels) {
   EXPECT_GT(shared, 10);
 }
 
-TEST(Gizmo, AClickOnABallLooksFromItsAxis) {
+TEST(Gizmo, LooksFromTheAxisOfAClickedBall) {
   Camera camera;
   camera.target = {0.1, 0.2, 0.3};
   for (const GizmoBall& ball : gizmo_balls(camera, {kWidth, kHeight})) {

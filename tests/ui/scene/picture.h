@@ -1,4 +1,4 @@
-// Pictures in tests: one offscreen context, PNG files to look at, single pixels.
+// Images in tests: one offscreen context, PNG files to look at, single pixels.
 #pragma once
 
 #include <array>
@@ -11,16 +11,17 @@
 
 namespace taxel::test {
 
-/// Made for the first test that draws, kept for all.
+/// Returns the offscreen context, which the first drawing test creates and all tests share.
 gl::OffscreenContext& context();
 
 /// Writes DIR/pictures/NAME.png in the build folder.
 void write_picture(const std::string& name, const gl::RgbImage& image);
 
-/// The pixel that contains a position (from the upper left corner).
+/// Returns the pixel that contains a position (from the upper left corner).
 std::array<int, 3> pixel_at(const gl::RgbImage& image, const dvec2& position);
 
-/// One window of ImGui that fills a picture; `draw` fills the window. Drawn several times, as ImGui needs.
+/// Returns the image of one ImGui window that fills it; `draw` draws the content. ImGui needs several frames, so the
+/// window is drawn several times.
 gl::RgbImage panel_picture(int width, int height, bool dark, const std::function<void()>& draw);
 
 }  // namespace taxel::test

@@ -1,3 +1,4 @@
+// The renderer of the 3-D view: colours, overlays, transparency, sizes and errors of shaders.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -39,7 +40,7 @@ int pixels_changed(const gl::RgbImage& a, const gl::RgbImage& b) {
   return count;
 }
 
-/// Whether p lies in the polygon, seen along its normal.
+/// Returns whether p is inside the polygon, seen along its normal.
 bool inside(const ContactSurface& surface, const ContactPolygon& polygon, const dvec3& p) {
   for (int i = 0; i < polygon.count; ++i) {
     const dvec3& a = surface.vertices[static_cast<std::size_t>(polygon.first + i)];
@@ -49,7 +50,7 @@ bool inside(const ContactSurface& surface, const ContactPolygon& polygon, const 
   return true;
 }
 
-/// Whether no other polygon lies before this one on the ray, nor one almost edge-on.
+/// Returns whether no other polygon is in front of this one on the ray, and none is seen almost edge-on.
 bool is_first(const ContactSurface& surface, const ContactPolygon& polygon, const Ray& ray, double t) {
   for (const ContactPolygon& other : surface.polygons) {
     const double slope = glm::dot(ray.direction, other.normal);
@@ -59,7 +60,7 @@ bool is_first(const ContactSurface& surface, const ContactPolygon& polygon, cons
   return std::abs(glm::dot(ray.direction, polygon.normal)) > 0.2;
 }
 
-/// Compares the pixel at each projected polygon with the colour of the pressure at the pixel's very middle.
+/// Compares the pixel at each projected polygon with the colour of the pressure at the centre of the pixel.
 struct ContactCheck {
   int compared = 0, worst = 0;
 };
@@ -112,17 +113,17 @@ class SceneRendererTest : public ::testing::Test {
 SensorModelPtr SceneRendererTest::model_;
 SimFramePtr SceneRendererTest::frame_;
 
-TEST_F(SceneRendererTest, APolygonsPixelHasTheColourOfItsPressure) {
+TEST_F(SceneRendererTest, DrawsAPolygonInTheColourOfItsPressure) {
   SceneInput input = test::finger_input(frame_);
   input.overlays = nothing();
   input.overlays.contact_surface = true;
   auto frame = std::make_shared<SimFrame>(*frame_);
-  frame->sensors[0].force_W = dvec3(0);  // no arrow over it
+  frame->sensors[0].force_W = dvec3(0);  // no arrow in front of the polygons
   input.frame = frame;
   const ContactCheck alone = check_contact(input, from_above(), draw(input, from_above()));
   EXPECT_GT(alone.compared, 150);
   EXPECT_LE(alone.worst, 1);
-  // neither the skin before it nor rays and samples may tint it
+  // The skin in front of the contact, rays and samples must not tint it.
   input.overlays = Overlays{};
   input.overlays.taxels = input.overlays.path = false;
   const gl::RgbImage image = draw(input, from_above());
@@ -140,7 +141,7 @@ TEST_F(SceneRendererTest, DrawsTheContactInTheMapOfItsRange) {
   input.overlays = nothing();
   input.overlays.contact_surface = true;
   auto frame = std::make_shared<SimFrame>(*frame_);
-  frame->sensors[0].force_W = dvec3(0);  // no arrow over the contact
+  frame->sensors[0].force_W = dvec3(0);  // no arrow in front of the contact
   input.frame = frame;
   const ColorMap* usual = input.range.colors;
   for (const ColorMap* map : {&falling, usual}) {
@@ -151,7 +152,7 @@ TEST_F(SceneRendererTest, DrawsTheContactInTheMapOfItsRange) {
   }
 }
 
-TEST_F(SceneRendererTest, TheRangeDecidesTheColoursAndOutOfRangeIsClamped) {
+TEST_F(SceneRendererTest, ClampsPressuresOutsideTheRangeOfColours) {
   SceneInput input = test::finger_input(frame_);
   input.overlays = nothing();
   input.overlays.contact_surface = true;
@@ -162,7 +163,7 @@ TEST_F(SceneRendererTest, TheRangeDecidesTheColoursAndOutOfRangeIsClamped) {
   EXPECT_LE(check_contact(input, from_above(), draw(input, from_above())).worst, 1);
 }
 
-TEST_F(SceneRendererTest, SolidSkinHidesTheContactAndTransparentSkinShowsIt) {
+TEST_F(SceneRendererTest, ShowsTheContactThroughTransparentSkinOnly) {
   SceneInput input = test::finger_input(frame_);
   input.overlays = nothing();
   input.overlays.contact_surface = true;
@@ -175,13 +176,13 @@ TEST_F(SceneRendererTest, SolidSkinHidesTheContactAndTransparentSkinShowsIt) {
   EXPECT_GT(check_contact(input, above, draw(input, above)).worst, 50);
   input.overlays.sensor_transparent = true;
   EXPECT_LE(check_contact(input, above, draw(input, above)).worst, 1);
-  // the box is solid: from below nothing of the contact shines through
+  // The box is solid: from below, the contact does not shine through.
   Camera below = from_above();
   below.elevation_deg = -50;
   EXPECT_GT(check_contact(input, below, draw(input, below)).worst, 50);
 }
 
-TEST_F(SceneRendererTest, TransparentSkinLetsTheBackgroundThroughSolidSkinDoesNot) {
+TEST_F(SceneRendererTest, ShowsTheBackgroundThroughTransparentSkinOnly) {
   SceneInput input;
   input.document_model = model_;
   input.overlays = nothing();
@@ -199,7 +200,7 @@ TEST_F(SceneRendererTest, TransparentSkinLetsTheBackgroundThroughSolidSkinDoesNo
   EXPECT_GT(dark_minus_light(true), dark_minus_light(false) + 40);
 }
 
-TEST_F(SceneRendererTest, ASamplesPixelHasItsTaxelsColour) {
+TEST_F(SceneRendererTest, DrawsASampleInTheColourOfItsTaxel) {
   const auto sparse = test::finger_model(1500);
   SceneInput input;
   input.document_model = sparse;
@@ -225,7 +226,7 @@ TEST_F(SceneRendererTest, ASamplesPixelHasItsTaxelsColour) {
   }
 }
 
-TEST_F(SceneRendererTest, ATaxelsCentreHasItsColour) {
+TEST_F(SceneRendererTest, DrawsTheCentreOfATaxelInItsColour) {
   SceneInput input;
   input.document_model = model_;
   Camera camera;
@@ -244,7 +245,7 @@ TEST_F(SceneRendererTest, ATaxelsCentreHasItsColour) {
   EXPECT_GE(compared, 6);
 }
 
-TEST_F(SceneRendererTest, EveryOverlayIsSeen) {
+TEST_F(SceneRendererTest, DrawsEveryOverlay) {
   const SceneInput all = [&] {
     SceneInput input = test::finger_input(frame_);
     input.overlays.contact_edges = input.overlays.sample_normals = input.overlays.wireframe = true;
@@ -278,7 +279,7 @@ TEST_F(SceneRendererTest, EveryOverlayIsSeen) {
   EXPECT_GT(pixels_changed(whole, draw(input, camera)), 200);
 }
 
-TEST_F(SceneRendererTest, FilteredPolygonsAreOutlinedInTheColourOfTheirReason) {
+TEST_F(SceneRendererTest, OutlinesFilteredPolygonsInTheColourOfTheReason) {
   auto frame = std::make_shared<SimFrame>(*frame_);
   ContactSurface& surface = frame->sensors[0].surfaces[0];
   surface.filtered.clear();
@@ -294,7 +295,7 @@ TEST_F(SceneRendererTest, FilteredPolygonsAreOutlinedInTheColourOfTheirReason) {
   Camera camera = test::finger_camera();
   camera.distance = 0.06;
   const gl::RgbImage without = draw(input, camera);
-  EXPECT_EQ(without, draw(test::finger_input(frame_), camera));  // off unless asked for
+  EXPECT_EQ(without, draw(test::finger_input(frame_), camera));  // off by default
   input.overlays.filtered_polygons = true;
   const gl::RgbImage with = draw(input, camera);
   test::write_picture("filtered", with);
@@ -314,7 +315,7 @@ TEST_F(SceneRendererTest, FilteredPolygonsAreOutlinedInTheColourOfTheirReason) {
   }
 }
 
-TEST_F(SceneRendererTest, TheSameInputGivesTheSameBytes) {
+TEST_F(SceneRendererTest, GivesTheSameBytesForTheSameInput) {
   const SceneInput input = test::finger_input(frame_);
   const Camera camera = test::finger_camera();
   const gl::RgbImage first = draw(input, camera);
@@ -325,13 +326,13 @@ TEST_F(SceneRendererTest, TheSameInputGivesTheSameBytes) {
   light.dark = false;
   test::write_picture("sweep_light", draw(light, camera));
   EXPECT_GT(pixels_changed(first, draw(input, other)), 10000);
-  EXPECT_EQ(draw(input, camera), first);  // nothing kept of the pictures between
+  EXPECT_EQ(draw(input, camera), first);  // nothing remains of the images in between
   SceneRenderer fresh;
   fresh.render(input, camera, kWidth, kHeight);
   EXPECT_EQ(fresh.picture(), first);
 }
 
-/// Mean difference of the levels of a picture to those of one twice as large, four pixels for one.
+/// Returns the mean difference between the levels of an image and those of one twice as large, four pixels for one.
 double difference_to_half(const gl::RgbImage& picture, const gl::RgbImage& twice) {
   const auto level = [](const gl::RgbImage& image, int x, int y, int k) {
     return static_cast<double>(image.rgb[static_cast<std::size_t>(3 * (y * image.width + x) + k)]);
@@ -349,7 +350,7 @@ double difference_to_half(const gl::RgbImage& picture, const gl::RgbImage& twice
   return sum / (3.0 * picture.width * picture.height);
 }
 
-TEST_F(SceneRendererTest, AtTwiceTheScaleEverythingIsTwiceAsLarge) {
+TEST_F(SceneRendererTest, DrawsEverythingTwiceAsLargeAtTwiceTheScale) {
   SceneInput input = test::finger_input(frame_);
   const Camera camera = test::finger_camera();
   const gl::RgbImage once = draw(input, camera);
@@ -362,7 +363,7 @@ TEST_F(SceneRendererTest, AtTwiceTheScaleEverythingIsTwiceAsLarge) {
   EXPECT_GT(thin, 2 * scaled) << "lines, points and the gizmo stay as they were";
 }
 
-TEST_F(SceneRendererTest, ACutOutHasTheBodiesAloneAtAnySize) {
+TEST_F(SceneRendererTest, DrawsACutOutOfTheBodiesAtAnySize) {
   SceneInput input;
   input.document_model = model_;
   input.overlays = nothing();
@@ -389,7 +390,7 @@ TEST_F(SceneRendererTest, ACutOutHasTheBodiesAloneAtAnySize) {
   const std::vector<int> thin = pixel(renderer_.cut_out(input, camera, 400, 300), 200, 150);
   EXPECT_GT(thin[3], 40);
   EXPECT_LT(thin[3], 215);
-  EXPECT_GT(thin[0], thin[2] + 15) << "the skin's own colour, not darkened by what is not behind it";
+  EXPECT_GT(thin[0], thin[2] + 15) << "the skin's own colour, not darkened, because there is nothing behind it";
   input.overlays.sensor_transparent = false;
   EXPECT_EQ(draw(input, camera), before);
 }
@@ -402,7 +403,7 @@ TEST_F(SceneRendererTest, FollowsTheSizeOfItsView) {
   EXPECT_EQ(small.height, 201);
   EXPECT_EQ(small.rgb.size(), 3u * 333 * 201);
   EXPECT_EQ(draw(input, test::finger_camera()), first);
-  EXPECT_NO_THROW(draw(input, test::finger_camera(), 0, -5));  // a view that is folded away
+  EXPECT_NO_THROW(draw(input, test::finger_camera(), 0, -5));  // a collapsed view
   EXPECT_EQ(draw(input, test::finger_camera()), first);
 }
 
@@ -411,10 +412,10 @@ TEST_F(SceneRendererTest, DrawsWithoutAnythingLoaded) {
   const gl::RgbImage empty = draw(input, Camera{});
   test::write_picture("empty", empty);
   input.overlays.grid = false;
-  EXPECT_GT(pixels_changed(empty, draw(input, Camera{})), 2000);  // the grid was there
+  EXPECT_GT(pixels_changed(empty, draw(input, Camera{})), 2000);  // the grid was drawn
 }
 
-TEST_F(SceneRendererTest, APlaneGeomHidesWhatLiesBelowIt) {
+TEST_F(SceneRendererTest, HidesObjectsBelowAPlaneGeom) {
   auto scene = std::make_shared<SimScene>(*frame_->scene);
   scene->geoms[0].plane = true;  // the box becomes the floor at its own pose
   auto frame = std::make_shared<SimFrame>(*frame_);
@@ -433,7 +434,7 @@ TEST_F(SceneRendererTest, APlaneGeomHidesWhatLiesBelowIt) {
   EXPECT_GT(pixel[0], pixel[1] + 15);
 }
 
-TEST_F(SceneRendererTest, ABrokenShaderIsNamedWithItsLine) {
+TEST_F(SceneRendererTest, NamesABrokenShaderWithItsLine) {
   const auto broken = [](const std::string& file, const std::string& text) {
     return [=](const std::string& name) { return name == file ? text : gl::read_embedded_shader(name); };
   };

@@ -1,3 +1,4 @@
+// The section through a taxel: plane, outlines of bodies, contact and rays.
 #include "ui/scene/section.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ class SectionTest : public ::testing::Test {
 SensorModelPtr SectionTest::model_;
 SimFramePtr SectionTest::frame_;
 
-TEST_F(SectionTest, PlaneHoldsTheTaxelItsNormalAndTheTravel) {
+TEST_F(SectionTest, ContainsTheTaxelItsNormalAndTheTravel) {
   const SensorStep& state = frame_->sensors[0];
   for (int k = 0; k < model_->taxel_count(); ++k) {
     const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
@@ -44,14 +45,14 @@ TEST_F(SectionTest, PlaneHoldsTheTaxelItsNormalAndTheTravel) {
     EXPECT_NEAR(glm::length(s.plane.origin_W - state.X_WM * taxel.center), 0, 1e-15);
     EXPECT_NEAR(glm::dot(s.plane.z, state.X_WM.rotate(taxel.normal)), 0, 1e-12);
     EXPECT_NEAR(s.plane.z.x, 0, 1e-12);  // the travel is along x
-    EXPECT_GT(s.plane.x.x, 0);           // and runs to the right
+    EXPECT_GT(s.plane.x.x, 0);           // and x points to the right
     EXPECT_NEAR(glm::dot(glm::cross(s.plane.x, s.plane.y), s.plane.z), 1, 1e-12);
     EXPECT_EQ(s.radius, taxel.radius);
   }
 }
 
-TEST_F(SectionTest, ClosedBodiesGiveClosedOutlinesOfTheRightArea) {
-  // a box cut across its middle; a sphere cut at a height gives the circle of that height
+TEST_F(SectionTest, GivesClosedOutlinesOfTheExactAreaForClosedBodies) {
+  // A box is cut across its middle. A sphere cut at a height gives the circle at this height.
   const SectionPlane level{{0, 0, 0.3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto area = [&](const TriMesh& mesh) {
     const auto outlines = join_outlines(slice_mesh(mesh, level.origin_W, level.z), level, Pose{});
@@ -67,7 +68,7 @@ TEST_F(SectionTest, ClosedBodiesGiveClosedOutlinesOfTheRightArea) {
   EXPECT_NEAR(area(TriMesh(box.vertices(), inward)), -4.0, 1e-12);  // a cavity
 }
 
-TEST_F(SectionTest, ContactPiecesLieOnTheSurfaceWithItsPressure) {
+TEST_F(SectionTest, GivesContactPiecesOnTheSurfaceWithItsPressure) {
   const SensorStep& state = frame_->sensors[0];
   const Section s = section(-1);
   ASSERT_GT(s.contact.size(), 5u);
@@ -86,7 +87,7 @@ TEST_F(SectionTest, ContactPiecesLieOnTheSurfaceWithItsPressure) {
   EXPECT_GT(length, 0.003);  // some millimetres of contact
 }
 
-TEST_F(SectionTest, RaysEndOnTheContactOrAreStubs) {
+TEST_F(SectionTest, GivesRaysThatEndOnTheContactOrAreStubs) {
   const Section s = section(-1);
   int hits = 0;
   for (const auto& ray : s.rays) {
@@ -103,7 +104,7 @@ TEST_F(SectionTest, RaysEndOnTheContactOrAreStubs) {
   for (const auto& sample : s.samples) EXPECT_LT(sample.color, model_->taxel_count());
 }
 
-TEST_F(SectionTest, WithoutASimulationItCutsTheLayout) {
+TEST_F(SectionTest, CutsTheLayoutWithoutASimulation) {
   SceneInput input;
   input.document_model = model_;
   const Section s = make_section(input, sensor_views(input).front(), 2e-4);
@@ -113,7 +114,7 @@ TEST_F(SectionTest, WithoutASimulationItCutsTheLayout) {
   EXPECT_NEAR(std::abs(s.plane.z.x), 1, 1e-12);  // the finger's plane of symmetry
 }
 
-TEST_F(SectionTest, ThePanelShowsTheContactInItsColours) {
+TEST_F(SectionTest, ShowsTheContactInItsColoursInThePanel) {
   SceneInput input = test::finger_input(frame_);
   input.overlays.rays = false;
   SectionState state;

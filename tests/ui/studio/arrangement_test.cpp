@@ -1,4 +1,4 @@
-// Where panels stand: side by side, or as tabs where text is too large for that.
+// The arrangement of panels: side by side, or as tabs if the text is too large.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -6,13 +6,13 @@
 namespace taxel::test {
 namespace {
 
-/// Height of the axis of the pressure bars, in heights of text at scale 1; 0: no bars are shown.
+/// Returns the height of the axis of the pressure bars, in heights of text at scale 1, or 0 if no bars are shown.
 double bars_height(const Json& state) {
   const Json& bars = state["bars"];
   return bars.empty() ? 0.0 : bars[0]["axis_height"].get<double>() / 15;
 }
 
-TEST(Arrangement, PanelsBecomeTabsWhereTextIsTooLargeAndStandApartAgain) {
+TEST(Arrangement, TurnsPanelsIntoTabsIfTextIsTooLargeAndBack) {
   const StudioProgram studio;
   Lines script{kLayoutMode, kIdle, dump("once.json")};
   for (int i = 0; i < 7; ++i) script.insert(script.end(), {key("=", kCtrl), kIdle});

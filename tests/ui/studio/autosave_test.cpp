@@ -1,4 +1,4 @@
-// When unsaved edits are written, at made-up times.
+// The times at which unsaved edits are written, with a simulated clock.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ using studio::Autosave;
 
 class AutosaveInterval : public testing::TestWithParam<double> {};
 
-/// Edits without end: each revision is written at the latest one interval after it was made, and not at every edit.
+/// With continuous edits, each revision is written at the latest one interval after it was made, and not at every edit.
 TEST_P(AutosaveInterval, IsNeitherLongerNorShorter) {
   const double every = GetParam();
   const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveInterval");
@@ -25,7 +25,7 @@ TEST_P(AutosaveInterval, IsNeitherLongerNorShorter) {
   Autosave autosave(pool, every);
   autosave.start(folder);
   const auto project = std::make_shared<const Project>();
-  double now = 1e5;  // [s]; the clock began at some time
+  double now = 1e5;  // time of the clock, which began at an arbitrary time [s]
   EXPECT_FALSE(autosave.seconds_until_due(now));
   autosave.update(project, 1, "finger", "", now);
   for (const double part : {0.0, 0.3, 0.9, 0.999}) {
@@ -57,8 +57,8 @@ std::string answer(Autosave& autosave, const ProjectPtr& project, std::uint64_t 
   return "";
 }
 
-// A full disk, say, on which there is room again later.
-TEST(AutosaveFailure, IsToldOnceAndTriedAgain) {
+// The folder may be on a full disk that has room again later.
+TEST(AutosaveFailure, IsReportedOnceAndWritingIsRetried) {
   const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveFailure");
   const auto file = folder / (std::to_string(::getpid()) + "-1.taxelproj");
   studio::JobPool pool;
@@ -73,7 +73,7 @@ TEST(AutosaveFailure, IsToldOnceAndTriedAgain) {
   EXPECT_NEAR(*autosave.seconds_until_due(103), 2, 1e-9);
   autosave.update(project, 1, "finger", "", 105);
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  EXPECT_EQ(autosave.update(project, 1, "finger", "", 106), "") << "told once";
+  EXPECT_EQ(autosave.update(project, 1, "finger", "", 106), "") << "reported once";
   std::filesystem::remove_all(file);
   autosave.update(project, 1, "finger", "", 108);
   for (int i = 0; i < 1000 && !std::filesystem::exists(file); ++i)
@@ -83,7 +83,7 @@ TEST(AutosaveFailure, IsToldOnceAndTriedAgain) {
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST(AutosaveFolder, OffersRegularFilesAlone) {
+TEST(AutosaveFolder, OffersOnlyRegularFiles) {
   const auto folder = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests", "AutosaveFolder");
   ASSERT_EQ(::mkfifo((folder / "1-1.taxelproj").c_str(), 0600), 0);
   std::filesystem::create_symlink("/dev/zero", folder / "1-2.taxelproj");

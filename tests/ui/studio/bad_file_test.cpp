@@ -1,5 +1,5 @@
-// Disks that are full, folders that cannot be written, and documents of a size that nobody meant: nothing is lost, no
-// file is left half written, each is said once.
+// Full disks, folders that cannot be written, and very large documents: nothing is lost, no file is left half written,
+// and each error is reported once.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@
 namespace taxel::test {
 namespace {
 
-/// Files of a folder that a failed write left over.
+/// Returns the files in a folder that a failed write left there.
 std::vector<std::string> left_over(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -31,7 +31,7 @@ int count_errors(const Json& state) {
   return errors;
 }
 
-/// So many taxels on the faces of our fingertip, in the test's folder.
+/// Writes a layout with this number of taxels on the faces of our fingertip into the test's folder.
 std::string large_layout(const StudioProgram& studio, int taxels) {
   const TriMesh mesh = *load_mesh(kMeshFile).mesh;
   Layout layout;
@@ -48,8 +48,8 @@ std::string large_layout(const StudioProgram& studio, int taxels) {
   return file;
 }
 
-/// A folder that nobody can write to, root neither: the kernel's own. And one that is a file.
-TEST(BadTarget, EveryExportSaysOnceWhyItCannotBeWritten) {
+/// A folder that nobody can write to, not even root: the kernel's own. In addition, a file in place of a folder.
+TEST(BadTarget, ReportsOnceWhyAnExportCannotBeWritten) {
   const StudioProgram studio;
   write_text(studio.folder() / "file.txt", "mine");
   const std::vector<std::string> exports{"Export layout...", "Export taxels (CSV)...", "Export samples (CSV)...",
@@ -76,12 +76,12 @@ TEST(BadTarget, EveryExportSaysOnceWhyItCannotBeWritten) {
   EXPECT_TRUE(left_over(studio.folder()).empty());
 }
 
-/// Stands for a full disk: the system refuses to let any file of the program grow beyond some kilobytes, half way
-/// through the write.
-TEST(FullDisk, TheOldFileStaysAndTheEditsStayUnsaved) {
+/// A limit replaces a full disk: the system lets no file of the program grow beyond some kilobytes, so the write fails
+/// half way.
+TEST(FullDisk, KeepsTheOldFileAndTheUnsavedEdits) {
   const StudioProgram studio;
   const std::string layout = large_layout(studio, 600), target = (studio.folder() / "kept.taxelproj").string();
-  write_text(target, "what was there");
+  write_text(target, "the old content");
   Lines script{kLayoutMode,
                kIdle,
                key("a"),
@@ -109,12 +109,12 @@ TEST(FullDisk, TheOldFileStaysAndTheEditsStayUnsaved) {
   const Outcome outcome = run_program(
       "/bin/sh", {"-c", limited, STUDIO_PROGRAM, "--headless", "--script", "script.jsonl", layout}, studio.folder());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(file_text(target), "what was there");
+  EXPECT_EQ(file_text(target), "the old content");
   EXPECT_TRUE(left_over(studio.folder()).empty());
   EXPECT_GT(std::filesystem::file_size(layout), 64U * 1024U) << "larger than what fits";
 }
 
-TEST(LargeLayout, OfFiveThousandTaxelsOpensIsEditedAndExported) {
+TEST(LargeLayout, OpensAndIsEditedAndExportedWithFiveThousandTaxels) {
   const StudioProgram studio;
   const std::string out = (studio.folder() / "out.taxels.json").string();
   studio.play({kLayoutMode,
@@ -148,7 +148,7 @@ TEST(LargeLayout, OfFiveThousandTaxelsOpensIsEditedAndExported) {
   EXPECT_EQ(exported["taxels"][0]["radius"], 0.0006);
 }
 
-/// A ball of `rings` x `rings` quads as a binary STL.
+/// Writes a ball of `rings` x `rings` quads as a binary STL.
 void write_large_ball(const std::filesystem::path& file, int rings) {
   const auto point = [rings](int i, int j) {
     const double t = glm::pi<double>() * i / rings, p = 2 * glm::pi<double>() * j / rings;
@@ -173,7 +173,7 @@ void write_large_ball(const std::filesystem::path& file, int rings) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-TEST(LargeMesh, OfTwoMillionTrianglesIsCancelledWhileItLoads) {
+TEST(LargeMesh, IsCancelledWhileTwoMillionTrianglesLoad) {
   const StudioProgram studio;
   const std::filesystem::path file = studio.folder() / "ball.stl";
   write_large_ball(file, 1000);
@@ -194,7 +194,7 @@ TEST(LargeMesh, OfTwoMillionTrianglesIsCancelledWhileItLoads) {
   EXPECT_EQ(studio.state("after.json")["document"]["layout"]["taxels"].size(), 12U) << "and it goes on";
 }
 
-/// What the window says of files that it does not open as `taxel check` does.
+/// Returns the message of the window for a file whose message differs from that of `taxel check`.
 std::string windows_message(const std::string& name, const std::string& expected) {
   const auto ends = [&](const char* end) { return name.ends_with(end); };
   if (ends(".csv") || ends(".xyz")) return "cannot be opened: it is no project";
@@ -202,12 +202,12 @@ std::string windows_message(const std::string& name, const std::string& expected
   const bool is_json = expected.find("is not JSON") == std::string::npos;
   if (is_json && ends(".json") && !ends(".taxels.json")) return "/format: must be \"taxel-layout\"";
   if (name == "layout_format.taxels.json") return "/format: must be \"taxel-layout\", is \"layout\"";
-  if (name == "mesh_buffer_is_folder.gltf") return "is a folder, not a file";  // named with its whole path
+  if (name == "mesh_buffer_is_folder.gltf") return "is a folder, not a file";  // the message contains the whole path
   if (name == "layout_mesh_is_folder.taxels.json") return "unknown mesh format";
   return expected.substr(0, expected.find("; "));  // without the remedy
 }
 
-// All in one window, one after the other.
+// All files are opened in one window, one after another.
 TEST(BrokenFiles, AreRefusedByTheWindowWithTheirMessage) {
   const StudioProgram studio;
   const std::filesystem::path broken = TAXEL_SOURCE_DIR "/tests/fixtures/broken";
@@ -225,7 +225,7 @@ TEST(BrokenFiles, AreRefusedByTheWindowWithTheirMessage) {
   }
   ASSERT_GE(files.size(), 150U);
   studio.play(script, {"--empty", "--size", "480x360"});
-  std::size_t known = 0;  // messages
+  std::size_t known = 0;  // number of messages
   std::optional<std::filesystem::file_time_type> before;
   for (std::size_t i = 0; i < files.size(); ++i) {
     SCOPED_TRACE(files[i].first);

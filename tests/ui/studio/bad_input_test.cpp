@@ -1,5 +1,5 @@
-// Digits, signs and nonsense typed into every field of the inspector and the table: the layout stays one that could be
-// used, or the field says why not.
+// Digits, signs and nonsense typed into every field of the inspector and the table: the layout stays valid, or the
+// field reports the reason.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -25,9 +25,9 @@ const std::vector<std::string> kNonsense = {
     "2 N",
     "sqrt(-1)",
 };
-constexpr std::size_t kEach = 2;  ///< pieces of nonsense for a field
+constexpr std::size_t kEach = 2;  ///< number of nonsense texts for each field
 
-/// The fingertip with a subtaxel and all of a calibration, so that there are fields for them.
+/// Returns the fingertip with a subtaxel and a complete calibration, so that all their fields exist.
 std::string full_layout(const StudioProgram& studio) {
   Json layout = Json::parse(read_file(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -48,7 +48,8 @@ std::string full_layout(const StudioProgram& studio) {
   return file;
 }
 
-/// Names of the fields that are visible with taxel 3 selected, those of the table for two rows only.
+/// Returns the names of the fields that are visible with taxel 3 selected. Fields of the table are included for two
+/// rows only.
 std::vector<std::string> fields_of(const Json& state) {
   std::vector<std::string> fields;
   for (const Json& widget : state["widgets"]) {
@@ -60,7 +61,7 @@ std::vector<std::string> fields_of(const Json& state) {
   return fields;
 }
 
-/// A name as a script line has it.
+/// Returns a name as in a line of a script.
 std::string escaped(const std::string& text) {
   const std::string quoted = Json(text).dump(-1, ' ', true);
   return quoted.substr(1, quoted.size() - 2);
@@ -70,17 +71,17 @@ std::string file_of(std::size_t field, std::size_t piece) {
   return "state" + std::to_string(field) + "_" + std::to_string(piece) + ".json";
 }
 
-/// No rule of values is broken.
+/// Expects that the layout breaks no rule of values.
 void expect_usable(const Json& state, const std::string& what) {
   const Layout layout = parse_layout(state["document"]["layout"].dump(), "edited");
   for (const Problem& problem : check_layout_values(layout, ""))
     EXPECT_NE(problem.severity, Severity::error) << what << ": " << problem.pointer << " " << problem.message;
 }
 
-TEST(BadInput, NonsenseInEveryFieldIsRefusedInWordsOrHarmless) {
+TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
   const StudioProgram studio;
   const std::vector<std::string> arguments = tall_window(studio, full_layout(studio));
-  // The table becomes as wide as all of its columns.
+  // The table becomes as wide as all its columns.
   const Lines begin{kLayoutMode,
                     kIdle,
                     R"({"event": "mouse_down", "at": [321, 1300]})",
@@ -106,7 +107,7 @@ TEST(BadInput, NonsenseInEveryFieldIsRefusedInWordsOrHarmless) {
   for (std::size_t f = 0; f < fields.size(); ++f) {
     for (std::size_t k = 0; k < kEach; ++k) {
       const bool cell = fields[f].starts_with("Taxels/Taxel ");
-      // A new id, taken back, is one that is not selected; rows of the table select themselves.
+      // An undone new id is no longer selected. Rows of the table select themselves.
       const bool lost = k == 0 || fields[f] == "Inspector/Id";
       if (lost && fields[f].starts_with("Inspector/"))
         script.insert(script.end(), {kIdle, press("Taxels/Taxel 3"), kIdle});
@@ -131,7 +132,7 @@ TEST(BadInput, NonsenseInEveryFieldIsRefusedInWordsOrHarmless) {
       const bool changed = state["history"]["depth"] > 0;
       if (changed) continue;
       const Json& refusal = state["refused"];
-      if (refusal.is_null()) continue;  // what it held already, or a filter
+      if (refusal.is_null()) continue;  // the value is unchanged, or the field is a filter
       ++refused;
       EXPECT_EQ("Inspector/" + refusal["field"].get<std::string>() == fields[f] ||
                     "Taxels/" + refusal["field"].get<std::string>() == fields[f],

@@ -1,4 +1,4 @@
-// The brush, the region that it paints, and the lasso: raw events in, the document out.
+// The brush, the painted region and the lasso: raw events in, the document out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,12 +21,12 @@ std::string down(const std::string& at, const std::string& mods = "") {
 std::string move_to(const std::string& at) {
   return R"({"event": "mouse_move", "at": )" + at + "}";
 }
-/// With the modifiers that were held since the button went down.
+/// Returns a mouse release with the modifiers that were pressed since the button went down.
 std::string up(const std::string& mods = "") {
   return R"({"event": "mouse_up", "mods": [)" + mods + "]}";
 }
 
-/// From one pixel of the window to another in ten pictures; the button stays down.
+/// Returns a drag from one pixel of the window to another in ten frames. The button stays down.
 Lines drawn(const dvec2& from, const dvec2& to, const std::string& mods = "") {
   Lines lines{down(pixel(from.x, from.y), mods), kIdle};
   for (int i = 1; i <= 10; ++i) {
@@ -40,7 +40,7 @@ std::vector<int> region(const Json& state) {
   return state["region"].get<std::vector<int>>();
 }
 
-TEST(Brush, AStrokePaintsWhatItPassesAsOneStep) {
+TEST(Brush, PaintsTheFacesUnderAStrokeAsOneStep) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, dump("before.json"), R"({"do": "screenshot", "file": "before.png"})", key("q"), kIdle},
                       drawn({590, 330}, {610, 420}),
@@ -58,14 +58,14 @@ TEST(Brush, AStrokePaintsWhatItPassesAsOneStep) {
   EXPECT_EQ(painted["camera"], studio.state("before.json")["camera"]);
   EXPECT_EQ(region(studio.state("undone.json")), std::vector<int>());
   EXPECT_EQ(region(studio.state("redone.json")), faces);
-  // Samples lie there and nowhere else.
+  // Samples are placed only in the painted region.
   const auto samples = [&](const char* state) { return studio.state(state)["document"]["samples"].get<int>(); };
   EXPECT_EQ(samples("undone.json"), samples("before.json"));
   EXPECT_EQ(samples("redone.json"), samples("painted.json"));
   const TriMesh mesh = *load_mesh(kMeshFile).mesh;
   const double part = area_of_faces(mesh, faces) / mesh.area();
   EXPECT_NEAR(samples("painted.json"), part * samples("before.json"), 1.0);
-  // Tinted where it went, and nowhere beside.
+  // The stroke tints the region and nothing outside it.
   const Picture was = studio.picture("before.png"), is = studio.picture("painted.png");
   const auto difference = [&](double x, double y) {
     int largest = 0;
@@ -77,7 +77,7 @@ TEST(Brush, AStrokePaintsWhatItPassesAsOneStep) {
   EXPECT_EQ(difference(420, 120), 0);
 }
 
-TEST(Brush, TaxelsThatGetNoSampleAreTold) {
+TEST(Brush, ReportsTaxelsThatGetNoSample) {
   const StudioProgram studio;
   studio.play(joined({{kLayoutMode, kIdle, dump("before.json"), key("q"), kIdle},
                       drawn({590, 330}, {610, 420}),
@@ -125,7 +125,7 @@ TEST(Brush, ErasesResizesAndIsCancelled) {
       << "the wheel is the brush's";
 }
 
-TEST(Brush, ButtonsChangeAllOfIt) {
+TEST(Brush, ChangesTheWholeRegionByButtons) {
   const StudioProgram studio;
   studio.play(
       joined({{kIdle, key("q"), kIdle, dump("card.json"), press("Brush/All"), kIdle, dump("all.json")},
@@ -144,11 +144,11 @@ TEST(Brush, ButtonsChangeAllOfIt) {
   EXPECT_EQ(studio.state("done.json")["tool"]["name"], "none");
 }
 
-TEST(Lasso, SelectsWhatItGoesRound) {
+TEST(Lasso, SelectsTheTaxelsInsideIt) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, dump("before.json")}, {kLayoutFile});
   const Json before = studio.state("before.json");
-  // Around taxel 3, as a diamond; whoever else lies in it is selected as well.
+  // A diamond around taxel 3. Other taxels inside the diamond are selected as well.
   dvec2 middle(0);
   for (const Json& mark : before["taxels"])
     if (mark["id"] == 3) middle = {mark["pixel"][0].get<double>(), mark["pixel"][1].get<double>()};

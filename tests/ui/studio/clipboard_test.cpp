@@ -1,4 +1,4 @@
-// Whatever lies on the clipboard: what is no taxel is said once, and nothing is lost.
+// Pasting from the clipboard: content that is not a taxel is reported once, and nothing is lost.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -6,8 +6,8 @@
 namespace taxel::test {
 namespace {
 
-/// `text` comes onto the clipboard as a hand brings it there: typed into a field and copied out of it. Esc leaves the
-/// field as it was.
+/// Returns lines that put `text` on the clipboard like a user: type it into a field and copy it from there. Esc
+/// restores the field.
 Lines copied_from_a_field(const std::string& text) {
   return {press("Name"),   kIdle, key("a", kCtrl), kIdle, type(text), kIdle,
           key("a", kCtrl), kIdle, key("c", kCtrl), kIdle, key("Esc"), kIdle};
@@ -15,7 +15,7 @@ Lines copied_from_a_field(const std::string& text) {
 
 const std::string kExpected = "taxels as JSON: copied ones, a layout, an array of taxels, or one taxel";
 
-/// Much of one letter.
+/// Returns a text with many copies of one letter.
 std::string joined_text(std::string text, char letter, const std::string& end) {
   constexpr std::size_t kHuge = 20'000;
   text.append(kHuge, letter);
@@ -36,7 +36,7 @@ const std::vector<Pasted> kNonsense{
     Pasted{joined_text(R"([\")", 'x', R"(\"])"), "clipboard: /0: must be an object"},
     Pasted{joined_text("", 'x', ""), "clipboard: holds no " + kExpected}};
 
-TEST(Clipboard, NonsenseIsSaidOnceAndChangesNothing) {
+TEST(Clipboard, ReportsNonsenseOnceAndChangesNothing) {
   const StudioProgram studio;
   Lines script{kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json")};
   for (std::size_t i = 0; i < kNonsense.size(); ++i) {

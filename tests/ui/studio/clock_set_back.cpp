@@ -1,4 +1,5 @@
-// Loaded before the program: while the file edited.json lies in its folder, the time of day is a day earlier.
+// A library that is loaded before the program. While the file edited.json is in its folder, the time of day is a day
+// earlier.
 #include <sys/syscall.h>
 #include <unistd.h>
 

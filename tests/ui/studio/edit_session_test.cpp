@@ -1,4 +1,5 @@
-// Edits and the worker that compiles them, by the clock and without a window: nobody waits, the newest wins.
+// Edits and the worker that compiles them, in real time and without a window: the interface never waits, and the newest
+// edit wins.
 #include "app/studio/document/edit_session.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ class EditSessionTest : public testing::Test {
     const Document document = built_in_fingertip(how);
     edits.open(document.project, document.mesh, "fingertip.taxels.json");
   }
-  /// The newest model when nothing is left to build.
+  /// Returns the newest model as soon as nothing is left to build.
   SensorModelPtr settled() {
     SensorModelPtr newest;
     while (edits.building()) {
@@ -42,7 +43,7 @@ class EditSessionTest : public testing::Test {
   EditSession edits{pool, cache, [this] { ++woken; }};
 };
 
-TEST_F(EditSessionTest, TheNewestOfManyEditsIsCompiledAndNobodyWaitsForThem) {
+TEST_F(EditSessionTest, CompilesTheNewestOfManyEditsInTheBackground) {
   const auto began = std::chrono::steady_clock::now();
   constexpr int kEdits = 200;
   for (int i = 1; i <= kEdits; ++i) edits.edit(resized(3, 1e-3 + 1e-5 * i));
@@ -57,7 +58,7 @@ TEST_F(EditSessionTest, TheNewestOfManyEditsIsCompiledAndNobodyWaitsForThem) {
   std::printf("%d edits asked in %.1f ms, the last one compiled after %.1f ms\n", kEdits, 1e3 * asked, 1e3 * built);
 }
 
-TEST_F(EditSessionTest, UndoIsCompiledToo) {
+TEST_F(EditSessionTest, CompilesTheModelAfterUndo) {
   const Layout before = edits.project()->layout;
   edits.edit(DeleteTaxels{{3, 5}});
   EXPECT_EQ(settled()->taxel_count(), 10);
@@ -66,7 +67,7 @@ TEST_F(EditSessionTest, UndoIsCompiledToo) {
   EXPECT_FALSE(edits.dirty());
 }
 
-TEST_F(EditSessionTest, ARefusedEditChangesNothingAndBuildsNothing) {
+TEST_F(EditSessionTest, ChangesAndBuildsNothingIfAnEditIsRefused) {
   const ProjectPtr before = edits.project();
   EXPECT_THROW(edits.edit(resized(3, -1)), Error);
   EXPECT_THROW(edits.edit(DeleteTaxels{{77}}), Error);
@@ -74,7 +75,7 @@ TEST_F(EditSessionTest, ARefusedEditChangesNothingAndBuildsNothing) {
   EXPECT_FALSE(edits.building());
 }
 
-TEST_F(EditSessionTest, WhatWasClosedIsNotTold) {
+TEST_F(EditSessionTest, ReportsNoModelAfterClose) {
   edits.edit(resized(3, 2e-3));
   edits.close();
   EXPECT_EQ(settled(), nullptr);

@@ -1,4 +1,4 @@
-// Editing a layout by hand: raw events in, the document and its history out.
+// Editing a layout with the mouse and keys: raw events in, the document and its history out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 namespace taxel::test {
 namespace {
 
-/// The taxel of an id in a dumped state.
+/// Returns the taxel with an id from a dumped state.
 Json edited(const Json& state, int id) {
   return taxel_of(state["document"]["layout"], id);
 }
 
-/// The skin of the fingertip.
+/// Returns the skin of the fingertip.
 const MeshIndex& skin() {
   static const MeshIndex index(load_mesh(kMeshFile).mesh);
   return index;
@@ -31,7 +31,7 @@ void expect_on_skin(const Json& taxel) {
   EXPECT_GT(glm::dot(normal, face), std::cos(glm::radians(0.1))) << taxel.dump();
 }
 
-/// A drag of taxel 3 in ten pictures, each state dumped; what `end` says, says how it ends.
+/// Returns a drag of taxel 3 in ten frames, each state dumped. `end` are the lines that end the drag.
 Lines dragged(const Lines& end) {
   Lines script{
       kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"), R"({"event": "mouse_down", "at": {"taxel": 3}})",
@@ -47,7 +47,7 @@ Lines dragged(const Lines& end) {
   return script;
 }
 
-TEST(Edit, CtrlClickAddsOneTaxelOnTheMeshAndNoneOnTheBackground) {
+TEST(Edit, AddsATaxelByCtrlClickOnTheMeshOnly) {
   const StudioProgram studio;
   studio.play({kIdle, click("[600, 330]", kCtrl), kIdle, dump("added.json"), click("[420, 120]", kCtrl), kIdle,
                dump("background.json")},
@@ -67,7 +67,7 @@ TEST(Edit, CtrlClickAddsOneTaxelOnTheMeshAndNoneOnTheBackground) {
   EXPECT_EQ(studio.state("background.json")["history"], added["history"]);
 }
 
-TEST(Edit, ShiftAKeepsPlacingUntilEsc) {
+TEST(Edit, PlacesTaxelsByShiftAUntilEsc) {
   const StudioProgram studio;
   studio.play({kIdle, key("a", kShift), kIdle, click("[600, 330]"), kIdle, click("[600, 400]"), kIdle, dump("two.json"),
                key("Esc"), kIdle, click("[620, 360]"), kIdle, dump("ended.json")},
@@ -79,7 +79,7 @@ TEST(Edit, ShiftAKeepsPlacingUntilEsc) {
   EXPECT_EQ(studio.state("ended.json")["document"]["layout"]["taxels"].size(), 2U);
 }
 
-TEST(Edit, ADragSlidesAlongTheMeshAndIsOneStep) {
+TEST(Edit, SlidesATaxelAlongTheMeshInOneStep) {
   const StudioProgram studio;
   studio.play(dragged({R"({"event": "mouse_up"})"}), {kLayoutFile});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
@@ -100,7 +100,7 @@ TEST(Edit, ADragSlidesAlongTheMeshAndIsOneStep) {
   EXPECT_FALSE(studio.state("undone.json")["history"]["dirty"]) << "it is as it was opened";
 }
 
-TEST(Edit, EscRestoresADragBitForBit) {
+TEST(Edit, RestoresADragBitForBitByEsc) {
   const StudioProgram studio;
   studio.play(dragged({key("Esc"), kIdle, dump("escaped.json"), R"({"event": "mouse_move", "at": [500, 300]})", kIdle,
                        R"({"event": "mouse_up"})"}),
@@ -111,10 +111,10 @@ TEST(Edit, EscRestoresADragBitForBit) {
   EXPECT_EQ(after["document"], before["document"]);
   EXPECT_EQ(after["history"]["depth"], 0);
   EXPECT_EQ(after["selection"], before["selection"]);
-  EXPECT_EQ(after["camera"], before["camera"]) << "what is left of the drag turns nothing";
+  EXPECT_EQ(after["camera"], before["camera"]) << "the rest of the drag does not orbit";
 }
 
-TEST(Edit, TypedNumbersMoveTurnAndResizeExactly) {
+TEST(Edit, MovesTurnsAndResizesExactlyByTypedNumbers) {
   const StudioProgram studio;
   studio.play({kLayoutMode,
                kIdle,
@@ -164,7 +164,7 @@ TEST(Edit, TypedNumbersMoveTurnAndResizeExactly) {
       << "Y and digits belong to the gesture";
 }
 
-TEST(Edit, ARadiusThatCannotBeIsSaidAndNothingChanges) {
+TEST(Edit, RefusesAnInvalidRadiusAndChangesNothing) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"), key("f"), type("-1"), kIdle,
                dump("typing.json"), key("Enter"), kIdle, dump("after.json")},
@@ -175,7 +175,7 @@ TEST(Edit, ARadiusThatCannotBeIsSaidAndNothingChanges) {
   EXPECT_EQ(studio.state("after.json")["history"]["depth"], 0);
 }
 
-TEST(Edit, KUndosAndKRedosGiveTheSameBytes) {
+TEST(Edit, GivesTheSameBytesAfterKUndosAndKRedos) {
   const StudioProgram studio;
   Lines script{kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("state0.json")};
   const std::vector<Lines> edits{{key("g"), key("x"), type("0.4"), key("Enter")},
@@ -217,7 +217,7 @@ TEST(Edit, KUndosAndKRedosGiveTheSameBytes) {
   EXPECT_EQ(studio.state("state7.json")["document"]["layout"]["taxels"].size(), 26U);
 }
 
-TEST(Edit, MirroringSixGivesTwelveAndTheTwinFollows) {
+TEST(Edit, MirrorsSixTaxelsToTwelveAndTheTwinsFollow) {
   const StudioProgram studio;
   Json layout = Json::parse(file_text(kLayoutFile));
   Json six = Json::array();
@@ -244,7 +244,7 @@ TEST(Edit, MirroringSixGivesTwelveAndTheTwinFollows) {
   EXPECT_EQ(vector_of(edited(moved, twin)["center"]), at * dvec3(-1, 1, 1));
 }
 
-TEST(Edit, BoxSelectsWhatLiesInIt) {
+TEST(Edit, SelectsTheTaxelsInABox) {
   const StudioProgram studio;
   studio.play(
       {kLayoutMode, kIdle, dump("before.json"), key("b"), kIdle, R"({"event": "mouse_down", "at": [430, 130]})", kIdle,
@@ -305,7 +305,7 @@ TEST(Inspector, EditsOneTaxelAndSeveralAtOnce) {
   EXPECT_NE(studio.state("same.json")["refused"]["words"].get<std::string>().find("Radius (mm): "), std::string::npos);
 }
 
-TEST(Edit, HiddenTaxelsAreNeitherSeenNorPickedUntilShown) {
+TEST(Edit, NeitherDrawsNorPicksHiddenTaxels) {
   const StudioProgram studio;
   studio.play({kLayoutMode,
                kIdle,
@@ -353,14 +353,14 @@ TEST(Edit, HiddenTaxelsAreNeitherSeenNorPickedUntilShown) {
   }
 }
 
-TEST(Edit, AnEmptyClipboardIsSaidAndChangesNothing) {
+TEST(Edit, ReportsAnEmptyClipboardAndChangesNothing) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, dump("before.json"), key("v", kCtrl), kIdle, dump("after.json")}, {kLayoutFile});
   EXPECT_EQ(studio.state("after.json")["document"], studio.state("before.json")["document"]);
   EXPECT_NE(studio.state("after.json")["messages"].dump().find("clipboard: is empty"), std::string::npos);
 }
 
-TEST(Edit, TheSimulationGetsTheEditedLayoutWhenItIsLookedAt) {
+TEST(Edit, GivesTheEditedLayoutToTheSimulationOnSwitching) {
   const StudioProgram studio;
   studio.play({key("Space"),
                kIdle,

@@ -1,5 +1,5 @@
-// The Explain panel through the program: a bar that is clicked is explained, polygons are selected in view, table and
-// scatter alike, and `taxel explain` says the same.
+// The Explain panel through the program: a clicked bar is explained, polygons can be selected in view, table and
+// scatter plot, and `taxel explain` gives the same result.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace taxel::test {
 namespace {
 
-/// Our fingertip with few samples, whose readings jump.
+/// Returns our fingertip with few samples, whose readings jump.
 std::vector<std::string> coarse_layout(const StudioProgram& studio) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -34,14 +34,14 @@ const Json* bar_of(const Json& state, int id) {
 }
 
 const Lines kExplain{key("e"), kIdle, kIdle, dump("explained.json")};
-/// Paused in the step in which a taxel jumped by 1 %, and explained.
+/// Paused at the step in which a taxel jumped by 1 %, and explained.
 const Lines kJumped = joined({{key("="), key("="), press("Jump"), key("a", kCtrl), type("1"), key("Enter"),
                                key("b", kShift), R"({"frame": 200, "do": "wait_idle"})"},
                               kExplain});
-/// Paused in the midst of the contact, and explained.
+/// Paused in the middle of the contact, and explained.
 const Lines kInContact = joined({{key("="), key("="), wait_time(1.3), key("Space"), kIdle}, kExplain});
 
-TEST(Explain, TheTaxelThatJumpedIsExplainedWhereItJumped) {
+TEST(Explain, ExplainsTheTaxelThatJumpedAtTheStepOfTheJump) {
   const StudioProgram studio;
   studio.play(kJumped, coarse_layout(studio));
   const Json state = studio.state("explained.json"), &stop = state["simulation"]["history"]["stop"];
@@ -82,10 +82,10 @@ TEST(Explain, FollowsAClickedBarAndScrubbing) {
   EXPECT_EQ(again["explain"], at["explain"]) << "the same step is explained the same";
 }
 
-TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
+TEST(Explain, SelectsAPolygonInTheViewAndInTheTable) {
   const StudioProgram studio;
   std::vector<std::string> layout = coarse_layout(studio);
-  layout.insert(layout.begin(), {"--size", "1400x2100"});  // the table is in sight
+  layout.insert(layout.begin(), {"--size", "1400x2100"});  // tall enough to show the table
   studio.play(kInContact, layout);
   const Json state = studio.state("explained.json");
   const Json* target = nullptr;
@@ -101,7 +101,7 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const Json view = studio.state("view.json");
   ASSERT_TRUE(view["explain"]["selected_polygon"].is_array());
   EXPECT_EQ(view["selection"], state["selection"]) << "the taxel stays";
-  // what stands of it in the panel: area and pressures, share of the force, tet, taxels
+  // The displayed values of the panel: area and pressures, share of the force, tet, taxels.
   for (const Json& p : view["explain"]["polygons"]) {
     if (Json{p["surface"], p["polygon"]} != view["explain"]["selected_polygon"]) continue;
     EXPECT_NEAR(p["area"].get<double>(), (*target)["area"].get<double>(), 1e-12 * p["area"].get<double>());
@@ -124,7 +124,7 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
   const Json selected = studio.state("table.json")["explain"]["selected_polygon"];
   EXPECT_EQ("Polygon " + std::to_string(selected[0].get<int>()) + "/" + std::to_string(selected[1].get<int>()), first);
   EXPECT_TRUE(studio.state("stepped.json")["explain"]["selected_polygon"].is_null()) << "numbers are of one step";
-  // all parts of the panel, in sight above or after the wheel
+  // All parts of the panel must be visible, at the top or after scrolling.
   std::set<std::string> parts;
   for (const char* file : {"stepped.json", "below.json"}) {
     const Json shown = studio.state(file);
@@ -136,10 +136,10 @@ TEST(Explain, APolygonIsSelectedInTheViewAndInTheTable) {
     EXPECT_TRUE(parts.count(part) > 0) << part;
 }
 
-TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
+TEST(Explain, SelectsThePolygonOfAClickedScatterDot) {
   const StudioProgram studio;
   std::vector<std::string> layout = coarse_layout(studio);
-  layout.insert(layout.begin(), {"--size", "1400x1900"});  // all of the panel is in sight
+  layout.insert(layout.begin(), {"--size", "1400x1900"});  // tall enough to show the whole panel
   studio.play(kInContact, layout);
   const Json state = studio.state("explained.json");
   const Json* plot = nullptr;
@@ -153,13 +153,13 @@ TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
     area = std::max(area, p["area"].get<double>());
     mean = std::max(mean, p["mean_pressure"].get<double>());
   }
-  // the axes end a little above the largest
+  // The axes end a little above the largest value.
   const auto pixel = [&](const Json& p) {
     const double u = p["area"].get<double>() / (1.08 * area), v = p["mean_pressure"].get<double>() / (1.08 * mean);
     const double x0 = (*plot)[0], y0 = (*plot)[1], x1 = (*plot)[2], y1 = (*plot)[3];
     return dvec2(x0 + u * (x1 - x0), y1 - v * (y1 - y0));
   };
-  // the dot that lies farthest from all others; the contact is symmetric, and many polygons have a twin
+  // Select the dot that is farthest from all others. The contact is symmetric, and many polygons have a mirror image.
   const auto same = [](const Json& p, const Json& q) {
     return std::abs(p["area"].get<double>() / q["area"].get<double>() - 1) < 1e-6 &&
            std::abs(p["mean_pressure"].get<double>() / q["mean_pressure"].get<double>() - 1) < 1e-6;
@@ -190,7 +190,7 @@ TEST(Explain, AClickOnADotOfTheScatterSelectsItsPolygon) {
   EXPECT_EQ(dot["simulation"]["step"], state["simulation"]["step"]);
 }
 
-TEST(Explain, ASwitchTakesTheGhostAway) {
+TEST(Explain, HidesTheGhostByAToggle) {
   const StudioProgram studio;
   const auto shot = [](const char* name) { return std::string(R"({"do": "screenshot", "file": ")") + name + R"("})"; };
   studio.play(joined({kInContact,
@@ -208,9 +208,9 @@ TEST(Explain, ASwitchTakesTheGhostAway) {
 }
 
 #ifdef TAXEL_PROGRAM
-// A recording of every step, explained by the command line: the same object to the last digit. A jump is measured
-// against the largest reading that is recorded, so the window runs on and comes back to the step of the jump.
-TEST(Explain, SaysTheSameAsTheCommandLine) {
+// A recording of every step, explained by the command line, gives the same object to the last digit. A jump is measured
+// against the largest recorded reading, so the window runs on and returns to the step of the jump.
+TEST(Explain, GivesTheSameResultAsTheCommandLine) {
   const StudioProgram studio;
   const auto jump_of = [](const char* percent) {
     return Lines{press("Jump"), key("a", kCtrl), type(percent), key("Enter"), kIdle};

@@ -1,4 +1,4 @@
-// What a document goes out as: tables, a sheet to print, pictures.
+// Exports of a document: tables, a sheet to print, images.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -9,7 +9,7 @@
 namespace taxel::test {
 namespace {
 
-/// File > ..., a name, Enter.
+/// Returns lines that choose an item of the menu File, type a name and press Enter.
 Lines exported(const std::string& label, const std::string& file) {
   return {press("File"), kIdle, press(label), kIdle, type(file), kIdle, key("Enter"), kIdle};
 }
@@ -31,7 +31,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST(Export, TablesOfTaxelsAndSamples) {
+TEST(Export, WritesTablesOfTaxelsAndSamples) {
   const StudioProgram studio;
   studio.play(joined({{kLayoutMode, kIdle},
                       exported("Export taxels (CSV)...", in(studio, "taxels")),
@@ -47,11 +47,11 @@ TEST(Export, TablesOfTaxelsAndSamples) {
 #ifdef TAXEL_PROGRAM
   run_program(TAXEL_PROGRAM, {"samples", kLayoutFile, "--out", "same.csv"}, studio.folder());
   EXPECT_EQ(file_text(studio.folder() / "samples.csv"), file_text(studio.folder() / "same.csv"))
-      << "what the command line writes";
+      << "the bytes that the command line writes";
 #endif
 }
 
-TEST(Export, ALayoutInTheFormatOfItsNameSaysWhatIsLost) {
+TEST(Export, ReportsTheLossesOfTheFormatOfTheFileName) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, key("e", kCtrl), kIdle, type(in(studio, "table.csv")), kIdle, key("Enter"), kIdle,
                dump("state.json")},
@@ -60,7 +60,7 @@ TEST(Export, ALayoutInTheFormatOfItsNameSaysWhatIsLost) {
   EXPECT_NE(studio.state("state.json")["messages"].dump().find("a table holds no mesh"), std::string::npos);
 }
 
-TEST(Export, ASheetToPrintWithFourViewsAndTheIdsInThem) {
+TEST(Export, WritesASheetWithFourViewsAndTheIds) {
   const StudioProgram studio;
   studio.play(joined({{kLayoutMode, kIdle},
                       exported("Export sheet to print (HTML)...", in(studio, "sheet.html")),
@@ -74,7 +74,7 @@ TEST(Export, ASheetToPrintWithFourViewsAndTheIdsInThem) {
   EXPECT_NE(html.find("12 taxels on fingertip.obj"), std::string::npos);
 }
 
-TEST(Export, APictureOfAnySizeIsTransparentWhereNothingIs) {
+TEST(Export, WritesATransparentImageOfAnySize) {
   const StudioProgram studio;
   const std::string select_all = key("a", kCtrl);
   studio.play(joined({{kLayoutMode,

@@ -1,5 +1,5 @@
-// The job that computes receptive fields, without a window: it equals the geometry it is made of, and an edited model
-// arrives with its fields.
+// The job that computes receptive fields, without a window: its results equal those of the geometry functions, and an
+// edited model arrives with its fields.
 #include "app/studio/features/fields/field_job.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class FieldJobTest : public testing::Test {
   FieldJob job{pool, [this] { ++woken; }};
 };
 
-TEST_F(FieldJobTest, ReportsTheNumbersOfTheFieldsThemselves) {
+TEST_F(FieldJobTest, ReportsTheNumbersOfTheFieldGeometry) {
   const SensorModelPtr straight = model(Metric::euclidean), along = model(Metric::geodesic);
   job.show({{straight, along}, FieldMap::compared});
   job.wait();
@@ -59,7 +59,7 @@ TEST_F(FieldJobTest, ReportsTheNumbersOfTheFieldsThemselves) {
   EXPECT_EQ(fields->of(model(Metric::euclidean, 2)), nullptr) << "another model";
 }
 
-TEST_F(FieldJobTest, StraightRingsAloneAreNoWork) {
+TEST_F(FieldJobTest, NeedsNoJobForStraightRingsAlone) {
   job.show({{model(Metric::euclidean)}, FieldMap::none});
   job.wait();
   EXPECT_EQ(job.newest(), nullptr);
@@ -69,7 +69,7 @@ TEST_F(FieldJobTest, StraightRingsAloneAreNoWork) {
   EXPECT_TRUE(job.newest()->sensors[0].triangles.empty());
 }
 
-TEST_F(FieldJobTest, AnEditedModelComesWithItsFields) {
+TEST_F(FieldJobTest, GivesAnEditedModelItsFields) {
   const SensorModelPtr before = model(Metric::geodesic), after = model(Metric::geodesic, 1.3);
   job.show({{before}, FieldMap::coverage});
   job.wait();

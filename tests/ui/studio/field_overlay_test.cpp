@@ -1,4 +1,5 @@
-// Overlays about receptive fields, through the real executable: the numbers of their legends and the pixels they paint.
+// Overlays of receptive fields through the real executable: the numbers of their legends and the pixels that they
+// paint.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 
 const std::string kIdle = R"({"do": "wait_idle"})";
 
-/// The layout of the fingertip alone, with one more overlay on than its skin.
+/// Returns the script of a fingertip layout with one overlay switched on in addition to the skin.
 std::vector<std::string> with_overlay(const std::string& label, const std::string& picture) {
   std::vector<std::string> script{R"({"event": "key", "key": "Space"})",
                                   R"({"event": "key", "key": "1", "mods": ["ctrl"]})", kIdle};
@@ -19,7 +20,7 @@ std::vector<std::string> with_overlay(const std::string& label, const std::strin
     script.push_back(kIdle);
   }
   const std::vector<std::string> rest{
-      R"({"event": "click", "at": [246, 12]})",  // the menu: the view itself is called View as well
+      R"({"event": "click", "at": [246, 12]})",  // the menu: the view itself is named View as well
       kIdle,
       R"({"event": "click", "at": {"widget": "View/)" + label + R"("}})",
       kIdle,
@@ -31,7 +32,7 @@ std::vector<std::string> with_overlay(const std::string& label, const std::strin
   return script;
 }
 
-/// Pixels of the view that have a colour (0..1) to within a few levels.
+/// Returns the number of pixels of the view whose colour (0 to 1) is within a few levels of `color`.
 int count_pixels(const Picture& picture, const Json& rect, const std::array<double, 3>& color, int tolerance) {
   int count = 0;
   for (int y = static_cast<int>(rect[1]); y < static_cast<int>(rect[3]); ++y) {
@@ -47,7 +48,7 @@ int count_pixels(const Picture& picture, const Json& rect, const std::array<doub
 
 constexpr std::array<double, 3> kUncovered{0.90, 0.16, 0.45};
 
-TEST(FieldOverlays, CoverageAddsUpAndPaintsWhatIsUncovered) {
+TEST(FieldOverlays, PaintUncoveredSkinAndAddUpCoverage) {
   const StudioProgram studio;
   studio.play(with_overlay("Coverage and overlap", "coverage"));
   const Json state = studio.state("state.json");
@@ -56,14 +57,14 @@ TEST(FieldOverlays, CoverageAddsUpAndPaintsWhatIsUncovered) {
   for (const Json& area : coverage["area_of_overlap"]) sum += area.get<double>();
   const double skin = coverage["area"];
   EXPECT_NEAR(sum, skin, 1e-9 * skin);
-  // the same from the samples: used ones over all, each for the same area to within the noise of their spread
+  // The samples give the same areas: used samples over all samples, within the noise of their spread.
   EXPECT_NEAR(coverage["area_of_overlap"][0].get<double>() / skin, 0.553, 0.01);
   EXPECT_GT(coverage["overlap"], 1);
   EXPECT_GT(count_pixels(studio.picture("coverage.png"), state["view"]["rect"], kUncovered, 20), 5000);
   EXPECT_TRUE(state["fields"]["comparison"].is_null());
 }
 
-TEST(FieldOverlays, ComparisonOfMetricsIsWrittenAndPainted) {
+TEST(FieldOverlays, PaintTheDifferenceOfTheMetrics) {
   const StudioProgram studio;
   studio.play(with_overlay("Receptive fields: Euclidean vs. geodesic", "comparison"));
   const Json state = studio.state("state.json");
@@ -75,7 +76,7 @@ TEST(FieldOverlays, ComparisonOfMetricsIsWrittenAndPainted) {
   EXPECT_GT(count_pixels(studio.picture("comparison.png"), state["view"]["rect"], kUncovered, 45), 100);
 }
 
-TEST(FieldOverlays, NormalsOfTheFingertipStandWithinItsSmoothNormals) {
+TEST(FieldOverlays, CompareTaxelNormalsWithTheNormalsOfTheSkin) {
   const StudioProgram studio;
   studio.play(with_overlay("Normal deviation", "normals"));
   const Json normals = studio.state("state.json")["fields"]["normals"];

@@ -1,4 +1,4 @@
-// Files that somebody else changes, replaces or deletes while they are open.
+// Open files that another program changes, replaces or deletes.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -17,17 +17,17 @@ using namespace std::chrono_literals;
 
 const std::string kSelect3 = click(taxel(3));
 const Lines kRadius3{kSelect3, kIdle, key("f"), type("3"), kIdle, key("Enter"), kIdle};
-/// Turns the camera, so that one sees whether it stays.
+/// Turns the camera, so that a test can check that the camera is kept.
 const Lines kTurn{R"({"event": "wheel", "at": [560, 330], "y": 2})", kIdle};
 
 std::string told(const std::string& text) {
   return R"({"do": "wait_for", "pointer": "/notices", "contains": ")" + text + R"("})";
 }
 
-/// Plays a script; as soon as it has dumped "opened.json", the files are changed.
+/// Plays a script. As soon as the script has dumped "opened.json", the files are changed.
 void play_while(const StudioProgram& studio, const Lines& lines, const std::string& file,
                 const std::function<void()>& change) {
-  Lines settled;  // what was told is drawn in the next picture
+  Lines settled;  // a reported change is drawn in the next frame
   for (const std::string& line : lines) {
     settled.push_back(line);
     if (line.find("wait_for") != std::string::npos) settled.push_back(kIdle);
@@ -40,7 +40,7 @@ void play_while(const StudioProgram& studio, const Lines& lines, const std::stri
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
-/// A layout with its mesh beside it, in the test's folder.
+/// A layout and its mesh in the test's folder.
 struct OwnFiles {
   explicit OwnFiles(const StudioProgram& studio) : folder(studio.folder()) {
     std::filesystem::copy_file(kMeshFile, folder / "finger.obj");
@@ -53,7 +53,7 @@ struct OwnFiles {
     write_text(folder / "part", document.dump());
     std::filesystem::rename(folder / "part", layout());
   }
-  /// The finger, that much larger.
+  /// Writes the finger, scaled by `factor`.
   void write_mesh(double factor) const {
     const TriMesh finger = *load_mesh(kMeshFile).mesh;
     std::vector<dvec3> vertices = finger.vertices();
@@ -77,12 +77,12 @@ double farthest(const Json& state, const std::filesystem::path& mesh) {
   return largest;
 }
 
-TEST(FileWatch, ALayoutChangedOnDiskIsReadAgainAsAStepOfTheHistory) {
+TEST(FileWatch, ReadsAChangedLayoutAsAStepOfTheHistory) {
   const StudioProgram studio;
   OwnFiles files(studio);
   const Lines reload{told("changed by another"),
-                     dump("told.json"),
-                     R"({"do": "screenshot", "file": "told.png"})",
+                     dump("noticed.json"),
+                     R"({"do": "screenshot", "file": "noticed.png"})",
                      press("Read it again"),
                      kIdle,
                      dump("reloaded.json"),
@@ -97,7 +97,7 @@ TEST(FileWatch, ALayoutChangedOnDiskIsReadAgainAsAStepOfTheHistory) {
                files.document["taxels"][5]["radius"] = 0.004;
                files.write();
              });
-  const Json opened = studio.state("opened.json"), told = studio.state("told.json"),
+  const Json opened = studio.state("opened.json"), told = studio.state("noticed.json"),
              reloaded = studio.state("reloaded.json"), undone = studio.state("undone.json");
   const int id = files.document["taxels"][5]["id"];
   ASSERT_EQ(told["notices"].size(), 1U);
@@ -114,7 +114,7 @@ TEST(FileWatch, ALayoutChangedOnDiskIsReadAgainAsAStepOfTheHistory) {
   EXPECT_EQ(studio.state("redone.json")["document"]["layout"], reloaded["document"]["layout"]);
 }
 
-TEST(FileWatch, ASceneChangedOnDiskIsReadAgainWithTheViewKept) {
+TEST(FileWatch, ReadsAChangedSceneAndKeepsTheView) {
   const StudioProgram studio;
   const auto scene = [&](const char* size) {
     write_text(studio.folder() / "part",
@@ -127,10 +127,10 @@ TEST(FileWatch, ASceneChangedOnDiskIsReadAgainWithTheViewKept) {
   play_while(studio,
              joined({{kIdle, key("Space"), kIdle},
                      kTurn,
-                     {dump("opened.json"), told("scene.xml was changed by another"), dump("told.json"),
+                     {dump("opened.json"), told("scene.xml was changed by another"), dump("noticed.json"),
                       press("Read it again"), kIdle, kIdle, dump("reloaded.json")}}),
              "scene.xml", [&] { scene(".04"); });
-  const Json opened = studio.state("opened.json"), told = studio.state("told.json"),
+  const Json opened = studio.state("opened.json"), told = studio.state("noticed.json"),
              reloaded = studio.state("reloaded.json");
   EXPECT_EQ(told["simulation"]["step"], opened["simulation"]["step"]) << "nothing happens unasked";
   EXPECT_EQ(told["scene"]["geoms"], opened["scene"]["geoms"]);
@@ -141,7 +141,7 @@ TEST(FileWatch, ASceneChangedOnDiskIsReadAgainWithTheViewKept) {
   EXPECT_TRUE(reloaded["notices"].empty());
 }
 
-TEST(FileWatch, AFileThatASceneIncludesIsWatchedAsTheSceneIs) {
+TEST(FileWatch, WatchesFilesThatASceneIncludes) {
   const StudioProgram studio;
   const auto part = [&](const char* size) {
     write_text(studio.folder() / "new part",
@@ -161,13 +161,13 @@ TEST(FileWatch, AFileThatASceneIncludesIsWatchedAsTheSceneIs) {
              joined({{kIdle, key("Space"), kIdle},
                      kTurn,
                      {picture("opened.png"), dump("opened.json"), told("part.xml, which scene.xml uses, was changed"),
-                      told("thing.obj, which scene.xml uses, was deleted"), dump("told.json"), press("Read it again"),
-                      kIdle, kIdle, dump("failed.json")}}),
+                      told("thing.obj, which scene.xml uses, was deleted"), dump("noticed.json"),
+                      press("Read it again"), kIdle, kIdle, dump("failed.json")}}),
              "scene.xml", [&] {
                part(".04");
                std::filesystem::remove(studio.folder() / "thing.obj");
              });
-  const Json opened = studio.state("opened.json"), told = studio.state("told.json"),
+  const Json opened = studio.state("opened.json"), told = studio.state("noticed.json"),
              failed = studio.state("failed.json");
   EXPECT_EQ(told["simulation"]["step"], opened["simulation"]["step"]) << "nothing happens unasked";
   ASSERT_EQ(told["notices"].size(), 2U);
@@ -175,7 +175,7 @@ TEST(FileWatch, AFileThatASceneIncludesIsWatchedAsTheSceneIs) {
   EXPECT_EQ(failed["scene"]["geoms"], opened["scene"]["geoms"]) << "the scene stays open as it was";
 }
 
-TEST(FileWatch, WhatASceneIncludesIsReadAgain) {
+TEST(FileWatch, ReadsTheChangedIncludeOfAScene) {
   const StudioProgram studio;
   const auto part = [&](const char* name) {
     write_text(studio.folder() / "new part",
@@ -197,7 +197,7 @@ TEST(FileWatch, WhatASceneIncludesIsReadAgain) {
   EXPECT_TRUE(reloaded["notices"].empty());
 }
 
-TEST(FileWatch, WhatWasOnlyTouchedIsNotTold) {
+TEST(FileWatch, DoesNotReportAFileWrittenWithTheSameBytes) {
   const StudioProgram studio;
   OwnFiles files(studio);
   play_while(studio, {kIdle, dump("opened.json"), told("deleted"), dump("state.json")}, files.layout(), [&] {
@@ -210,7 +210,7 @@ TEST(FileWatch, WhatWasOnlyTouchedIsNotTold) {
   EXPECT_NE(notices[0]["text"].get<std::string>().find("finger.obj"), std::string::npos);
 }
 
-TEST(FileWatch, AReloadKeepsAPausedSimulation) {
+TEST(FileWatch, KeepsAPausedSimulationInAReload) {
   const StudioProgram studio;
   OwnFiles files(studio);
   play_while(studio,
@@ -228,7 +228,7 @@ TEST(FileWatch, AReloadKeepsAPausedSimulation) {
   EXPECT_NE(reloaded["simulation"]["readings"], opened["simulation"]["readings"]) << "by the new layout";
 }
 
-TEST(FileWatch, ADeletedProjectIsSavedAgain) {
+TEST(FileWatch, SavesADeletedProjectAgain) {
   const StudioProgram studio;
   OwnFiles files(studio);
   const std::string project = (studio.folder() / "mine.taxelproj").string();
@@ -237,9 +237,9 @@ TEST(FileWatch, ADeletedProjectIsSavedAgain) {
   const std::string before = file_text(project);
   play_while(
       studio,
-      {kIdle, dump("opened.json"), told("deleted"), dump("told.json"), key("s", kCtrl), kIdle, dump("saved.json")},
+      {kIdle, dump("opened.json"), told("deleted"), dump("noticed.json"), key("s", kCtrl), kIdle, dump("saved.json")},
       project, [&] { std::filesystem::remove(project); });
-  const Json told = studio.state("told.json"), saved = studio.state("saved.json");
+  const Json told = studio.state("noticed.json"), saved = studio.state("saved.json");
   EXPECT_FALSE(studio.state("opened.json")["history"]["dirty"]);
   EXPECT_TRUE(told["history"]["dirty"]) << "it is on no disk any more";
   EXPECT_EQ(told["document"], studio.state("opened.json")["document"]);
@@ -248,7 +248,7 @@ TEST(FileWatch, ADeletedProjectIsSavedAgain) {
   EXPECT_EQ(Json::parse(file_text(project))["layout"], Json::parse(before)["layout"]);
 }
 
-TEST(FileWatch, SavingOverWhatAnotherProgramWroteAsksFirst) {
+TEST(FileWatch, AsksBeforeSavingOverAnotherProgramsChange) {
   const StudioProgram studio;
   OwnFiles files(studio);
   const std::string project = (studio.folder() / "mine.taxelproj").string();
@@ -266,16 +266,16 @@ TEST(FileWatch, SavingOverWhatAnotherProgramWroteAsksFirst) {
   EXPECT_EQ(Json::parse(file_text(project))["layout"]["name"], "theirs");
 }
 
-TEST(FileWatch, AMeshReplacedUnderTheLayoutIsMeasuredAndTheTaxelsBroughtBack) {
+TEST(FileWatch, MeasuresAReplacedMeshAndProjectsTheTaxelsOntoIt) {
   const StudioProgram studio;
   OwnFiles files(studio);
   play_while(studio,
-             {kLayoutMode, kIdle, dump("opened.json"), told("replaced by another mesh"), dump("told.json"),
+             {kLayoutMode, kIdle, dump("opened.json"), told("replaced by another mesh"), dump("noticed.json"),
               R"({"do": "screenshot", "file": "replaced.png"})", press("Use it, taxels onto its surface"), kIdle,
               dump("moved.json"), key("z", kCtrl), kIdle, dump("undone.json")},
              files.layout(), [&] { files.write_mesh(1.1); });
-  const Json opened = studio.state("opened.json"), told = studio.state("told.json"), moved = studio.state("moved.json"),
-             undone = studio.state("undone.json");
+  const Json opened = studio.state("opened.json"), told = studio.state("noticed.json"),
+             moved = studio.state("moved.json"), undone = studio.state("undone.json");
   ASSERT_EQ(told["notices"].size(), 1U);
   const auto text = told["notices"][0]["text"].get<std::string>();
   char far[32];
@@ -290,7 +290,7 @@ TEST(FileWatch, AMeshReplacedUnderTheLayoutIsMeasuredAndTheTaxelsBroughtBack) {
   EXPECT_EQ(undone["document"]["mesh"], opened["document"]["mesh"]) << "the mesh that there was, not that of the file";
 }
 
-TEST(FileWatch, WithItsMeshDeletedADocumentIsSavedWithTheMesh) {
+TEST(FileWatch, SavesADocumentWithItsDeletedMesh) {
   const StudioProgram studio;
   OwnFiles files(studio);
   std::filesystem::create_directories(studio.folder() / "kept");
@@ -307,14 +307,14 @@ TEST(FileWatch, WithItsMeshDeletedADocumentIsSavedWithTheMesh) {
   EXPECT_TRUE(again["notices"].empty());
 }
 
-TEST(FileWatch, AMeshThatIsNotTheLayoutsOwnIsToldOnOpening) {
+TEST(FileWatch, ReportsAForeignMeshWhenALayoutOpens) {
   const StudioProgram studio;
   OwnFiles files(studio);
   files.document["mesh"]["sha256"] = std::string(64, '0');
   files.write();
-  studio.play({kLayoutMode, kIdle, dump("told.json"), press("Use this mesh"), kIdle, dump("taken.json")},
+  studio.play({kLayoutMode, kIdle, dump("noticed.json"), press("Use this mesh"), kIdle, dump("taken.json")},
               {files.layout()});
-  const Json told = studio.state("told.json"), taken = studio.state("taken.json");
+  const Json told = studio.state("noticed.json"), taken = studio.state("taken.json");
   ASSERT_EQ(told["notices"].size(), 1U);
   EXPECT_NE(told["notices"][0]["text"].get<std::string>().find("12 taxels lie"), std::string::npos);
   EXPECT_TRUE(taken["notices"].empty());
@@ -322,15 +322,15 @@ TEST(FileWatch, AMeshThatIsNotTheLayoutsOwnIsToldOnOpening) {
   EXPECT_EQ(taken["document"]["layout"]["taxels"], told["document"]["layout"]["taxels"]);
 }
 
-TEST(FileWatch, AMeshThatBreaksIsSaidAndStaysOpen) {
+TEST(FileWatch, ReportsABrokenMeshAndKeepsTheOpenOne) {
   const StudioProgram studio;
   OwnFiles files(studio);
-  play_while(studio, {kLayoutMode, kIdle, dump("opened.json"), told("cannot be read now"), dump("told.json")},
+  play_while(studio, {kLayoutMode, kIdle, dump("opened.json"), told("cannot be read now"), dump("noticed.json")},
              files.layout(), [&] { write_text(files.folder / "finger.obj", "v 0 0 0\n"); });
-  EXPECT_EQ(studio.state("told.json")["document"], studio.state("opened.json")["document"]);
+  EXPECT_EQ(studio.state("noticed.json")["document"], studio.state("opened.json")["document"]);
 }
 
-TEST(FileWatch, AMeshOpenedAloneKeepsItsTaxelsWhenItIsReadAgain) {
+TEST(FileWatch, KeepsTaxelsIfAMeshOpenedAloneIsReadAgain) {
   const StudioProgram studio;
   OwnFiles files(studio);
   const std::string place = click(R"({"world": [0.0083, 0.0007, 0.0194]})", kCtrl);

@@ -1,4 +1,4 @@
-// A step that was saved: another process shows the same one.
+// A saved step: another process displays the same step.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -6,7 +6,7 @@
 namespace taxel::test {
 namespace {
 
-/// The numbers of a state that belong to the step, not to the camera.
+/// Returns the numbers of a state that belong to the step and not to the camera.
 Json of_the_step(const Json& state) {
   Json out = {{"time", state["simulation"]["time"]},
               {"travel", state["simulation"]["travel"]},
@@ -27,9 +27,9 @@ Lines saved_at(double time, const std::string& file) {
                  {dump("saved.json"), R"({"do": "screenshot", "file": "saved.png"})"}});
 }
 
-TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
+TEST(SavedStep, ShowsTheSameNumbersInAnotherProcess) {
   const StudioProgram studio;
-  // a layout of its own, which is gone when the step is opened elsewhere
+  // Uses its own copy of the layout, which is removed before the step is opened elsewhere.
   const std::filesystem::path here = studio.folder() / "here", elsewhere = studio.folder() / "elsewhere";
   for (const auto& folder : {here, elsewhere}) std::filesystem::create_directory(folder);
   Json layout = Json::parse(file_text(kLayoutFile));
@@ -53,7 +53,7 @@ TEST(SavedStep, AnotherProcessShowsTheSameNumbers) {
   EXPECT_NE(bytes.find("picture.png"), std::string::npos);
 }
 
-TEST(SavedStep, OtherModelsReadItAsTheyReadTheStepItself) {
+TEST(SavedStep, IsReadByOtherModelsLikeTheOriginalStep) {
   const StudioProgram studio;
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -72,7 +72,7 @@ TEST(SavedStep, OtherModelsReadItAsTheyReadTheStepItself) {
   }
 }
 
-TEST(SavedStep, NothingRunsInItAndThatIsSaid) {
+TEST(SavedStep, DoesNotRunAndReportsIt) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "press").string();
   studio.play(saved_at(1.0, file), {kLayoutFile});
@@ -85,7 +85,7 @@ TEST(SavedStep, NothingRunsInItAndThatIsSaid) {
   EXPECT_EQ(after["simulation"]["playing"], false);
 }
 
-TEST(SavedStep, ADamagedFileIsRefusedByName) {
+TEST(SavedStep, IsRefusedByNameIfTheFileIsDamaged) {
   const StudioProgram studio;
   write_text(studio.folder() / "broken.taxelframe", "PK nothing");
   const Outcome outcome = studio.run({kIdle}, {"broken.taxelframe"});

@@ -1,5 +1,5 @@
-// What the cameras show when a scene first exists and after a change of mode, what a start without taxels says, and
-// where the window takes a finger to point.
+// The view of the cameras when a scene is created and after a change of mode, the message of a start without taxels,
+// and the guessed direction of a finger.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(Framing, ShowsASensorOutsideTheViewAtAChangeOfMode) {
   EXPECT_EQ(studio.state("kept.json")["camera"], studio.state("near.json")["camera"]) << "a sensor in view is left so";
 }
 
-TEST(Simulate, SaysThatTaxelsAreMissing) {
+TEST(Simulate, ReportsThatTaxelsAreMissing) {
   for (const std::string& start : {kSimulateMode, key("Space")}) {
     const StudioProgram studio;
     studio.play({kIdle, start, kIdle, dump("asked.json")}, {kMeshFile});
@@ -58,7 +58,7 @@ TEST(Simulate, SaysThatTaxelsAreMissing) {
   }
 }
 
-/// The fingertip turned so that it points along +y and touches with +z.
+/// Writes the fingertip, rotated so that it points along +y and touches with +z.
 std::string turned_finger(const std::filesystem::path& folder) {
   const TriMesh finger = *load_mesh(kMeshFile).mesh;
   std::vector<dvec3> vertices = finger.vertices();

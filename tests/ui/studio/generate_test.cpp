@@ -1,4 +1,4 @@
-// The Generate panel: previews that are not in the document, and one step that adds them.
+// The Generate panel: previews that are not part of the document, and one step that adds them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void expect_on_skin(const Json& taxels) {
   for (const Json& taxel : taxels) EXPECT_LT(skin().closest_point(vector_of(taxel["center"])).distance, 1e-7);
 }
 
-TEST(Generate, APreviewIsNoEditUntilItIsTakenOver) {
+TEST(Generate, MakesAPreviewAnEditOnlyOnAccept) {
   const StudioProgram studio;
   studio.play({kIdle,
                dump("before.json"),
@@ -76,7 +76,7 @@ TEST(Generate, APreviewIsNoEditUntilItIsTakenOver) {
   EXPECT_EQ(studio.state("undone.json")["document"], before["document"]);
 }
 
-TEST(Generate, FieldsChangeThePreviewAndNonsenseIsSaidInWords) {
+TEST(Generate, UpdatesThePreviewByFieldsAndRefusesNonsense) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, kGenerate, kIdle},
                       set_field("Rows", "2"),
@@ -111,7 +111,7 @@ TEST(Generate, FieldsChangeThePreviewAndNonsenseIsSaidInWords) {
   EXPECT_NE(studio.state("word.json")["refused"]["words"], "");
 }
 
-TEST(Generate, TheFrameGoesWhereOneClicksAndDrags) {
+TEST(Generate, MovesTheFrameByClicksAndDrags) {
   const StudioProgram studio;
   studio.play({kIdle,
                kGenerate,
@@ -152,11 +152,11 @@ TEST(Generate, TheFrameGoesWhereOneClicksAndDrags) {
   }
   EXPECT_EQ(studio.state("turned.json")["generate"]["turn_deg"], 10);
   EXPECT_NE(studio.state("turned.json")["generate"]["taxels"], dragged["generate"]["taxels"]);
-  EXPECT_NE(studio.state("orbited.json")["camera"], dragged["camera"]) << "beside the mesh the view turns";
+  EXPECT_NE(studio.state("orbited.json")["camera"], dragged["camera"]) << "a drag outside the mesh orbits";
   EXPECT_EQ(studio.state("orbited.json")["generate"]["center"], dragged["generate"]["center"]);
 }
 
-TEST(Generate, EveryKindLiesOnTheSkin) {
+TEST(Generate, PlacesTaxelsOfEveryKindOnTheSkin) {
   const StudioProgram studio;
   const std::vector<std::pair<std::string, std::size_t>> kinds{
       {"Ring", 24}, {"Helix", 24}, {"Spiral", 24}, {"Spread", 24}, {"Preset", 12}};
@@ -179,7 +179,7 @@ TEST(Generate, EveryKindLiesOnTheSkin) {
   EXPECT_EQ(taxels[0]["name"], "taxel 0") << "the preset's own names";
 }
 
-TEST(Generate, ASpreadFillsWhatIsPainted) {
+TEST(Generate, FillsThePaintedRegionByASpread) {
   const StudioProgram studio;
   studio.play({kIdle,
                key("q"),
@@ -223,7 +223,7 @@ TEST(Generate, ASpreadFillsWhatIsPainted) {
   EXPECT_EQ(studio.state("added.json")["document"]["layout"]["taxels"].size(), 24U);
 }
 
-TEST(Generate, ReadsTablesAndPictures) {
+TEST(Generate, ReadsTablesAndImages) {
   const StudioProgram studio;
   const std::string table = (studio.folder() / "points.csv").string();
   write_text(table, "x,y,z\n4.1,-6.1,14.6\n8.6,0.5,13.2\n-3.5,-5,23.9\n");
@@ -285,7 +285,7 @@ TEST(Generate, ReadsTablesAndPictures) {
   EXPECT_EQ(studio.state("added.json")["document"]["layout"]["taxels"].size(), 3U) << "the picture before it stays";
 }
 
-TEST(Generate, EndsWithTheDocument) {
+TEST(Generate, ClosesWithTheDocument) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, kGenerate, kIdle, dump("open.json"), key("2", kCtrl), kIdle, dump("mode.json")},
               {kLayoutFile});

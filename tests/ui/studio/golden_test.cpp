@@ -1,5 +1,5 @@
-// Keys of the settings file and of state dumps that others rely on, compared with lists in tests/golden. After a change
-// that is wanted, copy the file that the message names.
+// Keys of the settings file and of state dumps that scripts rely on, compared with lists in tests/golden. After an
+// intended change, copy the file that the message names.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,7 +9,7 @@
 namespace taxel::test {
 namespace {
 
-/// Adds "pointer type" of each value below. Elements of arrays share one pointer, with * for their number.
+/// Adds "pointer type" of each value below `pointer`. Elements of arrays share one pointer, with * for their number.
 void collect_keys(const Json& value, const std::string& pointer, std::set<std::string>& keys) {
   if (!pointer.empty() && !value.is_null()) keys.insert(pointer + " " + value.type_name());
   if (value.is_object())
@@ -26,7 +26,7 @@ void expect_golden(const std::set<std::string>& keys, const std::string& name, c
       << "now: " << (folder / name).string();
 }
 
-TEST(Golden, KeysOfTheSettings) {
+TEST(Golden, KeepsTheKeysOfTheSettings) {
   const StudioProgram studio;
   std::set<std::string> keys;
   studio.play({kIdle}, {"--state-dir", "state", kLayoutFile});
@@ -34,8 +34,8 @@ TEST(Golden, KeysOfTheSettings) {
   expect_golden(keys, "settings_keys.txt", studio.folder());
 }
 
-/// A tour through both modes: probe, measure, patterns, clip plane, jumps, Explain, models, a study, a recording.
-TEST(Golden, KeysOfTheStateDump) {
+/// A script through both modes: probe, measure, patterns, clip plane, jumps, Explain, models, a study, a recording.
+TEST(Golden, KeepsTheKeysOfTheStateDump) {
   const StudioProgram studio;
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;

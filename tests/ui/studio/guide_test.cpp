@@ -1,4 +1,4 @@
-// Finding one's way: the command palette and the tour.
+// Guides for users: the command palette and the tour.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -14,11 +14,11 @@ bool shows(const Json& state, const std::string& panel, const std::string& label
 
 const std::string kPalette = key("k", kCtrl);
 
-TEST(Palette, RunsWhatIsTyped) {
+TEST(Palette, RunsTheTypedCommand) {
   const StudioProgram studio;
   studio.play({kIdle, kPalette, kIdle, dump("open.json"), R"({"do": "screenshot", "file": "palette.png"})",
                type("cover"), kIdle, key("Enter"), kIdle, dump("coverage.json"),
-               // Down goes to the next that was found: "Select all", "Select none", ...
+               // Down selects the next result: "Select all", "Select none", ...
                kPalette, kIdle, type("layout mode"), kIdle, key("Enter"), kIdle, kPalette, kIdle, type("select"), kIdle,
                key("Down"), kIdle, key("Down"), kIdle, dump("found.json"), key("Enter"), kIdle, dump("chosen.json"),
                kPalette, kIdle, type("select all"), kIdle, key("Enter"), kIdle, dump("all.json"), kPalette, kIdle,
@@ -35,7 +35,7 @@ TEST(Palette, RunsWhatIsTyped) {
   EXPECT_EQ(studio.state("escaped.json")["selection"], studio.state("all.json")["selection"]) << "Esc was its own";
 }
 
-TEST(Palette, WhatIsNotPossibleNowIsNotRun) {
+TEST(Palette, DoesNotRunADisabledCommand) {
   const StudioProgram studio;
   studio.play(
       {kLayoutMode,  kIdle, dump("before.json"),  kPalette,   kIdle,        type("delete"),  kIdle,
@@ -47,7 +47,7 @@ TEST(Palette, WhatIsNotPossibleNowIsNotRun) {
   EXPECT_EQ(studio.state("deleted.json")["document"]["layout"]["taxels"].size(), 11U);
 }
 
-TEST(Tour, FiveStepsPointAtTheirPartsAndItIsRemembered) {
+TEST(Tour, ShowsFiveStepsAndRecordsThatItWasSeen) {
   const StudioProgram studio;
   Lines script{kIdle};
   for (int step = 0; step < 5; ++step) {
@@ -67,7 +67,7 @@ TEST(Tour, FiveStepsPointAtTheirPartsAndItIsRemembered) {
   EXPECT_EQ(settings["tour_seen"], true);
 }
 
-TEST(Tour, IsSkippedAndHadAgain) {
+TEST(Tour, IsSkippedAndStartedAgain) {
   const StudioProgram studio;
   studio.play({kIdle, dump("begun.json"), press("Tour/Next"), kIdle, press("Tour/Back"), kIdle, dump("back.json"),
                press("Tour/Skip the tour"), kIdle, dump("skipped.json"), press("Help"), kIdle, press("Tour"), kIdle,

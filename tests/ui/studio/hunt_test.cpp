@@ -1,5 +1,5 @@
-// The hunt of the user guide, as its pictures are taken: an artifact that is found by "jumps while the force stays",
-// explained, and gone with more samples.
+// The search for an artifact in the user guide, as in its images: found by "jumps while the force stays", explained,
+// and removed with more samples.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -13,7 +13,7 @@ struct Hunted {
   Json explained, cured;
 };
 
-/// A line of the script that holds `from` becomes `to`.
+/// A change of the guide's script: lines that contain `from` are replaced by `to`.
 struct Change {
   std::string from, to;
 };
@@ -51,7 +51,7 @@ void expect_found_and_cured(const Hunted& hunted) {
   EXPECT_EQ(cured["messages"].size(), explained["messages"].size()) << "it did not pause again";
 }
 
-TEST(Hunt, TheArtifactIsFoundExplainedAndCured) {
+TEST(Hunt, FindsExplainsAndCuresTheArtifact) {
   const Hunted hunted = hunt("edge_sweep.json", {});
   expect_found_and_cured(hunted);
   const Json& verdict = hunted.explained["explain"]["verdict"];
@@ -61,8 +61,8 @@ TEST(Hunt, TheArtifactIsFoundExplainedAndCured) {
   EXPECT_GE(hunted.cured["simulation"]["time"], 3.2);
 }
 
-/// Over the edge of a box, measured against the largest reading of the sensor, the contact hardly changes at all.
-TEST(Hunt, TheArtifactOverABoxIsOfTheSamplesAlone) {
+/// Over the edge of a box, the contact itself hardly changes, relative to the largest reading of the sensor.
+TEST(Hunt, ExplainsTheArtifactOverABoxBySamplesAlone) {
   const std::string jump = R"({"event": "double_click", "at": {"widget": "Timeline/Jump"}})";
   const Hunted hunted = hunt("box_sweep.json", {{R"("Timeline/Jump")", press("of sensor") + "\n" + kIdle + "\n" + jump},
                                                 {R"("wait_time")", R"({"do": "wait_time", "time": 2.3})"}});

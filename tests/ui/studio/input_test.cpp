@@ -1,4 +1,4 @@
-// Hands and keys: what an event changes, and that it changes nothing else.
+// Mouse and keys: the effects of each event, and that nothing else changes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ std::string widget(const std::string& label) {
 
 const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json";
 
-/// What a gesture in the view may not touch.
+/// Returns the part of a state that a gesture in the view must not change.
 Json untouched(Json state) {
   // `sensor_boxes` are in pixels of the view.
   for (const char* part :
@@ -37,7 +37,7 @@ Json untouched(Json state) {
   return state;
 }
 
-TEST(Camera, AScriptedOrbitChangesOnlyTheCamera) {
+TEST(Camera, ChangesNothingElseInAScriptedOrbit) {
   const StudioProgram studio;
   studio.play({key("="), key("="), R"({"do": "wait_time", "time": 1.1})", key("Space"), idle(),
                R"({"event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
@@ -52,7 +52,7 @@ TEST(Camera, AScriptedOrbitChangesOnlyTheCamera) {
   EXPECT_EQ(untouched(before), untouched(after));
 }
 
-TEST(Camera, WheelZoomsAndRightDragPans) {
+TEST(Camera, ZoomsByTheWheelAndPansByRightDrag) {
   const StudioProgram studio;
   studio.play({R"({"frame": 5, "event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
                R"({"event": "wheel", "at": [500, 300], "y": 2})", idle(), dump("zoomed.json"),
@@ -70,7 +70,7 @@ TEST(Camera, WheelZoomsAndRightDragPans) {
   EXPECT_GT(framed["distance"], zoomed["distance"]);
 }
 
-TEST(Camera, RightDoubleClickLooksAtTheMesh) {
+TEST(Camera, LooksAtTheMeshByRightDoubleClick) {
   const StudioProgram studio;
   studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(),
                R"({"event": "double_click", "button": "right", "at": [600, 330]})", idle(), dump("state.json")});
@@ -81,7 +81,7 @@ TEST(Camera, RightDoubleClickLooksAtTheMesh) {
   EXPECT_NE(target, mesh.mesh->bounds().center()) << "it was framed before";
 }
 
-TEST(Clicks, TwoWithinOneFrameAreTwoClicksAndADoubleClick) {
+TEST(Clicks, AreCountedTwiceAndAsADoubleClickWithinOneFrame) {
   const StudioProgram studio;
   studio.play({R"({"frame": 4, "event": "click", "at": [500, 300]})",
                R"({"frame": 4, "event": "click", "at": [500, 300]})", idle(), dump("twice.json"),
@@ -92,7 +92,7 @@ TEST(Clicks, TwoWithinOneFrameAreTwoClicksAndADoubleClick) {
   EXPECT_EQ(studio.state("thrice.json")["clicks"]["left_double"], 1) << "a later click is one of its own";
 }
 
-TEST(Clicks, TwoOnASwitchWithinOneFrameSwitchTwice) {
+TEST(Clicks, ToggleTwiceWithinOneFrame) {
   const StudioProgram studio;
   const std::string wire = click(widget("Toolbar/Wire"));
   studio.play(
@@ -102,7 +102,7 @@ TEST(Clicks, TwoOnASwitchWithinOneFrameSwitchTwice) {
   EXPECT_FALSE(studio.state("four.json")["overlays"]["wireframe"]);
 }
 
-TEST(Selection, ByViewTableAndBarAndClearedByEscape) {
+TEST(Selection, WorksByViewTableAndBarAndEndsByEscape) {
   const StudioProgram studio;
   studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(), click(R"({"taxel": 3})"), idle(),
                dump("view.json"), R"({"event": "key", "key": "2", "mods": ["ctrl"]})", idle(), click(widget("Taxel 5")),
@@ -112,7 +112,7 @@ TEST(Selection, ByViewTableAndBarAndClearedByEscape) {
   EXPECT_TRUE(studio.state("cleared.json")["selection"]["taxel"].is_null());
 }
 
-TEST(Selection, ShiftTogglesAndKeysSelectAllNoneAndTheOthers) {
+TEST(Selection, TogglesByShiftAndSelectsAllNoneAndOthersByKeys) {
   const StudioProgram studio;
   const std::string shift = R"(, "mods": ["shift"]})";
   studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})",
@@ -152,7 +152,7 @@ TEST(Selection, KeepsItsTaxelsFromLayoutToSimulation) {
   EXPECT_EQ(studio.state("simulate.json")["selection"]["taxels"], Json({3}));
 }
 
-TEST(Transport, SpaceRightBackspaceAndSpeed) {
+TEST(Transport, PlaysStepsResetsAndChangesSpeedByKeys) {
   const StudioProgram studio;
   studio.play({R"({"frame": 10, "event": "key", "key": "Space"})", idle(), dump("paused.json"), key("Right"),
                key("Right"), idle(), dump("stepped.json"), key("-"), idle(), key("Space"),
@@ -170,7 +170,7 @@ TEST(Transport, SpaceRightBackspaceAndSpeed) {
   EXPECT_LT(studio.state("reset.json")["simulation"]["time"], 0.2);
 }
 
-TEST(Transport, RunAfterTheEndBeginsAnew) {
+TEST(Transport, RestartsTheRunAfterItsEnd) {
   const StudioProgram studio;
   studio.play({R"({"do": "wait_idle"})", key("="), key("="), key("="), key("="), idle(),
                R"({"frame": 20, "do": "dump_state", "file": "end.json"})", click(widget("Run")), idle(),
@@ -184,14 +184,14 @@ TEST(Transport, RunAfterTheEndBeginsAnew) {
   EXPECT_LT(again["rows"], end["rows"]);
 }
 
-TEST(Keys, BelongToATextFieldFirst) {
+TEST(Keys, GoToATextFieldFirst) {
   const StudioProgram studio;
   studio.play({R"({"event": "key", "key": "o", "mods": ["ctrl"]})", idle(), dump("before.json"), key("w"),
                R"({"event": "text", "text": "w"})", idle(), dump("after.json")});
   EXPECT_EQ(studio.state("before.json")["overlays"], studio.state("after.json")["overlays"]);
 }
 
-TEST(Keys, SpaceStillPlaysAfterAButtonWasClicked) {
+TEST(Keys, PlayBySpaceAfterAButtonWasClicked) {
   const StudioProgram studio;
   studio.play({R"({"frame": 5, "event": "click", "at": {"widget": "Toolbar/Wire"}})", idle(), key("Space"), idle(),
                dump("state.json")});
@@ -199,7 +199,7 @@ TEST(Keys, SpaceStillPlaysAfterAButtonWasClicked) {
   EXPECT_FALSE(studio.state("state.json")["simulation"]["playing"]);
 }
 
-TEST(Sweep, ParametersOfTheInspectorRunANewSweep) {
+TEST(Sweep, RunsAgainWithTheParametersOfTheInspector) {
   const StudioProgram studio;
   studio.play({idle(), R"j({"event": "double_click", "at": {"widget": "Inspector/Tilt (°)"}})j", idle(),
                R"({"event": "text", "text": "30"})", key("Enter"), idle(), dump("before.json"),

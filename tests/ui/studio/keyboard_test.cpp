@@ -1,4 +1,4 @@
-// Who gets a key, and that quick hands are understood: fields, menus, modifiers; and that large text cuts nothing off.
+// Targets of keys, and fast input: fields, menus, modifiers. Large text is nowhere cut off.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ InputEvent press_z(bool down) {
   return KeyPress{ImGuiKey_Z, down};
 }
 
-/// How many events each picture takes.
+/// Returns the number of events in each frame.
 std::vector<std::size_t> portions(const std::vector<InputEvent>& events) {
   InputQueue queue;
   queue.add(events);
@@ -30,7 +30,7 @@ std::vector<std::size_t> portions(const std::vector<InputEvent>& events) {
   return sizes;
 }
 
-TEST(InputQueue, AModifierDoesNotChangeInThePictureOfWhatItGoesWith) {
+TEST(InputQueue, KeepsAModifierThroughTheFrameOfItsEvent) {
   const InputEvent wheel = MouseWheel{0, 1};
   using Sizes = std::vector<std::size_t>;
   EXPECT_EQ(portions({ctrl(true), wheel, ctrl(false)}), (Sizes{2, 1}));
@@ -41,7 +41,7 @@ TEST(InputQueue, AModifierDoesNotChangeInThePictureOfWhatItGoesWith) {
   EXPECT_EQ(portions({ctrl(true), wheel, ctrl(false), wheel, ctrl(true), wheel}), (Sizes{2, 2, 2}));
 }
 
-TEST(Keyboard, CtrlWheelLetGoAtOnceIsNoZoom) {
+TEST(Keyboard, ResizesByCtrlWheelIfCtrlIsReleasedAtOnce) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"),
                R"({"event": "wheel", "at": [600, 330], "y": 1, "mods": ["ctrl"]})", kIdle, dump("after.json")},
@@ -52,7 +52,7 @@ TEST(Keyboard, CtrlWheelLetGoAtOnceIsNoZoom) {
               1.02 * taxel_of(before["document"]["layout"], 3)["radius"].get<double>(), 1e-15);
 }
 
-TEST(Keyboard, EscLeavesAFieldOrAMenuBeforeItClearsTheSelection) {
+TEST(Keyboard, LeavesAFieldOrMenuByEscBeforeClearingTheSelection) {
   const StudioProgram studio;
   studio.play({kLayoutMode, kIdle, click(taxel(3)), kIdle, press("Inspector/Radius (mm)"), kIdle, type("9"), key("Esc"),
                kIdle, dump("field.json"), press("Edit"), kIdle, dump("menu.json"), key("Esc"), kIdle,
@@ -67,7 +67,7 @@ TEST(Keyboard, EscLeavesAFieldOrAMenuBeforeItClearsTheSelection) {
   EXPECT_EQ(studio.state("cleared.json")["history"]["depth"], 0);
 }
 
-TEST(Keyboard, TabGoesFromFieldToField) {
+TEST(Keyboard, MovesFromFieldToFieldByTab) {
   const StudioProgram studio;
   studio.play({kLayoutMode,
                kIdle,
@@ -98,7 +98,7 @@ TEST(Keyboard, TabGoesFromFieldToField) {
   EXPECT_EQ(typed["history"]["depth"], 4);
 }
 
-TEST(Keyboard, TabGoesIntoTheInspectorAndEscBackToTheTableOfKeys) {
+TEST(Keyboard, EntersTheInspectorByTabAndLeavesItByEsc) {
   const StudioProgram studio;
   studio.play({kLayoutMode,
                kIdle,
@@ -133,7 +133,7 @@ TEST(Keyboard, TabGoesIntoTheInspectorAndEscBackToTheTableOfKeys) {
   EXPECT_TRUE(studio.state("cleared.json")["overlays"]["wireframe"]);
 }
 
-TEST(Scale, AtTwoNothingOfToolbarMenuAndStatusLineOverlapsOrIsCutOff) {
+TEST(Scale, NeitherOverlapsNorCutsOffTextAtScaleTwo) {
   const StudioProgram studio;
   std::filesystem::create_directories(studio.folder() / "state");
   write_text(studio.folder() / "state/settings.json", R"({"scale": 2.0})");

@@ -1,5 +1,5 @@
-// Edits while the simulation runs by the clock, all threads at once: for the sanitizers above all. The variable
-// TAXEL_LIVE_SECONDS makes it longer.
+// Edits while the simulation runs in real time with all threads, mainly for the sanitizers. The variable
+// TAXEL_LIVE_SECONDS sets the duration.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ double seconds_wanted() {
   return text != nullptr ? std::atof(text) : 2.0;
 }
 
-/// Lets so many pictures pass.
+/// Waits for `frames` frames.
 struct Beat {
   int frame = 0;
   std::string operator()(int pictures) {
@@ -25,7 +25,8 @@ struct Beat {
   }
 };
 
-/// One round: a taxel is moved, resized, undone; fields are mapped; a probe is pressed; steps are scrubbed; it runs on.
+/// One round: a taxel is moved, resized and undone; fields are computed; a probe is pressed; steps are scrubbed; the
+/// run continues.
 Lines round(int number, Beat& pause) {
   const std::string id = std::to_string(number % 12), radius = std::to_string(4 + number % 4);
   return joined(
@@ -38,8 +39,8 @@ Lines round(int number, Beat& pause) {
         pause(1), R"({"event": "mouse_up"})", pause(1)}});
 }
 
-// What is asked for counts at once: a key that toggles may come before the simulation has answered the one before.
-TEST(Live, PlayingIsWhatWasAskedForLast) {
+// A request takes effect at once: a key that toggles may be pressed before the simulation has handled the previous one.
+TEST(Live, PlaysAsRequestedLast) {
   studio::JobPool pool;
   studio::Session session(pool, true, [] {});
   session.open(kLayoutFile);
@@ -59,7 +60,7 @@ TEST(Live, PlayingIsWhatWasAskedForLast) {
   EXPECT_TRUE(session.moves());
   const std::uint64_t asked = session.frame()->commands;
   ASSERT_TRUE(run_until([&] { return session.frame()->commands >= asked + 4; }));
-  EXPECT_TRUE(session.moves());  // and so it is
+  EXPECT_TRUE(session.moves());  // and the simulation moves
   ASSERT_TRUE(run_until([&] { return session.frame()->step > 20; }));
   session.set_playing(false);
   EXPECT_FALSE(session.moves());

@@ -1,4 +1,4 @@
-// What the views of one step show, through the program: tractions, readings on the skin, the flat map.
+// The views of one step through the program: tractions, readings on the skin, the flat map.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ std::string toolbar(const std::string& label) {
   return press("Toolbar/" + label);
 }
 
-/// Paused in the midst of the contact, with nothing but the skin, the contact and the path drawn.
+/// Paused in the middle of the contact, with only the skin, the contact and the path drawn.
 const Lines kBare{key("="),
                   key("="),
                   R"({"do": "wait_time", "time": 1.3})",
@@ -42,7 +42,7 @@ int count_colour(const Picture& picture, const Json& rect, const Json& color) {
   return count;
 }
 
-TEST(LiveView, TractionsAreDrawnOfTheStepShown) {
+TEST(LiveView, DrawsTractionsOfTheDisplayedStep) {
   const StudioProgram studio;
   studio.play(joined({kBare,
                       {shot("without.png"), key("v"), kIdle, shot("with.png"), dump("with.json"), key("v"), kIdle,
@@ -66,7 +66,7 @@ TEST(LiveView, TractionsAreDrawnOfTheStepShown) {
   EXPECT_EQ(file_text(studio.folder() / "off.png"), file_text(studio.folder() / "without.png"));
 }
 
-TEST(LiveView, TheSkinHasTheColoursOfTheReadings) {
+TEST(LiveView, DrawsTheSkinInTheColoursOfTheReadings) {
   const StudioProgram studio;
   studio.play(joined({kBare,
                       {toolbar("Contact"), kIdle, toolbar("Path"), kIdle, kOutOfTheWay, key("s"), kIdle, kIdle,
@@ -93,7 +93,7 @@ TEST(LiveView, TheSkinHasTheColoursOfTheReadings) {
   EXPECT_GT(right, 0.8 * looked_at) << "a label hides some";
 }
 
-/// Discs keep off each other, inside of the panel.
+/// Expects that the discs do not overlap and are inside the panel.
 void expect_readable(const Json& state, std::size_t taxels) {
   const Json& discs = state["map"]["discs"];
   ASSERT_EQ(discs.size(), taxels);
@@ -110,7 +110,7 @@ void expect_readable(const Json& state, std::size_t taxels) {
 
 const Lines kOpenMap{press("Panels"), kIdle, press("Taxel map panel"), kIdle, kIdle};
 
-TEST(LiveView, TheMapHasTheReadingsAndSelects) {
+TEST(LiveView, ShowsReadingsInTheMapAndSelectsByIt) {
   const StudioProgram studio;
   studio.play(joined(
       {kBare,
@@ -128,7 +128,7 @@ TEST(LiveView, TheMapHasTheReadingsAndSelects) {
   EXPECT_EQ(studio.state("clicked.json")["selection"]["taxel"], 10);
 }
 
-TEST(LiveView, TheMapOfAMirroredFingerIsMirrored) {
+TEST(LiveView, MirrorsTheMapOfAMirroredFinger) {
   const StudioProgram studio;
   studio.play(joined({kOpenMap, {dump("map.json")}}));
   const Json discs = studio.state("map.json")["map"]["discs"];

@@ -1,4 +1,4 @@
-// Loading in the worker: progress while samples are built, and Cancel.
+// Loading in the worker: progress while samples are built, and cancelling.
 #include "app/studio/document/loader.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Our fingertip with so many samples per square metre.
+/// Writes our fingertip with `density` samples per square metre.
 std::string layout_of_density(double density) {
   const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
   const auto folder = test::fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / "studio_tests",
@@ -30,7 +30,7 @@ std::string layout_of_density(double density) {
   return (folder / "dense.taxels.json").string();
 }
 
-/// The next result of a loader that has one to come.
+/// Returns the next result of a loader that is busy.
 LoadResult next(Loader& loader) {
   loader.wait();
   std::optional<LoadResult> result = loader.take();
@@ -38,7 +38,7 @@ LoadResult next(Loader& loader) {
   return std::move(*result);
 }
 
-/// Watches `fraction` until the next result, and returns that.
+/// Records `fraction` until the next result, and returns this result.
 LoadResult watched(Loader& loader, std::set<double>& seen) {
   double before = 0;
   while (true) {
@@ -50,7 +50,7 @@ LoadResult watched(Loader& loader, std::set<double>& seen) {
   }
 }
 
-TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
+TEST(Loader, GivesThePreviewFirstAndThenPolishedSamples) {
   const std::string file = layout_of_density(2e7);
   SensorCache cache;
   JobPool pool;
@@ -82,7 +82,7 @@ TEST(Loader, ThePreviewComesFirstAndThenItsSamplesPolished) {
     ASSERT_EQ(polished.model->samples[i].position, alone->samples[i].position) << "the same as without a preview";
 }
 
-TEST(Loader, AReloadAfterAnEditOfTaxelsKeepsThePolishedSamples) {
+TEST(Loader, KeepsThePolishedSamplesIfOnlyTaxelsChanged) {
   const std::string file = layout_of_density(1e6);
   SensorCache cache;
   JobPool pool;
@@ -102,7 +102,7 @@ TEST(Loader, AReloadAfterAnEditOfTaxelsKeepsThePolishedSamples) {
   EXPECT_LT(after->fields.entries.size(), before->fields.entries.size());
 }
 
-TEST(Loader, CancelEndsALoadThatHasBegun) {
+TEST(Loader, EndsARunningLoadByCancel) {
   std::chrono::steady_clock::time_point cancelled;
   {
     SensorCache cache;
@@ -112,7 +112,7 @@ TEST(Loader, CancelEndsALoadThatHasBegun) {
     while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
     loader.cancel();
     cancelled = std::chrono::steady_clock::now();
-    EXPECT_TRUE(loader.busy()) << "until that was told";
+    EXPECT_TRUE(loader.busy()) << "until the cancellation is reported";
     EXPECT_TRUE(std::holds_alternative<LoadCancelled>(next(loader)));
     EXPECT_FALSE(loader.busy());
     EXPECT_FALSE(loader.take());
@@ -120,7 +120,7 @@ TEST(Loader, CancelEndsALoadThatHasBegun) {
   EXPECT_LT(std::chrono::steady_clock::now() - cancelled, 10s) << "a million samples take longer";
 }
 
-TEST(Loader, CancelOfPolishingKeepsTheDocument) {
+TEST(Loader, KeepsTheDocumentIfPolishingIsCancelled) {
   SensorCache cache;
   JobPool pool;
   Loader loader(pool, cache, {});
@@ -130,12 +130,12 @@ TEST(Loader, CancelOfPolishingKeepsTheDocument) {
   loader.cancel();
   EXPECT_TRUE(std::holds_alternative<PolishCancelled>(next(loader)));
   EXPECT_FALSE(loader.busy());
-  loader.polish(document);  // after all
+  loader.polish(document);  // now without cancelling
   EXPECT_TRUE(loader.polishing());
   EXPECT_EQ(std::get<Polished>(next(loader)).preview, document.model);
 }
 
-TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
+TEST(Loader, DropsAFinishedResultThatIsCancelled) {
   SensorCache cache;
   JobPool pool;
   Loader loader(pool, cache, {});
@@ -147,10 +147,10 @@ TEST(Loader, WhatWasReadyBeforeItWasCancelledIsDropped) {
   loader.wait();
   loader.close();
   EXPECT_FALSE(loader.busy());
-  EXPECT_FALSE(loader.take()) << "nothing is told";
+  EXPECT_FALSE(loader.take()) << "nothing is reported";
 }
 
-TEST(Loader, AFailureOfPolishingIsTold) {
+TEST(Loader, ReportsAFailureOfPolishing) {
   SensorCache cache;
   JobPool pool;
   Loader loader(pool, cache, {});
@@ -164,7 +164,7 @@ TEST(Loader, AFailureOfPolishingIsTold) {
   EXPECT_FALSE(loader.busy());
 }
 
-TEST(Loader, AnotherLoadTakesTheFirstOnesPlace) {
+TEST(Loader, ReplacesALoadByTheNextOne) {
   SensorCache cache;
   JobPool pool;
   Loader loader(pool, cache, {});
@@ -176,7 +176,7 @@ TEST(Loader, AnotherLoadTakesTheFirstOnesPlace) {
   EXPECT_FALSE(loader.busy());
 }
 
-/// Panels in a window of their own, without anything that draws.
+/// Panels in their own window, without a renderer.
 class Panels : public testing::Test {
  protected:
   Panels() {
@@ -188,7 +188,7 @@ class Panels : public testing::Test {
     ui_.view.rect = {0, 0, 800, 600};
   }
   ~Panels() override { ImGui::DestroyContext(); }
-  /// Some pictures, so that windows find their size.
+  /// Draws some frames, so that windows find their size.
   void draw(int pictures = 3) {
     for (int i = 0; i < pictures; ++i) {
       ui_.widgets.begin_frame();
@@ -202,7 +202,7 @@ class Panels : public testing::Test {
   ui::UiInput input_;
 };
 
-TEST_F(Panels, ALoadOfOverHalfASecondShowsABarWithCancel) {
+TEST_F(Panels, ShowABarWithCancelAfterHalfASecond) {
   input_.loading = {true, "dense.taxels.json", 0.3, 0.4, true};
   draw();
   EXPECT_EQ(ui_.widgets.find("Progress"), nullptr) << "not worth a bar yet";

@@ -1,4 +1,4 @@
-// Keys from MuJoCo's viewers: frames, labels, cameras of the scene, tracking, groups of sites, info, profiler.
+// Functions of MuJoCo's viewer: frames, labels, cameras of the scene, tracking, groups of sites, info, profiler.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace taxel::test {
 namespace {
 
-/// An arm that swings about y; its palm, on a wrist without geoms, has a site above it and a camera that looks at it.
+/// An arm that swings about y. Its palm, on a wrist without geoms, has a site above it and a camera that looks at it.
 constexpr const char* kArm = R"(<mujoco><option><flag energy='enable'/></option><statistic center='0 0 .1' extent='.5'/>
   <visual><global azimuth='60' elevation='-30'/></visual><worldbody>
   <geom name='floor' type='plane' size='1 1 .1' pos='0 0 -.3'/>
@@ -45,7 +45,7 @@ ui::Camera camera_of(const Json& state) {
   camera.roll_deg = from["roll_deg"];
   return camera;
 }
-/// Where a point of the world is in the window's picture.
+/// Returns the pixel of a point of the world in the window.
 dvec2 pixel_of(const Json& state, const dvec3& p_W) {
   const Json& view = state["view"];
   const dvec3 pixel = camera_of(state).project(p_W, view["width"], view["height"]);
@@ -83,7 +83,7 @@ bool has_widget(const Json& state, const char* panel, const char* label) {
 
 class Marks : public testing::Test {
  protected:
-  /// Paused at the start, marks of sensors out of the way.
+  /// Plays lines, paused at the start and without the glyphs of sensors.
   void play(const Lines& lines, const std::vector<std::string>& more = {}) const {
     write_text(studio_.folder() / "arm.xml", kArm);
     std::vector<std::string> arguments = more;
@@ -94,7 +94,7 @@ class Marks : public testing::Test {
   StudioProgram studio_;
 };
 
-TEST_F(Marks, LabelsAndFramesGoThroughWhatTheSceneHas) {
+TEST_F(Marks, CycleThroughLabelsAndFramesOfTheScene) {
   Lines lines;
   for (const char* kind : {"bodies", "joints", "geoms", "sites", "cameras", "none"})
     lines.insert(lines.end(), {key("F7"), kIdle, dump(std::string(kind) + ".json")});
@@ -131,7 +131,7 @@ TEST_F(Marks, LabelsAndFramesGoThroughWhatTheSceneHas) {
   EXPECT_EQ(file_text(studio_.folder() / "plain.png"), file_text(studio_.folder() / "frames none.png"));
 }
 
-TEST_F(Marks, CamerasOfTheSceneAreLookedThroughUntilEsc) {
+TEST_F(Marks, ShowTheCamerasOfTheSceneUntilEsc) {
   const Json from{600, 250}, to{700, 200};
   play({dump("free.json"),
         key("]"),
@@ -178,7 +178,7 @@ TEST_F(Marks, CamerasOfTheSceneAreLookedThroughUntilEsc) {
   EXPECT_NEAR(right.y, middle.y, 1e-6);
   EXPECT_LT(up.y, middle.y - 20);
   EXPECT_EQ(state("dragged.json")["camera"], top["camera"]);
-  const Json side = state("side.json");  // turned: its right is down
+  const Json side = state("side.json");  // rotated: its right direction points down
   expect_near(camera_of(side).eye(), {0, -0.8, 0.1}, 1e-9);
   EXPECT_GT(pixel_of(side, {0, 0, 0}).x, pixel_of(side, {0, 0, 0.1}).x + 20);
   EXPECT_EQ(eye["followed"], "Camera eye   [ ] others, Esc frees") << "the one before the first is the last";
@@ -192,7 +192,7 @@ TEST_F(Marks, CamerasOfTheSceneAreLookedThroughUntilEsc) {
   EXPECT_EQ(state("escaped.json")["followed"], "");
 }
 
-TEST_F(Marks, TheCameraAlignsAndTracksABody) {
+TEST_F(Marks, AlignTheCameraAndTrackABody) {
   const Json ctrl = {"ctrl"};
   const std::string block = world({0.15, 0, 0.1});
   play({key("A", kCtrl),
@@ -232,7 +232,7 @@ TEST_F(Marks, TheCameraAlignsAndTracksABody) {
   EXPECT_EQ(state("centred.json")["followed"], "");
 }
 
-TEST_F(Marks, PageUpSelectsParentsAndCtrlAltMovesWhatIsSelected) {
+TEST_F(Marks, SelectParentsByPageUpAndMoveByCtrlAlt) {
   const Json mods = {"ctrl", "alt"};
   play({R"({"event": "double_click", "at": )" + world({0.15, 0, 0.1}) + "}", kIdle, dump("palm.json"), key("PageUp"),
         kIdle, dump("wrist.json"), key("PageUp"), kIdle, dump("arm.json"), key("PageUp"), kIdle, dump("top.json"),
@@ -251,7 +251,7 @@ TEST_F(Marks, PageUpSelectsParentsAndCtrlAltMovesWhatIsSelected) {
   EXPECT_TRUE(state("let_go.json")["scene"]["hand"].is_null());
 }
 
-TEST_F(Marks, GroupsOfSitesAreShownAndKept) {
+TEST_F(Marks, ShowGroupsOfSitesAndKeepTheSetting) {
   const std::vector<std::string> keeps{"--state-dir", "state"};
   play({dump("at_first.json"), shot("at_first.png"), key("1", kShift), key("4", kShift), key("3"), key("F6"), kIdle,
         dump("other.json"), shot("other.png")},
@@ -273,7 +273,7 @@ TEST_F(Marks, GroupsOfSitesAreShownAndKept) {
     EXPECT_EQ(state("next.json")["overlays"][kept], other["overlays"][kept]) << kept;
 }
 
-TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
+TEST_F(Marks, ShowInfoOfTheDisplayedStepAndToggleFullScreen) {
   play({key("F2"),
         key("F11"),
         key("Right"),
@@ -315,8 +315,8 @@ TEST_F(Marks, InfoTellsOfTheStepShownAndFullScreenIsASwitch) {
   EXPECT_TRUE(state("off.json")["info"].is_null());
 }
 
-/// Offscreen there is no screen to fill: pictures stay as large as they were asked for.
-TEST_F(Marks, FullScreenFillsTheScreenAndGoesBack) {
+/// Offscreen there is no screen to fill, so frames keep their size.
+TEST_F(Marks, FillTheScreenAndRestoreTheWindow) {
   play({shot("before.png"), key("F11"), kIdle, kIdle, kIdle, shot("full.png"), key("F5"), kIdle, kIdle, kIdle,
         shot("after.png"), key("F11"), kIdle, kIdle, kIdle, shot("again.png")});
   const Picture before = studio_.picture("before.png"), full = studio_.picture("full.png"),
@@ -328,7 +328,7 @@ TEST_F(Marks, FullScreenFillsTheScreenAndGoesBack) {
   EXPECT_EQ(studio_.picture("again.png").width, full.width);
 }
 
-TEST_F(Marks, TheProfilerTellsWhereTimeGoes) {
+TEST_F(Marks, ShowTheTimesOfTheProfiler) {
   const StudioProgram& studio = studio_;
   studio.play(
       {kIdle, key("F3"), R"({"do": "wait_for", "pointer": "/profile/steps", "least": 100})",

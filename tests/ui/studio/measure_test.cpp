@@ -1,4 +1,4 @@
-// Measuring on the surface and cutting the view open, through the real executable.
+// Measuring on the surface and the clip plane, through the real executable.
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
@@ -12,7 +12,7 @@ std::string wheel(double notches, const std::string& at, const std::string& mods
   return R"({"event": "wheel", "y": )" + std::to_string(notches) + R"(, "at": )" + at + R"(, "mods": [)" + mods + "]}";
 }
 
-TEST(Measure, TwoClicksTellBothDistancesAndSnapToTaxels) {
+TEST(Measure, GivesBothDistancesOfTwoClicksAndSnapsToTaxels) {
   const StudioProgram studio;
   studio.play({kLayoutMode,
                kIdle,
@@ -58,7 +58,7 @@ TEST(Measure, TwoClicksTellBothDistancesAndSnapToTaxels) {
   }
   EXPECT_NEAR(length, along, 1e-9);
   EXPECT_LT(glm::distance(vector_of(path.front()), a), 1e-6);
-  // a third click begins anew; on the background there is no point
+  // A third click starts a new measurement. On the background there is no point.
   const Json third = studio.state("third.json")["measure"];
   EXPECT_EQ(third["points"].size(), 1U);
   EXPECT_TRUE(third["points"][0]["taxel"].is_null());
@@ -68,12 +68,12 @@ TEST(Measure, TwoClicksTellBothDistancesAndSnapToTaxels) {
   EXPECT_EQ(studio.state("selected.json")["selection"]["taxel"], 3);
 }
 
-/// How far a plane has cut away a point; positive: it is not shown.
+/// Returns the distance by which a point is beyond the plane. A positive value means that the point is cut away.
 double beyond(const Json& clip, const dvec3& p) {
   return glm::dot(vector_of(clip["normal"]), p) - clip["offset"].get<double>();
 }
 
-/// Pixels of the view in which two pictures differ.
+/// Returns the number of pixels of the view in which two images differ.
 int differing(const Picture& a, const Picture& b, const Json& rect) {
   int count = 0;
   for (int y = static_cast<int>(rect[1]); y < static_cast<int>(rect[3]); ++y) {
@@ -84,7 +84,7 @@ int differing(const Picture& a, const Picture& b, const Json& rect) {
   return count;
 }
 
-TEST(ClipPlane, IsSwitchedAndFlippedInTheMenuAndSeen) {
+TEST(ClipPlane, IsToggledAndFlippedInTheMenu) {
   const StudioProgram studio;
   const std::string kMenu = click("[246, 12]"), kAway = R"({"event": "mouse_move", "at": [5, 795]})";
   const auto shot = [&](const std::string& name) {
@@ -108,9 +108,9 @@ TEST(ClipPlane, IsSwitchedAndFlippedInTheMenuAndSeen) {
   EXPECT_TRUE(studio.state("again.json")["clip"].is_null());
 }
 
-TEST(ClipPlane, CutsAwayWhatCanBePicked) {
+TEST(ClipPlane, PreventsPickingOfPartsThatAreCutAway) {
   const StudioProgram studio;
-  // all of the sensor is cut away: nothing is there to be selected or probed
+  // The whole sensor is cut away, so nothing can be selected or probed.
   studio.play(
       {kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"), key("Esc"), kIdle,
        wheel(1, "[600, 330]", kShift), kIdle, dump("half.json"), click(taxel(3)), kIdle, dump("through.json"),

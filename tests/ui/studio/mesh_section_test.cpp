@@ -1,4 +1,4 @@
-// The mesh of what is edited: its unit, its report, and what can still be done with one that is not closed.
+// The mesh of the document: its unit, its report, and the operations that an open mesh allows.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -12,7 +12,7 @@ namespace {
 
 const std::string kPlay = key("2", kCtrl);
 
-/// Our fingertip twice, a millimetre apart: faces that cut through each other.
+/// Writes our fingertip twice, a millimetre apart, with faces that cut through each other.
 std::string with_cut(const std::filesystem::path& folder) {
   const TriMesh whole = *load_mesh(kMeshFile).mesh;
   std::vector<dvec3> vertices = whole.vertices();
@@ -24,7 +24,7 @@ std::string with_cut(const std::filesystem::path& folder) {
   return file;
 }
 
-/// A soft layout on our fingertip without its first face, which is to be kept as it is.
+/// Writes a soft layout on our fingertip without its first face, which must be kept without repair.
 std::string with_hole(const std::filesystem::path& folder) {
   const TriMesh whole = *load_mesh(kMeshFile).mesh;
   const std::vector<ivec3> faces(whole.faces().begin() + 1, whole.faces().end());
@@ -41,7 +41,7 @@ double width_mm(const Json& state) {
   return state["document"]["mesh"]["size"][0].get<double>() * 1e3;
 }
 
-TEST(MeshUnit, IsShownAndChangedAndUndone) {
+TEST(MeshUnit, IsShownChangedAndUndone) {
   const StudioProgram studio;
   const TriMesh finger = *load_mesh(kMeshFile).mesh;
   std::vector<dvec3> vertices = finger.vertices();
@@ -63,7 +63,7 @@ TEST(MeshUnit, IsShownAndChangedAndUndone) {
   EXPECT_NEAR(width_mm(undone), width_mm(guessed), 1e-9);
 }
 
-TEST(MeshFrame, TipAndPadAreChosen) {
+TEST(MeshFrame, SetsTipAndPad) {
   const StudioProgram studio;
   studio.play({kIdle, press("Tip points to"), kIdle, press("Tip points to: +y"), kIdle, press("Pad faces"), kIdle,
                press("Pad faces: +z"), kIdle, dump("state.json")},
@@ -73,7 +73,7 @@ TEST(MeshFrame, TipAndPadAreChosen) {
   EXPECT_EQ(frame["pad"], Json({0, 0, 1}));
 }
 
-TEST(MeshReport, OpensFromTheMenuAndNotByItselfForWhatARepairMends) {
+TEST(MeshReport, StaysClosedIfTheRepairSucceedsAndOpensFromTheMenu) {
   const StudioProgram studio;
   const std::string file = with_cut(studio.folder());
   studio.play({kIdle, dump("opened.json"), R"({"do": "screenshot", "file": "report.png"})", press("Panels"), kIdle,
@@ -88,7 +88,7 @@ TEST(MeshReport, OpensFromTheMenuAndNotByItselfForWhatARepairMends) {
   EXPECT_EQ(studio.state("sound.json")["widgets"].dump().find("Mesh report window"), std::string::npos);
 }
 
-TEST(MeshReport, OpensByItselfForAMeshThatStaysOpen) {
+TEST(MeshReport, OpensAutomaticallyForAMeshThatStaysOpen) {
   const StudioProgram studio;
   studio.play({kIdle, dump("opened.json"), R"({"do": "screenshot", "file": "report.png"})"},
               {with_hole(studio.folder())});
@@ -97,7 +97,7 @@ TEST(MeshReport, OpensByItselfForAMeshThatStaysOpen) {
   EXPECT_NE(opened.find("3 open edges around 1 hole, the first at ("), std::string::npos);
 }
 
-TEST(OpenMesh, CanBeLookedAtAndEditedButNotSimulated) {
+TEST(OpenMesh, IsDisplayedAndEditedButNotSimulated) {
   const StudioProgram studio;
   const std::string file = with_hole(studio.folder()), out = (studio.folder() / "out.taxels.json").string();
   const std::string place = click(R"({"world": [0.0083, 0.0007, 0.0194]})", kCtrl);
@@ -120,7 +120,7 @@ TEST(OpenMesh, CanBeLookedAtAndEditedButNotSimulated) {
   EXPECT_GT(exported["material"]["modulus"], 0) << "it stays soft: the mesh is to be closed";
 
   studio.play({kIdle, dump("layout.json")}, {out});
-  EXPECT_EQ(studio.state("layout.json")["mode"], "layout") << "its layout opens likewise";
+  EXPECT_EQ(studio.state("layout.json")["mode"], "layout") << "its layout opens as well";
   EXPECT_EQ(studio.state("layout.json")["document"]["layout"]["taxels"].size(), 1U);
 }
 

@@ -1,5 +1,5 @@
-// The Models panel through the program: the step shown and the recorded ones as other models read them, the same
-// numbers as `taxel models` has.
+// The Models panel through the program: the displayed step and the recorded steps as other models read them, with the
+// numbers of `taxel models`.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 const char* const kModelWords[] = {"reading", "star", "weighted_sum", "exact", "tactile", "touch"};
 
-/// Our fingertip with few samples: fewer would not be read by all.
+/// Writes our fingertip with few samples, yet enough for all models to read them.
 std::vector<std::string> few_samples(const StudioProgram& studio) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -35,7 +35,7 @@ const Lines kOpened{key("="),
                     dump("opened.json")};
 
 #ifdef TAXEL_PROGRAM
-/// The row of a CSV file whose first column is nearest to `time`, by the names of its columns.
+/// Returns the row of a CSV file whose first column is nearest to `time`, by the names of its columns.
 std::map<std::string, double> csv_row(const std::filesystem::path& file, double time) {
   std::ifstream in(file);
   std::string line, cell;
@@ -54,7 +54,7 @@ std::map<std::string, double> csv_row(const std::filesystem::path& file, double 
 }
 #endif
 
-TEST(ModelsPanel, ReadsTheStepShownAsTheCommandLineDoes) {
+TEST(ModelsPanel, ReadsTheDisplayedStepLikeTheCommandLine) {
   const StudioProgram studio;
   studio.play(kOpened, few_samples(studio));
   const Json state = studio.state("opened.json"), &models = state["models"];
@@ -76,7 +76,7 @@ TEST(ModelsPanel, ReadsTheStepShownAsTheCommandLineDoes) {
                                      "--record-every", "0.00001", "--out", "run", "--quiet"},
                                     studio.folder());
   ASSERT_EQ(swept.status, 0) << swept.err;
-  // every step is a row: the first one and this
+  // Every step is a row: the first step and this one.
   const double time = state["simulation"]["time"];
   const std::string number = std::to_string(std::lround(1e3 * time));
   const Outcome said = run_program(TAXEL_PROGRAM, {"models", "run", "--every", number, "--out", "models.csv", "--json"},
@@ -93,7 +93,7 @@ TEST(ModelsPanel, ReadsTheStepShownAsTheCommandLineDoes) {
 #endif
 }
 
-TEST(ModelsPanel, FollowsScrubbingAndWhatIsSimulatedAnew) {
+TEST(ModelsPanel, FollowsScrubbingAndTheNextRun) {
   const StudioProgram studio;
   const Lines back{key("Left"), key("Left"), kIdle, dump("back.json")};
   const Lines on{key("Right"), kIdle, dump("on.json"), press("Model row 3"), kIdle, dump("row.json")};

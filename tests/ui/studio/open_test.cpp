@@ -49,7 +49,7 @@ void expect_layout(const Json& state, const std::string& file) {
   EXPECT_EQ(state["messages"].dump().find("error"), std::string::npos) << state["messages"].dump();
 }
 
-TEST(Open, WithoutAnArgumentTheFingertipSweepPlays) {
+TEST(Open, PlaysTheFingertipSweepWithoutAnArgument) {
   const StudioProgram studio;
   studio.play({R"({"frame": 3, "do": "dump_state", "file": "state.json"})"});
   const Json state = studio.state("state.json");
@@ -59,7 +59,7 @@ TEST(Open, WithoutAnArgumentTheFingertipSweepPlays) {
   EXPECT_GT(state["simulation"]["step"], 0);
 }
 
-TEST(Open, CtrlOOpensAMeshAndALayout) {
+TEST(Open, ReadsAMeshAndALayoutByCtrlO) {
   const StudioProgram studio;
   const std::string glb = kAssets + "/meshes/fingertip.glb", layout = kAssets + "/layouts/fingertip.taxels.json";
   auto script = joined(open_by_dialog(glb), {R"({"do": "dump_state", "file": "mesh.json"})"});
@@ -69,7 +69,7 @@ TEST(Open, CtrlOOpensAMeshAndALayout) {
   expect_layout(studio.state("state.json"), layout);
 }
 
-TEST(Open, DropOpensAMeshAndALayout) {
+TEST(Open, ReadsADroppedMeshAndLayout) {
   const StudioProgram studio;
   const std::string glb = kAssets + "/meshes/fingertip.glb", layout = kAssets + "/layouts/fingertip.taxels.json";
   auto script = joined(drop(glb), {R"({"do": "dump_state", "file": "mesh.json"})"});
@@ -79,7 +79,7 @@ TEST(Open, DropOpensAMeshAndALayout) {
   expect_layout(studio.state("state.json"), layout);
 }
 
-TEST(Open, TheListOfTheDialogOpensWithADoubleClick) {
+TEST(Open, ReadsAFileOfTheDialogByDoubleClick) {
   const StudioProgram studio;
   std::filesystem::create_directories(studio.folder() / "meshes");
   std::filesystem::copy_file(kAssets + "/meshes/fingertip.obj", studio.folder() / "meshes" / "one.obj");
@@ -93,7 +93,7 @@ TEST(Open, TheListOfTheDialogOpensWithADoubleClick) {
   expect_bare_mesh(studio.state("opened.json"), (studio.folder() / "meshes" / "one.obj").string());
 }
 
-TEST(Open, AMeshInMillimetresIsScaled) {
+TEST(Open, ScalesAMeshInMillimetres) {
   const StudioProgram studio;
   const std::string mesh = file_text(kAssets + "/meshes/fingertip.obj");
   std::string scaled;
@@ -112,7 +112,7 @@ TEST(Open, AMeshInMillimetresIsScaled) {
   EXPECT_NE(state["messages"].dump().find("assumed unit: mm"), std::string::npos);
 }
 
-/// A bad file, and what its message must name.
+/// A bad file and the words that its message must contain.
 struct BadFile {
   std::string name, text;
   std::vector<std::string> said;
@@ -132,8 +132,8 @@ std::string broken_scene(const std::string& world, const std::string& geom) {
          "</worldbody><sensor><plugin plugin='taxel.sensor' instance='s'/></sensor></mujoco>";
 }
 
-/// Each says what is wrong, and the sweep goes on as if nothing had been asked.
-TEST(BadFile, EachIsNamedAndTheSweepGoesOn) {
+/// Each message names the error, and the sweep continues undisturbed.
+TEST(BadFile, IsNamedAndTheSweepContinues) {
   const std::string ball = "<geom name='ball' size='1'/>";
   std::vector<BadFile> bad{broken_layout("/taxels/3/radius", -0.006),
                            broken_layout("/taxels/3/radius", 0),
@@ -173,7 +173,7 @@ TEST(BadFile, EachIsNamedAndTheSweepGoesOn) {
   }
 }
 
-TEST(BadFile, AFolderThatCannotBeWrittenIsAMessage) {
+TEST(BadFile, IsReportedForAFolderThatCannotBeWritten) {
   const StudioProgram studio;  // the screenshot's key writes to the working folder; nobody can write to /proc
   write_text(studio.folder() / "script.jsonl", R"({"event": "key", "key": "p", "mods": ["ctrl"]})"
                                                "\n"
@@ -191,13 +191,13 @@ TEST(BadFile, AFolderThatCannotBeWrittenIsAMessage) {
       << messages[0]["text"];
 }
 
-TEST(BadFile, TheMessageIsCopiedAndClosed) {
+TEST(BadFile, HasAMessageThatCanBeCopiedAndClosed) {
   const StudioProgram studio;
   studio.play({R"({"event": "drop", "files": ["nothing.obj"]})", R"({"do": "wait_idle"})",
                R"({"event": "click", "at": {"widget": "Copy"}})", R"({"do": "wait_idle"})",
                R"({"event": "click", "at": {"widget": "Close"}})", R"({"do": "wait_idle"})",
                R"({"event": "key", "key": "o", "mods": ["ctrl"]})", R"({"do": "wait_idle"})",
-               R"({"event": "key", "key": "v", "mods": ["ctrl"]})",  // the dialog shows what was copied
+               R"({"event": "key", "key": "v", "mods": ["ctrl"]})",  // the dialog shows the copied text
                R"({"do": "wait_idle"})", R"({"event": "key", "key": "Enter"})", R"({"do": "wait_idle"})", kDump});
   const Json messages = studio.state("state.json")["messages"];
   ASSERT_EQ(messages.size(), 2U);
@@ -207,7 +207,7 @@ TEST(BadFile, TheMessageIsCopiedAndClosed) {
       << "the copied text was opened as a path: " << messages[1]["text"];
 }
 
-TEST(Open, ASceneRunsAndItsSensorsWarningsAreShownOnce) {
+TEST(Open, RunsASceneAndShowsItsWarningsOnce) {
   const StudioProgram studio;
   std::filesystem::copy_file(kAssets + "/meshes/fingertip.obj", studio.folder() / "fingertip.obj");
   Json layout = Json::parse(file_text(kAssets + "/layouts/fingertip.taxels.json"));
@@ -232,7 +232,7 @@ TEST(Open, ASceneRunsAndItsSensorsWarningsAreShownOnce) {
   EXPECT_EQ(studio.state("again.json")["messages"], state["messages"]) << "said once";
 }
 
-TEST(Open, AfterCloseTheCardOffersTheSweep) {
+TEST(Open, OffersTheSweepAfterClose) {
   const StudioProgram studio;
   studio.play({R"({"event": "click", "at": {"widget": "File"}})", R"({"do": "wait_idle"})",
                R"({"event": "click", "at": {"widget": "Close"}})", R"({"do": "wait_idle"})",
@@ -243,7 +243,7 @@ TEST(Open, AfterCloseTheCardOffersTheSweep) {
   EXPECT_EQ(studio.state("state.json")["document"]["layout"]["taxels"].size(), 12U);
 }
 
-TEST(Open, TheRealFingertip) {
+TEST(Open, ReadsTheRealFingertip) {
   const std::string layout = TAXEL_REAL_DATA "/shadow_fingertip.taxels.json";
   if (!std::filesystem::exists(layout)) GTEST_SKIP() << layout << " is absent";
   const StudioProgram studio;

@@ -42,7 +42,7 @@ bool shows(const Json& state, const std::string& label) {
   return std::any_of(widgets.begin(), widgets.end(), [&](const Json& w) { return w["label"] == label; });
 }
 
-TEST(TaxelTable, IsSortedByItsHeadersAndBackToTheOrderOfTheLayout) {
+TEST(TaxelTable, IsSortedByItsHeadersAndRestoresTheLayoutOrder) {
   const StudioProgram studio;
   const Lines sorted_by_x{R"({"event": "mouse_move", "at": {"widget": "Sort by x"}})", kIdle, press("Sort by x"),
                           kIdle};
@@ -83,7 +83,7 @@ TEST(TaxelTable, FiltersByIdAndName) {
   EXPECT_EQ(studio.state("eleven.json")["table"]["rows"], Json({11}));
 }
 
-TEST(TaxelTable, CellsAreTypedInAndTabGoesOn) {
+TEST(TaxelTable, EditsCellsAndMovesToTheNextByTab) {
   const StudioProgram studio;
   studio.play(at_layout({{dump("before.json"),
                           double_click("Taxel 3 r"),
@@ -125,7 +125,7 @@ TEST(TaxelTable, CellsAreTypedInAndTabGoesOn) {
   EXPECT_EQ(studio.state("undone.json")["document"], before["document"]);
 }
 
-TEST(TaxelTable, RefusesABadValueInWordsAndKeepsWhatWasTyped) {
+TEST(TaxelTable, RefusesABadValueInWordsAndKeepsTheTypedText) {
   const StudioProgram studio;
   studio.play(at_layout({{dump("before.json"),
                           double_click("Taxel 3 r"),
@@ -156,11 +156,11 @@ TEST(TaxelTable, RefusesABadValueInWordsAndKeepsWhatWasTyped) {
   EXPECT_EQ(refused["refused"]["words"], "taxel 3: radius: must be greater than 0, is -0.002");
   EXPECT_TRUE(shows(refused, "Refused"));
   EXPECT_EQ(refused["messages"], studio.state("before.json")["messages"]) << "said once";
-  EXPECT_EQ(studio.state("still.json")["refused"]["typed"], "-1") << "what was typed was still there to be mended";
+  EXPECT_EQ(studio.state("still.json")["refused"]["typed"], "-1") << "the typed text remained for correction";
   EXPECT_TRUE(studio.state("given_up.json")["refused"].is_null());
 }
 
-TEST(TaxelTable, EnterRenames) {
+TEST(TaxelTable, RenamesByEnter) {
   const StudioProgram studio;
   studio.play(at_layout({{press("Taxel 3"), kIdle, key("Enter"), kIdle, type("thumb"), key("Enter"), kIdle,
                           dump("renamed.json")}}),
@@ -169,7 +169,7 @@ TEST(TaxelTable, EnterRenames) {
   EXPECT_EQ(studio.state("renamed.json")["history"]["undo"], "Undo Rename taxel 3");
 }
 
-TEST(TaxelTable, RowsAreReorderedByKeysAndByDragging) {
+TEST(TaxelTable, ReordersRowsByKeysAndByDragging) {
   const StudioProgram studio;
   studio.play(at_layout({{press("Taxel 3"),
                           kIdle,
@@ -203,7 +203,7 @@ TEST(TaxelTable, RowsAreReorderedByKeysAndByDragging) {
   EXPECT_EQ(studio.state("dragged.json")["table"]["rows"], ids_of(studio.state("dragged.json")));
 }
 
-/// The fingertip with a taxel that points inward, one off the skin, and one twice.
+/// Writes the fingertip with a taxel that points inward, one off the skin, and one that is listed twice.
 std::string broken_layout(const StudioProgram& studio) {
   Json layout = Json::parse(read_file(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -227,7 +227,7 @@ std::vector<std::string> codes_of(const Json& state) {
   return codes;
 }
 
-TEST(Repairs, ProblemsAreMarkedAndMendedOneByOneAndAllAtOnce) {
+TEST(Repairs, AreMarkedAndAppliedOneByOneOrAllAtOnce) {
   const StudioProgram studio;
   studio.play(at_layout({{dump("broken.json"), press("Taxel 3"), kIdle, dump("three.json"),
                           R"({"event": "mouse_move", "at": {"widget": "Problems of taxel 3"}})", kIdle,
@@ -249,7 +249,7 @@ TEST(Repairs, ProblemsAreMarkedAndMendedOneByOneAndAllAtOnce) {
   EXPECT_EQ(studio.state("undone.json")["document"], turned["document"]);
 }
 
-TEST(Repairs, TheFilterFindsTheWordsOfProblems) {
+TEST(Repairs, AreFoundByTheWordsOfTheFilter) {
   const StudioProgram studio;
   studio.play(at_layout({pressed("Filter taxels"), {type("inward"), kIdle, dump("filtered.json")}}),
               tall_window(studio, broken_layout(studio)));
@@ -340,7 +340,7 @@ TEST(LayoutSettings, AreEditedWithUndo) {
   EXPECT_EQ(studio.state("undone.json")["document"], studio.state("before.json")["document"]);
 }
 
-TEST(LayoutSettings, WhatTheCoreRefusesStaysInTheField) {
+TEST(LayoutSettings, KeepRefusedValuesInTheField) {
   const StudioProgram studio;
   studio.play(at_layout({{dump("before.json")},
                          filled("Density (1/mm\\u00b2)", "-1"),
@@ -367,7 +367,7 @@ TEST(LayoutSettings, WhatTheCoreRefusesStaysInTheField) {
   }
 }
 
-TEST(LayoutSettings, ACalibrationIsMadeEditedAndRemoved) {
+TEST(LayoutSettings, AddEditAndRemoveACalibration) {
   const StudioProgram studio;
   studio.play(at_layout({{dump("before.json")},
                          pressed("Calibrated"),

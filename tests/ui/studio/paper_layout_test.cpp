@@ -1,5 +1,6 @@
-// The paper's twelve taxels, made by hand from an empty window, as a user would: on our finger in a file such as its
-// maker has it (millimetres, lying along y, the pad up), and on the paper's own finger where its file is at hand.
+// The paper's twelve taxels, placed with mouse and keys from an empty window, as a user would: on our finger in a file
+// with the maker's conventions (millimetres, lying along y, the pad up), and on the paper's own finger if its file is
+// present.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,12 +15,12 @@ namespace {
 const std::vector<dvec3> kPaperTaxels{{4.1518, -6.1507, 14.6462}, {8.6195, 0.4629, 13.1657}, {8.3022, 0.7405, 19.4511},
                                       {3.5417, -5.0062, 23.8569}, {2.6699, 0.5571, 30.2862}, {7.1384, 0.9784, 25.8859}};
 
-/// From that frame to the maker's [mm].
+/// Converts a point from the frame of formats to the maker's frame [mm].
 dvec3 in_makers_frame(const dvec3& p) {
   return {p.x, p.z + 1.0, 0.5 - p.y};
 }
 
-/// Our finger in a file as the maker's.
+/// Writes our finger as a file with the maker's conventions.
 std::string own_finger(const std::filesystem::path& folder) {
   const TriMesh finger = *load_mesh(kMeshFile).mesh;
   std::vector<dvec3> vertices = finger.vertices();
@@ -39,7 +40,7 @@ Lines drag(int from_x, int from_y, int to_x, int to_y) {
           kIdle};
 }
 
-/// Opens the mesh, says where it points, turns it so that one side is in view, and places six taxels.
+/// Returns lines that open the mesh, set its direction, turn it so that one side is visible, and place six taxels.
 Lines place_six(const std::string& mesh) {
   Lines script{kIdle, key("o", kCtrl),
                kIdle, type(mesh),
@@ -53,7 +54,7 @@ Lines place_six(const std::string& mesh) {
   script.insert(script.end(), turned.begin(), turned.end());
   const MeshIndex skin(load_mesh(mesh, dvec3(1e-3)).mesh);
   for (const dvec3& center : kPaperTaxels) {
-    // The measured ones lie up to 0.8 mm off the mesh: what one sees, and clicks, is the skin there.
+    // The measured centres are up to 0.8 mm off the mesh. A user sees and clicks the skin there.
     const dvec3 p = skin.closest_point(1e-3 * in_makers_frame(center)).position;
     script.insert(script.end(), {click(fmt::format(R"({{"world": [{}, {}, {}]}})", p.x, p.y, p.z), kCtrl), kIdle});
   }
@@ -102,11 +103,11 @@ void make_by_hand(const std::string& mesh) {
 #endif
 }
 
-TEST(PaperLayout, MadeByHandFromAnEmptyWindow) {
+TEST(PaperLayout, IsPlacedFromAnEmptyWindow) {
   make_by_hand("");
 }
 
-TEST(PaperLayout, MadeByHandOnTheRealFinger) {
+TEST(PaperLayout, IsPlacedOnTheRealFinger) {
   const std::string mesh = TAXEL_REAL_DATA "/meshes/shadow_f_distal_pst.stl";
   if (!std::filesystem::exists(mesh)) GTEST_SKIP() << mesh << " is absent";
   make_by_hand(mesh);

@@ -1,5 +1,5 @@
-// Paths made by moving the tool: recorded while a scenario or a hand leads it, and way points moved by G with axes and
-// numbers.
+// Paths made by moving the tool: recorded while a scenario or the mouse moves the tool, and waypoints moved by G with
+// axes and numbers.
 #include <gtest/gtest.h>
 
 #include "scenario_lines.h"
@@ -7,7 +7,7 @@
 namespace taxel::test {
 namespace {
 
-/// Paused.
+/// Paused with the scenario in the inspector.
 const Lines kStill = joined({kScenarioAlone, {key("Space"), kIdle}});
 const std::string kRecord = press("Inspector/Record path");
 const std::string kOver = R"({"do": "wait_for", "pointer": "/simulation/finished", "equals": true})";
@@ -23,7 +23,7 @@ double largest_of(const Json& peaks) {
   return largest;
 }
 
-TEST(PathRecording, WhatAScenarioDidBecomesAPathThatDoesTheSame) {
+TEST(PathRecording, TurnsAScenarioIntoAPathThatRepeatsIt) {
   const StudioProgram studio;
   studio.play(joined({kStill,
                       choose_kind("press"),
@@ -83,7 +83,7 @@ TEST(PathRecording, MovesThePapersPathWithItsBox) {
   EXPECT_EQ(played["scenario"]["running"].value("shape", "box"), "box");
 }
 
-TEST(PathRecording, AHandLeadsTheFingerWhileTheSimulationStands) {
+TEST(PathRecording, RecordsTheMouseWhileTheSimulationIsPaused) {
   const StudioProgram studio;
   const Json ctrl = {"ctrl"};
   Lines drag{mouse_at("mouse_down", {500, 300}, "right", ctrl)};
@@ -100,7 +100,7 @@ TEST(PathRecording, AHandLeadsTheFingerWhileTheSimulationStands) {
                       {R"({"do": "wait_time", "time": 0.1})", key("Space"), kIdle, dump("played.json")}}),
               coarse_fingertip(studio));
   const Json open = studio.state("open.json"), led = studio.state("led.json"), path = studio.state("path.json");
-  ASSERT_NE(led["simulation"]["sensors"], open["simulation"]["sensors"]) << "the finger goes with the hand";
+  ASSERT_NE(led["simulation"]["sensors"], open["simulation"]["sensors"]) << "the finger follows the mouse";
   const Json& points = path["scenario"]["edited"]["points"];
   ASSERT_GT(points.size(), 4U) << path["messages"].dump();
   EXPECT_EQ(points[0]["pos"], open["simulation"]["sensors"][0]["position"]);
@@ -111,7 +111,7 @@ TEST(PathRecording, AHandLeadsTheFingerWhileTheSimulationStands) {
   EXPECT_EQ(studio.state("played.json")["scenario"]["running"]["points"], points);
 }
 
-TEST(PathRecording, NothingIsChangedWhereNothingMoved) {
+TEST(PathRecording, ChangesNothingIfNothingMoved) {
   const StudioProgram studio;
   studio.play(joined({kStill,
                       {kRecord, kIdle, kIdle, kRecord, kIdle, dump("still.json")},
@@ -125,7 +125,7 @@ TEST(PathRecording, NothingIsChangedWhereNothingMoved) {
   EXPECT_EQ(studio.state("refused.json")["refused"]["field"], "Way point every");
 }
 
-TEST(WayPoints, GMovesOneByPointerAxisAndNumber) {
+TEST(WayPoints, AreMovedByPointerAxisAndNumber) {
   const StudioProgram studio;
   const auto layout = coarse_fingertip(studio);
   const Lines start = joined({kStill, choose_kind("path"), {press("Inspector/Way point 1"), kIdle, dump("path.json")}});

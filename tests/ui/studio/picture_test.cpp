@@ -1,4 +1,4 @@
-// The picture shows the numbers: bars, polygons and samples have the pixels that their values ask for.
+// Images show the numbers: bars, polygons and samples have the pixels of their values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,10 +20,10 @@ std::string idle() {
   return R"({"do": "wait_idle"})";
 }
 
-/// Four times as fast: 80 steps a picture, for the way to a picture that is looked at.
+/// Four times as fast, 80 steps per frame, until shortly before the frame under test.
 const std::string kFaster = R"({"event": "key", "key": "="})", kSlower = R"({"event": "key", "key": "-"})";
 
-/// The sweep at 1.2 s, paused, with only the named overlays left on.
+/// Returns the script of the sweep at 1.2 s, paused, with only the named overlays left on.
 std::vector<std::string> at_mid_sweep(const std::vector<std::string>& to_switch_off) {
   std::vector<std::string> script{kFaster, kFaster, R"({"do": "wait_time", "time": 1.2})",
                                   R"({"event": "key", "key": "Space"})", idle()};
@@ -36,7 +36,7 @@ std::vector<std::string> at_mid_sweep(const std::vector<std::string>& to_switch_
   return script;
 }
 
-/// The legend's numbers in kPa go evenly from the lower to the upper end of the range, and upward in the picture.
+/// Expects the legend's numbers in kPa to increase evenly over the range, from bottom to top.
 void expect_legend_of_range(const Json& state) {
   std::vector<double> shown, places;
   for (const Json& widget : state["widgets"]) {
@@ -81,7 +81,7 @@ TEST(Bars, HaveTheHeightAndTheColourOfTheReadings) {
   EXPECT_GE(risen, 2);
 }
 
-/// Rows of readings.csv by step (1 ms each).
+/// Returns the rows of readings.csv by step (1 ms each).
 std::map<int, std::vector<double>> sweep_rows(const std::filesystem::path& csv) {
   std::map<int, std::vector<double>> rows;
   std::istringstream text(file_text(csv));
@@ -96,7 +96,7 @@ std::map<int, std::vector<double>> sweep_rows(const std::filesystem::path& csv) 
   return rows;
 }
 
-TEST(Bars, AreTheReadingsOfTheCommandLine) {
+TEST(Bars, EqualTheReadingsOfTheCommandLine) {
 #ifdef TAXEL_PROGRAM
   const StudioProgram studio;
   const Outcome sweep =
@@ -104,7 +104,7 @@ TEST(Bars, AreTheReadingsOfTheCommandLine) {
   ASSERT_EQ(sweep.status, 0) << sweep.err;
   const auto rows = sweep_rows(studio.folder() / "sweep" / "readings.csv");
   std::vector<std::string> script;
-  for (int k = 0; k < 12; ++k) {  // stop somewhere in the contact, then step until a row is due
+  for (int k = 0; k < 12; ++k) {  // stop somewhere in the contact, then step to the next row
     if (k == 0)
       script.insert(script.end(),
                     {kFaster, kFaster, R"({"do": "wait_time", "time": 1.1})", R"({"event": "key", "key": "Space"})"});
@@ -130,7 +130,7 @@ TEST(Bars, AreTheReadingsOfTheCommandLine) {
 #endif
 }
 
-/// Part of the marks that face the eye within the view and have their colour in the picture.
+/// Returns the fraction of the glyphs that face the eye within the view and have their colour in the image.
 double right_colour(const Picture& picture, const Json& marks, bool facing_only, int tolerance, int& looked_at) {
   int right = 0;
   looked_at = 0;
@@ -142,7 +142,7 @@ double right_colour(const Picture& picture, const Json& marks, bool facing_only,
   return looked_at > 0 ? static_cast<double>(right) / looked_at : 0.0;
 }
 
-/// Turns the view so that the contact is seen from above and fills it: the pressure changes little within a pixel.
+/// Turns the view so that the contact is seen from above and fills it. The pressure changes little within a pixel.
 std::vector<std::string> close_up(std::vector<std::string> script) {
   // Without the timeline there is room for all rows of the table, and for the contact.
   const std::vector<std::string> gestures{R"({"event": "click", "at": {"widget": "Panels"}})",
@@ -165,7 +165,7 @@ std::vector<std::string> close_up(std::vector<std::string> script) {
   return script;
 }
 
-TEST(ContactSurface, APolygonsPixelHasTheColourOfItsPressure) {
+TEST(ContactSurface, DrawsAPolygonInTheColourOfItsPressure) {
   const StudioProgram studio;
   studio.play(close_up(at_mid_sweep({"Rays", "Samples", "Taxels", "Fields", "Path"})));
   const Json state = studio.state("state.json");
@@ -175,7 +175,7 @@ TEST(ContactSurface, APolygonsPixelHasTheColourOfItsPressure) {
   EXPECT_GT(right, 0.75) << "the force arrow hides some";
 }
 
-TEST(Samples, ASamplesPixelHasItsTaxelsColour) {
+TEST(Samples, HaveTheColourOfTheirTaxel) {
   const StudioProgram studio;
   studio.play(at_mid_sweep({"Rays", "Contact", "Taxels", "Fields", "Path"}));
   const Json state = studio.state("state.json");
@@ -185,7 +185,7 @@ TEST(Samples, ASamplesPixelHasItsTaxelsColour) {
   EXPECT_GT(right, 0.85) << "discs of neighbouring taxels overlap at their border";
 }
 
-TEST(Picture, TheSamePressureHasTheSameColourInTwoFrames) {
+TEST(Picture, HasTheSameColourForTheSamePressureInTwoFrames) {
   const StudioProgram studio;
   auto script = close_up(at_mid_sweep({"Rays", "Samples", "Taxels", "Fields", "Path"}));
   script.insert(script.end(),
@@ -201,7 +201,7 @@ TEST(Picture, TheSamePressureHasTheSameColourInTwoFrames) {
   EXPECT_GT(right_colour(studio.picture("second.png"), second["polygons"], false, 4, looked_at), 0.75);
 }
 
-TEST(Picture, TheSameScriptGivesTheSameBytes) {
+TEST(Picture, HasTheSameBytesForTheSameScript) {
   const StudioProgram studio;
   const std::vector<std::string> script{R"({"frame": 5, "event": "click", "at": {"taxel": 11}})",
                                         R"({"frame": 6, "event": "mouse_down", "at": [600, 300]})",
@@ -217,7 +217,7 @@ TEST(Picture, TheSameScriptGivesTheSameBytes) {
   EXPECT_EQ(first, file_text(studio.folder() / "picture.png"));
 }
 
-TEST(Picture, FramesPerSecondWhileTheContactMoves) {
+TEST(Picture, IsDrawnManyTimesPerSecondWhileTheContactMoves) {
   const StudioProgram studio;
   studio.play({kFaster, kFaster, R"({"do": "wait_time", "time": 0.88})", kSlower, kSlower, idle(), kDump,
                R"({"do": "wait_time", "time": 1.7})", R"({"do": "dump_state", "file": "moving.json"})"});

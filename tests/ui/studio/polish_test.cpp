@@ -1,4 +1,4 @@
-// Opening shows a preview of the samples first; polished ones take its place while all else goes on.
+// Opening displays a preview of the samples first. Polished samples replace it while the program stays usable.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ std::string at_frame(int frame, const std::string& rest) {
   return R"({"frame": )" + std::to_string(frame) + ", " + rest + "}";
 }
 
-/// A fingertip with so many samples per square metre, in the test's folder.
+/// Writes a fingertip with `density` samples per square metre into the test's folder.
 std::string write_layout(const StudioProgram& studio, double density) {
   const std::string assets = TAXEL_SOURCE_DIR "/assets";
   Json layout = Json::parse(file_text(assets + "/layouts/fingertip.taxels.json"));
@@ -31,7 +31,7 @@ bool shows(const Json& state, const std::string& widget) {
   return state["widgets"].dump().find(widget) != std::string::npos;
 }
 
-TEST(Polish, ThePreviewIsShownFirstAndTheSweepStartsPolished) {
+TEST(Polish, ShowsThePreviewFirstAndStartsTheSweepPolished) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 2e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
@@ -49,7 +49,7 @@ TEST(Polish, ThePreviewIsShownFirstAndTheSweepStartsPolished) {
   EXPECT_EQ(idle["simulation"]["sensors"][0]["quality"], "polished");
   EXPECT_FALSE(shows(idle, "Polishing samples"));
 
-  // All else goes on.
+  // The program stays usable.
   EXPECT_EQ(chosen["model"]["quality"], "preview");
   EXPECT_FALSE(chosen["selection"]["taxel"].is_null());
   EXPECT_EQ(idle["selection"], chosen["selection"]);
@@ -65,10 +65,10 @@ TEST(Polish, ThePreviewIsShownFirstAndTheSweepStartsPolished) {
   EXPECT_EQ(chosen["simulation"]["step"], 0);
 }
 
-TEST(Polish, ReadingsAfterItAreThoseOfPolishedSamplesAlone) {
+TEST(Polish, GivesReadingsOfPolishedSamplesAlone) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 1e6);
-  // Once by way of the preview; once loaded again, where the polished samples are known and no preview is made.
+  // Once through the preview, and once loaded again, when the polished samples are cached and no preview is made.
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
                at_frame(3, R"("do": "wait_time", "time": 1.5)"), dump("dropped.json"),
                at_frame(4, R"("event": "drop", "files": [")" + file + R"("])"),
@@ -82,7 +82,7 @@ TEST(Polish, ReadingsAfterItAreThoseOfPolishedSamplesAlone) {
   EXPECT_GT(dropped["sensors"][0]["polygons"], 0);
 }
 
-TEST(Polish, CancelKeepsThePreviewUntilItIsAskedForAgain) {
+TEST(Polish, KeepsThePreviewAfterCancelUntilRequestedAgain) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 1e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
@@ -136,8 +136,8 @@ void record_live(const StudioProgram& studio, const std::string& name, const Lin
               {"--live", "--scenario", "touching.json", file});
 }
 
-// When the samples are polished depends on the load, so the run waits for them.
-TEST(Polish, TwoLiveStartsRecordTheSameCurveAtAnyLoad) {
+// The load determines when the samples are polished, so the run waits for them.
+TEST(Polish, RecordsTheSameCurveInTwoLiveStartsAtAnyLoad) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 2e6);
   record_live(studio, "alone", {}, file);
@@ -156,8 +156,8 @@ TEST(Polish, TwoLiveStartsRecordTheSameCurveAtAnyLoad) {
 }
 
 // A run that is restarted, paused, or advanced step by step while the samples are polished. Polishing this many samples
-// takes seconds, so that the script sees it happen even if a loaded machine rarely lets the script look.
-TEST(Polish, LiveRunsByHandRecordTheSameCurve) {
+// takes seconds, so the script observes it even on a loaded machine.
+TEST(Polish, RecordsTheSameCurveInLiveRunsByKeys) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 8e6);
   const std::string polishing = R"({"do": "wait_for", "pointer": "/model/polishing", "equals": true})";
@@ -169,7 +169,7 @@ TEST(Polish, LiveRunsByHandRecordTheSameCurve) {
     EXPECT_TRUE(file_text(studio.folder() / name) == file_text(studio.folder() / "alone.csv")) << name;
 }
 
-TEST(Polish, RunsAndStepsByHandWaitForIt) {
+TEST(Polish, DelaysRunsAndStepsByKeys) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 2e6);
   const std::string open = at_frame(2, R"("event": "drop", "files": [")" + file + R"("])");
@@ -193,8 +193,8 @@ TEST(Polish, RunsAndStepsByHandWaitForIt) {
   EXPECT_EQ(stepped["history"]["events"].size(), 0U);
 }
 
-// The polishing of the opened layout ends with the edit, and the run reads by the edited layout's polished samples.
-TEST(Polish, AnEditDuringItIsReadFromTheFirstStepOn) {
+// The edit ends the polishing of the opened layout, and the run reads with the edited layout's polished samples.
+TEST(Polish, UsesAnEditDuringItFromTheFirstStep) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 1e6);
   const Lines edit{key("1", kCtrl), key("a"), kIdle, key("f"), type("3"), key("Enter"), kIdle, key("2", kCtrl)};
@@ -204,7 +204,7 @@ TEST(Polish, AnEditDuringItIsReadFromTheFirstStepOn) {
   EXPECT_EQ(run["sensors"][0]["quality"], "polished");
 }
 
-TEST(Polish, AFileThatIsRefusedMeanwhileDoesNotStopIt) {
+TEST(Polish, ContinuesIfAnotherFileIsRefused) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 1e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
@@ -218,7 +218,7 @@ TEST(Polish, AFileThatIsRefusedMeanwhileDoesNotStopIt) {
   EXPECT_EQ(idle["messages"].size(), 1U) << "said once: " << idle["messages"].dump();
 }
 
-TEST(Polish, AnotherFileTakesItsPlace) {
+TEST(Polish, EndsIfAnotherFileOpens) {
   const StudioProgram studio;
   const std::string file = write_layout(studio, 1e6), mesh = TAXEL_SOURCE_DIR "/assets/meshes/fingertip.glb";
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
@@ -233,7 +233,7 @@ TEST(Polish, AnotherFileTakesItsPlace) {
   EXPECT_EQ(idle["model"]["quality"], "polished");
 }
 
-TEST(Polish, AnEmptyFieldIsToldOfThePolishedSamples) {
+TEST(Polish, ReportsAnEmptyFieldOfThePolishedSamples) {
   const StudioProgram studio;
   write_layout(studio, 1e6);
   Json layout = Json::parse(file_text(studio.folder() / "finger.taxels.json"));

@@ -1,4 +1,4 @@
-// The job that presses the probe, without a window: the newest pose wins, and a model comes with its reading.
+// The job that presses the probe, without a window: the newest pose wins, and a new model arrives with its reading.
 #include "app/studio/features/probe/probe_job.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST_F(ProbeJobTest, ReportsTheReadingOfAPress) {
   EXPECT_EQ(woken, 1);
 }
 
-TEST_F(ProbeJobTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
+TEST_F(ProbeJobTest, PressesTheNewestOfManyPosesAndAnEqualPoseOnce) {
   for (int i = 1; i <= 100; ++i) {
     probe.depth = 1e-5 * i;
     job.press(document.model, probe);
@@ -61,7 +61,7 @@ TEST_F(ProbeJobTest, TheNewestOfManyPosesIsPressedAndTheSameOneOnce) {
   EXPECT_EQ(woken, before);
 }
 
-TEST_F(ProbeJobTest, AModelThatIsBuiltComesWithItsReading) {
+TEST_F(ProbeJobTest, GivesTheNewModelItsReading) {
   EditSession edits(
       pool, cache, [] {}, [this](const SensorModelPtr& model) { job.model_built(model); });
   edits.open(document.project, document.mesh, "");
@@ -84,7 +84,7 @@ TEST_F(ProbeJobTest, AModelThatIsBuiltComesWithItsReading) {
   EXPECT_EQ(woken, before);
 }
 
-TEST_F(ProbeJobTest, SaysWhyItCannotPress) {
+TEST_F(ProbeJobTest, ReportsWhyItCannotPress) {
   const test::TempFolder folder;
   const std::string file = (folder.path() / "flat.off").string();
   std::ofstream(file) << "OFF\n3 2 0\n0 0 0\n0.01 0 0\n0 0.01 0\n3 0 1 2\n3 0 2 1\n";
@@ -135,7 +135,7 @@ TEST_F(ProbeJobTest, PressesAnOpenMeshAsItsRepairClosesIt) {
   EXPECT_EQ(by_open->polygons, by_closed->polygons);
 }
 
-TEST_F(ProbeJobTest, WithoutARequestThereIsNoReading) {
+TEST_F(ProbeJobTest, HasNoReadingWithoutARequest) {
   job.press(document.model, probe);
   job.press(document.model, std::nullopt);
   job.wait();

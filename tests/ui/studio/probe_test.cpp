@@ -1,4 +1,4 @@
-// The probe in the hand, through the real executable: raw events in, its place, depth and reading out.
+// The probe tool through the real executable: raw events in; position, depth and reading out.
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
@@ -44,22 +44,22 @@ TEST(ProbeTool, FollowsThePointerOverTheSkinAndReads) {
   const dvec3 at = vector_of(moved["probe"]["at"]);
   EXPECT_GT(glm::distance(at, center), 5e-4);
   EXPECT_LT(skin.closest_point(at).distance, 1e-9);
-  EXPECT_EQ(off["probe"]["at"], moved["probe"]["at"]) << "beside the sensor it stays";
+  EXPECT_EQ(off["probe"]["at"], moved["probe"]["at"]) << "outside the sensor the probe stays";
   EXPECT_EQ(on["camera"], off["camera"]);
   EXPECT_EQ(on["history"], off["history"]);
   EXPECT_EQ(on["document"], off["document"]);
 }
 
-TEST(ProbeTool, WheelAndDragSetTheDepthAndAClickPutsItDown) {
+TEST(ProbeTool, SetsTheDepthByWheelAndDragAndPutsItDownByAClick) {
   const StudioProgram studio;
   studio.play(
       joined({kTakeUp,
               {dump("first.json"), kWheelUp, kWheelUp, kIdle, dump("deeper.json"), kWheelDown, kWheelDown, kIdle,
                dump("back.json"),
-               // a drag downwards
+               // A drag downwards.
                R"({"event": "mouse_down"})", kIdle, move_to("[600, 380]"), kIdle, move_to("[600, 420]"), kIdle,
                R"({"event": "mouse_up"})", kIdle, dump("dragged.json"),
-               // put down, it does not follow, and edits are read
+               // A probe that is put down does not follow the pointer, and edits change its reading.
                move_to("[640, 300]"), kIdle, dump("left.json"), click(taxel(5)), kIdle, dump("selected.json")}}),
       {kLayoutFile});
   const Json first = studio.state("first.json"), deeper = studio.state("deeper.json"), back = studio.state("back.json");
@@ -77,7 +77,7 @@ TEST(ProbeTool, WheelAndDragSetTheDepthAndAClickPutsItDown) {
   EXPECT_EQ(studio.state("selected.json")["selection"]["taxel"], 5);
 }
 
-TEST(ProbeTool, EveryEditIsReadAtOnceAndUndone) {
+TEST(ProbeTool, ReadsEveryEditAtOnceAndItsUndo) {
   const StudioProgram studio;
   studio.play(joined({kTakeUp,
                       {click(taxel(3)), kIdle, key("a"), kIdle, dump("before.json"),
@@ -93,7 +93,7 @@ TEST(ProbeTool, EveryEditIsReadAtOnceAndUndone) {
   EXPECT_EQ(studio.state("undone.json")["probe"]["reading"], before["probe"]["reading"]);
 }
 
-TEST(ProbeTool, ALyingProbeIsLedByItsHandleAndTakenUpByAClick) {
+TEST(ProbeTool, MovesByItsHandleAndIsPickedUpByAClick) {
   const StudioProgram studio;
   studio.play(joined({kTakeUp,
                       {click(taxel(3)), kIdle, dump("down.json"), R"({"event": "mouse_down", "at": {"taxel": 3}})",
@@ -110,7 +110,7 @@ TEST(ProbeTool, ALyingProbeIsLedByItsHandleAndTakenUpByAClick) {
   EXPECT_TRUE(studio.state("up.json")["probe"]["held"]);
 }
 
-TEST(ProbeTool, EscAndXLeaveItAndSimulateHidesIt) {
+TEST(ProbeTool, EndsByEscAndXAndIsHiddenInSimulate) {
   const StudioProgram studio;
   studio.play(joined({kTakeUp,
                       {key("Esc"),
@@ -143,7 +143,7 @@ TEST(ProbeTool, EscAndXLeaveItAndSimulateHidesIt) {
   EXPECT_TRUE(studio.state("layout.json")["probe"]["reading"].is_object());
 }
 
-TEST(ProbeTool, ItsShapeAndMaterialAreChosenInItsPanel) {
+TEST(ProbeTool, HasShapeAndMaterialInItsPanel) {
   const StudioProgram studio;
   studio.play(joined({kTakeUp,
                       {click(taxel(3)),

@@ -1,4 +1,4 @@
-// The program itself: options, scripts that are wrong, a real window, settings.
+// The program itself: options, invalid scripts, a real window, settings.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@
 namespace taxel::test {
 namespace {
 
-TEST(Options, ListBindingsPrintsEveryKeyOfTheTable) {
+TEST(Options, PrintEveryKeyByListBindings) {
   const StudioProgram studio;
   const Outcome outcome = run_program(STUDIO_PROGRAM, {"--list-bindings"}, studio.folder());
   EXPECT_EQ(outcome.status, 0);
@@ -21,7 +21,7 @@ TEST(Options, ListBindingsPrintsEveryKeyOfTheTable) {
   }
 }
 
-TEST(Options, BadUsageIsOneLineAndTwo) {
+TEST(Options, RefuseBadUsageInOneLineWithStatusTwo) {
   const StudioProgram studio;
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--no-such-option"},
                                                     {"--size", "12"},
@@ -35,7 +35,7 @@ TEST(Options, BadUsageIsOneLineAndTwo) {
   }
 }
 
-TEST(Options, VersionNamesCommitAndMuJoCo) {
+TEST(Options, NameCommitAndMuJoCoByVersion) {
   const StudioProgram studio;
   const Outcome outcome = run_program(STUDIO_PROGRAM, {"--version"}, studio.folder());
   EXPECT_EQ(outcome.status, 0);
@@ -48,7 +48,7 @@ TEST(Options, VersionNamesCommitAndMuJoCo) {
 #endif
 }
 
-TEST(Options, ScreenshotAndStateWithoutAScript) {
+TEST(Options, WriteAScreenshotAndTheStateWithoutAScript) {
   const StudioProgram studio;
   const Outcome outcome = run_program(
       STUDIO_PROGRAM,
@@ -61,7 +61,7 @@ TEST(Options, ScreenshotAndStateWithoutAScript) {
   EXPECT_EQ(studio.state("a.json")["pace"]["pictures"], 4);
 }
 
-TEST(Options, AFileThatIsRefusedIsALineAndTwo) {
+TEST(Options, RefuseABadFileInOneLineWithStatusTwo) {
   const StudioProgram studio;
   for (const char* file : {"gone.taxels.json", "gone.xml"}) {
     const Outcome outcome =
@@ -72,7 +72,7 @@ TEST(Options, AFileThatIsRefusedIsALineAndTwo) {
   }
 }
 
-TEST(Options, APictureThatCannotBeWrittenIsAnError) {
+TEST(Options, FailIfAScreenshotCannotBeWritten) {
   const StudioProgram studio;
   const Outcome outcome = run_program(
       STUDIO_PROGRAM, {"--headless", "--frames", "1", "--screenshot", "no/such/folder/a.png"}, studio.folder());
@@ -80,7 +80,7 @@ TEST(Options, APictureThatCannotBeWrittenIsAnError) {
   EXPECT_NE(outcome.err.find("no/such/folder/a.png"), std::string::npos) << outcome.err;
 }
 
-TEST(Script, ErrorsNameTheLineAndExitWithTwo) {
+TEST(Script, NamesTheLineOfAnErrorAndExitsWithTwo) {
   const StudioProgram studio;
   const std::vector<std::pair<std::string, std::string>> bad{
       {"{\"frame\": 1", "line 2: is no JSON object"},
@@ -104,7 +104,7 @@ TEST(Script, ErrorsNameTheLineAndExitWithTwo) {
   }
 }
 
-TEST(Script, ExpectationsThatHoldPass) {
+TEST(Script, PassesIfItsExpectationsHold) {
   const StudioProgram studio;
   studio.play({R"({"frame": 3, "do": "expect", "pointer": "/mode", "equals": "simulate"})",
                R"({"do": "expect", "pointer": "/simulation/time", "least": 0.02, "most": 0.2})",
@@ -114,7 +114,7 @@ TEST(Script, ExpectationsThatHoldPass) {
   EXPECT_EQ(studio.picture("a.png").width, 1000);
 }
 
-TEST(RealWindow, DrawsTheSweepByTheClock) {
+TEST(RealWindow, DrawsTheSweepInRealTime) {
   if (std::system("command -v xvfb-run > /dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
   const StudioProgram studio;
   const Outcome outcome =
@@ -131,8 +131,8 @@ TEST(RealWindow, DrawsTheSweepByTheClock) {
   EXPECT_GT(state["simulation"]["time"], 0.1);
   EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "settings.json"));
   EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "window.ini"));
-  // the status line shows how fast it goes (a slow machine draws 60 pictures beyond the sweep's end) and what a step
-  // costs
+  // The status line shows the speed of the simulation (a slow machine draws 60 frames beyond the sweep's end) and the
+  // cost of a step.
   const std::string widgets = state["widgets"].dump();
   EXPECT_TRUE(std::regex_search(widgets, std::regex(R"x("simulation (\d+\.\d\d x real time|ended)")x"))) << widgets;
   EXPECT_TRUE(std::regex_search(widgets, std::regex(R"x("step (\d+ µs|\d+\.\d\d ms)")x"))) << widgets;
@@ -141,7 +141,7 @@ TEST(RealWindow, DrawsTheSweepByTheClock) {
   std::printf("%.1f pictures per second in a real window\n", state["pace"]["frames_per_second"].get<double>());
 }
 
-TEST(RealWindow, WithoutADisplayOneLineSaysSo) {
+TEST(RealWindow, ReportsInOneLineThatThereIsNoDisplay) {
   const StudioProgram studio;
   const Outcome outcome = run_program(
       "/usr/bin/env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", STUDIO_PROGRAM, "--frames", "1"}, studio.folder());

@@ -1,4 +1,5 @@
-// A recording of a real sensor in the window: its columns given a meaning, aligned, fitted, and made the calibration.
+// A recording of a real sensor in the window: the meaning of its columns is set, and it is aligned, fitted and used as
+// the calibration.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +14,8 @@ std::string simulated_until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
 
-/// Taxel 3 of the sweep as a device would give it: counts over a clock of its own, made of what the window exported.
+/// Returns taxel 3 of the sweep as a device would record it: counts over the device's own clock, made from the readings
+/// that the window exported.
 std::string counts_of(const std::string& readings_csv, double clock) {
   std::istringstream lines(readings_csv);
   std::string line;
@@ -34,7 +36,7 @@ std::string counts_of(const std::string& readings_csv, double clock) {
   return table.str();
 }
 
-/// With few samples.
+/// Returns our fingertip with few samples.
 std::vector<std::string> few_samples(const StudioProgram& studio) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -43,7 +45,7 @@ std::vector<std::string> few_samples(const StudioProgram& studio) {
   return {"few.taxels.json"};
 }
 
-/// File > Import real recording, the file, Enter.
+/// Returns lines that choose File > Import real recording, type the file and press Enter.
 Lines imported(const std::string& file) {
   return {
       press("File"), kIdle, press("Import real recording..."), kIdle, key("a", kCtrl), type(file), kIdle, key("Enter"),
@@ -52,7 +54,7 @@ Lines imported(const std::string& file) {
 
 const Lines kTouching{key("="), key("="), simulated_until(1.3), key("Space"), kIdle};
 
-TEST(Real, ARecordingIsLaidOverThePlotFittedAndMadeTheCalibration) {
+TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "real.csv").string();
   studio.play(joined({kTouching,
@@ -112,7 +114,7 @@ TEST(Real, ARecordingIsLaidOverThePlotFittedAndMadeTheCalibration) {
   EXPECT_EQ(studio.state("removed.json")["real"]["shown"], nullptr);
 }
 
-TEST(Real, WhatATableCannotBeIsSaidInTheDialogAndItStays) {
+TEST(Real, ReportsABadTableInTheDialogThatStaysOpen) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "bad.csv").string();
   write_text(file, "time,taxel_3\n0,1\n1,x\n2,3\n");

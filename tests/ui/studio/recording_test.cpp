@@ -1,4 +1,4 @@
-// Recordings out of the window: the history, and every step between two presses of the button.
+// Recordings of the window: the history, and every step between two presses of the button.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -20,7 +20,7 @@ std::string in_folder(const StudioProgram& studio, const char* name) {
   return (studio.folder() / name).string();
 }
 
-/// Two fingers on a floor, with few samples.
+/// Writes two fingers on a floor, with few samples.
 std::string two_fingers(const StudioProgram& studio) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = "fingertip.obj";
@@ -32,7 +32,7 @@ std::string two_fingers(const StudioProgram& studio) {
   return in_folder(studio, "scene.xml");
 }
 
-TEST(Recording, TheHistoryGoesOutAsTheCommandLineRecordsIt) {
+TEST(Recording, ExportsTheHistoryLikeTheCommandLine) {
 #ifdef TAXEL_PROGRAM
   const StudioProgram studio;
   const std::string scene = two_fingers(studio);
@@ -54,7 +54,7 @@ TEST(Recording, TheHistoryGoesOutAsTheCommandLineRecordsIt) {
 #endif
 }
 
-TEST(Recording, FromPressToPressAndTheFolderIsExplained) {
+TEST(Recording, RecordsFromPressToPressAndIsExplained) {
   const StudioProgram studio;
   studio.play({key("="), key("="), run_until(1.1), press("Record"), kIdle, kIdle, run_until(1.5), dump("on.json"),
                key("r", kCtrl), kIdle, dump("off.json")});
@@ -78,11 +78,11 @@ TEST(Recording, FromPressToPressAndTheFolderIsExplained) {
       run_program(TAXEL_PROGRAM, {"explain", "recording-1", "--taxel", "3", "--time", std::to_string(last), "--json"},
                   studio.folder());
   EXPECT_EQ(explained.status, 0) << explained.err;
-  EXPECT_EQ(explained.err, "") << "the contact computed anew reads what was recorded";
+  EXPECT_EQ(explained.err, "") << "the recomputed contact gives the recorded readings";
 #endif
 }
 
-TEST(Recording, WhatCannotBeWrittenIsTold) {
+TEST(Recording, ReportsAFileThatCannotBeWritten) {
   const StudioProgram studio;
   studio.play(joined({{key("Right"), kIdle},
                       export_as("/proc/none.csv"),

@@ -1,4 +1,4 @@
-// Unsaved edits after a kill, after a signal, and with the window at rest.
+// Unsaved edits after a kill, after a signal, and with an idle window.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,10 +19,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Looks at the layout and makes the radius of taxel 3 three millimetres.
+/// Opens the layout and sets the radius of taxel 3 to three millimetres.
 const Lines kEdit{kLayoutMode,  kIdle, R"({"event": "click", "at": {"taxel": 3}})", kIdle, key("f"), type("3"), kIdle,
                   key("Enter"), kIdle};
-/// The same for all taxels, without the mouse: in real time a click takes as long as it takes.
+/// Sets the radius of all taxels without the mouse, because in real time a click takes an unknown time.
 const Lines kLiveEdit{kIdle, kLayoutMode, kIdle, key("a"),     kIdle, key("f"),
                       kIdle, type("3"),   kIdle, key("Enter"), kIdle};
 const std::vector<std::string> kNextStart{"--empty", "--state-dir", "state"};
@@ -31,7 +31,7 @@ double radius_of_3(const Json& layout) {
   return taxel_of(layout, 3)["radius"];
 }
 
-/// The program with a script that never ends; a signal ends it.
+/// The program with a script that never ends. A signal ends the program.
 class EndlessRun {
  public:
   EndlessRun(const StudioProgram& studio, Lines lines, const std::string& autosave_every, bool live = false) {
@@ -90,13 +90,13 @@ void edit_and_kill(const StudioProgram& studio) {
   EXPECT_TRUE(WIFSIGNALED(run.end(SIGKILL)));
 }
 
-/// Taxel 3 of the document that the next start offers, recovered.
+/// Returns the radius of taxel 3 in the recovered document of the next start.
 double recovered_radius(const StudioProgram& studio) {
   studio.play({kIdle, press("Recover"), kIdle, dump("recovered.json")}, kNextStart);
   return radius_of_3(studio.state("recovered.json")["document"]["layout"]);
 }
 
-TEST(Recovery, AfterAKillTheEditsAreOfferedAndCanBeHadBack) {
+TEST(Recovery, OffersTheEditsAfterAKill) {
   const StudioProgram studio;
   edit_and_kill(studio);
   studio.play({kIdle, dump("offered.json"), press("Recover"), kIdle, dump("recovered.json"),
@@ -112,11 +112,11 @@ TEST(Recovery, AfterAKillTheEditsAreOfferedAndCanBeHadBack) {
   EXPECT_TRUE(studio.state("again.json")["recovery"].get<std::string>().empty()) << "the program ended in order";
 }
 
-/// Edits one after the other, and a kill in the middle of them: of the edits only those of the last interval are lost.
-TEST(Recovery, AKillLosesNoMoreThanOneInterval) {
+/// Edits one after another, and a kill between them: only the edits of the last interval are lost.
+TEST(Recovery, LosesAtMostOneIntervalByAKill) {
   const StudioProgram studio;
   constexpr int kFrom = 100, kEdits = 4000, kFramesPerEdit = 10, kKilledAfter = 60;
-  constexpr double kEvery = 1, kWriting = 1;  // [s]; the second is for the disk of a busy machine
+  constexpr double kEvery = 1, kWriting = 1;  // [s]; the second value is for the disk of a busy machine
   Lines lines = kEdit;
   for (int i = 1; i <= kEdits; ++i) {
     const int frame = kFrom + kFramesPerEdit * i;
@@ -129,7 +129,7 @@ TEST(Recovery, AKillLosesNoMoreThanOneInterval) {
     lines.push_back(at(6, dump("edit_" + std::to_string(i) + ".json")));
   }
   const auto dump_of = [&](int edit) { return studio.folder() / ("edit_" + std::to_string(edit) + ".json"); };
-  int done = 0;  // edits
+  int done = 0;  // number of edits
   {
     EndlessRun run(studio, lines, std::to_string(kEvery));
     const auto began = Clock::now();
@@ -148,8 +148,8 @@ TEST(Recovery, AKillLosesNoMoreThanOneInterval) {
       << "edit " << kept << " of " << done << " is kept";
 }
 
-// The interface's time does not advance while no frame is drawn: the interval is one of real time.
-TEST(Recovery, AWindowAtRestKeepsItsEdits) {
+// The interface's time does not advance while no frame is drawn, so the interval is measured in real time.
+TEST(Recovery, KeepsTheEditsOfAnIdleWindow) {
   const StudioProgram studio;
   EndlessRun run(studio,
                  joined({kLiveEdit,
@@ -167,7 +167,7 @@ TEST(Recovery, AWindowAtRestKeepsItsEdits) {
 
 class Signal : public testing::TestWithParam<int> {};
 
-TEST_P(Signal, WritesTheEditsAndEndsInOrder) {
+TEST_P(Signal, WritesTheEditsAndEndsTheProgram) {
   const StudioProgram studio;
   EndlessRun run(studio,
                  joined({kLiveEdit,
@@ -186,7 +186,7 @@ TEST_P(Signal, WritesTheEditsAndEndsInOrder) {
 
 INSTANTIATE_TEST_SUITE_P(Ends, Signal, testing::Values(SIGTERM, SIGINT, SIGHUP));
 
-TEST(Recovery, ASignalLeavesNothingWhereNothingWasEdited) {
+TEST(Recovery, LeavesNothingIfASignalFollowsNoEdit) {
   const StudioProgram studio;
   EndlessRun run(studio, {kIdle, dump("idle.json")}, "30", true);
   ASSERT_TRUE(EndlessRun::wait_for([&] { return std::filesystem::exists(studio.folder() / "idle.json"); }));
@@ -194,7 +194,7 @@ TEST(Recovery, ASignalLeavesNothingWhereNothingWasEdited) {
   EXPECT_TRUE(std::filesystem::is_empty(studio.folder() / "state/autosave"));
 }
 
-/// Number of lines of a file, and whether each has as many commas as the first.
+/// Returns the number of lines of a file. Expects each line to have as many commas as the first.
 int complete_rows(const std::filesystem::path& file) {
   std::istringstream lines(file_text(file));
   std::string line;
@@ -207,8 +207,8 @@ int complete_rows(const std::filesystem::path& file) {
   return rows;
 }
 
-// A kill at many phases of a recording, also while the window rests: all steps that the window has counted are found.
-TEST(Recovery, AKillLosesNoRecordedStep) {
+// Kills at many phases of a recording, also with an idle window: all steps that the window has counted are found.
+TEST(Recovery, LosesNoRecordedStepByAKill) {
   for (const int phase : {1, 40, 400, 0}) {
     const StudioProgram studio;
     Lines lines{kIdle, R"({"do": "wait_for", "pointer": "/simulation/step", "least": 20})", key("r", kCtrl),
@@ -238,7 +238,7 @@ TEST(Recovery, AKillLosesNoRecordedStep) {
   }
 }
 
-TEST(Recovery, ARecordingThatIsWrittenIsNotOffered) {
+TEST(Recovery, DoesNotOfferAWrittenRecording) {
   const StudioProgram studio;
   const std::vector<std::string> live{"--live", "--state-dir", "state"};
   studio.play(
@@ -249,7 +249,7 @@ TEST(Recovery, ARecordingThatIsWrittenIsNotOffered) {
   EXPECT_TRUE(std::filesystem::is_empty(studio.folder() / "state/recordings"));
 }
 
-TEST(Recovery, CanBeThrownAway) {
+TEST(Recovery, CanBeDiscarded) {
   const StudioProgram studio;
   edit_and_kill(studio);
   studio.play({kIdle, press("Discard"), kIdle}, kNextStart);

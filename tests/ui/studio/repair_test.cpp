@@ -1,4 +1,5 @@
-// A mesh that needs repair in the window: it opens, says what was done, shows it, and is kept as it is on request.
+// A mesh that needs repair in the window: it opens, the changes are reported and shown, and the mesh is kept as it is
+// on request.
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
@@ -7,7 +8,7 @@
 namespace taxel::test {
 namespace {
 
-/// Our fingertip without its first face and with a fin.
+/// Writes our fingertip without its first face and with a fin.
 std::string broken_finger(const std::filesystem::path& folder) {
   const TriMesh whole = *load_mesh(kMeshFile).mesh;
   std::vector<dvec3> vertices = whole.vertices();
@@ -20,7 +21,7 @@ std::string broken_finger(const std::filesystem::path& folder) {
   return file;
 }
 
-/// A layout of two taxels on it.
+/// Writes a layout of two taxels on the broken finger.
 std::string broken_layout(const StudioProgram& studio, const std::string& level) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = broken_finger(studio.folder());
@@ -109,7 +110,7 @@ TEST(MeshRepair, ColoursAWrapByItsDistance) {
   const Json state = studio.state("state.json");
   EXPECT_TRUE(has_step(state, "repair_wrapped"));
   EXPECT_EQ(mesh_of(state)["show_changes"], true);
-  // The scale is viridis from 0 to the largest distance: green where the wrap is half as far off, yellow there.
+  // The scale is viridis from 0 to the largest distance: green at half of the largest distance, yellow at the largest.
   const auto pixels = [](const Picture& picture, const auto& is) {
     int count = 0;
     for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3)
@@ -123,7 +124,7 @@ TEST(MeshRepair, ColoursAWrapByItsDistance) {
   EXPECT_GT(pixels(shown, yellow), pixels(hidden, yellow) + 200);
 }
 
-TEST(MeshRepair, IsUndoneAndDoneAgain) {
+TEST(MeshRepair, IsUndoneAndRedone) {
   const StudioProgram studio;
   std::vector<std::string> arguments = tall_window(studio, broken_layout(studio, "keep"));
   studio.play({kIdle, kLayoutMode, kIdle, dump("kept.json"), press("Repair"), kIdle, dump("repaired.json"),

@@ -8,7 +8,7 @@
 namespace taxel::test {
 namespace {
 
-/// Looks at the layout and makes the radius of taxel 3 three millimetres.
+/// Opens the layout and sets the radius of taxel 3 to three millimetres.
 const Lines kEdit{kLayoutMode,  kIdle, R"({"event": "click", "at": {"taxel": 3}})", kIdle, key("f"), type("3"), kIdle,
                   key("Enter"), kIdle};
 
@@ -21,7 +21,7 @@ double radius_of_3(const Json& layout) {
   return taxel_of(layout, 3)["radius"];
 }
 
-TEST(Save, AsAProjectThatOpensAgain) {
+TEST(Save, WritesAProjectThatOpensAgain) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "mine.taxelproj").string();
   studio.play(joined({kEdit,
@@ -51,14 +51,15 @@ TEST(Save, AsAProjectThatOpensAgain) {
   EXPECT_EQ(Json::parse(file_text(file))["layout"], Json::parse(bytes)["layout"]) << "Ctrl+S writes where it is";
 }
 
-TEST(Save, ExportImportExportGivesTheSameBytes) {
+TEST(Save, GivesTheSameBytesAfterExportImportAndExport) {
   const StudioProgram studio;
   const std::string first = (studio.folder() / "one.taxels.json").string();
   const std::string second = (studio.folder() / "two.taxels.json").string();
   studio.play(joined({kEdit, in_dialog("e", (studio.folder() / "one").string()), {dump("exported.json")}}));
   EXPECT_TRUE(studio.state("exported.json")["history"]["dirty"]) << "an export is no save";
   EXPECT_EQ(radius_of_3(Json::parse(file_text(first))), 0.003);
-  EXPECT_EQ(Json::parse(file_text(first))["mesh"]["file"], "fingertip.obj") << "which was written beside it";
+  EXPECT_EQ(Json::parse(file_text(first))["mesh"]["file"], "fingertip.obj")
+      << "the mesh was written to the same folder";
   studio.play(joined({{kLayoutMode, kIdle}, in_dialog("e", second)}), {first});
   EXPECT_EQ(file_text(first), file_text(second));
 #ifdef TAXEL_PROGRAM
@@ -66,7 +67,7 @@ TEST(Save, ExportImportExportGivesTheSameBytes) {
 #endif
 }
 
-TEST(Save, AsksBeforeItReplacesAFileAndSaysWhyItCannotWrite) {
+TEST(Save, AsksBeforeReplacingAFileAndReportsWriteErrors) {
   const StudioProgram studio;
   const std::string there = (studio.folder() / "there.taxels.json").string();
   write_text(there, "mine");
@@ -95,7 +96,7 @@ TEST(Close, AsksWhetherToSave) {
   EXPECT_FALSE(std::filesystem::exists(studio.folder() / "never.json")) << "saved, then closed";
 }
 
-TEST(Close, DiscardsWhenToldSoAndAsksBeforeAnotherFileToo) {
+TEST(Close, DiscardsOnRequestAndAsksBeforeAnotherFile) {
   const StudioProgram studio;
   const std::string open = R"({"event": "drop", "files": [")" + kLayoutFile + R"("]})";
   studio.play(joined({kEdit,

@@ -1,4 +1,4 @@
-// Lines of scripts about scenarios, in the inspector.
+// Lines of scripts for scenarios in the inspector.
 #pragma once
 
 #include "script_lines.h"
@@ -11,13 +11,13 @@ inline Lines choose_kind(const std::string& kind) {
 inline Lines typed_in_inspector(const std::string& field, const std::string& text) {
   return {press("Inspector/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
 }
-/// The scenario alone in the inspector.
+/// Lines that leave only the scenario in the inspector.
 inline const Lines kScenarioAlone{kIdle, press("Inspector/Selected taxel"), kIdle, press("Inspector/Sampling"),
                                   kIdle, press("Inspector/Material"),       kIdle, press("Inspector/Scene"),
                                   kIdle};
 inline const Lines kRunScenario{press("Inspector/Run scenario"), kIdle};
 
-/// Our fingertip, with few samples; the arguments for a window around it.
+/// Returns the arguments of a window with our fingertip and few samples.
 inline std::vector<std::string> coarse_fingertip(const StudioProgram& studio, const std::string& size) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;

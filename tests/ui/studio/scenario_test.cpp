@@ -1,5 +1,5 @@
-// Scenarios in the window: each kind is chosen, edited and run in the inspector, and a path's way points are moved by
-// hand.
+// Scenarios in the window: each kind is chosen, edited and run in the inspector, and a path's waypoints are moved with
+// the mouse.
 #include <gtest/gtest.h>
 
 #include "scenario_lines.h"
@@ -11,7 +11,7 @@ std::string until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
 
-TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
+TEST(Scenario, IsEditedInTheDocumentByKindAndValues) {
   const StudioProgram studio;
   studio.play(joined({kScenarioAlone,
                       {key("Space"), dump("sweep.json")},
@@ -35,7 +35,7 @@ TEST(Scenario, KindAndValuesAreEditsOfTheDocument) {
   EXPECT_EQ(back["history"]["depth"], 0);
 }
 
-TEST(Scenario, EveryKindRuns) {
+TEST(Scenario, RunsForEveryKind) {
   const StudioProgram studio;
   const auto running = [](const std::string& kind, const Lines& more) {
     return joined({choose_kind(kind),
@@ -64,7 +64,7 @@ TEST(Scenario, EveryKindRuns) {
   }
 }
 
-TEST(Scenario, PaperSettingIsOneEditOfBodySamplesAndScenario) {
+TEST(Scenario, GetsThePaperSettingInOneEdit) {
   const StudioProgram studio;
   studio.play(
       joined({kScenarioAlone,
@@ -80,7 +80,7 @@ TEST(Scenario, PaperSettingIsOneEditOfBodySamplesAndScenario) {
   EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], before["scenario"]["edited"]);
 }
 
-TEST(Scenario, DefaultSweepCrossesAnEdgeWhoseObjectFollowsTheKind) {
+TEST(Scenario, CrossesAnEdgeByDefaultAndChangesObjectWithTheKind) {
   const StudioProgram studio;
   std::vector<std::string> arguments = coarse_fingertip(studio);
   arguments.insert(arguments.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"});
@@ -96,7 +96,7 @@ TEST(Scenario, DefaultSweepCrossesAnEdgeWhoseObjectFollowsTheKind) {
   EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], edge["scenario"]["edited"]);
 }
 
-TEST(Scenario, AReplayWaitsForItsRecording) {
+TEST(Scenario, WaitsForTheRecordingOfAReplay) {
   const StudioProgram studio;
   studio.play(joined({kScenarioAlone,
                       choose_kind("replay"),
@@ -112,7 +112,7 @@ TEST(Scenario, AReplayWaitsForItsRecording) {
   EXPECT_NE(refused["simulation"]["title"].get<std::string>().find("sweep"), std::string::npos) << "what ran goes on";
 }
 
-TEST(Scenario, ValuesOutOfRangeStayInTheirField) {
+TEST(Scenario, KeepsValuesOutOfRangeInTheirField) {
   const StudioProgram studio;
   studio.play(
       joined({kScenarioAlone, choose_kind("press"), typed_in_inspector("Depth (mm)", "-1"), {dump("refused.json")}}),
@@ -122,7 +122,7 @@ TEST(Scenario, ValuesOutOfRangeStayInTheirField) {
   EXPECT_NE(state["refused"]["words"].get<std::string>().find("greater than 0"), std::string::npos) << state["refused"];
 }
 
-TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
+TEST(Scenario, HasWaypointsThatAreDraggedAddedDeletedAndTyped) {
   const StudioProgram studio;
   const auto layout = coarse_fingertip(studio);
   const Lines start =
@@ -164,7 +164,7 @@ TEST(Scenario, WayPointsAreDraggedAddedDeletedAndTyped) {
   EXPECT_EQ(studio.state("undone.json")["scenario"]["edited"], path["edited"]);
 }
 
-TEST(Scenario, ASavedProjectKeepsIt) {
+TEST(Scenario, IsKeptInASavedProject) {
   const StudioProgram studio;
   studio.play(joined({kScenarioAlone,
                       choose_kind("path"),
@@ -177,7 +177,7 @@ TEST(Scenario, ASavedProjectKeepsIt) {
   EXPECT_EQ(file["scenario"]["kind"], "path");
 }
 
-TEST(RunScenario, SaysWhatIsMissing) {
+TEST(RunScenario, ReportsThatTaxelsAreMissing) {
   const StudioProgram studio;
   studio.play(
       {kIdle, kLayoutMode, kIdle, key("a"), kIdle, key("Delete"), kIdle, key("2", kCtrl), kIdle, dump("before.json"),

@@ -1,4 +1,4 @@
-// Scenes and layouts that do not go together: attached all the same, and said in words.
+// Scenes and layouts that do not match: they are attached, and the mismatch is reported.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -6,7 +6,7 @@
 namespace taxel::test {
 namespace {
 
-/// Beside the scene a mesh, and a coarse layout on it.
+/// Writes the scene, a mesh and a coarse layout on the mesh.
 void write_scene(const StudioProgram& studio, const std::string& xml) {
   std::filesystem::copy_file(kMeshFile, studio.folder() / "fingertip.obj",
                              std::filesystem::copy_options::skip_existing);
@@ -17,7 +17,7 @@ void write_scene(const StudioProgram& studio, const std::string& xml) {
   write_text(studio.folder() / "scene.xml", xml);
 }
 
-TEST(SceneInput, AnotherMeshNoMeshAndALongTimeStepAreSaid) {
+TEST(SceneInput, ReportsAnotherMeshNoMeshAndALongTimeStep) {
   const StudioProgram studio;
   write_scene(studio, R"(<mujoco><option timestep='.02'/><asset>
     <mesh name='larger' file='fingertip.obj' scale='1.1 1.1 1.1'/></asset><worldbody>
@@ -38,7 +38,7 @@ TEST(SceneInput, AnotherMeshNoMeshAndALongTimeStepAreSaid) {
     EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
 }
 
-TEST(SceneInput, TwoSensorsOnAGeomAndATimeStepOfZeroAreRefused) {
+TEST(SceneInput, RefusesTwoSensorsOnAGeomAndATimeStepOfZero) {
   const StudioProgram studio;
   const std::string instance =
       "<config key='layout' value='tip.taxels.json'/><config key='geom' value='tip'/></instance>";

@@ -1,4 +1,4 @@
-// A MuJoCo scene in the window: bodies dragged, its controls, layouts on its geoms, all by mouse and keys.
+// A MuJoCo scene in the window: dragged bodies, controls, and layouts on geoms, all with mouse and keys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ double pressed_x(const Json& state, const char* name, int axis) {
   return geom_of(state, name)["position"][static_cast<std::size_t>(axis)];
 }
 
-TEST(Scene, BodiesAreSelectedTurnedAndPulledAsInMujocosViewer) {
+TEST(Scene, SelectsTurnsAndPullsBodiesLikeMujocosViewer) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", kScene);
   const auto drag = [](const char* button, double dx, double dy) {
@@ -53,14 +53,14 @@ TEST(Scene, BodiesAreSelectedTurnedAndPulledAsInMujocosViewer) {
   const auto release = [](const char* button) { return Lines{mouse("mouse_up", {640, 300}, button, {"ctrl"}), kIdle}; };
   studio.play(joined({{kIdle, key("Space"), kIdle, dump("open.json"), double_click(world(0, 0, 0.1)), kIdle, kIdle,
                        dump("selected.json"), R"({"do": "screenshot", "file": "selected.png"})"},
-                      drag("right", 40, 0),  // paused: the body goes with the hand
+                      drag("right", 40, 0),  // paused: the body follows the mouse
                       {dump("pulled.json"), R"({"do": "screenshot", "file": "pulled.png"})"},
                       release("right"),
                       drag("left", 0, 120),
                       {dump("turned.json")},
                       release("left"),
                       {key("Space"), kIdle},
-                      drag("right", -60, 0),  // running: by a spring
+                      drag("right", -60, 0),  // running: the body is pulled by a spring
                       {kIdle, kIdle, kIdle, kIdle, dump("drawn.json"), R"({"do": "screenshot", "file": "drawn.png"})"},
                       release("right"),
                       {dump("let_go.json"), key("Backspace"), kIdle, dump("reset.json"), key("Escape"), kIdle,
@@ -76,7 +76,7 @@ TEST(Scene, BodiesAreSelectedTurnedAndPulledAsInMujocosViewer) {
   EXPECT_GT(std::hypot(pressed_x(pulled, "ball", 0), pressed_x(pulled, "ball", 1)), 0.005);
   EXPECT_NEAR(pressed_x(pulled, "ball", 2), 0.1, 1e-12);  // sideways
   EXPECT_TRUE(turned["scene"]["hand"]["turns"]);
-  // 120 pixels of the view's height are that part of a full turn
+  // 120 pixels are 120 / height of a full turn.
   const double angle = 2 * std::acos(std::abs(geom_of(turned, "ball")["quaternion"][0].get<double>()));
   EXPECT_NEAR(angle, 2 * kPi * 120 / open["view"]["height"].get<double>(), 1e-9);
   const Json drawn = studio.state("drawn.json"), let_go = studio.state("let_go.json");
@@ -89,7 +89,7 @@ TEST(Scene, BodiesAreSelectedTurnedAndPulledAsInMujocosViewer) {
   EXPECT_EQ(studio.state("escaped.json")["scene"]["body"], nullptr);
 }
 
-TEST(Scene, GroupsOfGeomsAreSwitchedAsInMujocosViewer) {
+TEST(Scene, TogglesGroupsOfGeomsLikeMujocosViewer) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", R"(<mujoco><option gravity='0 0 0'/><worldbody>
   <body name='ball' pos='0 0 .1'><freejoint/><geom name='ball' type='sphere' size='.05' group='2' contype='0'/></body>
@@ -97,7 +97,7 @@ TEST(Scene, GroupsOfGeomsAreSwitchedAsInMujocosViewer) {
     conaffinity='0'/></body></worldbody></mujoco>)");
   double z = 0.1;
   const auto look =
-      [&](const std::string& name) {  // elsewhere each time: four clicks on one place are no double-clicks
+      [&](const std::string& name) {  // a different place each time, because four clicks on one place are double-clicks
         z = z == 0.1 ? 0.12 : 0.1;
         return Lines{R"({"event": "mouse_move", "at": [5, 5]})",
                      kIdle,
@@ -132,12 +132,12 @@ TEST(Scene, GroupsOfGeomsAreSwitchedAsInMujocosViewer) {
     return std::vector<int>(first, first + 3);
   };
   EXPECT_EQ(middle("first.png"), middle("again.png"));
-  EXPECT_NE(middle("first.png"), middle("both.png")) << "the shell stands before it";
+  EXPECT_NE(middle("first.png"), middle("both.png")) << "the shell is in front of it";
   EXPECT_NE(middle("first.png"), middle("none.png"));
   EXPECT_EQ(studio.state("again.json")["scene"]["body"], "ball");
 }
 
-TEST(Scene, ControlsAreSetReadAndKeptOutOfThePast) {
+TEST(Scene, SetsControlsExceptInRecordedSteps) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", kScene);
   std::vector<std::string> arguments = tall_window(studio, "scene.xml");
@@ -177,7 +177,7 @@ TEST(Scene, ControlsAreSetReadAndKeptOutOfThePast) {
   const Json stepped = studio.state("stepped.json");
   EXPECT_EQ(stepped["scene"]["equalities"][0]["value"], 0);
   EXPECT_TRUE(stepped["scene"]["held"].empty());
-  EXPECT_GT(stepped["scene"]["joints"][0]["value"], set["joints"][0]["value"]);  // the motor turns it
+  EXPECT_GT(stepped["scene"]["joints"][0]["value"], set["joints"][0]["value"]);  // the motor turns the joint
   const Json past = studio.state("past.json");
   EXPECT_TRUE(past["simulation"]["history"]["recorded"]);
   EXPECT_EQ(past["scene"]["actuators"], stepped["scene"]["actuators"]);
@@ -188,7 +188,7 @@ TEST(Scene, ControlsAreSetReadAndKeptOutOfThePast) {
   EXPECT_EQ(bent["simulation"]["step"], 0);
 }
 
-TEST(Scene, WeldsAreDrawnInStepsOfThePast) {
+TEST(Scene, DrawsWeldsInRecordedSteps) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", kScene);
   const auto picture = [](const std::string& name) { return R"({"do": "screenshot", "file": ")" + name + R"("})"; };
@@ -200,7 +200,7 @@ TEST(Scene, WeldsAreDrawnInStepsOfThePast) {
                key("a", kCtrl),
                type("20"),
                key("Enter"),
-               kIdle,  // it leads, the other body follows
+               kIdle,  // the welded body follows the dragged one
                key("Right"),
                kIdle,
                key("Right"),
@@ -241,7 +241,7 @@ constexpr const char* kFinger = R"(<mujoco><asset><mesh name='tip' file='fingert
   <body pos='0 0 .0061' quat='.70710678 .70710678 0 0'><freejoint/><geom name='tip' type='mesh' mesh='tip'/></body>
   <body pos='.05 0 .0061' quat='.70710678 .70710678 0 0'><freejoint/><geom type='mesh' mesh='tip'/></body></worldbody></mujoco>)";
 
-/// Beside it a mesh and a coarse layout.
+/// Writes the scene, a mesh and a coarse layout.
 void write_finger(const std::filesystem::path& folder) {
   std::filesystem::copy_file(kMeshFile, folder / "fingertip.obj");
   Json layout = Json::parse(file_text(kLayoutFile));
@@ -254,7 +254,7 @@ Lines type_path(const std::string& path) {
   return {kIdle, type(path), kIdle, key("Enter"), kIdle, kIdle};
 }
 
-TEST(Scene, LayoutsAreAttachedToGeomsDetachedAndSavedWithTheScene) {
+TEST(Scene, AttachesDetachesAndSavesLayoutsOfGeoms) {
   const StudioProgram studio;
   write_finger(studio.folder());
   const std::string folder = studio.folder().string();
@@ -272,14 +272,14 @@ TEST(Scene, LayoutsAreAttachedToGeomsDetachedAndSavedWithTheScene) {
   ASSERT_EQ(attached["simulation"]["sensors"].size(), 2U) << attached["messages"].dump(1);
   for (const Json& sensor : attached["simulation"]["sensors"]) EXPECT_GT(sensor["max_pressure"], 1000);
   EXPECT_EQ(attached["scene"]["attached"].size(), 2U);
-  EXPECT_EQ(attached["simulation"]["playing"], false);  // as it was
+  EXPECT_EQ(attached["simulation"]["playing"], false);  // unchanged
   ASSERT_EQ(detached["simulation"]["sensors"].size(), 1U);
   EXPECT_EQ(detached["camera"], attached["camera"]);
-  EXPECT_EQ(file_text(studio.folder() / "scene.xml"), kFinger);  // the file stays
+  EXPECT_EQ(file_text(studio.folder() / "scene.xml"), kFinger);  // the file is unchanged
   EXPECT_NE(studio.state("saved.json")["messages"].dump().find("Saved " + folder + "/saved/mine.xml"),
             std::string::npos);
   ASSERT_TRUE(std::filesystem::exists(studio.folder() / "saved/mine.xml"));
-  // what was saved opens with its sensor, and reads the same
+  // The saved scene opens with its sensor and gives the same readings.
   studio.play({kIdle, key("Backspace"), kIdle, dump("again.json")}, {"saved/mine.xml"});
   const Json again = studio.state("again.json")["simulation"]["sensors"];
   ASSERT_EQ(again.size(), 1U);
@@ -287,8 +287,8 @@ TEST(Scene, LayoutsAreAttachedToGeomsDetachedAndSavedWithTheScene) {
   EXPECT_NEAR(again[0]["max_pressure"].get<double>(), before, 1e-3 * before);
 }
 
-/// The body that is pointed at is known by its geom's sensor too.
-TEST(Scene, TheHandOfFiveFingersHoldsItsGripInTheWindow) {
+/// The body under the pointer is also found through its geom's sensor.
+TEST(Scene, HoldsTheGripOfTheHandWithFiveFingers) {
   const StudioProgram studio;
   studio.play({kIdle, R"({"do": "wait_time", "time": 0.15})", key("Space"), kIdle, dump("held.json"),
                R"({"do": "screenshot", "file": "held.png"})"},
@@ -300,7 +300,7 @@ TEST(Scene, TheHandOfFiveFingersHoldsItsGripInTheWindow) {
   EXPECT_EQ(held["scene"]["joints"].size(), 22U);
 }
 
-TEST(Scene, WhatCannotBeOpenedIsSaidInASentence) {
+TEST(Scene, ReportsASceneThatCannotBeOpened) {
   const StudioProgram studio;
   write_text(studio.folder() / "no_plugin.xml",
              "<mujoco><extension><plugin plugin='mujoco.sdf.torus'><instance name='t'/></plugin></extension>"

@@ -1,4 +1,4 @@
-// Lines of scripts, as tests of editing write them.
+// Lines of scripts for tests of editing.
 #pragma once
 
 #include <string>
@@ -36,7 +36,7 @@ inline std::string taxel(int id) {
   return R"({"taxel": )" + std::to_string(id) + "}";
 }
 
-/// Arguments for a large window without bars and plots, where all fields of the inspector are in sight.
+/// Returns the arguments of a large window without bars and plots, where all fields of the inspector are visible.
 inline std::vector<std::string> tall_window(const StudioProgram& studio, const std::string& file = kLayoutFile) {
   std::filesystem::create_directories(studio.folder() / "state");
   write_text(studio.folder() / "state/settings.json",
@@ -54,7 +54,7 @@ inline dvec3 vector_of(const Json& json) {
   return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
 
-/// The taxel of an id in a layout's JSON.
+/// Returns the taxel with an id from a layout's JSON.
 inline Json taxel_of(const Json& layout, int id) {
   for (const Json& taxel : layout["taxels"])
     if (taxel["id"] == id) return taxel;

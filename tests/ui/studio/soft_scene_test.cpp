@@ -1,4 +1,5 @@
-// Scenes with soft geoms that carry no taxels, in the window: surfaces and forces are shown, and a layout can follow.
+// Scenes with soft geoms without taxels in the window: surfaces and forces are displayed, and a layout can be attached
+// later.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -32,7 +33,7 @@ TEST(SoftScene, ShowsSurfacesAndForcesWithoutTaxels) {
   const double on_ball = open["simulation"]["sensors"][0]["force"][2],
                on_box = open["simulation"]["sensors"][1]["force"][2];
   EXPECT_GT(on_box, 0.1);
-  EXPECT_LT(on_ball, -0.1);  // the box lies deeper in it than the floor
+  EXPECT_LT(on_ball, -0.1);  // the ball is pressed deeper by the box than by the floor
   EXPECT_EQ(studio.state("toggled.json")["overlays"]["contact_surface"], false);
   EXPECT_TRUE(open["bars"].empty());
   EXPECT_EQ(studio.state("stepped.json")["simulation"]["sensors"][0]["polygons"],

@@ -1,4 +1,5 @@
-// Parameter studies in the window: run in a worker, shown side by side, and a click makes one the document's.
+// Parameter studies in the window: run in a worker and shown side by side. A click loads the values of a run into the
+// document.
 #include <gtest/gtest.h>
 
 #include "scenario_lines.h"
@@ -12,7 +13,7 @@ Lines entered(const std::string& field, const std::string& text) {
 
 const Lines kStudyPanel{kIdle, key("Space"), press("Panels"), kIdle, press("Study panel"), kIdle};
 
-TEST(StudyPanel, RunsAreShownAndAClickLoadsOne) {
+TEST(StudyPanel, ShowsRunsAndLoadsOneByAClick) {
   const StudioProgram studio;
   studio.play(
       joined({kStudyPanel,
@@ -33,8 +34,8 @@ TEST(StudyPanel, RunsAreShownAndAClickLoadsOne) {
   EXPECT_EQ(loaded["running"], loaded["edited"]);
 }
 
-/// The simulation follows the clock, and so does the worker: what is told is waited for.
-TEST(StudyPanel, ACancelledStudyLeavesNothingHalfDone) {
+/// The simulation and the worker run in real time, so the script waits for each reported result.
+TEST(StudyPanel, LeavesNothingHalfDoneIfCancelled) {
   const StudioProgram studio;
   const auto study = [](const std::string& key, const std::string& equals) {
     return R"({"do": "wait_for", "pointer": "/study/)" + key + R"(", "equals": )" + equals + "}";

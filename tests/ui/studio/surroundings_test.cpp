@@ -1,5 +1,5 @@
-// The machine around the window: full disks, folders that cannot be written, no home, decimal commas, file names that
-// are not UTF-8, files that are none, a clock that is set back.
+// The system around the window: full disks, read-only folders, no home, decimal commas, file names that are not UTF-8,
+// irregular files, a clock that is set back.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// The radius of all taxels becomes 3.5 mm; typed with a point.
+/// Sets the radius of all taxels to 3.5 mm, typed with a decimal point.
 const Lines kEditAll{kIdle, kLayoutMode, kIdle, key("a"),     kIdle, key("f"),
                      kIdle, type("3.5"), kIdle, key("Enter"), kIdle};
 
@@ -35,10 +35,10 @@ std::string says(const std::string& text) {
   return R"({"do": "wait_for", "pointer": "/messages", "contains": ")" + text + R"("})";
 }
 
-TEST_F(WindowSurroundings, FilesThatDoNotFitAreNamedAndTheEditStays) {
+TEST_F(WindowSurroundings, NameAFileThatDoesNotFitAndKeepTheEdit) {
   fs::copy_file(kLayoutFile, folder() / "f.taxels.json");
   fs::create_directories(folder() / "meshes");
-  // A limit of 1 kB for each file, as a stand-in for a full disk.
+  // A limit of 1 kB for each file, in place of a full disk.
   const std::string before = file_text(folder() / "f.taxels.json");
   const Outcome outcome = play_after("trap '' XFSZ; ulimit -f 2; exec ",
                                      joined({kEditAll,
@@ -55,7 +55,7 @@ TEST_F(WindowSurroundings, FilesThatDoNotFitAreNamedAndTheEditStays) {
   EXPECT_EQ(file_text(folder() / "f.taxels.json"), before);
 }
 
-TEST_F(WindowSurroundings, AReadOnlyFolderIsToldAndTheEditStays) {
+TEST_F(WindowSurroundings, ReportAReadOnlyFolderAndKeepTheEdit) {
   fs::create_directories(folder() / "state");
   fs::permissions(folder() / "state", fs::perms::owner_read | fs::perms::owner_exec);
   // Root may write everywhere, but not without this capability.
@@ -65,14 +65,14 @@ TEST_F(WindowSurroundings, AReadOnlyFolderIsToldAndTheEditStays) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
-TEST_F(WindowSurroundings, NeedsNoHomeAndNoEnvironment) {
+TEST_F(WindowSurroundings, MayLackAHomeAndAnEnvironment) {
   const Outcome outcome =
       play_after("exec env -i sh -c 'exec ", joined({kEditAll, {dump("edited.json")}}), kLayoutFile + "'");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(taxel_of(studio_.state("edited.json")["document"]["layout"], 3)["radius"], 0.0035);
 }
 
-TEST_F(WindowSurroundings, DecimalCommasChangeNoNumber) {
+TEST_F(WindowSurroundings, GiveTheSameNumbersWithDecimalCommas) {
   ASSERT_EQ(run_program("/usr/bin/localedef", {"-i", "de_DE", "-f", "UTF-8", "./de_DE.UTF-8"}, folder()).status, 0);
   const auto exported = [&](const std::string& before, const std::string& file) {
     const Outcome outcome =
@@ -87,7 +87,7 @@ TEST_F(WindowSurroundings, DecimalCommasChangeNoNumber) {
   EXPECT_NE(point.find("0.0035"), std::string::npos);
 }
 
-TEST_F(WindowSurroundings, FileNamesNeedNotBeUnicode) {
+TEST_F(WindowSurroundings, MayHaveFileNamesThatAreNotUnicode) {
   const fs::path odd = folder() / "d\xe9t\xe9";
   fs::create_directories(odd);
   Json layout = Json::parse(file_text(kLayoutFile));
@@ -106,7 +106,7 @@ TEST_F(WindowSurroundings, FileNamesNeedNotBeUnicode) {
   EXPECT_EQ(studio_.state("next.json")["messages"].size(), 0U);
 }
 
-TEST_F(WindowSurroundings, SettingsThatAreNoFileAreToldAndPutAside) {
+TEST_F(WindowSurroundings, ReportAndSetAsideSettingsThatAreNoFile) {
   const fs::path state = folder() / "state";
   fs::create_directories(state);
   ASSERT_EQ(::mkfifo((state / "settings.json").c_str(), 0600), 0);
@@ -124,8 +124,8 @@ TEST_F(WindowSurroundings, SettingsThatAreNoFileAreToldAndPutAside) {
   EXPECT_NE(file_text(state / "settings.json.broken").find("[]"), std::string::npos);
 }
 
-// The clock is set back between the edit and the writing of it. The edit is kept on time, and the next start offers it.
-TEST_F(WindowSurroundings, AClockThatIsSetBackStopsNothing) {
+// The clock is set back between the edit and its autosave. The edit is saved in time, and the next start offers it.
+TEST_F(WindowSurroundings, StopNothingIfTheClockIsSetBack) {
   play_after(
       "export LD_PRELOAD=" CLOCK_SET_BACK "; exec ",
       joined({kEditAll, {dump("edited.json"), R"({"do": "rest", "seconds": 600})"}}),

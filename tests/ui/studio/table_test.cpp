@@ -1,4 +1,4 @@
-// Tables and helpers of the interface, without a window.
+// Tables and helper functions of the interface, without a window.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace taxel::ui {
 namespace {
 
-TEST(Keymap, NoKeyMeansTwoThingsInOneContext) {
+TEST(Keymap, GivesEachKeyOneMeaningPerContext) {
   for (const Context context : {Context::layout, Context::simulate}) {
     std::map<int, std::string> seen;
     for (const Binding& b : bindings()) {
@@ -25,7 +25,7 @@ TEST(Keymap, NoKeyMeansTwoThingsInOneContext) {
   }
 }
 
-TEST(Keymap, EveryCommandHasOneRowAndCanBeReached) {
+TEST(Keymap, GivesEveryCommandOneReachableRow) {
   std::set<std::string> seen;
   for (const Binding& b : bindings()) {
     EXPECT_TRUE(seen.insert(b.label).second) << b.label;
@@ -37,7 +37,7 @@ TEST(Keymap, EveryCommandHasOneRowAndCanBeReached) {
   }
 }
 
-TEST(Keymap, SwitchesTurnWhatTheyName) {
+TEST(Keymap, TogglesTheNamedValue) {
   const UiInput input;
   for (const Binding& b : bindings()) {
     UiState ui;
@@ -49,14 +49,14 @@ TEST(Keymap, SwitchesTurnWhatTheyName) {
   }
 }
 
-TEST(Speed, GoesInOctavesAndStops) {
+TEST(Speed, ChangesByFactorsOfTwoWithinItsLimits) {
   EXPECT_EQ(next_speed(1, true), 2);
   EXPECT_EQ(next_speed(1, false), 0.5);
   EXPECT_EQ(next_speed(16, true), 16);
   EXPECT_EQ(next_speed(1.0 / 16, false), 1.0 / 16);
 }
 
-TEST(Format, NiceCeilingIsTheNextRoundNumber) {
+TEST(Format, RoundsUpToTheNextNiceNumber) {
   EXPECT_EQ(nice_ceiling(1), 1);
   EXPECT_EQ(nice_ceiling(1.01), 1.5);
   EXPECT_EQ(nice_ceiling(8.1), 10);
@@ -68,7 +68,7 @@ TEST(Format, NiceCeilingIsTheNextRoundNumber) {
   }
 }
 
-TEST(Format, NumbersAsPeopleReadThem) {
+TEST(Format, WritesNumbersInReadableUnits) {
   EXPECT_EQ(grouped(7), "7");
   EXPECT_EQ(grouped(1234), "1 234");
   EXPECT_EQ(grouped(-1234567), "-1 234 567");
@@ -85,7 +85,7 @@ TEST(Format, NumbersAsPeopleReadThem) {
   EXPECT_EQ(duration_text(0.01234), "12.34 ms");
 }
 
-TEST(Format, ShiftedDecimalsAreWhatOneWouldWrite) {
+TEST(Format, ShiftsDecimalsWithoutRoundingErrors) {
   EXPECT_EQ(shifted_decimal(4.2, -3), 0.0042);
   EXPECT_EQ(shifted_decimal(-6.5, -3), -0.0065);
   EXPECT_EQ(shifted_decimal(0.0042, 3), 4.2);
@@ -95,7 +95,7 @@ TEST(Format, ShiftedDecimalsAreWhatOneWouldWrite) {
   EXPECT_EQ(shifted_decimal(7, 0), 7);
 }
 
-TEST(Status, PaceIsShownOnlyWhileTheSimulationMoves) {
+TEST(Status, ShowsTheSpeedOnlyWhileTheSimulationMoves) {
   UiInput input;
   input.playing = true;
   input.performance.simulation_speed = 0.984;
@@ -114,7 +114,7 @@ TEST(Status, PaceIsShownOnlyWhileTheSimulationMoves) {
   EXPECT_EQ(pace_text(input), "ended");
 }
 
-TEST(Widgets, TheOneOnTopIsFound) {
+TEST(Widgets, FindTheTopmostOne) {
   WidgetRegistry widgets;
   widgets.note("Toolbar", "Run", {0, 0, 10, 10});
   widgets.note("Simulation", "Run", {20, 0, 30, 10});

@@ -1,4 +1,4 @@
-// Orders of taxels, against the plain way to say them.
+// Orders of taxels, compared with a direct definition.
 #include "app/studio/features/table/taxel_order.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Layout numbered(int count) {
 }
 using Ids = std::vector<int>;
 
-TEST(TaxelOrder, RunsMoveByOnePlaceAndStopAtTheEnds) {
+TEST(TaxelOrder, MovesRunsByOnePlaceUpToTheEnds) {
   const Layout layout = numbered(6);
   EXPECT_EQ(moved_by_one(layout, {3}, true), (Ids{0, 1, 3, 2, 4, 5}));
   EXPECT_EQ(moved_by_one(layout, {3, 2}, true), (Ids{0, 2, 3, 1, 4, 5}));
@@ -28,7 +28,7 @@ TEST(TaxelOrder, RunsMoveByOnePlaceAndStopAtTheEnds) {
   EXPECT_EQ(moved_by_one(layout, {}, true), (Ids{0, 1, 2, 3, 4, 5}));
 }
 
-TEST(TaxelOrder, DraggedRowsLandTogetherWhereTheyAreLetGo) {
+TEST(TaxelOrder, MovesDraggedRowsTogetherToTheDropPosition) {
   const Layout layout = numbered(6);
   EXPECT_EQ(moved_to(layout, {4}, 1), (Ids{0, 4, 1, 2, 3, 5}));
   EXPECT_EQ(moved_to(layout, {1}, 4), (Ids{0, 2, 3, 4, 1, 5}));
@@ -43,7 +43,7 @@ TEST(TaxelOrder, DraggedRowsLandTogetherWhereTheyAreLetGo) {
   }
 }
 
-TEST(TaxelOrder, RowsAreSortedStablyAndFilteredInAnyCase) {
+TEST(TaxelOrder, SortsRowsStablyAndFiltersIgnoringCase) {
   Layout layout = numbered(4);
   const double radii[] = {2, 1, 2, 1};
   const char* names[] = {"Tip", "pad", "pad tip", "side"};

@@ -1,4 +1,4 @@
-// The past of the simulation: scrubbed, replayed, gone on from, and stopped at, by keys and mouse.
+// Recorded steps of the simulation: scrubbed, replayed, resumed from and searched for events, with keys and mouse.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ Lines times(int count, const Lines& lines) {
   return all;
 }
 
-/// Where a step is in the timeline.
+/// Returns the position of a step in the timeline.
 std::string in_timeline(const Json& state, double step) {
   const Json &lanes = state["timeline"]["lanes"], &steps = state["timeline"]["steps"];
   const double first = steps[0], last = steps[1], x0 = lanes[0], x1 = lanes[2];
@@ -38,7 +38,7 @@ std::string in_timeline(const Json& state, double step) {
                0.5 * (lanes[1].get<double>() + lanes[3].get<double>()));
 }
 
-/// What views, bars and numbers show of a step, without what is known of steps besides.
+/// Returns the values that views, bars and numbers display of a step, without additional data about steps.
 Json shown(const Json& state) {
   Json json = {{"simulation", state["simulation"]},
                {"bars", state["bars"]},
@@ -51,7 +51,7 @@ Json shown(const Json& state) {
 
 const Lines kInContact{key("="), key("="), wait_time(1.3), key("Space"), kIdle};
 
-TEST(Time, ScrubbingBackTenStepsShowsWhatWasRecorded) {
+TEST(Time, ShowsRecordedStepsWhenScrubbedBackTenSteps) {
   const StudioProgram studio;
   Lines script = kInContact;
   for (int i = 0; i <= 10; ++i) {
@@ -83,7 +83,7 @@ TEST(Time, ScrubbingBackTenStepsShowsWhatWasRecorded) {
   EXPECT_FALSE(studio.state("forth10.json")["simulation"]["history"]["recorded"]) << "the newest is no past";
 }
 
-TEST(Time, FiveHundredStepsBackAlsoAfterTheLayoutWasChanged) {
+TEST(Time, GoesBackFiveHundredStepsAfterALayoutChange) {
   const StudioProgram studio;
   const Lines edited = joined(
       {kInContact,
@@ -93,7 +93,7 @@ TEST(Time, FiveHundredStepsBackAlsoAfterTheLayoutWasChanged) {
   const Json first = studio.state("first.json"), changed = studio.state("edited.json");
   const int step = first["simulation"]["step"];
   ASSERT_GE(changed["simulation"]["step"].get<int>(), step + 500);
-  // a click in the timeline is as exact as its pixels; keys go the rest
+  // A click in the timeline is as exact as its pixels. Keys go the remaining steps.
   const Lines clicked = joined({edited, {click(in_timeline(changed, step)), kIdle, dump("clicked.json")}});
   studio.play(clicked);
   const Json near = studio.state("clicked.json");
@@ -111,9 +111,9 @@ TEST(Time, FiveHundredStepsBackAlsoAfterTheLayoutWasChanged) {
   EXPECT_NE(changed["document"], first["document"]) << "it was changed";
 }
 
-TEST(Time, RunGoesOnFromTheStepThatIsShown) {
+TEST(Time, ResumesFromTheDisplayedStep) {
   const StudioProgram studio;
-  // against the largest reading of the sensor no taxel jumps here, so the contact is the only event
+  // Relative to the largest reading of the sensor no taxel jumps here, so the contact is the only event.
   studio.play(joined({{kIdle, press("of sensor"), kIdle},
                       kInContact,
                       {key("Left", kShift), kIdle, dump("back.json"), key("Space"), wait_time(0.8), key("Space"), kIdle,
@@ -121,7 +121,7 @@ TEST(Time, RunGoesOnFromTheStepThatIsShown) {
   const Json back = studio.state("back.json")["simulation"], again = studio.state("again.json")["simulation"];
   EXPECT_EQ(back["step"], back["history"]["events"][0]["step"]);
   EXPECT_EQ(back["history"]["events"][0]["what"], Json({"contact_begins"}));
-  EXPECT_EQ(again["history"]["last"], again["step"]) << "what came after the step that was shown is forgotten";
+  EXPECT_EQ(again["history"]["last"], again["step"]) << "later steps are discarded";
   EXPECT_GT(again["step"], back["step"]);
   EXPECT_LT(again["step"], back["history"]["last"]);
   EXPECT_FALSE(again["history"]["recorded"]);
@@ -130,10 +130,10 @@ TEST(Time, RunGoesOnFromTheStepThatIsShown) {
     return *std::max_element(peaks.begin(), peaks.end());
   };
   EXPECT_GT(highest(again), 0);
-  EXPECT_LT(highest(again), highest(back)) << "what has not been";
+  EXPECT_LT(highest(again), highest(back)) << "the discarded steps do not count";
 }
 
-TEST(Time, PausesWhereSamplesAndSurfaceDisagree) {
+TEST(Time, PausesAtALargeSamplingError) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, key("Backspace"), kIdle, press("Sampling error"), key("a", kCtrl), type("2"),
                        key("Enter"), kIdle, press("vs. exact integral"), kIdle, key("Space"), at_frame(170)},
@@ -145,13 +145,13 @@ TEST(Time, PausesWhereSamplesAndSurfaceDisagree) {
   EXPECT_GT(stop["part"], 0.02);
   EXPECT_EQ(simulation["history"]["events"].back()["step"], stop["step"]);
   EXPECT_NE(simulation["history"]["events"].back()["what"].dump().find("disagreement"), std::string::npos);
-  const auto taxel = stop["taxel"].get<std::size_t>();  // ids of the own fingertip count from 0
+  const auto taxel = stop["taxel"].get<std::size_t>();  // ids of our fingertip start at 0
   EXPECT_EQ(stop["sampled"], simulation["readings"][taxel]);
   EXPECT_NE(stop["exact"], stop["sampled"]);
   EXPECT_NE(studio.state("state.json")["messages"].dump().find("by the surface"), std::string::npos);
 }
 
-/// Measured against the largest reading so far of each taxel, or of all of them.
+/// Checks a jump relative to the largest reading so far of each taxel or, if `of_sensor`, of all taxels.
 void pauses_at_the_first_jump(bool of_sensor) {
   SCOPED_TRACE(of_sensor ? "of sensor" : "of each taxel");
   const StudioProgram studio;
@@ -167,7 +167,7 @@ void pauses_at_the_first_jump(bool of_sensor) {
   EXPECT_EQ(free["history"]["breakpoints"]["jump"], 0.01);
   EXPECT_EQ(free["history"]["breakpoints"]["of_sensor"], of_sensor);
   EXPECT_GE(free["history"]["steps"], 2000) << "of the whole sweep";
-  EXPECT_GT(free["history"]["bytes"], 2000 * 1000) << "and told in the timeline";
+  EXPECT_GT(free["history"]["bytes"], 2000 * 1000) << "and shown in the timeline";
   int first = 0;
   for (const Json& event : free["history"]["events"]) {
     const std::string what = event["what"].dump();
@@ -188,9 +188,9 @@ void pauses_at_the_first_jump(bool of_sensor) {
     const double change = std::abs(stopped["readings"][k].get<double>() - before["readings"][k].get<double>());
     return change / std::max(5.0, of_sensor ? of_all : peaks[k]);  // 5 Pa: 1e-4 of the modulus
   };
-  const auto which = stop["taxel"].get<std::size_t>();  // ids of the own fingertip count from 0
+  const auto which = stop["taxel"].get<std::size_t>();  // ids of our fingertip start at 0
   EXPECT_DOUBLE_EQ(stop["part"].get<double>(), part_of(which));
-  // Measured against its own peak a taxel that was touched just now does not count yet.
+  // Relative to its own peak, a taxel that has just been touched is not yet considered.
   if (of_sensor) {
     for (std::size_t k = 0; k < peaks.size(); ++k) EXPECT_LE(part_of(k), part_of(which)) << k;
   }
@@ -205,11 +205,11 @@ void pauses_at_the_first_jump(bool of_sensor) {
   EXPECT_NEAR(1e3 * (std::stod(numbers[2]) - std::stod(numbers[1])), change, 0.1 * std::abs(change)) << messages;
 }
 
-TEST(Time, PausesAtTheFirstStepInWhichATaxelJumps) {
+TEST(Time, PausesAtTheFirstJumpOfATaxel) {
   for (const bool of_sensor : {false, true}) pauses_at_the_first_jump(of_sensor);
 }
 
-TEST(Time, KeepsAsManyStepsAsAskedAndTellsWhatTheyTake) {
+TEST(Time, KeepsTheRequestedNumberOfStepsAndShowsTheirSize) {
   const StudioProgram studio;
   studio.play(joined({kInContact,
                       {dump("all.json"), press("Kept steps"), key("a", kCtrl), type("300"), key("Enter"), kIdle, kIdle,
@@ -233,7 +233,7 @@ TEST(Time, KeepsAsManyStepsAsAskedAndTellsWhatTheyTake) {
   EXPECT_TRUE(past["history"]["recorded"]);
 }
 
-TEST(Time, TheTimelineScrubsLoopsAndPlaysBackwards) {
+TEST(Time, ScrubsLoopsAndPlaysBackwardsInTheTimeline) {
   const StudioProgram studio;
   Lines start = joined({kInContact, {dump("start.json")}});
   studio.play(start);
@@ -295,7 +295,7 @@ TEST(Time, TheTimelineScrubsLoopsAndPlaysBackwards) {
   EXPECT_GT(seen.size(), 1U) << "it moves";
 }
 
-TEST(Time, EventsAreGoneToAndAClickInThePlotScrubs) {
+TEST(Time, GoesToEventsAndScrubsByAClickInThePlot) {
   const StudioProgram studio;
   studio.play(joined({kInContact,
                       {key("Left", kShift), kIdle, dump("one.json"), key("Right", kShift), kIdle, press("Plot"), kIdle,
@@ -309,7 +309,7 @@ TEST(Time, EventsAreGoneToAndAClickInThePlotScrubs) {
   EXPECT_NEAR(plot["travel"].get<double>(), 0.012, 0.0015) << "the middle of the axis, about";
 }
 
-TEST(Time, AnUnstableSceneStopsAtTheStepBeforeAndKeepsItsPast) {
+TEST(Time, StopsBeforeAnUnstableStepAndKeepsRecordedSteps) {
   const StudioProgram studio;
   write_text(studio.folder() / "unstable.xml", R"(<mujoco><option timestep="0.01" gravity="0 0 -9e9"/><worldbody>
     <body name="still"><geom type="box" size="0.1 0.1 0.1"/></body>

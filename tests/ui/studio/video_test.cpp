@@ -1,4 +1,4 @@
-// Videos: a picture of each step that was asked for, and an encoder beside, where there is one.
+// Videos: an image of each requested step, and an encoder if one is installed.
 #include <gtest/gtest.h>
 
 #include "script_lines.h"
@@ -7,7 +7,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// File > Export video, every ten steps, Enter.
+/// Returns lines that choose File > Export video, every ten steps, and press Enter.
 Lines video_of(const std::string& file) {
   const std::string all = key("a", kCtrl);
   return {press("File"),
@@ -28,7 +28,7 @@ Lines video_of(const std::string& file) {
 }
 const Lines kSomeSteps{R"({"do": "wait_time", "time": 0.03})", key("Space"), kIdle};
 
-/// Quickly compiled and drawn.
+/// Returns a layout that is quickly compiled and drawn.
 std::vector<std::string> coarse_sensor(const StudioProgram& studio) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
@@ -44,21 +44,21 @@ std::size_t pictures_in(const fs::path& folder) {
   return count;
 }
 
-TEST(Video, APictureOfEveryTenthStepWhateverThePace) {
+TEST(Video, HasAnImageOfEveryTenthStepAtAnySpeed) {
   const StudioProgram studio;
   studio.play(joined(
       {kSomeSteps, {dump("before.json")}, video_of((studio.folder() / "series").string()), {dump("after.json")}}));
   const Json before = studio.state("before.json")["simulation"], after = studio.state("after.json")["simulation"];
   const std::size_t last = before["history"]["last"];
   EXPECT_EQ(pictures_in(studio.folder() / "series"), last / 10 + 1);
-  EXPECT_EQ(after["step"], before["step"]) << "what was shown is shown again";
+  EXPECT_EQ(after["step"], before["step"]) << "the displayed step is restored";
   const Picture first = studio.picture("series/frame_000001.png"), fourth = studio.picture("series/frame_000004.png");
   EXPECT_EQ(first.width, studio.state("before.json")["view"]["width"]);
   EXPECT_NE(first.rgb, fourth.rgb) << "the finger moved";
   EXPECT_NE(studio.state("after.json")["messages"].dump().find("PNG frames are in"), std::string::npos);
 }
 
-/// A program named ffmpeg in a folder of its own, first in PATH.
+/// A program named ffmpeg in its own folder, which is first in PATH.
 class EncoderInPath {
  public:
   explicit EncoderInPath(const fs::path& folder, const std::string& body) {
@@ -80,7 +80,7 @@ class EncoderInPath {
   std::string before_;
 };
 
-TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
+TEST(Video, GivesImagesToTheEncoderAndTheNameToItsFile) {
   const StudioProgram studio;
   const EncoderInPath encoder(studio.folder() / "bin", "for last; do :; done\nprintf '%s\\n' \"$@\" > \"" +
                                                            (studio.folder() / "arguments").string() +
@@ -94,7 +94,7 @@ TEST(Video, TheEncoderGetsThePicturesAndItsFileTakesTheName) {
   EXPECT_NE(arguments.find("frame_%06d.png"), std::string::npos);
 }
 
-TEST(Video, WithoutAnEncoderThePicturesStayAndItIsSaid) {
+TEST(Video, KeepsTheImagesAndReportsAMissingEncoder) {
   const StudioProgram studio;
   const EncoderInPath none(studio.folder() / "empty", "");
   studio.play(joined({kSomeSteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}),
@@ -105,7 +105,7 @@ TEST(Video, WithoutAnEncoderThePicturesStayAndItIsSaid) {
             std::string::npos);
 }
 
-TEST(Video, AnEncoderThatFailsIsQuotedAndThePicturesStay) {
+TEST(Video, KeepsTheImagesAndQuotesAFailedEncoder) {
   const StudioProgram studio;
   const EncoderInPath failing(studio.folder() / "bin", "echo 'no such codec' >&2\nexit 3\n");
   studio.play(joined({kSomeSteps, video_of((studio.folder() / "bad.mp4").string()), {dump("bad.json")}}),
@@ -115,10 +115,10 @@ TEST(Video, AnEncoderThatFailsIsQuotedAndThePicturesStay) {
   EXPECT_NE(studio.state("bad.json")["messages"].dump().find("ffmpeg failed (no such codec)"), std::string::npos);
 }
 
-TEST(Video, CancelLeavesNothing) {
+TEST(Video, LeavesNothingIfCancelled) {
   const StudioProgram studio;
   Lines video = video_of((studio.folder() / "series").string());
-  video.resize(video.size() - 2);  // without waiting for it
+  video.resize(video.size() - 2);  // without waiting for the video
   studio.play(joined({kSomeSteps,
                       video,
                       {R"({"do": "wait_for", "pointer": "/video/active", "equals": true})", key("Escape"), kIdle,

@@ -1,5 +1,5 @@
-// Drawing only what changed gives the picture that drawing everything gives, pixel by pixel, and but for rounding the
-// same as drawing straight into the window.
+// Drawing only the changes gives the same frame as drawing everything, pixel by pixel, and except for rounding the same
+// as drawing directly into the window.
 #include "app/studio/shell/window/window_painter.h"
 
 #include <epoxy/gl.h>
@@ -45,7 +45,7 @@ class WindowPainterTest : public testing::Test {
     return window->read().rgb;
   }
 
-  /// All of it, drawn the way the changes are.
+  /// Returns the frame drawn completely, by the same method as the changes.
   std::vector<unsigned char> painted_anew() {
     anew.forget();
     return painted(anew);
@@ -55,7 +55,7 @@ class WindowPainterTest : public testing::Test {
   WindowPainter sparing{false}, anew{false}, whole{true};
 };
 
-/// Pixels whose colours differ by more than rounding.
+/// Returns the number of pixels whose colours differ by more than rounding.
 int differing(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b) {
   EXPECT_EQ(a.size(), b.size());
   int count = 0;
@@ -66,7 +66,7 @@ int differing(const std::vector<unsigned char>& a, const std::vector<unsigned ch
   return count;
 }
 
-TEST_F(WindowPainterTest, EveryPictureIsThatOfDrawingAll) {
+TEST_F(WindowPainterTest, DrawsEveryFrameLikeACompleteRedraw) {
   long long least = kWidth * kHeight;
   for (int i = 0; i < 40; ++i) {
     begin_frame();
@@ -81,13 +81,14 @@ TEST_F(WindowPainterTest, EveryPictureIsThatOfDrawingAll) {
     const auto sparingly = painted(sparing);
     least = std::min(least, sparing.painted_pixels());
     ASSERT_EQ(sparingly, painted_anew()) << "picture " << i;
-    // Straight into the window, not upside down and copied: an edge that meets the middle of pixels falls elsewhere.
+    // Drawn directly into the window, without the flip and the copy: an edge through the centre of pixels may be
+    // rasterised differently.
     ASSERT_LT(differing(sparingly, painted(whole)), kWidth * kHeight / 2000) << "picture " << i;
   }
   EXPECT_LT(least, kWidth * kHeight / 4);
 }
 
-TEST_F(WindowPainterTest, AnUnchangedPictureCostsNothing) {
+TEST_F(WindowPainterTest, DrawsNothingForAnUnchangedFrame) {
   for (int i = 0; i < 5; ++i) {
     begin_frame();
     box("still", 10, 10, "the same");
@@ -100,7 +101,7 @@ TEST_F(WindowPainterTest, AnUnchangedPictureCostsNothing) {
   EXPECT_EQ(sparing.painted_pixels(), kWidth * kHeight);
 }
 
-TEST_F(WindowPainterTest, ATextureThatChangesIsDrawnAnew) {
+TEST_F(WindowPainterTest, RedrawsAChangedTexture) {
   gl::Texture texture(GL_RGBA8, 1, 1);
   const auto show = [&](unsigned char level, int draws) {
     const std::vector<unsigned char> pixel{level, 0, 0, 255};
@@ -116,7 +117,7 @@ TEST_F(WindowPainterTest, ATextureThatChangesIsDrawnAnew) {
     EXPECT_EQ(sparingly, painted_anew());
     return sparingly;
   };
-  for (int i = 0; i < 4; ++i) show(10, 1);  // ImGui sizes windows in their first pictures
+  for (int i = 0; i < 4; ++i) show(10, 1);  // ImGui sizes windows in their first frames
   const auto before = show(10, 1), after = show(200, 2);
   EXPECT_NE(before, after);
   EXPECT_LT(sparing.painted_pixels(), kWidth * kHeight / 2);

@@ -13,7 +13,8 @@
 namespace taxel::ui {
 namespace {
 
-/// Times that a closed path goes round a point, from the angles that its pieces turn by: another way to the same.
+/// Returns the winding number of a closed path about a point, as the sum of the angles of its segments. This is
+/// independent of the tested method.
 int winding(const std::vector<dvec2>& corners, const dvec2& p) {
   double turned = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -23,7 +24,7 @@ int winding(const std::vector<dvec2>& corners, const dvec2& p) {
   return static_cast<int>(std::lround(turned / (2 * glm::pi<double>())));
 }
 
-TEST(AreaSelect, APolygonHoldsWhatItGoesRoundAnOddNumberOfTimes) {
+TEST(AreaSelect, ContainsPointsWithAnOddWindingNumber) {
   const CounterRng rng(3);
   int inside = 0;
   for (std::uint64_t trial = 0; trial < 300; ++trial) {
@@ -41,13 +42,13 @@ TEST(AreaSelect, APolygonHoldsWhatItGoesRoundAnOddNumberOfTimes) {
   EXPECT_GT(inside, 1000);
 }
 
-TEST(AreaSelect, LessThanATriangleHoldsNothing) {
+TEST(AreaSelect, ContainsNothingWithFewerThanThreeCorners) {
   EXPECT_FALSE(in_polygon({}, {0, 0}));
   EXPECT_FALSE(in_polygon({{0, 0}}, {0, 0}));
   EXPECT_FALSE(in_polygon({{0, 0}, {1, 1}}, {0.5, 0.5}));
 }
 
-/// Taxels 1 to 3 face the eye, from left to right; taxel 4 is behind taxel 2, on the far side of the ball.
+/// Taxels 1 to 3 face the eye, from left to right. Taxel 4 is behind taxel 2, on the far side of the ball.
 struct BallOfFour {
   test::InterfaceFrames interface;
   test::ToolScene scene{{dvec3(1, -0.6, 0), dvec3(1, 0, 0), dvec3(1, 0.6, 0), dvec3(-1, 0, 0)}};
@@ -61,7 +62,7 @@ struct BallOfFour {
       if (i == 0) interface.button(true);
       interface.frame([&] { EXPECT_FALSE(draw_area(scene.ui, scene.input, corners[i], true)); });
     }
-    // a box ends opposite to where it began, a lasso next to it
+    // A box ends opposite to its first corner, a lasso next to it.
     const dvec2 end = tool == Tool::lasso ? corners[3] : corners[2];
     interface.move(end.x, end.y);
     interface.button(false);
@@ -94,7 +95,7 @@ TEST(AreaSelect, LeavesOutHiddenTaxels) {
   }
 }
 
-TEST(AreaSelect, SelectsWhatIsInsideAndKeepsToItsModifiers) {
+TEST(AreaSelect, SelectsTheTaxelsInsideByItsModifiers) {
   for (const Tool tool : {Tool::box, Tool::lasso}) {
     BallOfFour ball;
     EXPECT_EQ(ball.drawn(tool, {1, 1}, {399, 598}), (std::vector<int>{1})) << "left half";

@@ -11,7 +11,7 @@
 namespace taxel::ui {
 namespace {
 
-TEST(Rows, SettingsKeysAreUnique) {
+TEST(Rows, HaveUniqueSettingsKeys) {
   std::set<std::string> keys;
   for (const OverlaySpec& row : overlays()) EXPECT_TRUE(keys.insert(row.key).second) << row.key;
   for (const PanelSpec& row : panels()) {
@@ -20,7 +20,7 @@ TEST(Rows, SettingsKeysAreUnique) {
   }
 }
 
-TEST(Rows, PanelsWithASettingHaveAMenuEntry) {
+TEST(Rows, HaveAMenuEntryForPanelsWithASetting) {
   std::set<std::string> titles;
   for (const PanelSpec& row : panels()) {
     EXPECT_TRUE(titles.insert(row.title).second) << row.title;
@@ -30,7 +30,7 @@ TEST(Rows, PanelsWithASettingHaveAMenuEntry) {
   }
 }
 
-TEST(Rows, OverlaysAreInTheViewMenu) {
+TEST(Rows, PutOverlaysIntoTheViewMenu) {
   for (const OverlaySpec& row : overlays()) {
     const Binding& binding = binding_of(ToggleOverlay{row.on});
     EXPECT_STREQ(binding.menu, "View") << row.key;
@@ -46,7 +46,7 @@ TEST(Bindings, FindARowByTheValuesOfItsCommand) {
   EXPECT_STREQ(binding_of(ToggleGroup{&Overlays::site_groups, 4}).label, "Sites of group 4");
 }
 
-TEST(Bindings, MenusBeginWithoutALine) {
+TEST(Bindings, BeginMenusWithoutASeparator) {
   std::set<std::string> begun;
   for (const Binding& row : bindings()) {
     if (row.menu == nullptr) {
@@ -59,7 +59,7 @@ TEST(Bindings, MenusBeginWithoutALine) {
                                           "View/Groups"}));
 }
 
-TEST(Bindings, LinesSeparateTheBlocksOfAMenu) {
+TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
   std::set<std::string> separated;
   for (const Binding& row : bindings())
     if (row.separated) separated.insert(row.label);

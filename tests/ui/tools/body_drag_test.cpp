@@ -8,7 +8,7 @@
 namespace taxel::ui {
 namespace {
 
-/// A selected body at the origin, which is drawn as a ball.
+/// A selected body at the origin that is drawn as a ball.
 struct HeldBody {
   test::InterfaceFrames interface;
   test::ToolScene scene{{dvec3(1, 0, 0)}};
@@ -25,7 +25,7 @@ struct HeldBody {
     scene.ui.selection.body = 1;
     scene.ui.perturb.geom = 0;
   }
-  /// What a drag to the right with these keys asks for.
+  /// Returns the perturbation that a drag to the right with these keys requests.
   Perturb dragged(int button, bool alt, bool shift) {
     const auto at = [&](double x) {
       interface.move(x, 300);
@@ -49,7 +49,7 @@ struct HeldBody {
   }
 };
 
-TEST(BodyDrag, CtrlTurnsAndCtrlAltOrTheRightButtonPull) {
+TEST(BodyDrag, TurnsByCtrlAndPullsByCtrlAltOrRightButton) {
   HeldBody body;
   const Perturb turned = body.dragged(ImGuiMouseButton_Left, false, false);
   EXPECT_EQ(turned.kind, Perturb::Kind::turn);

@@ -1,4 +1,4 @@
-// Dashes on the screen: their lengths, and that they lie on the curve.
+// Dashes on the screen: their lengths, and their position on the curve.
 #include "ui/widgets/dashed_curve.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(DashedCurve, CutsAStraightLineIntoEqualDashes) {
   }
 }
 
-TEST(DashedCurve, RunsOnOverCorners) {
+TEST(DashedCurve, ContinuesDashesAroundCorners) {
   CurvePoints zigzag;
   for (int i = 0; i <= 200; ++i) zigzag.x.push_back(i), zigzag.y.push_back(i % 2);
   const double sqrt2 = std::sqrt(2.0);
@@ -30,7 +30,7 @@ TEST(DashedCurve, RunsOnOverCorners) {
   for (std::size_t i = 0; i < dashes.x.size(); ++i) {
     if (std::isnan(dashes.x[i])) {
       if (++count < 28) {
-        EXPECT_NEAR(of_dash, 6, 0.05) << count;  // pixels: a last step is never shorter than that
+        EXPECT_NEAR(of_dash, 6, 0.05) << count;  // pixels; the last segment is never shorter than this
       }
       length += of_dash, of_dash = 0;
     } else if (i > 0 && !std::isnan(dashes.x[i - 1])) {
@@ -43,7 +43,7 @@ TEST(DashedCurve, RunsOnOverCorners) {
   EXPECT_NEAR(length + of_dash, 0.6 * 200 * sqrt2, 6);
 }
 
-TEST(DashedCurve, HasNoneOfAPoint) {
+TEST(DashedCurve, HasNoDashesForASinglePoint) {
   EXPECT_TRUE(dashes_of({{1}, {2}}, 1, 1, {6, 4}).x.empty());
   EXPECT_TRUE(dashes_of({{1, 1}, {2, 2}}, 1, 1, {6, 4}).x.empty());
 }

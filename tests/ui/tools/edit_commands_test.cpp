@@ -16,7 +16,7 @@ struct Ball : test::ToolScene {
   void run(const C& command) {
     perform(command, ui, input);
   }
-  /// The newest edit that was posted; it has to be of this kind.
+  /// Returns the newest posted edit, which must be of this kind.
   template <class E>
   [[nodiscard]] const E& edit() const {
     return std::get<E>(asked<EditProject>()->edit);

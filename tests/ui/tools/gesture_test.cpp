@@ -1,4 +1,4 @@
-// Gestures: their steps and their pace under Ctrl and Shift, and the time of a way point that is added.
+// Gestures: their steps, their speed under Ctrl and Shift, and the time of an added waypoint.
 #include "app/studio/features/taxel/gesture.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +14,10 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kMoveStep = 1e-3, kTurnStepDeg = 5, kRadiusStep = 0.5e-3;  // [m], [degrees], [m]: those of the guide
+// Steps of the user guide: [m], [degrees], [m].
+constexpr double kMoveStep = 1e-3, kTurnStepDeg = 5, kRadiusStep = 0.5e-3;
 
-TEST(GestureSteps, AreTheGuidesOwn) {
+TEST(GestureSteps, EqualThoseOfTheUserGuide) {
   std::ifstream file(TAXEL_SOURCE_DIR "/docs/user_guide.md");
   std::stringstream guide;
   guide << file.rdbuf();
@@ -74,7 +75,7 @@ TEST(GestureSteps, TurnByWholeSteps) {
   EXPECT_NEAR(about_x(0.74), 0.1 * kTurnStepDeg, 1e-9);
 }
 
-TEST(GestureSteps, TurnAsThePointerGoesSeenFromEitherSide) {
+TEST(GestureSteps, TurnWithThePointerSeenFromEitherSide) {
   for (const double elevation : {40.0, -40.0}) {
     OneTaxel one(Tool::turn);
     one.scene.ui.camera().elevation_deg = elevation;  // z points to the eye, or away from the eye
@@ -103,7 +104,7 @@ TEST(GestureSteps, ResizeToWholeSteps) {
   EXPECT_NEAR(radius(12), 0.00225, 1e-12);
 }
 
-TEST(GestureSteps, MoveAlongAnAxisByThePointersWay) {
+TEST(GestureSteps, MoveAlongAnAxisByTheWayOfThePointer) {
   OneTaxel one(Tool::move);
   one.tool.input.axis = 1;
   const dvec3 center = one.tool.start[0].center;
@@ -148,7 +149,7 @@ TEST(GesturePace, IsATenthWithShift) {
   EXPECT_FALSE(scene.ui.tool.input.precise);
 }
 
-/// A running path of way points at these times.
+/// A running path of waypoints at these times.
 struct RunningPath {
   test::ToolScene scene{{dvec3(1, 0, 0)}};
   Pose X_now{{1, 0, 0, 0}, {0.03, 0.02, 0.01}};
@@ -164,7 +165,7 @@ struct RunningPath {
     scene.input.frame = frame;
     scene.input.runs_scenario = true;
   }
-  /// The times of the path after a way point was added behind the selected one.
+  /// Returns the times of the path after a waypoint was added behind the selected one.
   std::vector<double> added(int selected) {
     scene.ui.path.selected = selected;
     add_way_point(scene.ui, scene.input);

@@ -1,4 +1,4 @@
-// Frames of an interface without a window: keys and the pointer go in, what tools and actions do comes out.
+// Frames of an interface without a window: keys and the pointer go in, the effects of tools and actions come out.
 #pragma once
 
 #include <imgui.h>
@@ -7,7 +7,7 @@
 
 namespace taxel::ui::test {
 
-/// Dear ImGui without a renderer. One at a time.
+/// Dear ImGui without a renderer. Only one object may exist at a time.
 class InterfaceFrames {
  public:
   InterfaceFrames() {

@@ -1,4 +1,4 @@
-// Keys and commands: which key posts what, and where scales and speeds end.
+// Keys and commands: the command that each key posts, and the limits of scales and speeds.
 #include "app/studio/app/perform.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 namespace taxel::ui {
 namespace {
 
-/// The table of keys is written down twice on purpose: a key that changes by mistake differs from bindings.txt. After a
-/// change that is wanted, run `taxelstudio --list-bindings > tests/ui/tools/bindings.txt`.
-TEST(Keys, AreThoseOfTheListInTheTests) {
+/// The table of keys is written down twice on purpose: a key that changes by mistake differs from bindings.txt. After
+/// an intended change, run `taxelstudio --list-bindings > tests/ui/tools/bindings.txt`.
+TEST(Keys, EqualTheListInTheTests) {
   std::ifstream file(TAXEL_SOURCE_DIR "/tests/ui/tools/bindings.txt");
   std::stringstream expected;
   expected << file.rdbuf();
@@ -26,7 +26,7 @@ TEST(Keys, AreThoseOfTheListInTheTests) {
 
 using test::Running;
 
-TEST(Keys, GoThroughTimeInTheRightDirection) {
+TEST(Keys, MoveThroughTimeInTheRightDirection) {
   Running run;
   ASSERT_NE(run.pressed<SetSpeed>(ImGuiKey_Equal), nullptr);
   EXPECT_EQ(run.scene.asked<SetSpeed>()->factor, 2);
@@ -49,7 +49,7 @@ TEST(Keys, GoThroughTimeInTheRightDirection) {
   EXPECT_NE(run.pressed<ResetSimulation>(ImGuiKey_Backspace), nullptr);
 }
 
-TEST(Overlays, EachRowTogglesItsOwnValue) {
+TEST(Overlays, ToggleTheValueOfTheirRow) {
   Running run;
   const Overlays before = run.scene.ui.saved.overlays;
   for (const OverlaySpec& row : overlays()) {
@@ -62,7 +62,7 @@ TEST(Overlays, EachRowTogglesItsOwnValue) {
   }
 }
 
-TEST(Overlays, EachGroupTogglesItsOwnValue) {
+TEST(Overlays, ToggleTheValueOfTheirGroup) {
   Running run;
   Overlays& shown = run.scene.ui.saved.overlays;
   for (GroupsShown Overlays::*groups : {&Overlays::geom_groups, &Overlays::site_groups}) {
@@ -75,7 +75,7 @@ TEST(Overlays, EachGroupTogglesItsOwnValue) {
   }
 }
 
-TEST(Panels, EachRowOpensOrClosesItsPanel) {
+TEST(Panels, OpenAndCloseByTheirRows) {
   Running run;
   for (const PanelSpec& row : panels()) {
     if (row.shown == nullptr) continue;
@@ -142,7 +142,7 @@ TEST(TimelineSteps, FillEqualColumns) {
   }
 }
 
-TEST(TimelineEvents, HaveAColourEach) {
+TEST(TimelineEvents, HaveDifferentColours) {
   const Palette& colors = palette(true);
   const auto same = [](const ImVec4& a, const ImVec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   const auto color = [&](StepEvent event) { return event_color({0, 0, 0, static_cast<std::uint8_t>(event)}, colors); };

@@ -1,4 +1,4 @@
-// Numbers, colours and orders that panels show.
+// Numbers, colours and orders in panels.
 #include <gtest/gtest.h>
 
 #include "app/studio/features/bars/pressure_bars.h"
@@ -9,7 +9,7 @@
 namespace taxel::ui {
 namespace {
 
-TEST(Numbers, HaveTheUnitThatTheyName) {
+TEST(Numbers, HaveTheNamedUnit) {
   EXPECT_EQ(in_mm(0.0123, 2), "12.30 mm");
   EXPECT_EQ(in_mm(dvec3(0.001, -0.002, 0.5), 1), "1.0, -2.0, 500.0 mm");
   EXPECT_EQ(in_mm2(12.346e-6), "12.35 mm\u00b2");
@@ -28,7 +28,7 @@ TEST(Numbers, HaveTheUnitThatTheyName) {
   EXPECT_EQ(number_in_unit(0.5, shown_unit(Aggregate::force)), "0.50");
 }
 
-TEST(TaxelColors, AreThoseOfOkabeAndIto) {
+TEST(TaxelColors, EqualThoseOfOkabeAndIto) {
   const auto expect = [](int number, int red, int green, int blue) {
     const glm::vec3 color = taxel_color(number);
     EXPECT_NEAR(255 * color.x, red, 0.01) << number;
@@ -38,7 +38,7 @@ TEST(TaxelColors, AreThoseOfOkabeAndIto) {
   expect(0, 230, 159, 0);   // orange
   expect(1, 86, 180, 233);  // sky blue
   expect(5, 213, 94, 0);    // vermilion
-  expect(24, 230, 159, 0);  // again the first
+  expect(24, 230, 159, 0);  // the first colour again
 }
 
 TEST(PressureBars, HaveRoomForPeaksAndValues) {
@@ -48,7 +48,7 @@ TEST(PressureBars, HaveRoomForPeaksAndValues) {
   EXPECT_EQ(bars_top({{1, 0, 0, 0}}, kilopascals), 1000) << "1 kPa without a reading";
 }
 
-TEST(TaxelTableRows, AreSortedByTheColumnThatWasClicked) {
+TEST(TaxelTableRows, AreSortedByTheClickedColumn) {
   Layout layout;
   for (int id = 1; id <= 3; ++id) {
     layout.taxels.emplace_back();
@@ -58,7 +58,7 @@ TEST(TaxelTableRows, AreSortedByTheColumnThatWasClicked) {
   std::vector<double> readings(3);
   std::vector<int> samples(3);
   TableState table;
-  for (std::size_t rank = 0; rank < 3; ++rank) {  // each column ascends in another order
+  for (std::size_t rank = 0; rank < 3; ++rank) {  // each column ascends in a different order
     const auto at = [&](std::size_t column) -> std::size_t { return static_cast<std::size_t>(orders[column][rank]); };
     const auto value = static_cast<double>(rank);
     for (int axis = 0; axis < 3; ++axis) layout.taxels[at(static_cast<std::size_t>(axis))].center[axis] = value;

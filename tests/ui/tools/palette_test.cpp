@@ -22,7 +22,7 @@ bool is_listed(const Binding& row) {
          !std::holds_alternative<OpenPalette>(row.command);
 }
 
-TEST(Palette, FindsTheMeantCommand) {
+TEST(Palette, FindsTheIntendedCommand) {
   EXPECT_TRUE(finds("export", ExportFile{FileTask::export_layout}));
   EXPECT_TRUE(finds("LAYOUT MODE", SetMode{Mode::layout}));
   EXPECT_TRUE(finds("cov", ToggleOverlay{&Overlays::coverage}));
@@ -35,7 +35,7 @@ TEST(Palette, FindsTheMeantCommand) {
   EXPECT_TRUE(finds("select i", ToggleTool{Tool::box})) << "a name that begins so goes before one that has it within";
 }
 
-TEST(Palette, EveryCommandIsFoundFirstByItsWholeName) {
+TEST(Palette, FindsEveryCommandFirstByItsWholeName) {
   for (const Binding& b : bindings()) {
     const std::vector<const Binding*> found = find_commands(b.label);
     if (!is_listed(b)) {

@@ -1,4 +1,4 @@
-// Curves of long traces: no row is left out, and what is drawn of them has every extreme.
+// Curves of long traces: no row is omitted, and the drawn curve contains every extreme value.
 #include "app/studio/features/plot/plot_curves.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStep = 1e-3;  // [s]
 
-/// Slow waves, with a spike of one row here and there.
+/// Returns slow waves with occasional spikes of one row.
 Trace trace_with_spikes(std::size_t rows, std::size_t taxels) {
   const CounterRng rng(7);
   std::uint64_t n = 0;
@@ -32,7 +32,7 @@ Trace trace_with_spikes(std::size_t rows, std::size_t taxels) {
   return trace;
 }
 
-TEST(PlotCurves, EveryExtremeOfALongTraceIsDrawn) {
+TEST(PlotCurves, DrawEveryExtremeOfALongTrace) {
   constexpr std::size_t kRows = 100000, kTaxels = 3;
   const Trace trace = trace_with_spikes(kRows, kTaxels);
   PlotCurves curves;
@@ -65,7 +65,7 @@ TEST(PlotCurves, EveryExtremeOfALongTraceIsDrawn) {
   EXPECT_EQ(curves.largest, *std::max_element(curves.peaks.begin(), curves.peaks.end()));
 }
 
-TEST(PlotCurves, AreMadeAnewForOtherRowsAndOtherAxes) {
+TEST(PlotCurves, AreRebuiltForOtherRowsAndOtherAxes) {
   Trace trace = trace_with_spikes(50, 1);
   PlotCurves curves;
   update_curves(curves, trace, true);
@@ -80,8 +80,8 @@ TEST(PlotCurves, AreMadeAnewForOtherRowsAndOtherAxes) {
   EXPECT_EQ(curves.x.back(), 1);
 }
 
-/// A run that goes on adds rows; one that goes on from an earlier step has others in place of the last ones.
-TEST(PlotCurves, RowsThatAreAddedOrReplacedGiveWhatAllOfThemGive) {
+/// A run that continues adds rows. A run that resumes from an earlier step replaces the last rows.
+TEST(PlotCurves, GiveTheSameCurveForAddedAndReplacedRows) {
   const Trace all = trace_with_spikes(3000, 2);
   const auto same = [](const PlotCurves& a, const PlotCurves& b) {
     EXPECT_EQ(a.x, b.x);
@@ -104,7 +104,7 @@ TEST(PlotCurves, RowsThatAreAddedOrReplacedGiveWhatAllOfThemGive) {
   ASSERT_TRUE(curves.polished_from);
   EXPECT_EQ(*curves.polished_from, more.rows[1200].time);
   Trace other{more.rows, more.edition + 1};
-  other.rows[3].readings[1] = 9000;  // far behind the end
+  other.rows[3].readings[1] = 9000;  // far before the end
   update_curves(curves, other, false);
   same(curves, made_of(other));
   EXPECT_EQ(curves.largest, 9000);

@@ -1,4 +1,4 @@
-// Thinned curves against the ones they stand for.
+// Thinned curves compared with the original curves.
 #include "ui/widgets/thin_curve.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct Curve {
   std::vector<double> x, y;
 };
 
-/// A walk with jumps and rests; x sometimes stays.
+/// Returns a random walk with jumps and rests. The x value sometimes stays constant.
 Curve random_curve(std::uint64_t seed, std::size_t points) {
   const CounterRng rng(seed);
   std::uint64_t n = 0;
@@ -33,7 +33,7 @@ Curve random_curve(std::uint64_t seed, std::size_t points) {
   return c;
 }
 
-/// Height of the polyline at x, where it is not upright.
+/// Returns the height of the polyline at x, where the polyline is not vertical.
 double at(const CurvePoints& line, double x) {
   const auto after = std::upper_bound(line.x.begin(), line.x.end(), x);
   if (after == line.x.end()) return line.y.back();
@@ -42,7 +42,7 @@ double at(const CurvePoints& line, double x) {
   return line.y[i - 1] + t * (line.y[i] - line.y[i - 1]);
 }
 
-TEST(ThinCurve, StaysWithinToleranceOfEveryPointWhereColumnsHoldOne) {
+TEST(ThinCurve, StaysWithinToleranceOfEveryPointWithOnePerColumn) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Curve c = random_curve(seed, 600);
     for (std::size_t i = 0; i < c.x.size(); ++i) c.x[i] = static_cast<double>(i);
@@ -80,7 +80,7 @@ TEST(ThinCurve, KeepsTheExtremesOfEveryColumn) {
   }
 }
 
-TEST(ThinCurve, OfAStraightLineTheEndsAreLeft) {
+TEST(ThinCurve, KeepsOnlyTheEndsOfAStraightLine) {
   Curve c;
   for (int i = 0; i <= 1000; ++i) c.x.push_back(i), c.y.push_back(3 + 0.5 * i);
   CurvePoints thin;
@@ -94,7 +94,7 @@ TEST(ThinCurve, OfAStraightLineTheEndsAreLeft) {
   EXPECT_EQ(thin.x, std::vector<double>{2});
 }
 
-TEST(ThinCurve, AStepStaysAStep) {
+TEST(ThinCurve, KeepsAStepAsAStep) {
   Curve c;
   for (int i = 0; i < 100; ++i) c.x.push_back(i), c.y.push_back(i < 50 ? 0 : 7);
   CurvePoints thin;

@@ -1,4 +1,4 @@
-// A ball that has taxels, as tools see it, without a window.
+// A ball with taxels, as tools see it, without a window.
 #pragma once
 
 #include <utility>
@@ -11,7 +11,7 @@ namespace taxel::ui::test {
 
 inline constexpr double kBallRadius = 0.01;  // [m]
 
-/// A ball about the origin, seen along -x from 80 mm away, z up: y runs to the right of the view.
+/// A ball about the origin, seen along -x from 80 mm away, z up: y points to the right of the view.
 struct ToolScene {
   UiState ui;
   UiInput input;
@@ -43,7 +43,7 @@ struct ToolScene {
     }
     publish();
   }
-  /// The project as it is now becomes the one that is edited.
+  /// Makes the present project the edited one.
   void publish() { input.editing.project = std::make_shared<const Project>(project); }
   [[nodiscard]] dvec2 pixel(const dvec3& p) const {
     return dvec2(ui.camera().project(p, ui.view.width, ui.view.height));

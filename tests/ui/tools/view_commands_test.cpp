@@ -57,7 +57,7 @@ TEST(Escape, ClosesGenerateBeforeTheHelp) {
   EXPECT_FALSE(window.ui.saved.panels.help);
 }
 
-TEST(Escape, LeavesThePickOfTheFrameBeforeTheMeasure) {
+TEST(Escape, LeavesThePickOfTheFrameBeforeTheMeasurement) {
   Window window;
   window.ui.mesh.pick = FramePick::tip;
   window.ui.measure.on = true;
@@ -66,7 +66,7 @@ TEST(Escape, LeavesThePickOfTheFrameBeforeTheMeasure) {
   EXPECT_TRUE(window.ui.measure.on);
 }
 
-TEST(Escape, LeavesTheMeasureBeforeTheProbe) {
+TEST(Escape, LeavesTheMeasurementBeforeTheProbe) {
   Window window;
   window.ui.measure.on = window.ui.probe.on = true;
   window.run(Escape{});
@@ -76,7 +76,7 @@ TEST(Escape, LeavesTheMeasureBeforeTheProbe) {
   EXPECT_FALSE(window.ui.probe.on);
 }
 
-TEST(Escape, LetsGoOfADraggedWaypointBeforeItsSelection) {
+TEST(Escape, ReleasesADraggedWaypointBeforeItsSelection) {
   Window window;
   window.ui.path.held = window.ui.path.moved = true;
   window.ui.path.selected = 1;

@@ -1,4 +1,4 @@
-// The mouse over the 3-D view: what each button, wheel and modifier does.
+// The mouse over the 3-D view: the effect of each button, the wheel and the modifiers.
 #include <gtest/gtest.h>
 
 #include "app/studio/app/pointing/view_mouse.h"
@@ -9,7 +9,7 @@
 namespace taxel::ui {
 namespace {
 
-/// The view of a ball with one taxel fills the window.
+/// The view of a ball with one taxel, which fills the window.
 struct View {
   test::InterfaceFrames interface;
   test::ToolScene scene{{dvec3(1, 0, 0)}};
@@ -45,7 +45,7 @@ struct View {
     interface.move(at.x, at.y);
     frame();
     drag(ImGuiMouseButton_Left, {0, 0});
-    for (int i = 0; i < 30; ++i) frame();  // the next one is no double-click
+    for (int i = 0; i < 30; ++i) frame();  // so that the next click is not a double-click
   }
   void wheel(float notches) {
     ImGui::GetIO().AddMouseWheelEvent(0, notches);
@@ -54,7 +54,7 @@ struct View {
   Camera& camera() { return scene.ui.camera(); }
 };
 
-TEST(ViewMouse, DragsTurnTheSceneAsTheHandMoves) {
+TEST(ViewMouse, OrbitsInTheDirectionOfTheDrag) {
   View view;
   const dvec3 front(test::kBallRadius, 0, 0);
   const dvec2 before = view.scene.pixel(front);
@@ -64,7 +64,7 @@ TEST(ViewMouse, DragsTurnTheSceneAsTheHandMoves) {
   EXPECT_GT(view.scene.pixel(front).y, before.y + 1);
 }
 
-TEST(ViewMouse, PansKeepTheHeightWithShift) {
+TEST(ViewMouse, KeepsTheHeightOfAPanWithShift) {
   View view;
   view.camera().elevation_deg = 40;
   const Camera before = view.camera();
@@ -80,7 +80,7 @@ TEST(ViewMouse, PansKeepTheHeightWithShift) {
   EXPECT_NE(view.camera().target.x, before.target.x);
 }
 
-TEST(ViewMouse, TheWheelZoomsMovesTheClipPlaneOrResizes) {
+TEST(ViewMouse, ZoomsMovesTheClipPlaneOrResizesByTheWheel) {
   View view;
   const double distance = view.camera().distance;
   view.wheel(1);
@@ -104,7 +104,7 @@ TEST(ViewMouse, TheWheelZoomsMovesTheClipPlaneOrResizes) {
   EXPECT_EQ(view.camera().distance, near);
 }
 
-TEST(ViewMouse, ShiftAndCtrlEraseWithTheBrush) {
+TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
   for (const ImGuiKey modifier : {ImGuiKey_None, ImGuiMod_Shift, ImGuiMod_Ctrl}) {
     View view;
     std::vector<int> region;
@@ -128,7 +128,7 @@ TEST(ViewMouse, ShiftAndCtrlEraseWithTheBrush) {
   }
 }
 
-TEST(ViewMouse, AThirdClickBeginsTheNextMeasure) {
+TEST(ViewMouse, StartsTheNextMeasurementByAThirdClick) {
   View view;
   toggle_measure(view.scene.ui, view.scene.input);
   ASSERT_TRUE(view.scene.ui.measure.on);
